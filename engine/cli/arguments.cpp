@@ -1,0 +1,193 @@
+#include "engine/cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "models/error.h"
+
+namespace spoke::cli {
+namespace {
+
+constexpr int kMostThreads = 4096;
+
+constexpr const char* kStatusText = R"(Exit status:
+  0  done
+  1  a fault in spoke itself
+  2  bad command line or scenario, or output that cannot be written;
+     the message on stderr says file:line:column, key, what is wrong and what is expected
+  3  the simulation diverged; results so far are kept
+)";
+
+constexpr const char* kRunText = R"(Output files, in the folder of --out:
+  sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies
+  summary.json  all values in force, machine, steps, wall time, hash of the final state, and
+                the extremes of every sensor over all steps
+
+Example:
+  spoke run models/wu_haug_rotor.toml --set blade.bodies=8 --set integration.step=0.01
+)";
+
+constexpr const char* kCheckText =
+    R"(Prints subsystems, bodies, coordinates and joints, nodes and edges of the step graph, lowest and
+highest natural frequency at rest, the largest step that rk4 is stable at, and the step in force.
+Writes no files. Warns on stderr if the scenario's method is rk4 and its step is not stable.
+
+Example:
+  spoke check models/wu_haug_rotor.toml --set blade.elements=8
+)";
+
+constexpr const char* kProgramText = R"(Examples:
+  spoke run models/wu_haug_rotor.toml
+  spoke check models/wu_haug_rotor.toml
+
+"spoke run --help" and "spoke check --help" explain their options and output.
+)";
+
+/// The names of all values of an enumeration and back.
+template <class Enum>
+class Names {
+ public:
+  Names(std::initializer_list<Enum> values) : values_(values) {}
+
+  std::vector<std::string> all() const {
+    std::vector<std::string> names;
+    for (const Enum value : values_) names.emplace_back(name_of(value));
+    return names;
+  }
+  Enum value(const std::string& name) const {
+    return *std::find_if(values_.begin(), values_.end(),
+                         [&](Enum v) { return name_of(v) == name; });
+  }
+
+ private:
+  std::vector<Enum> values_;
+};
+
+template <class Enum, class Assign>
+void add_choice(CLI::App& command, const std::string& option, const std::string& text,
+                const Names<Enum>& names, Assign assign) {
+  command
+      .add_option_function<std::string>(
+          option, [names, assign](const std::string& name) { assign(names.value(name)); }, text)
+      ->check(CLI::IsMember(names.all()))
+      ->type_name("NAME");
+}
+
+void add_common(CLI::App& command, Arguments& arguments) {
+  command.add_option("SCENARIO", arguments.scenario, "Scenario file (TOML; see docs/scenario.md)")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--set",
+          [&arguments](const CLI::results_t& assignments) {
+            arguments.overrides = assignments;
+            return true;
+          },
+          "Override a key of the scenario; may be repeated.\n"
+          "The value is TOML, a bare word is text:\n"
+          "  --set blade.bodies=8 --set blades.2.length=7.5\n"
+          "  --set load.1.force=[0,1] --set blade.reference_frame=chord")
+      ->type_name("KEY=VALUE")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
+  command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");
+}
+
+void add_run(CLI::App& program, Arguments& arguments) {
+  CLI::App& run = *program.add_subcommand("run", "Simulate a scenario and write its results");
+  add_common(run, arguments);
+  run.add_option("--out", arguments.out, "Folder of the results [results/<name of the scenario>]")
+      ->type_name("DIR");
+  add_choice<Formulation>(
+      run, "--formulation", "How accelerations are computed [structured]",
+      {Formulation::structured, Formulation::subsystem, Formulation::augmented},
+      [&](Formulation formulation) { arguments.options.formulation = formulation; });
+  add_choice<IntegrationMethod>(run, "--integrator",
+                                "Integration method\n[what the scenario says; generalized_alpha]",
+                                {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4},
+                                [&](IntegrationMethod method) { arguments.integrator = method; });
+  add_choice<ExecutorKind>(run, "--executor", "What runs the task graph of a step [flow_graph]",
+                           {ExecutorKind::flow_graph, ExecutorKind::serial},
+                           [&](ExecutorKind kind) { arguments.options.executor = kind; });
+  run.add_option("--threads", arguments.options.threads,
+                 "Threads of the executor; 0: as many as there are cores [0]")
+      ->check(CLI::Range(0, kMostThreads))
+      ->type_name("N");
+  run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
+  run.footer(std::string(kRunText) + '\n' + kStatusText);
+  run.callback([&] { arguments.command = Arguments::Command::run; });
+}
+
+void add_check(CLI::App& program, Arguments& arguments) {
+  CLI::App& check = *program.add_subcommand("check", "Validate a scenario and print its model");
+  add_common(check, arguments);
+  check.footer(std::string(kCheckText) + '\n' + kStatusText);
+  check.callback([&] { arguments.command = Arguments::Command::check; });
+}
+
+/// Whether an argument is another KEY=VALUE behind --set, rather than an option or a file.
+bool is_assignment(const std::string& argument) {
+  const auto equals = argument.find('=');
+  if (equals == std::string::npos || equals == 0 || argument[0] == '-') return false;
+  return std::all_of(argument.begin(), argument.begin() + static_cast<std::ptrdiff_t>(equals),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; });
+}
+
+/// "--set a=1 b=2" as "--set a=1 --set b=2": a list that ends by itself before SCENARIO.
+std::vector<std::string> repeat_set(const std::vector<std::string>& arguments) {
+  std::vector<std::string> repeated;
+  bool in_list = false;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool first = i > 0 && arguments[i - 1] == "--set";
+    in_list = first || (in_list && is_assignment(arguments[i]));
+    if (in_list && !first) repeated.emplace_back("--set");
+    repeated.push_back(arguments[i]);
+  }
+  return repeated;
+}
+
+/// Refuses what is neither a command nor an option of the program. The name for messages.
+std::string check_first(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) {
+    throw InputError("spoke: no command, expected run or check (see spoke --help)");
+  }
+  const std::string& first = arguments[0];
+  if (first == "run" || first == "check") return "spoke " + first;
+  if (first == "-h" || first == "--help" || first == "--version") return "spoke";
+  throw InputError("spoke: unknown command \"" + first +
+                   "\", expected run or check (see spoke --help)");
+}
+
+}  // namespace
+
+Arguments parse_arguments(const std::vector<std::string>& arguments) {
+  Arguments result;
+  CLI::App program("Spoke simulates flexible multibody systems; every step is a task graph.",
+                   "spoke");
+  program.set_version_flag("--version", "spoke " SPOKE_VERSION, "Print the version");
+  program.footer(std::string(kProgramText) + '\n' + kStatusText);
+  program.require_subcommand(1);
+  add_run(program, result);
+  add_check(program, result);
+
+  const std::string name = check_first(arguments);
+  std::vector<std::string> reversed = repeat_set(arguments);
+  std::reverse(reversed.begin(), reversed.end());
+  try {
+    program.parse(reversed);
+  } catch (const CLI::Success& help) {
+    program.exit(help, std::cout, std::cerr);
+    result.command = Arguments::Command::none;
+  } catch (const CLI::ExtrasError&) {
+    throw InputError(name + ": unexpected argument " + program.remaining(true).front() + " (see " +
+                     name + " --help)");
+  } catch (const CLI::ParseError& error) {
+    throw InputError(name + ": " + error.what() + " (see " + name + " --help)");
+  }
+  return result;
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "models/scenario.h"
+
+namespace spoke::cli {
+
+/// What the command line asks for.
+struct Arguments {
+  enum class Command {
+    none,  ///< nothing: help or version was asked for and has been printed
+    run,
+    check,
+  };
+  Command command = Command::none;
+  std::string scenario;  ///< file
+  Overrides overrides;
+  std::string out;  ///< folder of the results; empty: named after the scenario
+  std::optional<IntegrationMethod> integrator;
+  SimulationOptions options;
+  bool quiet = false;
+  int verbosity = 0;  ///< number of -v
+};
+
+/// Parses the arguments behind the program's name. Throws InputError.
+Arguments parse_arguments(const std::vector<std::string>& arguments);
+
+}  // namespace spoke::cli

@@ -1,0 +1,41 @@
+#include "engine/cli/check_command.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <numbers>
+
+#include "engine/cli/report.h"
+
+namespace spoke::cli {
+namespace {
+
+std::string describe_frequency(double frequency) {
+  return fmt::format("{:.6g} rad/s ({:.6g} Hz)", frequency, frequency / (2.0 * std::numbers::pi));
+}
+
+}  // namespace
+
+int check(const Arguments& arguments) {
+  SimulationOptions options = arguments.options;
+  options.executor = ExecutorKind::serial;
+  const Simulation simulation(read_scenario(arguments.scenario, arguments.overrides), options);
+  const Integration& integration = simulation.scenario().integration;
+  const LinearProperties properties = simulation.linear_properties();
+  print_model(simulation);
+  print_line("at rest",
+             "lowest natural frequency " + describe_frequency(properties.lowest_frequency));
+  print_line("", "highest natural frequency " + describe_frequency(properties.highest_frequency));
+  print_line("rk4", fmt::format("stable up to a step of {:.4g} s", properties.rk4_largest_step));
+  print_line("integration", fmt::format("{}, {} steps of {:.6g} s", name_of(integration.method),
+                                        simulation.planned_steps(), simulation.step_size()));
+  if (integration.method == IntegrationMethod::rk4 &&
+      simulation.step_size() > properties.rk4_largest_step) {
+    std::fflush(stdout);
+    fmt::print(stderr,
+               "{}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s\n",
+               arguments.scenario, simulation.step_size(), properties.rk4_largest_step);
+  }
+  return 0;
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,61 @@
+// The program "spoke": command line in, exit status out.
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <exception>
+#include <new>
+
+#include "engine/cli/arguments.h"
+#include "engine/cli/check_command.h"
+#include "engine/cli/report.h"
+#include "engine/cli/run_command.h"
+#include "models/error.h"
+
+namespace {
+
+using namespace spoke;
+
+void start_logging(const cli::Arguments& arguments) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("spoke"));
+  const auto level = arguments.verbosity > 1    ? spdlog::level::debug
+                     : arguments.verbosity == 1 ? spdlog::level::info
+                                                : spdlog::level::warn;
+  spdlog::set_level(arguments.quiet && arguments.verbosity == 0 ? spdlog::level::err : level);
+}
+
+int execute(const cli::Arguments& arguments) {
+  switch (arguments.command) {
+    case cli::Arguments::Command::run:
+      return cli::run(arguments);
+    case cli::Arguments::Command::check:
+      return cli::check(arguments);
+    case cli::Arguments::Command::none:
+      break;
+  }
+  return 0;
+}
+
+int complain(const std::string& message, int status) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{}\n", cli::one_line(message));
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const cli::Arguments arguments = cli::parse_arguments({argv + 1, argv + argc});
+    start_logging(arguments);
+    return execute(arguments);
+  } catch (const InputError& error) {
+    return complain(error.what(), 2);
+  } catch (const DivergenceError& error) {
+    return complain(error.what(), 3);
+  } catch (const std::bad_alloc&) {
+    return complain("spoke: the model does not fit into this machine's memory", 2);
+  } catch (const std::exception& error) {
+    return complain(std::string("spoke: internal error: ") + error.what(), 1);
+  }
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/simulation.h"
+
+namespace spoke::cli {
+
+/// One line of what a command prints: a label in a column of its own, then text.
+void print_line(std::string_view label, std::string_view text);
+
+/// The text with control characters replaced by spaces, for messages of one line.
+std::string one_line(std::string text);
+
+/// Prints title, sizes of the model and of its step graph.
+void print_model(const Simulation& simulation);
+
+}  // namespace spoke::cli

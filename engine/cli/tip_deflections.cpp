@@ -1,0 +1,82 @@
+#include "engine/cli/tip_deflections.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace spoke::cli {
+namespace {
+
+std::size_t index_of(const Simulation& simulation, const std::string& sensor) {
+  const auto& names = simulation.sensor_names();
+  const auto found = std::find(names.begin(), names.end(), sensor);
+  if (found == names.end()) throw std::out_of_range("no sensor " + sensor);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// Numbers in increasing order, as "1-3, 5".
+std::string join_ranges(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    if (!text.empty()) text += ", ";
+    text += std::to_string(numbers[i]);
+    if (last > i) text += '-' + std::to_string(numbers[last]);
+    i = last + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+TipDeflections::TipDeflections(const Simulation& simulation) {
+  const auto& blades = simulation.scenario().rotor.blades;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    const std::string tip = "blade" + std::to_string(i + 1) + ".tip";
+    blades_.push_back({index_of(simulation, tip + ".x"), index_of(simulation, tip + ".y"),
+                       std::cos(blades[i].azimuth), std::sin(blades[i].azimuth)});
+  }
+}
+
+void TipDeflections::add(double t, std::span<const double> sensors) {
+  for (Blade& blade : blades_) {
+    const double across = -blade.sine * sensors[blade.x] + blade.cosine * sensors[blade.y];
+    if (std::abs(across) > std::abs(blade.largest)) {
+      blade.largest = across;
+      blade.time = t;
+    }
+  }
+}
+
+std::vector<std::string> TipDeflections::describe() const {
+  struct Group {
+    double size;
+    std::string text;
+    std::vector<std::size_t> blades;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < blades_.size(); ++i) {
+    const Blade& blade = blades_[i];
+    std::string text = fmt::format("{:.6g} m at {:.6g} s", blade.largest, blade.time);
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.text == text; });
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), {std::abs(blade.largest), std::move(text), {}});
+    }
+    group->blades.push_back(i + 1);
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.size > b.size; });
+  std::vector<std::string> lines;
+  for (const Group& group : groups) {
+    lines.push_back(fmt::format("{} ({} {})", group.text,
+                                group.blades.size() == 1 ? "blade" : "blades",
+                                join_ranges(group.blades)));
+  }
+  return lines;
+}
+
+}  // namespace spoke::cli

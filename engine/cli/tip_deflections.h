@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+
+namespace spoke::cli {
+
+/// Finds the largest deflection of each blade's tip across the undeformed blade, over all steps.
+/// The sensors tell a tip's displacement in the hub frame; this turns it to the blade's direction.
+class TipDeflections {
+ public:
+  /// Throws std::out_of_range if a blade has no tip sensors.
+  explicit TipDeflections(const Simulation& simulation);
+
+  /// sensors: all sensor values at time t [s].
+  void add(double t, std::span<const double> sensors);
+  /// A text such as "-0.534149 m at 6.765 s (blades 1-3)" for each group of blades with the same
+  /// deflection, the largest first.
+  std::vector<std::string> describe() const;
+
+ private:
+  struct Blade {
+    std::size_t x, y;      ///< indices of its sensors
+    double cosine, sine;   ///< of its azimuth
+    double largest = 0.0;  ///< positive ahead of the hub's rotation, counterclockwise [m]
+    double time = 0.0;     ///< [s]
+  };
+  std::vector<Blade> blades_;
+};
+
+}  // namespace spoke::cli

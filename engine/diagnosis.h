@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/integrator/time_stepper.h"
+#include "engine/step_context.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+/// Where a step failed.
+struct FailedStep {
+  StepOutcome outcome = StepOutcome::left_limits;
+  double time = 0.0;      ///< that the step was to reach [s]
+  std::int64_t step = 0;  ///< counted from 1
+};
+
+/// One sentence that says what left its limits, where (blade, body, node of the graph, coordinate),
+/// when, and what to try.
+std::string describe_failure(const Scenario& scenario, const StepContext& context,
+                             const FailedStep& failed);
+
+}  // namespace spoke

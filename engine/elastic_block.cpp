@@ -1,0 +1,127 @@
+#include "engine/elastic_block.h"
+
+#include <algorithm>
+
+namespace spoke {
+
+template <int Half>
+BandFactor<Half>::BandFactor(const SymmetricBand<Half>& matrix)
+    : n_(matrix.size()),
+      lower_(static_cast<std::size_t>(n_ + Half) * Half, 0.0),
+      inverse_diagonal_(n_) {
+  std::vector<double> d(n_);
+  const auto L = [&](int i, int j) -> double& { return lower_[i * Half + (j - i + Half)]; };
+  for (int i = 0; i < n_; ++i) {
+    const int first = std::max(0, i - Half);
+    for (int j = first; j < i; ++j) {
+      double sum = matrix(i, j);
+      for (int k = std::max(first, j - Half); k < j; ++k) sum -= L(i, k) * d[k] * L(j, k);
+      L(i, j) = sum / d[j];
+    }
+    double sum = matrix(i, i);
+    for (int k = first; k < i; ++k) sum -= L(i, k) * L(i, k) * d[k];
+    d[i] = sum;
+    inverse_diagonal_[i] = 1.0 / sum;
+  }
+}
+
+template <int Half>
+void BandFactor<Half>::solve(const double* __restrict a, const double* __restrict b,
+                             Pair* __restrict scratch, double* __restrict x,
+                             double* __restrict y) const {
+  std::array<Pair, Half> last;  // last[k]: the solution Half - k rows back (then ahead)
+  last.fill(Pair::Zero());
+  const auto push = [&](const Pair& newest) {
+    for (int k = 0; k + 1 < Half; ++k) last[k] = last[k + 1];
+    last[Half - 1] = newest;
+  };
+  const double* L = lower_.data();
+  for (int i = 0; i < n_; ++i, L += Half) {
+    Pair sum(a[i], b[i]);
+    for (int k = 0; k < Half; ++k) sum -= L[k] * last[k];
+    push(sum);
+    scratch[i] = sum;
+  }
+  last.fill(Pair::Zero());
+  for (int i = n_ - 1; i >= 0; --i) {
+    L -= Half;
+    Pair sum = inverse_diagonal_[i] * scratch[i];
+    // Column i of L below the diagonal: L(i + Half - k, i) stands in row i + Half - k.
+    for (int k = 0; k < Half; ++k) sum -= L[(Half - k) * Half + k] * last[k];
+    push(sum);
+    x[i] = sum[0];
+    y[i] = sum[1];
+  }
+}
+
+template <int Half>
+Eigen::VectorXd BandFactor<Half>::solve(const Eigen::VectorXd& b) const {
+  std::vector<Pair> scratch(n_);
+  Eigen::VectorXd x(n_), y(n_);
+  solve(b.data(), b.data(), scratch.data(), x.data(), y.data());
+  return x;
+}
+
+template class BandFactor<1>;
+template class BandFactor<3>;
+
+namespace {
+
+template <int Half>
+SymmetricBand<Half> combine(double a, const SymmetricBand<Half>& A, double b,
+                            const SymmetricBand<Half>& B) {
+  SymmetricBand<Half> sum(A.size());
+  sum.add_scaled(a, A);
+  sum.add_scaled(b, B);
+  return sum;
+}
+
+ElasticBlock::BendingColumn make_column(const FlexibleBody& body, const BandFactor<3>& factor,
+                                        bool outboard, int component) {
+  ElasticBlock::BendingColumn column;
+  column.outboard = outboard;
+  column.component = component;
+  const Handle& handle = outboard ? body.outboard : body.inboard;
+  column.coordinate = handle.coordinate[component] - body.axial();
+  column.Z = factor.solve(
+      Eigen::VectorXd(Eigen::VectorXd::Unit(body.bending(), column.coordinate)));
+  return column;
+}
+
+void fill_handle_compliances(ElasticBlock& block) {
+  block.Z_ii = block.Z_io = block.Z_oo = TwistMatrix::Zero();
+  block.Z_oo(0, 0) = block.Z_axial[block.axial_coordinate];
+  for (const auto& a : block.columns)
+    for (const auto& b : block.columns) {
+      const double z = b.Z[a.coordinate];
+      if (a.outboard && b.outboard) block.Z_oo(a.component, b.component) = z;
+      if (!a.outboard && b.outboard) block.Z_io(a.component, b.component) = z;
+      if (!a.outboard && !b.outboard) block.Z_ii(a.component, b.component) = z;
+    }
+}
+
+}  // namespace
+
+ElasticBlock make_elastic_block(const FlexibleBody& body, double mass_factor,
+                                double stiffness_factor) {
+  ElasticBlock block;
+  block.axial = BandFactor<1>(combine(mass_factor, body.M_axial, stiffness_factor, body.K_axial));
+  block.bending =
+      BandFactor<3>(combine(mass_factor, body.M_bending, stiffness_factor, body.K_bending));
+  block.W_x = block.axial.solve(body.S_axial);
+  block.W_y = block.bending.solve(body.S_bending);
+  block.S_Wx = body.S_axial.dot(block.W_x);
+  block.S_Wy = body.S_bending.dot(block.W_y);
+
+  block.axial_coordinate = body.outboard.coordinate[0];
+  block.Z_axial =
+      block.axial.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(body.axial(), body.axial() - 1)));
+  // The free bending coordinates at the handles: v and psi outboard (clamped), or psi at both ends.
+  const bool clamped = body.reference_frame == ReferenceFrame::clamped;
+  block.columns[0] = make_column(body, block.bending, clamped, clamped ? 1 : kRotation);
+  block.columns[1] = make_column(body, block.bending, true, kRotation);
+  fill_handle_compliances(block);
+  return block;
+}
+
+}  // namespace spoke

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "engine/lanes.h"
+#include "models/flexible_body.h"
+
+namespace spoke {
+
+/// L D L^T of a symmetric positive definite band, for solving two right-hand sides at once.
+template <int Half>
+class BandFactor {
+ public:
+  BandFactor() = default;
+  explicit BandFactor(const SymmetricBand<Half>& matrix);
+
+  /// x = A^-1 a, y = A^-1 b, n values each; `scratch`: n pairs.
+  void solve(const double* a, const double* b, Pair* scratch, double* x, double* y) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+ private:
+  int n_ = 0;
+  /// Row i: L(i, i - Half) ... L(i, i - 1); zero left of the matrix. Half rows of zeros follow.
+  std::vector<double> lower_;
+  std::vector<double> inverse_diagonal_;
+};
+
+/// The constant block Mhat = mass_factor Mff + stiffness_factor K of a body, factorised, and what
+/// follows from it once and for all. An explicit evaluation has factors (1, 0); one of the linearly
+/// implicit generalized-alpha adds its step's shares of D and K (docs/formulation.md, section 5).
+struct ElasticBlock {
+  BandFactor<1> axial;
+  BandFactor<3> bending;
+
+  Eigen::VectorXd W_x;  ///< Mhat^-1 S_x^T, axial: the response to a translation along x (E)
+  Eigen::VectorXd W_y;  ///< Mhat^-1 S_y^T, bending (2E)
+  double S_Wx = 0.0;    ///< S_x W_x [kg]
+  double S_Wy = 0.0;    ///< S_y W_y [kg]
+
+  /// A bending coordinate at a handle, and the response Z = Mhat^-1 e to a unit force on it.
+  struct BendingColumn {
+    bool outboard = true;
+    int component = kRotation;  ///< of the handle's wrench
+    int coordinate = 0;         ///< among the bending coordinates
+    Eigen::VectorXd Z;          ///< 2E
+  };
+  int axial_coordinate = 0;  ///< u of the outboard node
+  Eigen::VectorXd Z_axial;   ///< E
+  std::array<BendingColumn, 2> columns;
+
+  // E_a Mhat^-1 E_b^T: compliance of the deformation at the two handles.
+  TwistMatrix Z_ii, Z_io, Z_oo;
+};
+
+ElasticBlock make_elastic_block(const FlexibleBody& body, double mass_factor,
+                                double stiffness_factor);
+
+}  // namespace spoke

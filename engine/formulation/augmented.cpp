@@ -1,0 +1,148 @@
+#include "engine/formulation/augmented.h"
+
+#include "engine/formulation/dense_body.h"
+#include "engine/hub.h"
+
+namespace spoke::augmented {
+namespace {
+
+constexpr int d = kTwist;
+
+/// Rows and columns of one body: mass, force.
+void add_body(const BodyData& body, const Eigen::MatrixXd& elastic, int first, Work& work) {
+  const int n = dense_size(*body.model->body);
+  calc_dense_mass(body, elastic, work.matrix.block(first, first, n, n));
+  calc_dense_force(body, work.right.segment(first, n));
+}
+
+/// Rows of the joint inboard of body j of subsystem i: child's part, and the parent body's.
+void add_joint(const SubsystemData& subsystem, int i, int j, Work& work) {
+  const BodyData& child = subsystem.bodies[j];
+  const int row = work.first_joint[i][j];
+  const int n = dense_size(*child.model->body);
+  auto child_block = work.matrix.block(row, work.first[i][j], d, n);
+  calc_handle_jacobian(child, child.model->body->inboard, child_block);
+  child_block = -child_block;
+  work.right.segment<d>(row) =
+      calc_handle_bias(child, child.model->body->inboard, subsystem.twists[j][kRotation]);
+  if (j == 0) return;
+  const BodyData& parent = subsystem.bodies[j - 1];
+  const Rotation back = subsystem.poses[j].R_PB.inverse();
+  const int m = dense_size(*parent.model->body);
+  auto parent_block = work.matrix.block(row, work.first[i][j - 1], d, m);
+  calc_handle_jacobian(parent, parent.model->body->outboard, parent_block);
+  for (int c = 0; c < m; ++c) parent_block.col(c) = back * Twist(parent_block.col(c));
+  work.right.segment<d>(row) -=
+      back * calc_handle_bias(parent, parent.model->body->outboard,
+                              subsystem.twists[j - 1][kRotation]);
+}
+
+/// The hub's part of the root joint's rows.
+void add_root_joint(const Subsystem& subsystem, const HubState& hub, const BodyPose& first,
+                    int row, Work& work) {
+  for (int c = 0; c < d; ++c) {
+    const HubState at_rest{hub.R, Twist::Zero()};
+    work.matrix.block<d, 1>(row, c) =
+        calc_root_acceleration(subsystem, at_rest, Twist(Twist::Unit(c)), first);
+  }
+  work.right.segment<d>(row) -= calc_root_acceleration(subsystem, hub, Twist(Twist::Zero()), first);
+}
+
+void add_hub(const System& system, const StepData& data, Work& work) {
+  double centrifugal_inertia = 0.0, centrifugal_rate = 0.0;
+  for (const SubsystemData& subsystem : data.subsystems)
+    for (const BodyData& body : subsystem.bodies) {
+      centrifugal_inertia += body.terms.centrifugal_inertia;
+      centrifugal_rate += body.terms.centrifugal_rate;
+    }
+  const Hub& hub = system.hub;
+  work.matrix.topLeftCorner<d, d>() =
+      Twist(hub.mass, hub.mass, hub.inertia - centrifugal_inertia).asDiagonal();
+  work.right[kRotation] = calc_torque(hub.drive, data.control.time) +
+                          2.0 * data.hub.twist[kRotation] * centrifugal_rate;
+  const Twist given = calc_prescribed_acceleration(system, data);
+  int row = work.first_hub_multiplier;
+  for (int c = 0; c < d; ++c)
+    if (is_prescribed(hub, c)) {
+      work.matrix(row, c) = 1.0;
+      work.right[row++] = given[c];
+    }
+}
+
+void copy_lower_to_upper(Work& work) {
+  const Eigen::Index constraints = work.matrix.rows() - work.first_joint[0][0];
+  const Eigen::Index coordinates = work.first_joint[0][0];
+  work.matrix.topRightCorner(coordinates, constraints) =
+      work.matrix.bottomLeftCorner(constraints, coordinates).transpose();
+}
+
+}  // namespace
+
+void allocate(const System& system, const StepData& data,
+              std::vector<std::vector<subsystem::DenseBlocks>> elastic, Work& work) {
+  work.elastic = std::move(elastic);
+  int next = d;
+  for (const SubsystemData& subsystem : data.subsystems) {
+    work.first.emplace_back();
+    for (const BodyData& body : subsystem.bodies) {
+      work.first.back().push_back(next);
+      next += dense_size(*body.model->body);
+    }
+  }
+  for (const SubsystemData& subsystem : data.subsystems) {
+    work.first_joint.emplace_back();
+    for (std::size_t j = 0; j < subsystem.bodies.size(); ++j, next += d)
+      work.first_joint.back().push_back(next);
+  }
+  work.first_hub_multiplier = next;
+  for (int c = 0; c < d; ++c) next += is_prescribed(system.hub, c);
+  work.matrix.setZero(next, next);
+  work.factor = Eigen::PartialPivLU<Eigen::MatrixXd>(next);
+  work.right.setZero(next);
+  work.solution.setZero(next);
+}
+
+void solve(const System& system, StepData& data, Work& work) noexcept {
+  work.matrix.setZero();
+  work.right.setZero();
+  add_hub(system, data, work);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    const SubsystemData& subsystem = data.subsystems[i];
+    for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+      add_body(subsystem.bodies[j], *work.elastic[i][j][data.control.implicit], work.first[i][j],
+               work);
+      add_joint(subsystem, static_cast<int>(i), static_cast<int>(j), work);
+    }
+    add_root_joint(system.subsystems[i], data.hub, subsystem.poses[0], work.first_joint[i][0],
+                   work);
+  }
+  copy_lower_to_upper(work);
+  work.factor.compute(work.matrix);
+  work.solution.noalias() = work.factor.solve(work.right);
+
+  HubSolution& solution = data.hub_solution;
+  solution.acceleration = work.solution.head<d>();
+  solution.applied_torque = calc_torque(system.hub.drive, data.control.time);
+  solution.reaction.setZero();
+  int row = work.first_hub_multiplier;
+  for (int c = 0; c < d; ++c)
+    if (is_prescribed(system.hub, c)) solution.reaction[c] = -work.solution[row++];
+}
+
+void recover_wrenches(int subsystem, const Work& work, SubsystemData& data) noexcept {
+  const std::vector<int>& rows = work.first_joint[subsystem];
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    data.wrenches[j].inboard = work.solution.segment<d>(rows[j]);
+    data.wrenches[j].outboard.setZero();
+    if (j + 1 < rows.size())
+      data.wrenches[j].outboard =
+          -(data.poses[j + 1].R_PB * Twist(work.solution.segment<d>(rows[j + 1])));
+  }
+}
+
+void recover_body(int subsystem, int body, const Work& work, BodyData& data, double* a) noexcept {
+  store_dense_acceleration(
+      work.solution.segment(work.first[subsystem][body], dense_size(*data.model->body)), data, a);
+}
+
+}  // namespace spoke::augmented

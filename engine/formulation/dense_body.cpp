@@ -1,0 +1,75 @@
+#include "engine/formulation/dense_body.h"
+
+#include "engine/kinematics.h"
+
+namespace spoke {
+namespace {
+
+using ConstVector = Eigen::Map<const Eigen::VectorXd>;
+
+ConstVector axial(const double* flex, const BodyData& data) {
+  return {flex + data.layout.u(), data.layout.axial};
+}
+ConstVector bending(const double* flex, const BodyData& data) {
+  return {flex + data.layout.v(), data.layout.bending};
+}
+
+}  // namespace
+
+Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, double mass_factor,
+                                         double stiffness_factor) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(body.coordinates(), body.coordinates());
+  dense.topLeftCorner(body.axial(), body.axial()) =
+      mass_factor * body.M_axial.to_dense() + stiffness_factor * body.K_axial.to_dense();
+  dense.bottomRightCorner(body.bending(), body.bending()) =
+      mass_factor * body.M_bending.to_dense() + stiffness_factor * body.K_bending.to_dense();
+  return dense;
+}
+
+void calc_dense_mass(const BodyData& data, const Eigen::MatrixXd& elastic,
+                     Eigen::Ref<Eigen::MatrixXd> mass) {
+  const FlexibleBody& body = *data.model->body;
+  const int nf = body.coordinates();
+  mass.topLeftCorner<kTwist, kTwist>() << body.mass, 0.0, -data.terms.S.y(),  //
+      0.0, body.mass, data.terms.S.x(),                                       //
+      -data.terms.S.y(), data.terms.S.x(), data.terms.rotary_inertia;
+  auto C = mass.topRightCorner(kTwist, nf);
+  C.row(0) << body.S_axial.transpose(), Eigen::RowVectorXd::Zero(body.bending());
+  C.row(1) << Eigen::RowVectorXd::Zero(body.axial()), body.S_bending.transpose();
+  C.row(2) << axial(data.c_theta, data).transpose(), bending(data.c_theta, data).transpose();
+  mass.bottomLeftCorner(nf, kTwist) = C.transpose();
+  mass.bottomRightCorner(nf, nf) = elastic;
+}
+
+void calc_dense_force(const BodyData& data, Eigen::Ref<Eigen::VectorXd> force) {
+  force << data.terms.Q, axial(data.Q_f, data), bending(data.Q_f, data);
+}
+
+void calc_handle_jacobian(const BodyData& data, const Handle& handle,
+                          Eigen::Ref<Eigen::MatrixXd> J) {
+  J.setZero();
+  J.leftCols<kTwist>().setIdentity();
+  J.col(kRotation).head<kPosition>() =
+      quarter_turn(calc_handle_position(handle, data.coordinates.q, data.layout));
+  for (int c = 0; c < kTwist; ++c)
+    if (handle.coordinate[c] >= 0) J(c, kTwist + handle.coordinate[c]) = 1.0;
+}
+
+Twist calc_handle_bias(const BodyData& data, const Handle& handle, double speed) {
+  const Position s = calc_handle_position(handle, data.coordinates.q, data.layout);
+  const Position s_rate = calc_handle_velocity(handle, data.coordinates.v, data.layout);
+  Twist bias = Twist::Zero();
+  bias.head<kPosition>() = -speed * speed * s + 2.0 * speed * quarter_turn(s_rate);
+  return bias;
+}
+
+void store_dense_acceleration(const Eigen::Ref<const Eigen::VectorXd>& x, BodyData& data,
+                              double* a) {
+  const int E = data.layout.axial;
+  data.X = x.head<kTwist>();
+  Eigen::Map<Eigen::VectorXd>(a + data.layout.u(), E) = x.segment(kTwist, E);
+  Eigen::Map<Eigen::VectorXd>(a + data.layout.v(), data.layout.bending) =
+      x.tail(data.layout.bending);
+}
+
+}  // namespace spoke

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+namespace spoke {
+
+/// Three ways to the same accelerations (docs/formulation.md, section 4).
+enum class Formulation {
+  structured,  ///< constant blocks factorised once, block-tridiagonal condensation: O(N M E)
+  subsystem,   ///< the paper's subsystem synthesis with dense blocks, (P 7) to (P 11)
+  augmented,   ///< one dense system of all coordinates and multipliers, (P 4) to (P 6)
+};
+
+/// "structured", "subsystem" or "augmented".
+std::string_view name_of(Formulation formulation);
+
+}  // namespace spoke

@@ -1,0 +1,53 @@
+#pragma once
+
+// Spoke's own formulation: (P 7) to (P 11) without ever forming what is constant or zero.
+//
+// Per body, with Mhat = Mff (+ the implicit shares of D and K) factorised once, C = M_Rf:
+//   Mhat qf'' + C^T X = Q_f + E_i^T F + E_o^T f      E: the handles' deformation coordinates
+//   M_RR X + C qf''   = Q   + J_i^T F + J_o^T f      F, f: wrenches on the handles
+// condense() eliminates qf'':
+//   qf'' = z - W X + Z_i F + Z_o f,   W = Mhat^-1 C^T,  z = Mhat^-1 Q_f,  Z_e = Mhat^-1 E_e^T
+//   S_R X = p + X_i^T F + X_o^T f,    S_R = M_RR - C W,  p = Q - C z,  X_e = J_e - E_e W
+// and so to the two-port of handle accelerations. Per subsystem the chain of two-ports is eliminated
+// from the tip to the root (the block-tridiagonal Phi M^-1 Phi^T of (P 8)); what remains at the root
+// is (P 10).
+
+#include "engine/step_data.h"
+
+namespace spoke::structured {
+
+/// What the structured path keeps per body besides BodyData.
+struct BodyWork {
+  TwoPort port;
+  JointElimination joint;          ///< of the outboard joint; unused at the tip
+  double* W_theta = nullptr;       ///< response to an angular acceleration (flex vector)
+  double* z = nullptr;             ///< response to Q_f (flex vector)
+  Pair* scratch = nullptr;         ///< of the solves
+};
+
+/// Per subsystem.
+struct SubsystemWork {
+  std::vector<BodyWork> bodies;
+  Eigen::VectorXd storage;    ///< of all flex vectors
+  std::vector<Pair> scratch;  ///< 2E pairs per body
+};
+
+void allocate(const SubsystemData& data, SubsystemWork& work);
+
+/// Solves for W_theta and z and condenses a body to its two-port.
+void condense_body(const BodyData& data, double speed, const PassControl& control,
+                   BodyWork& work) noexcept;
+
+/// Eliminates the joints of a chain from tip to root: effective mass and force (P 10).
+void condense_subsystem(const Subsystem& subsystem, const HubState& hub, SubsystemData& data,
+                        SubsystemWork& work) noexcept;
+
+/// Joint wrenches from root to tip (P 8), from the hub's acceleration.
+void recover_wrenches(const Subsystem& subsystem, const HubState& hub, const HubSolution& solution,
+                      const SubsystemWork& work, SubsystemData& data) noexcept;
+
+/// Accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
+void recover_body(const HandleWrenches& wrenches, const BodyWork& work, const PassControl& control,
+                  BodyData& data, double* a) noexcept;
+
+}  // namespace spoke::structured

@@ -1,0 +1,94 @@
+#include "engine/formulation/work.h"
+
+#include "engine/formulation/dense_body.h"
+
+namespace spoke {
+namespace {
+
+using BodyKey = const FlexibleBody*;
+
+/// Dense elastic blocks of all bodies, by subsystem and body, shared by bodies of one type.
+std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepData& data,
+                                                                   const ElasticShares& implicit) {
+  std::map<BodyKey, subsystem::DenseBlocks> made;
+  std::vector<std::vector<subsystem::DenseBlocks>> blocks;
+  for (const SubsystemData& subsystem : data.subsystems) {
+    blocks.emplace_back();
+    for (const BodyData& member : subsystem.bodies) {
+      const FlexibleBody& body = *member.model->body;
+      subsystem::DenseBlocks& pair = made[&body];
+      if (!pair[0]) {
+        pair[0] = std::make_shared<Eigen::MatrixXd>(make_dense_elastic_block(body, 1.0, 0.0));
+        pair[1] = std::make_shared<Eigen::MatrixXd>(
+            make_dense_elastic_block(body, implicit.mass_factor, implicit.stiffness_factor));
+      }
+      blocks.back().push_back(pair);
+    }
+  }
+  return blocks;
+}
+
+void make_elastic_blocks(const ElasticShares& implicit, StepData& data, FormulationWork& work) {
+  for (SubsystemData& subsystem : data.subsystems)
+    for (BodyData& member : subsystem.bodies) {
+      const FlexibleBody& body = *member.model->body;
+      const auto [at, is_new] = work.blocks.try_emplace(&body);
+      if (is_new) {
+        at->second[0] = make_elastic_block(body, 1.0, 0.0);
+        at->second[1] = make_elastic_block(body, implicit.mass_factor, implicit.stiffness_factor);
+      }
+      member.blocks = {&at->second[0], &at->second[1]};
+    }
+}
+
+}  // namespace
+
+std::string_view name_of(Formulation formulation) {
+  switch (formulation) {
+    case Formulation::structured:
+      return "structured";
+    case Formulation::subsystem:
+      return "subsystem";
+    case Formulation::augmented:
+      break;
+  }
+  return "augmented";
+}
+
+void allocate(const System& system, Formulation formulation, const ElasticShares& implicit,
+              StepData& data, FormulationWork& work) {
+  const std::size_t count = data.subsystems.size();
+  if (formulation == Formulation::structured) {
+    make_elastic_blocks(implicit, data, work);
+    work.structured.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      structured::allocate(data.subsystems[i], work.structured[i]);
+    return;
+  }
+  auto blocks = make_dense_blocks(data, implicit);
+  if (formulation == Formulation::augmented)
+    return augmented::allocate(system, data, std::move(blocks), work.augmented);
+  work.subsystem.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    subsystem::allocate(data.subsystems[i], blocks[i], work.subsystem[i]);
+}
+
+double estimate_memory(const System& system, Formulation formulation) {
+  constexpr double kNumber = sizeof(double);
+  double bytes = 0.0;
+  double unknowns = 2.0 * kTwist;
+  for (const Subsystem& subsystem : system.subsystems) {
+    const double joints = kTwist * static_cast<double>(subsystem.bodies.size());
+    for (const ChainBody& member : subsystem.bodies) {
+      const double nf = member.body->coordinates();
+      unknowns += 2.0 * kTwist + nf;
+      bytes += kNumber * (15.0 * nf + 300.0);
+      if (formulation == Formulation::subsystem) bytes += 2.0 * kNumber * (nf + 3) * (nf + 13);
+    }
+    if (formulation == Formulation::subsystem) bytes += 2.0 * kNumber * joints * joints;
+  }
+  if (formulation == Formulation::augmented) bytes += 2.0 * kNumber * unknowns * unknowns;
+  return bytes;
+}
+
+}  // namespace spoke

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "engine/formulation/augmented.h"
+#include "engine/formulation/formulation.h"
+#include "engine/formulation/structured.h"
+#include "engine/formulation/subsystem.h"
+
+namespace spoke {
+
+/// Shares of Mff and K in the constant block Mhat of an implicit step; (1, 0) is the explicit one.
+struct ElasticShares {
+  double mass_factor = 1.0;
+  double stiffness_factor = 0.0;
+};
+
+/// What the chosen formulation keeps besides the table; the others stay empty.
+struct FormulationWork {
+  std::vector<structured::SubsystemWork> structured;
+  std::vector<subsystem::SubsystemWork> subsystem;
+  augmented::Work augmented;
+  /// Constant blocks, shared by bodies of one type: explicit, implicit.
+  std::map<const FlexibleBody*, std::array<ElasticBlock, 2>> blocks;
+};
+
+/// Makes the constants and allocates the work of one formulation for `data`.
+void allocate(const System& system, Formulation formulation, const ElasticShares& implicit,
+              StepData& data, FormulationWork& work);
+
+/// Memory that a formulation will need for this system [bytes], before anything is allocated.
+double estimate_memory(const System& system, Formulation formulation);
+
+}  // namespace spoke

@@ -1,0 +1,68 @@
+#include "engine/hub.h"
+
+#include <Eigen/LU>
+
+namespace spoke {
+
+Twist calc_prescribed_acceleration(const System& system, const StepData& data) {
+  Twist given = Twist::Zero();
+  if (is_prescribed(system.hub, 0))
+    given.head<kPosition>() = -(data.hub.R.inverse() * system.gravity);
+  if (is_prescribed(system.hub, kRotation)) given[kRotation] = data.hub_coordinates.a[kRotation];
+  return given;
+}
+
+HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept {
+  const Hub& hub = system.hub;
+  HubEquation sum;
+  sum.mass = Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();
+  sum.force = Twist::Zero();
+  sum.force[kRotation] = calc_torque(hub.drive, data.control.time);
+  for (const SubsystemData& subsystem : data.subsystems) {
+    const EffectiveInertia& effective = subsystem.effective;
+    sum.mass += effective.mass;
+    sum.force += effective.force;
+    sum.mass(kRotation, kRotation) -= effective.centrifugal_inertia;
+    sum.force[kRotation] += 2.0 * data.hub.twist[kRotation] * effective.centrifugal_rate;
+  }
+  return sum;
+}
+
+void solve_hub(const System& system, StepData& data) noexcept {
+  const HubEquation equation = sum_hub_equation(system, data);
+  const Twist given = calc_prescribed_acceleration(system, data);
+  TwistMatrix matrix = equation.mass;
+  Twist right = equation.force;
+  for (int c = 0; c < kTwist; ++c)
+    if (is_prescribed(system.hub, c)) {
+      matrix.row(c) = Twist::Unit(c);
+      right[c] = given[c];
+    }
+  HubSolution& solution = data.hub_solution;
+  solution.acceleration = matrix.partialPivLu().solve(right);
+  solution.reaction = equation.mass * solution.acceleration - equation.force;
+  for (int c = 0; c < kTwist; ++c)
+    if (!is_prescribed(system.hub, c)) solution.reaction[c] = 0.0;
+  solution.applied_torque = calc_torque(system.hub.drive, data.control.time);
+}
+
+Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
+                             const Twist& hub_acceleration, const BodyPose& first) {
+  // [I, B p; 0, 1] Y'' - w0^2 p: the acceleration of the bracket, hub frame.
+  const double w = hub.twist[kRotation];
+  const Position& p = subsystem.root.p;
+  Twist bracket = hub_acceleration;
+  bracket.head<kPosition>() += hub_acceleration[kRotation] * quarter_turn(p) - w * w * p;
+  return first.R_PB.inverse() * bracket;
+}
+
+Twist calc_inertial_acceleration(const System& system, const HubState& hub,
+                                 const HubSolution& solution) {
+  Twist inertial = hub.R * solution.acceleration;
+  inertial.head<kPosition>() += system.gravity;
+  for (int c = 0; c < kPosition; ++c)
+    if (is_prescribed(system.hub, c)) inertial[c] = 0.0;
+  return inertial;
+}
+
+}  // namespace spoke

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/step_data.h"
+
+namespace spoke {
+
+/// Solves the hub's equation of motion (P 9) in the hub frame:
+///   (M_0 + sum M^C - centrifugal) Y'' = Q_0 + sum Q^C + reaction,
+/// with the acceleration of prescribed components given and their reaction unknown, those of free
+/// components unknown. Uniform gravity acts on all bodies as an acceleration of the frame, so the
+/// translational unknown is a - g throughout the system. Subsystems are summed in their order.
+void solve_hub(const System& system, StepData& data) noexcept;
+
+/// Effective inertia of the hub with all subsystems and its right-hand side, hub frame.
+struct HubEquation {
+  TwistMatrix mass;
+  Twist force;
+};
+HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept;
+
+/// Acceleration of a subsystem's root bracket, resolved in its first body's frame, less gravity.
+Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
+                             const Twist& hub_acceleration, const BodyPose& first);
+
+/// The acceleration of the hub in the inertial frame from its solution (a - g, hub frame).
+Twist calc_inertial_acceleration(const System& system, const HubState& hub,
+                                 const HubSolution& solution);
+
+/// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub frame;
+/// components that are not prescribed are zero. That of the drive stands in the hub's coordinates.
+Twist calc_prescribed_acceleration(const System& system, const StepData& data);
+
+}  // namespace spoke

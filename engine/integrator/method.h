@@ -1,0 +1,13 @@
+#pragma once
+
+#include <variant>
+
+#include "engine/integrator/generalized_alpha.h"
+#include "engine/integrator/rk4.h"
+
+namespace spoke {
+
+/// A time integration method with its coefficients.
+using Method = std::variant<GeneralizedAlpha, Rk4>;
+
+}  // namespace spoke

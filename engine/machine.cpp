@@ -1,0 +1,53 @@
+#include "engine/machine.h"
+
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <string_view>
+
+#include "graph/executor.h"
+
+namespace spoke {
+namespace {
+
+/// What follows the separator in the first line of a file that begins with `key`; else empty.
+std::string value_in_file(const char* file, std::string_view key, char separator) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with(key)) continue;
+    const auto begin = line.find_first_not_of(" \t\"", line.find(separator) + 1);
+    if (begin == std::string::npos) return {};
+    return line.substr(begin, line.find_last_not_of(" \t\"") - begin + 1);
+  }
+  return {};
+}
+
+std::string operating_system() {
+  std::string name = value_in_file("/etc/os-release", "PRETTY_NAME", '=');
+  utsname kernel{};
+  if (uname(&kernel) != 0) return name;
+  if (!name.empty()) name += ", ";
+  return name + kernel.sysname + ' ' + kernel.release + ' ' + kernel.machine;
+}
+
+std::string compiler() {
+#if defined(__clang__)
+  return "Clang " __clang_version__;
+#elif defined(__GNUC__)
+  return "GCC " __VERSION__;
+#else
+  return {};
+#endif
+}
+
+}  // namespace
+
+Machine this_machine() {
+  const std::int64_t pages = sysconf(_SC_PHYS_PAGES);
+  const std::int64_t page_size = sysconf(_SC_PAGE_SIZE);
+  return {value_in_file("/proc/cpuinfo", "model name", ':'), graph::available_threads(),
+          pages > 0 && page_size > 0 ? pages * page_size : 0, operating_system(), compiler()};
+}
+
+}  // namespace spoke

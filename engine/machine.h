@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace spoke {
+
+/// The machine that a result was computed on.
+struct Machine {
+  std::string cpu;          ///< model name of the processor
+  int cores = 0;            ///< available to this process
+  std::int64_t memory = 0;  ///< [bytes]
+  std::string os;           ///< distribution and kernel
+  std::string compiler;     ///< that built this program
+};
+
+/// What is not known is empty or 0.
+Machine this_machine();
+
+}  // namespace spoke

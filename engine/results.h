@@ -1,0 +1,94 @@
+#pragma once
+
+// What a simulation leaves behind: sensors.csv, a row of sensors per output time, and summary.json,
+// what was simulated, how, and the extremes of every sensor. docs/results.md documents every field.
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+
+namespace spoke {
+
+/// Extremes of one sensor over all steps, t = 0 included, and its value at the last.
+struct SensorRange {
+  double min = std::numeric_limits<double>::infinity();
+  double t_min = 0.0;  ///< when it was first reached [s]
+  double max = -std::numeric_limits<double>::infinity();
+  double t_max = 0.0;  ///< when it was first reached [s]
+  double final = 0.0;
+};
+
+/// Gathers the extremes of all sensors. Values that are not numbers count only as final ones.
+class SensorStatistics {
+ public:
+  explicit SensorStatistics(std::size_t sensors) : ranges_(sensors) {}
+
+  /// values: one for each sensor, at time t [s]. Does not allocate.
+  void add(double t, std::span<const double> values);
+  const std::vector<SensorRange>& ranges() const { return ranges_; }
+  double last_time() const { return last_time_; }
+  /// The values last added.
+  std::vector<double> final_values() const;
+
+ private:
+  std::vector<SensorRange> ranges_;
+  double last_time_ = 0.0;
+};
+
+/// Tells which steps are output: the first one at or after each multiple of an interval.
+class OutputTimes {
+ public:
+  /// interval [s]; 0: every step is output.
+  explicit OutputTimes(double interval) : interval_(interval) {}
+
+  /// Whether the step that ends at t [s] is output. Call once per step, in order of time. Allows
+  /// for the round-off of times: a step 1e-9 of its time too early is on time.
+  bool is_due(double t);
+
+ private:
+  double interval_;
+  double next_ = 0.0;  ///< number of the multiple that is due next
+};
+
+/// sensors.csv: a header of names, then rows of numbers in the fewest digits that read back equal.
+class SensorFile {
+ public:
+  /// Creates the file. Throws InputError if that cannot be done; so do the others.
+  SensorFile(std::filesystem::path file, const std::vector<std::string>& names);
+
+  void write_row(double t, std::span<const double> values);
+  /// Flushes the rows written so far. Rows are lost without a word unless this is called.
+  void close();
+
+ private:
+  void write_line();
+
+  std::filesystem::path file_;
+  std::ofstream stream_;
+  std::string line_;
+};
+
+/// How a run ended.
+struct RunOutcome {
+  double wall_time = 0.0;  ///< of the integration loop [s]
+  std::string divergence;  ///< the diagnosis; empty: the run is complete
+};
+
+/// The text of summary.json.
+std::string make_summary(const Simulation& simulation, const SensorStatistics& statistics,
+                         const RunOutcome& outcome);
+
+/// Writes a whole file or nothing. Throws InputError if it cannot be written.
+void write_file(const std::filesystem::path& file, const std::string& text);
+
+/// The number in the fewest digits that read back equal.
+std::string shortest(double number);
+
+}  // namespace spoke

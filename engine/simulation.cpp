@@ -1,0 +1,213 @@
+#include "engine/simulation.h"
+
+#include <unistd.h>
+
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/diagnosis.h"
+#include "engine/kinematics.h"
+#include "engine/natural_frequencies.h"
+#include "engine/sensors.h"
+#include "engine/step_graph_builder.h"
+#include "graph/declaration_check.h"
+#include "models/error.h"
+
+namespace spoke {
+namespace {
+
+/// Steps of at most integration.step that divide the duration; a relative slack of 1e-9 keeps round
+/// values from gaining one.
+std::int64_t count_steps(const Integration& integration) {
+  return static_cast<std::int64_t>(
+      std::ceil(integration.duration / integration.step * (1.0 - 1e-9)));
+}
+
+Method make_method(const Integration& integration, double step) {
+  if (integration.method == IntegrationMethod::rk4) return Rk4{step};
+  return make_generalized_alpha(integration.spectral_radius, step);
+}
+
+void demand_memory(const System& system, Formulation formulation) {
+  const double needed = estimate_memory(system, formulation);
+  const double available =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  if (needed < 0.8 * available) return;
+  constexpr double kGigabyte = 1e9;
+  throw InputError("the model with formulation " + std::string(name_of(formulation)) + " needs " +
+                   std::to_string(needed / kGigabyte) + " GB of memory, this machine has " +
+                   std::to_string(available / kGigabyte) +
+                   " GB: use fewer elements, or formulation structured");
+}
+
+std::uint64_t hash(std::uint64_t value, const double* first, int count) {
+  constexpr std::uint64_t kPrime = 1099511628211u;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(first);
+  for (std::size_t k = 0; k < count * sizeof(double); ++k) value = (value ^ bytes[k]) * kPrime;
+  return value;
+}
+
+std::vector<double> unpadded(const double* flex, const FlexLayout& layout) {
+  std::vector<double> values(flex + layout.u(), flex + layout.u() + layout.axial);
+  values.insert(values.end(), flex + layout.v(), flex + layout.v() + layout.bending);
+  return values;
+}
+
+}  // namespace
+
+struct Simulation::Impl {
+  Impl(const Scenario& given, const SimulationOptions& chosen);
+
+  void throw_failure(StepOutcome outcome, std::int64_t step);
+
+  Scenario scenario;
+  SimulationOptions options;
+  std::int64_t planned_steps;
+  double step_size;
+  std::int64_t steps = 0;
+  StepContext context;
+  graph::StepGraph graph;
+  std::unique_ptr<graph::Executor> executor;
+  std::unique_ptr<TimeStepper> stepper;
+  Sensors sensors;
+  /// Sensors are measured when first read after a step.
+  std::vector<double> sensor_values;
+  std::int64_t measured_step = -1;
+
+ private:
+  graph::StepGraph prepare();
+};
+
+Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
+    : scenario(given),
+      options(chosen),
+      planned_steps(count_steps(given.integration)),
+      step_size(given.integration.duration / static_cast<double>(planned_steps)),
+      graph(prepare()),
+      executor(graph::make_executor(graph, options.executor, options.threads)),
+      sensors(context.system) {
+  const Integration& integration = scenario.integration;
+  stepper = std::make_unique<TimeStepper>(
+      context, *executor,
+      IterationLimits{integration.tolerance, integration.iterations, integration.max_iterations});
+  const StepOutcome outcome = stepper->start();
+  if (outcome != StepOutcome::done) throw_failure(outcome, 0);
+  sensors.start(context.system, context.data);
+}
+
+graph::StepGraph Simulation::Impl::prepare() {
+  context.system = make_system(scenario.rotor);
+  context.formulation = options.formulation;
+  context.method = make_method(scenario.integration, step_size);
+  demand_memory(context.system, context.formulation);
+  allocate(context);
+  return build_step_graph(context);
+}
+
+void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
+  throw DivergenceError(describe_failure(
+      scenario, context, {outcome, static_cast<double>(step) * step_size, step}));
+}
+
+Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options)
+    : impl_(std::make_unique<Impl>(scenario, options)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+const Scenario& Simulation::scenario() const { return impl_->scenario; }
+const SimulationOptions& Simulation::options() const { return impl_->options; }
+
+ModelSize Simulation::size() const {
+  const System& system = impl_->context.system;
+  ModelSize size;
+  size.subsystems = static_cast<int>(system.subsystems.size());
+  size.bodies = system.body_count();
+  size.coordinates = system.deformation_count();
+  for (int c = 0; c < kTwist; ++c) size.coordinates += !is_prescribed(system.hub, c);
+  size.joints = size.bodies;
+  size.graph_nodes = impl_->graph.node_count();
+  size.graph_edges = impl_->graph.edge_count();
+  size.memory_bytes =
+      static_cast<std::size_t>(estimate_memory(system, impl_->context.formulation));
+  return size;
+}
+
+LinearProperties Simulation::linear_properties() const {
+  const FrequencyRange range = calc_frequency_range(impl_->scenario.rotor);
+  return {range.lowest, range.highest, calc_rk4_largest_step(range)};
+}
+
+std::string_view Simulation::executor_name() const { return name_of(impl_->options.executor); }
+int Simulation::threads() const { return impl_->executor->threads(); }
+double Simulation::time() const {
+  return static_cast<double>(impl_->steps) * impl_->step_size;
+}
+double Simulation::step_size() const { return impl_->step_size; }
+std::int64_t Simulation::steps() const { return impl_->steps; }
+std::int64_t Simulation::planned_steps() const { return impl_->planned_steps; }
+std::int64_t Simulation::evaluations() const { return impl_->stepper->evaluations(); }
+
+void Simulation::step() {
+  const double t = time();
+  const double t_next = static_cast<double>(impl_->steps + 1) * impl_->step_size;
+  const StepOutcome outcome = impl_->stepper->step(t, t_next);
+  if (outcome != StepOutcome::done) impl_->throw_failure(outcome, impl_->steps + 1);
+  ++impl_->steps;
+}
+
+void Simulation::run_until(double t) {
+  while (!done() && time() < t - 0.5 * step_size()) step();
+}
+
+const std::vector<std::string>& Simulation::sensor_names() const { return impl_->sensors.names(); }
+const std::vector<std::string>& Simulation::sensor_units() const { return impl_->sensors.units(); }
+
+std::span<const double> Simulation::sensor_values() const {
+  if (impl_->measured_step != impl_->steps) {
+    impl_->sensor_values = impl_->sensors.measure(impl_->context.system, impl_->stepper->work(),
+                                                  impl_->context.data);
+    impl_->measured_step = impl_->steps;
+  }
+  return impl_->sensor_values;
+}
+
+double Simulation::sensor(std::string_view name) const {
+  const auto& names = sensor_names();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k] == name) return sensor_values()[k];
+  throw std::out_of_range("no sensor is named " + std::string(name));
+}
+
+HubMotion Simulation::hub() const {
+  const CoordinateBlock& hub = impl_->context.data.hub_coordinates;
+  return {Twist(hub.q[0], hub.q[1], hub.q[2]), Twist(hub.v[0], hub.v[1], hub.v[2]),
+          Twist(hub.a[0], hub.a[1], hub.a[2])};
+}
+
+BodyState Simulation::body(int blade, int body) const {
+  const BodyData& data = impl_->context.data.subsystems.at(blade).bodies.at(body);
+  return {unpadded(data.coordinates.q, data.layout), unpadded(data.coordinates.v, data.layout),
+          unpadded(data.coordinates.a, data.layout)};
+}
+
+std::uint64_t Simulation::state_hash() const {
+  const StepData& data = impl_->context.data;
+  std::uint64_t value = 14695981039346656037u;
+  value = hash(value, data.hub_coordinates.q, kTwist);
+  value = hash(value, data.hub_coordinates.v, kTwist);
+  for (const SubsystemData& subsystem : data.subsystems)
+    for (const BodyData& body : subsystem.bodies)
+      for (const double* flex : {body.coordinates.q, body.coordinates.v}) {
+        value = hash(value, flex + body.layout.u(), body.layout.axial);
+        value = hash(value, flex + body.layout.v(), body.layout.bending);
+      }
+  return value;
+}
+
+std::string_view name_of(ExecutorKind kind) {
+  return kind == ExecutorKind::serial ? "serial" : "flow_graph";
+}
+
+}  // namespace spoke

@@ -1,0 +1,113 @@
+#pragma once
+
+// The engine's front door: load or build a system, step, read sensors and states.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/formulation/formulation.h"
+#include "graph/executor.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+using graph::ExecutorKind;
+
+struct SimulationOptions {
+  Formulation formulation = Formulation::structured;
+  ExecutorKind executor = ExecutorKind::flow_graph;
+  int threads = 0;  ///< 0: the cores available to the process
+};
+
+/// The size of a model.
+struct ModelSize {
+  int subsystems = 0;
+  int bodies = 0;       ///< flexible bodies (without the hub)
+  int coordinates = 0;  ///< independent coordinates: free hub coordinates and all deformations
+  int joints = 0;
+  int graph_nodes = 0;  ///< of the step graph
+  int graph_edges = 0;
+  std::size_t memory_bytes = 0;  ///< of one step's data and the constants
+};
+
+/// What a model does at rest, linearised.
+struct LinearProperties {
+  double lowest_frequency = 0.0;     ///< natural, of the vibrations [rad/s]
+  double highest_frequency = 0.0;    ///< [rad/s]
+  double rk4_largest_step = 0.0;     ///< 2 sqrt(2) / highest_frequency [s]
+};
+
+/// A view of one body's deformation coordinates: 3 E values, the E axial ones (u) first, then the
+/// 2 E of bending (v, psi by node, without those that the reference frame fixes) [m, rad].
+struct BodyState {
+  std::vector<double> coordinates;
+  std::vector<double> velocities;     ///< [m/s, rad/s]
+  std::vector<double> accelerations;  ///< [m/s^2, rad/s^2]
+};
+
+/// A hub's motion in the inertial frame: x [m], y [m], angle [rad] and their derivatives.
+struct HubMotion {
+  Twist position = Twist::Zero();
+  Twist velocity = Twist::Zero();
+  Twist acceleration = Twist::Zero();
+};
+
+/// Simulates one system. Not copyable; different Simulations may run in different threads.
+class Simulation {
+ public:
+  /// Builds the system's constants, its step graph and executor, and evaluates the accelerations
+  /// at t = 0. Throws InputError if the scenario does not fit this machine's memory.
+  explicit Simulation(const Scenario& scenario, const SimulationOptions& options = {});
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  const Scenario& scenario() const;
+  const SimulationOptions& options() const;
+  ModelSize size() const;
+  LinearProperties linear_properties() const;
+  std::string_view executor_name() const;
+  int threads() const;  ///< in use by the executor
+
+  double time() const;            ///< [s]
+  double step_size() const;       ///< in use [s]
+  std::int64_t steps() const;     ///< done so far
+  std::int64_t planned_steps() const;
+  std::int64_t evaluations() const;  ///< of the accelerations, so far
+  bool done() const { return steps() >= planned_steps(); }
+
+  /// One time step. Throws DivergenceError, after which the simulation stays at the failed step and
+  /// must not be stepped again.
+  void step();
+  /// Steps until time() >= t - half a step, or done().
+  void run_until(double t);
+
+  /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual".
+  const std::vector<std::string>& sensor_names() const;
+  /// Units of the sensors, in the same order: "m", "rad", "N m", "J", ...
+  const std::vector<std::string>& sensor_units() const;
+  /// The sensors at time(). The span is valid until the next step.
+  std::span<const double> sensor_values() const;
+  /// One sensor at time(). Throws std::out_of_range for an unknown name.
+  double sensor(std::string_view name) const;
+
+  HubMotion hub() const;
+  /// Precondition: 0 <= blade < subsystems, 0 <= body < bodies of that blade.
+  BodyState body(int blade, int body) const;
+  /// 64-bit hash (FNV-1a) of the state: hub position and velocity, all coordinates and velocities.
+  std::uint64_t state_hash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+std::string_view name_of(ExecutorKind kind);
+
+}  // namespace spoke

@@ -1,0 +1,58 @@
+#include "engine/step_data.h"
+
+#include <utility>
+
+namespace spoke {
+namespace {
+
+constexpr int kFlexVectors = 6;  // q, v, a, c_theta, Q_f, a_found
+
+void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
+  const std::size_t count = subsystem.bodies.size();
+  data.bodies.resize(count);
+  data.poses.resize(count);
+  data.twists.assign(count, Twist::Zero());
+  data.wrenches.assign(count, {Twist::Zero(), Twist::Zero()});
+  Eigen::Index total = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    const FlexibleBody& body = *subsystem.bodies[j].body;
+    data.bodies[j].model = &subsystem.bodies[j];
+    data.bodies[j].layout = {body.axial(), body.bending()};
+    total += Eigen::Index{data.bodies[j].layout.size()} * (kFlexVectors + history);
+  }
+  data.storage = Eigen::VectorXd::Zero(total);
+  double* next = data.storage.data();
+  for (BodyData& body : data.bodies) {
+    const auto take = [&] { return std::exchange(next, next + body.layout.size()); };
+    body.coordinates.size = body.layout.size();
+    body.coordinates.q = take();
+    body.coordinates.v = take();
+    body.coordinates.a = take();
+    body.c_theta = take();
+    body.Q_f = take();
+    body.a_found = take();
+    for (int k = 0; k < history; ++k) body.coordinates.history[k] = take();
+    body.X.setZero();
+    body.report = {};
+  }
+}
+
+}  // namespace
+
+void allocate(const System& system, int history, StepData& data) {
+  data.hub_storage.fill(Twist::Zero());
+  CoordinateBlock& hub = data.hub_coordinates;
+  hub.size = kTwist;
+  hub.q = data.hub_storage[0].data();
+  hub.v = data.hub_storage[1].data();
+  hub.a = data.hub_storage[2].data();
+  for (int k = 0; k < history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
+  data.hub.twist.setZero();
+  data.hub_solution = {Twist::Zero(), Twist::Zero(), 0.0, 0.0};
+  data.report = {};
+  data.subsystems.resize(system.subsystems.size());
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i)
+    allocate(system.subsystems[i], history, data.subsystems[i]);
+}
+
+}  // namespace spoke

@@ -1,0 +1,131 @@
+#include "engine/step_parts.h"
+
+#include <string>
+
+namespace spoke {
+namespace {
+
+using graph::PartId;
+using graph::StepGraphBuilder;
+using Memory = std::vector<std::span<double>>;
+
+void add_flex(Memory& memory, double* flex, const FlexLayout& layout) {
+  memory.emplace_back(flex + layout.u(), layout.axial);
+  memory.emplace_back(flex + layout.v(), layout.bending);
+}
+
+template <class Matrix>
+std::span<double> memory_of(Matrix& matrix) {
+  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+}
+
+void add_inverse_parts(StepContext& context, int i, int j, const std::string& name,
+                       StepGraphBuilder& builder, BodyParts& parts) {
+  if (context.formulation == Formulation::structured) {
+    structured::BodyWork& work = context.work.structured[i].bodies[j];
+    const FlexLayout& layout = context.data.subsystems[i].bodies[j].layout;
+    Memory inverse{doubles(work.port)};
+    add_flex(inverse, work.W_theta, layout);
+    add_flex(inverse, work.z, layout);
+    parts.inverse = builder.add_part(name + "inverse", inverse);
+    const bool is_tip = j + 1 == static_cast<int>(context.work.structured[i].bodies.size());
+    if (!is_tip) parts.joint = builder.add_part(name + "joint", {doubles(work.joint)});
+  } else if (context.formulation == Formulation::subsystem) {
+    subsystem::BodyWork& work = context.work.subsystem[i].bodies[j];
+    parts.inverse = builder.add_part(
+        name + "inverse", {memory_of(work.inverse_columns), memory_of(work.products),
+                           doubles(work.bias_in), doubles(work.bias_out)});
+  }
+}
+
+BodyParts add_body_parts(StepContext& context, int i, int j, StepGraphBuilder& builder) {
+  BodyData& data = context.data.subsystems[i].bodies[j];
+  CoordinateBlock& block = data.coordinates;
+  const std::string name =
+      "blade " + std::to_string(i + 1) + " / body " + std::to_string(j + 1) + " / ";
+  Memory coordinates, history, accelerations{doubles(data.X)}, terms{doubles(data.terms)};
+  add_flex(coordinates, block.q, data.layout);
+  add_flex(coordinates, block.v, data.layout);
+  add_flex(accelerations, block.a, data.layout);
+  for (double* h : block.history)
+    if (h) add_flex(history, h, data.layout);
+  add_flex(terms, data.c_theta, data.layout);
+  add_flex(terms, data.Q_f, data.layout);
+  BodyParts parts;
+  parts.coordinates = builder.add_part(name + "coordinates", coordinates);
+  parts.history = builder.add_part(name + "history", history);
+  parts.accelerations = builder.add_part(name + "accelerations", accelerations);
+  parts.terms = builder.add_part(name + "terms", terms);
+  parts.report = builder.add_part(name + "report", {doubles(data.report)});
+  add_inverse_parts(context, i, j, name, builder, parts);
+  return parts;
+}
+
+SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder& builder) {
+  SubsystemData& data = context.data.subsystems[i];
+  const std::string name = "blade " + std::to_string(i + 1) + " / ";
+  const std::size_t count = data.bodies.size();
+  SubsystemParts parts;
+  parts.poses = builder.add_part(name + "poses", {doubles(data.poses[0], count)});
+  parts.twists = builder.add_part(name + "twists", {doubles(data.twists[0], count)});
+  parts.wrenches = builder.add_part(name + "wrenches", {doubles(data.wrenches[0], count)});
+  if (context.formulation != Formulation::augmented) {
+    Memory effective{doubles(data.effective)};
+    if (context.formulation == Formulation::subsystem)
+      effective.push_back(memory_of(context.work.subsystem[i].solution));
+    parts.effective = builder.add_part(name + "effective inertia", effective);
+  }
+  for (std::size_t j = 0; j < count; ++j)
+    parts.bodies.push_back(add_body_parts(context, i, static_cast<int>(j), builder));
+  return parts;
+}
+
+}  // namespace
+
+std::vector<PartId> SubsystemParts::all(PartId BodyParts::*member) const {
+  std::vector<PartId> list;
+  for (const BodyParts& body : bodies) list.push_back(body.*member);
+  return list;
+}
+
+std::vector<PartId> SubsystemParts::joints() const {
+  std::vector<PartId> list = all(&BodyParts::joint);
+  list.pop_back();  // the tip has none
+  return list;
+}
+
+std::vector<PartId> StepParts::all(PartId BodyParts::*member) const {
+  std::vector<PartId> list;
+  for (const SubsystemParts& subsystem : subsystems)
+    for (const BodyParts& body : subsystem.bodies) list.push_back(body.*member);
+  return list;
+}
+
+std::vector<PartId> StepParts::all(PartId SubsystemParts::*member) const {
+  std::vector<PartId> list;
+  for (const SubsystemParts& subsystem : subsystems) list.push_back(subsystem.*member);
+  return list;
+}
+
+StepParts add_parts(StepContext& context, StepGraphBuilder& builder) {
+  StepData& data = context.data;
+  CoordinateBlock& hub = data.hub_coordinates;
+  Memory history;
+  for (double* h : hub.history)
+    if (h) history.emplace_back(h, kTwist);
+  StepParts parts;
+  parts.hub_coordinates = builder.add_part(
+      "hub coordinates", {{hub.q, kTwist}, {hub.v, kTwist}, {hub.a, kTwist}});
+  parts.hub_history = builder.add_part("hub history", history);
+  parts.hub_state = builder.add_part("hub state", {doubles(data.hub)});
+  parts.hub_solution = builder.add_part("hub solution", {doubles(data.hub_solution)});
+  parts.report = builder.add_part("report", {doubles(data.report)});
+  if (context.formulation == Formulation::augmented)
+    parts.augmented_solution =
+        builder.add_part("augmented solution", {memory_of(context.work.augmented.solution)});
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    parts.subsystems.push_back(add_subsystem_parts(context, static_cast<int>(i), builder));
+  return parts;
+}
+
+}  // namespace spoke

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/step_graph.h"
+
+namespace spoke::graph {
+
+enum class FaultKind {
+  undeclared_read,    ///< the node's result depends on a part it does not declare as read
+  undeclared_write,   ///< the node changes a part it does not declare as written
+  unwritten_output,   ///< a part declared as only written is not written in full
+  hidden_state,       ///< the node's result depends on memory that belongs to no part
+  overlapping_parts,  ///< two parts share memory, so that edges may be missing
+};
+
+/// One place where a node does not keep to its declaration.
+struct DeclarationFault {
+  FaultKind kind;
+  NodeId node;            ///< index -1 if the fault is not one of a node
+  PartId part;            ///< index -1 if no single part can be named
+  std::string node_name;  ///< as by StepGraph::name_of()
+  std::string part_name;
+  std::string message;  ///< one sentence for people, with the names
+};
+
+/// Runs every node on its declared data alone and reports what it reads or writes beyond its
+/// declaration; no fault means that none showed with the data at hand. It finds accesses by their
+/// effect on memory, however the body comes by its data: run again with everything undeclared
+/// replaced by poison (not-a-numbers, then arbitrary finite numbers), a node must give the same
+/// bits and leave the poison alone. Serial, in any build type; afterwards the parts hold what one
+/// ordinary serial run leaves. If parts overlap, that is reported and no node is run. Each body
+/// runs three times (more often if at fault), which must not matter to memory outside the parts.
+std::vector<DeclarationFault> check_declarations(const StepGraph& graph);
+
+}  // namespace spoke::graph

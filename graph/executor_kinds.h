@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "graph/executor.h"
+
+namespace spoke::graph {
+
+/// The makers behind make_executor(), one per source file, so that each runtime's headers stay in
+/// one place.
+std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph);
+std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, int threads);
+
+}  // namespace spoke::graph

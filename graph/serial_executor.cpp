@@ -1,0 +1,29 @@
+#include <memory>
+#include <string_view>
+
+#include "graph/executor_kinds.h"
+
+namespace spoke::graph {
+namespace {
+
+class SerialExecutor final : public Executor {
+ public:
+  explicit SerialExecutor(const StepGraph& graph) : graph_(graph) {}
+
+  void run() override {
+    for (const NodeId node : graph_.serial_order()) graph_.run_node(node);
+  }
+  std::string_view name() const override { return "serial"; }
+  int threads() const override { return 1; }
+
+ private:
+  const StepGraph& graph_;
+};
+
+}  // namespace
+
+std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph) {
+  return std::make_unique<SerialExecutor>(graph);
+}
+
+}  // namespace spoke::graph

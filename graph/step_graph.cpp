@@ -1,0 +1,202 @@
+#include "graph/step_graph.h"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+
+#include "graph/reachability.h"
+
+namespace spoke::graph {
+namespace {
+
+using NodeLists = std::vector<std::vector<NodeId>>;
+
+template <class Id>
+std::size_t at(Id id) {
+  return static_cast<std::size_t>(id.index);
+}
+
+template <class Id>
+void sort_unique(std::vector<Id>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+// The accesses to one part that a next access may have to wait for.
+struct LatestAccesses {
+  NodeId writer;                // the last one; index -1 = none yet
+  std::vector<NodeId> readers;  // since that write
+};
+
+// Sequential task flow: whoever reads waits for the last writer; whoever writes waits for the last
+// writer and for all who have read since.
+NodeLists derive_predecessors(const std::vector<Node>& nodes, std::size_t part_count) {
+  NodeLists predecessors(nodes.size());
+  std::vector<LatestAccesses> latest(part_count);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const NodeId id{static_cast<int>(i)};
+    for (const PartId part : nodes[i].reads) {
+      const NodeId writer = latest[at(part)].writer;
+      if (writer.index >= 0) predecessors[i].push_back(writer);
+    }
+    for (const PartId part : nodes[i].writes) {
+      const LatestAccesses& before = latest[at(part)];
+      if (before.writer.index >= 0) predecessors[i].push_back(before.writer);
+      predecessors[i].insert(predecessors[i].end(), before.readers.begin(), before.readers.end());
+    }
+    for (const PartId part : nodes[i].reads) latest[at(part)].readers.push_back(id);
+    for (const PartId part : nodes[i].writes) latest[at(part)] = {id, {}};
+    sort_unique(predecessors[i]);
+  }
+  return predecessors;
+}
+
+// Drops the edges that other paths imply. The order of insertion is topological, so a predecessor
+// is implied exactly if it is an ancestor of a later one: one pass from the latest down suffices.
+void reduce_transitively(NodeLists& predecessors) {
+  Reachability ancestors(static_cast<int>(predecessors.size()));
+  for (std::size_t i = 0; i < predecessors.size(); ++i) {
+    const int node = static_cast<int>(i);
+    std::vector<NodeId> kept;
+    for (auto p = predecessors[i].rbegin(); p != predecessors[i].rend(); ++p) {
+      if (ancestors.contains(node, p->index)) continue;
+      ancestors.absorb(node, p->index);
+      kept.push_back(*p);
+    }
+    std::reverse(kept.begin(), kept.end());
+    predecessors[i] = std::move(kept);
+  }
+}
+
+NodeLists inverted(const NodeLists& lists) {
+  NodeLists inverse(lists.size());
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    for (const NodeId other : lists[i]) inverse[at(other)].push_back({static_cast<int>(i)});
+  }
+  return inverse;
+}
+
+// Depth first: the node made ready last runs next; among those made ready together the first added.
+std::vector<NodeId> order_depth_first(const Adjacency& successors, const Adjacency& predecessors,
+                                      std::size_t node_count) {
+  std::vector<NodeId> order;
+  order.reserve(node_count);
+  std::vector<std::size_t> waiting_for(node_count);
+  std::vector<NodeId> ready;
+  for (std::size_t i = node_count; i-- > 0;) {
+    const NodeId node{static_cast<int>(i)};
+    waiting_for[i] = predecessors.of(node).size();
+    if (waiting_for[i] == 0) ready.push_back(node);
+  }
+  while (!ready.empty()) {
+    const NodeId node = ready.back();
+    ready.pop_back();
+    order.push_back(node);
+    const auto next = successors.of(node);
+    for (auto successor = next.rbegin(); successor != next.rend(); ++successor) {
+      if (--waiting_for[at(*successor)] == 0) ready.push_back(*successor);
+    }
+  }
+  return order;
+}
+
+struct Access {
+  NodeId node;
+  bool writes;
+};
+
+std::vector<std::vector<Access>> accesses_by_part(const StepGraph& graph) {
+  std::vector<std::vector<Access>> accesses(graph.parts().size());
+  for (int i = 0; i < graph.node_count(); ++i) {
+    const Node& node = graph.node({i});
+    for (const PartId part : node.writes) accesses[at(part)].push_back({{i}, true});
+    for (const PartId part : node.reads) accesses[at(part)].push_back({{i}, false});
+  }
+  return accesses;
+}
+
+}  // namespace
+
+std::string name_of(const NodeLabel& label, std::string_view subsystem_word) {
+  std::string name;
+  if (label.subsystem >= 0) {
+    name.append(subsystem_word).append(" ").append(std::to_string(label.subsystem + 1));
+    name.append(" / ");
+  }
+  if (label.body >= 0) {
+    name.append("body ").append(std::to_string(label.body + 1)).append(" / ");
+  }
+  return name.append(label.stage);
+}
+
+Adjacency::Adjacency(const std::vector<std::vector<NodeId>>& lists) {
+  begins_.reserve(lists.size() + 1);
+  for (const auto& list : lists) {
+    targets_.insert(targets_.end(), list.begin(), list.end());
+    begins_.push_back(size());
+  }
+}
+
+std::string StepGraph::name_of(NodeId node) const {
+  return graph::name_of(this->node(node).label, subsystem_word_);
+}
+
+StepGraphBuilder::StepGraphBuilder(std::string subsystem_word)
+    : subsystem_word_(std::move(subsystem_word)) {}
+
+PartId StepGraphBuilder::add_part(std::string name, std::vector<std::span<double>> memory) {
+  parts_.push_back({std::move(name), std::move(memory)});
+  return {static_cast<int>(parts_.size()) - 1};
+}
+
+NodeId StepGraphBuilder::add_declared_node(Node node, std::function<void()> body) {
+  for (auto* list : {&node.reads, &node.writes}) {
+    sort_unique(*list);
+    if (list->empty()) continue;
+    if (list->front().index < 0 || list->back().index >= static_cast<int>(parts_.size())) {
+      throw std::invalid_argument("node \"" + name_of(node.label, subsystem_word_) +
+                                  "\" declares a part that was not added");
+    }
+  }
+  nodes_.push_back(std::move(node));
+  bodies_.push_back(std::move(body));
+  return {static_cast<int>(nodes_.size()) - 1};
+}
+
+StepGraph StepGraphBuilder::build() {
+  NodeLists predecessors = derive_predecessors(nodes_, parts_.size());
+  reduce_transitively(predecessors);
+
+  StepGraph graph;
+  graph.predecessors_ = Adjacency(predecessors);
+  graph.successors_ = Adjacency(inverted(predecessors));
+  graph.serial_order_ = order_depth_first(graph.successors_, graph.predecessors_, nodes_.size());
+  graph.nodes_ = std::exchange(nodes_, {});
+  graph.parts_ = std::exchange(parts_, {});
+  graph.bodies_ = std::exchange(bodies_, {});
+  graph.subsystem_word_ = subsystem_word_;
+  assert(conflicts_are_ordered(graph));
+  return graph;
+}
+
+bool conflicts_are_ordered(const StepGraph& graph) {
+  Reachability descendants(graph.node_count());
+  for (int i = graph.node_count(); i-- > 0;) {
+    for (const NodeId successor : graph.successors({i})) {
+      if (successor.index <= i) return false;
+      descendants.absorb(i, successor.index);
+    }
+  }
+  for (const std::vector<Access>& accesses : accesses_by_part(graph)) {
+    for (const Access& writer : accesses) {
+      if (!writer.writes) continue;
+      for (const Access& other : accesses) {
+        const auto [first, second] = std::minmax(writer.node.index, other.node.index);
+        if (first != second && !descendants.contains(first, second)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace spoke::graph

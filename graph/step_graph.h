@@ -1,0 +1,144 @@
+#pragma once
+
+#include <compare>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "graph/access.h"
+
+namespace spoke::graph {
+
+/// Handle of one node: its place in the order of insertion, 0-based.
+struct NodeId {
+  int index = -1;
+  friend auto operator<=>(const NodeId&, const NodeId&) = default;
+};
+
+/// A node's coordinates: what it does, and for which subsystem and body (0-based, -1 = none).
+struct NodeLabel {
+  std::string stage;
+  int subsystem = -1;
+  int body = -1;
+};
+
+/// A node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", or "hub solve" for
+/// a node of no subsystem and no body. `subsystem_word` replaces "subsystem".
+std::string name_of(const NodeLabel& label, std::string_view subsystem_word = "subsystem");
+
+/// A part of the step's data: one or several ranges of doubles under one name.
+struct Part {
+  std::string name;
+  std::vector<std::span<double>> memory;
+};
+
+/// A node as it was declared. `reads` and `writes` are sorted and free of repetitions; a part in
+/// both is updated in place.
+struct Node {
+  NodeLabel label;
+  std::vector<PartId> reads;
+  std::vector<PartId> writes;
+};
+
+/// Per node a list of nodes, all lists in one array (compressed rows), each list ascending.
+class Adjacency {
+ public:
+  Adjacency() = default;
+  explicit Adjacency(const std::vector<std::vector<NodeId>>& lists);
+
+  std::span<const NodeId> of(NodeId node) const {
+    const auto row = static_cast<std::size_t>(node.index);
+    return {targets_.data() + begins_[row], targets_.data() + begins_[row + 1]};
+  }
+  int size() const { return static_cast<int>(targets_.size()); }
+
+ private:
+  std::vector<int> begins_{0};
+  std::vector<NodeId> targets_;
+};
+
+/// One integration step as a graph of nodes, immutable. Its edges follow from the declared reads
+/// and writes in the order of insertion, and are transitively reduced. Made by StepGraphBuilder;
+/// run by an Executor (graph/executor.h).
+class StepGraph {
+ public:
+  int node_count() const { return static_cast<int>(nodes_.size()); }
+  int edge_count() const { return successors_.size(); }
+
+  /// All nodes in the order of insertion, which is a topological order.
+  std::span<const Node> nodes() const { return nodes_; }
+  const Node& node(NodeId id) const { return nodes_[static_cast<std::size_t>(id.index)]; }
+  std::span<const Part> parts() const { return parts_; }
+  const Part& part(PartId id) const { return parts_[static_cast<std::size_t>(id.index)]; }
+
+  /// The nodes that wait for `node`, and those it waits for; ascending, without implied edges.
+  std::span<const NodeId> successors(NodeId node) const { return successors_.of(node); }
+  std::span<const NodeId> predecessors(NodeId node) const { return predecessors_.of(node); }
+
+  /// A topological order for one thread, depth first: a node is followed by what it made ready,
+  /// so that one subsystem is worked on while its data are in cache.
+  std::span<const NodeId> serial_order() const { return serial_order_; }
+
+  /// The node's name for people, e.g. "blade 2 / body 3 / inverse".
+  std::string name_of(NodeId node) const;
+  /// What a subsystem is called in names, e.g. "blade".
+  const std::string& subsystem_word() const { return subsystem_word_; }
+
+  /// Runs the body of one node, whose predecessors must have run.
+  void run_node(NodeId node) const noexcept { bodies_[static_cast<std::size_t>(node.index)](); }
+
+ private:
+  friend class StepGraphBuilder;
+  StepGraph() = default;
+
+  std::vector<std::function<void()>> bodies_;
+  Adjacency successors_;
+  Adjacency predecessors_;
+  std::vector<NodeId> serial_order_;
+  std::vector<Node> nodes_;
+  std::vector<Part> parts_;
+  std::string subsystem_word_;
+};
+
+/// Collects parts and nodes in the order of the algorithm, then builds the graph.
+class StepGraphBuilder {
+ public:
+  /// `subsystem_word`: what a subsystem is called in the names of nodes, e.g. "blade".
+  explicit StepGraphBuilder(std::string subsystem_word = "subsystem");
+
+  /// Adds a part. Its memory must outlive the graph and stay where it is; ranges of different parts
+  /// must not overlap. The ranges serve check_declarations() only; no edge is derived from them.
+  PartId add_part(std::string name, std::vector<std::span<double>> memory);
+
+  /// Adds a node that runs `body`, a copyable, nothrow `void()`. It sees every part as left by the
+  /// nodes added before it. Throws std::invalid_argument at a part this builder does not know.
+  template <class Body>
+  NodeId add_node(NodeLabel label, Reads reads, Writes writes, Body&& body) {
+    static_assert(std::is_nothrow_invocable_v<std::decay_t<Body>&>,
+                  "the body of a node takes no argument and is noexcept");
+    return add_declared_node({std::move(label), std::move(reads.parts), std::move(writes.parts)},
+                             std::forward<Body>(body));
+  }
+
+  /// Builds the graph of everything added; the builder is empty afterwards.
+  StepGraph build();
+
+ private:
+  NodeId add_declared_node(Node node, std::function<void()> body);
+
+  std::string subsystem_word_;
+  std::vector<Part> parts_;
+  std::vector<Node> nodes_;
+  std::vector<std::function<void()>> bodies_;
+};
+
+/// Whether of every two nodes that access one part, one of them writing, the one added first comes
+/// first along the edges. Computed from edges and declarations alone, not from how the edges were
+/// derived. True of every graph a builder makes.
+bool conflicts_are_ordered(const StepGraph& graph);
+
+}  // namespace spoke::graph

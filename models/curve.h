@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace spoke {
+
+/// A smooth function of time through given points: monotone piecewise cubic Hermite interpolation
+/// (Fritsch & Carlson 1980, slopes of Fritsch & Butland 1984). Continuous with its first derivative
+/// from the first point to the last, never overshoots the points; constant before and after.
+class Curve {
+ public:
+  /// Zero.
+  Curve() : Curve(0.0) {}
+  /// A constant.
+  explicit Curve(double value) : Curve({0.0}, {value}) {}
+  /// times: strictly increasing [s]; values: as many, in any unit. Precondition, checked by an
+  /// exception std::invalid_argument: sizes equal and not zero, times increasing, all finite.
+  Curve(std::vector<double> times, std::vector<double> values);
+
+  double value(double t) const;
+  /// At the first and the last point the one-sided derivative inside; 0 before and after.
+  double derivative(double t) const;
+  /// Integral from 0 to t [unit of values * s].
+  double integral(double t) const;
+
+  const std::vector<double>& times() const { return times_; }
+  const std::vector<double>& values() const { return values_; }
+
+ private:
+  /// a + b x + c x^2 + d x^3 with x the time since the segment's first point.
+  struct Cubic {
+    double a, b, c, d;
+    double value(double x) const { return a + x * (b + x * (c + x * d)); }
+    double derivative(double x) const { return b + x * (2.0 * c + x * 3.0 * d); }
+    double integral(double x) const {
+      return x * (a + x * (b / 2.0 + x * (c / 3.0 + x * d / 4.0)));
+    }
+  };
+
+  /// The segment that holds t. Precondition: first time <= t < last time.
+  std::size_t segment(double t) const;
+  Cubic cubic(std::size_t segment) const;
+  /// Integral from the first point to t.
+  double primitive(double t) const;
+
+  std::vector<double> times_;
+  std::vector<double> values_;
+  std::vector<double> slopes_;     ///< derivative at each point
+  std::vector<double> integrals_;  ///< integral from the first point to each point
+};
+
+}  // namespace spoke

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "models/curve.h"
+
+namespace spoke {
+
+/// Smooth start to a constant speed (Wu & Haug 1988; (P 12), whose factor is Ts/(2 pi)):
+/// phidot = speed/ramp (t - ramp/(2 pi) sin(2 pi t/ramp)) up to the end of the ramp, then speed.
+struct SpinUp {
+  double speed = 0.0;  ///< reached at the end of the ramp [rad/s]
+  double ramp = 1.0;   ///< [s]
+};
+
+/// SpinUp, then constant speed, then the mirrored ramp down to rest.
+struct SpinUpHoldSpinDown {
+  double speed = 0.0;      ///< [rad/s]
+  double ramp = 1.0;       ///< [s]
+  double hold = 0.0;       ///< [s]
+  double ramp_down = 1.0;  ///< [s]
+};
+
+/// The hub's speed is a given curve [rad/s].
+struct SpeedTable {
+  Curve speed;
+};
+
+/// A torque acts on the hub [N m]; its rotation is an unknown of (P 9).
+struct TorqueDrive {
+  Curve torque;
+  double initial_speed = 0.0;  ///< [rad/s]
+};
+
+/// Nothing acts on the hub's rotation.
+struct FreeDrive {
+  double initial_speed = 0.0;  ///< [rad/s]
+};
+
+using Drive = std::variant<SpinUp, SpinUpHoldSpinDown, SpeedTable, TorqueDrive, FreeDrive>;
+
+/// A prescribed rotation of the hub at one time.
+struct DriveMotion {
+  double angle = 0.0;         ///< [rad]
+  double speed = 0.0;         ///< [rad/s]
+  double acceleration = 0.0;  ///< [rad/s^2]
+};
+
+/// Whether the drive prescribes the hub's rotation (else the rotation is solved for).
+bool prescribes_motion(const Drive& drive);
+
+/// The prescribed rotation at time t [s]. Precondition: prescribes_motion(drive).
+DriveMotion calc_motion(const Drive& drive, double t);
+
+/// The torque that the drive applies at time t [N m]; 0 for drives that prescribe the motion.
+double calc_torque(const Drive& drive, double t);
+
+/// The hub's speed at t = 0 [rad/s].
+double calc_initial_speed(const Drive& drive);
+
+/// The drive's name in scenario files: spin_up, spin_up_hold_spin_down, table, torque or free.
+std::string_view name_of(const Drive& drive);
+
+}  // namespace spoke

@@ -1,0 +1,79 @@
+#pragma once
+
+// The description of a rotor, as an engineer gives it: a hub and its blades. make_system() (see
+// system.h) turns it into the constant data that the engine works on.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/drive.h"
+#include "models/space.h"
+
+namespace spoke {
+
+/// Where a flexible body's floating frame sits (its reference conditions).
+enum class ReferenceFrame {
+  clamped,  ///< at the inboard node, along its tangent: u_0 = v_0 = psi_0 = 0
+  chord,    ///< at the inboard node, through the outboard node: u_0 = v_0 = v_E = 0
+};
+
+/// A slender straight blade, cut into equal flexible bodies of equal Euler-Bernoulli elements.
+struct Blade {
+  double length = 0.0;          ///< [m]
+  int bodies = 4;               ///< flexible bodies along the blade
+  int elements = 4;             ///< finite elements per body
+  double density = 0.0;         ///< [kg/m^3]
+  double area = 0.0;            ///< cross section [m^2]
+  double second_moment = 0.0;   ///< second moment of area for bending in the plane [m^4]
+  double youngs_modulus = 0.0;  ///< [Pa]
+  bool geometric_stiffening = true;
+  ReferenceFrame reference_frame = ReferenceFrame::clamped;
+  double azimuth = 0.0;  ///< direction of the undeformed blade in the hub frame [rad]
+};
+
+enum class HubSupport {
+  axle,  ///< rotates about a fixed point
+  free,  ///< moves in the plane
+};
+
+struct Hub {
+  HubSupport support = HubSupport::axle;
+  double radius = 0.0;   ///< from the hub's axis to the blade roots [m]
+  double mass = 0.0;     ///< [kg]; > 0 for a free hub
+  double inertia = 1.0;  ///< about the hub's axis [kg m^2]
+  Drive drive = SpinUp{};
+};
+
+/// Damping D = mass_factor Mff + stiffness_factor K of the deformation coordinates (Rayleigh).
+struct Damping {
+  double mass_factor = 0.0;       ///< [1/s]
+  double stiffness_factor = 0.0;  ///< [s]
+};
+
+/// Frame in which a load's force is resolved.
+enum class LoadFrame {
+  inertial,
+  hub,
+  section,  ///< follows the loaded cross section
+};
+
+/// A point force and moment on a node of a blade, scaled by a function of time.
+struct PointLoad {
+  int blade = -1;         ///< index from 0; -1: every blade
+  double position = 0.0;  ///< distance of the node from the blade root [m]; the nearest node is taken
+  LoadFrame frame = LoadFrame::hub;
+  Position force = Position::Zero();  ///< [N]
+  double moment = 0.0;                ///< about z [N m]
+  Curve factor{1.0};                  ///< dimensionless function of time
+};
+
+struct Rotor {
+  Hub hub;
+  std::vector<Blade> blades;
+  Position gravity = Position::Zero();  ///< acceleration, inertial frame [m/s^2]
+  Damping damping;
+  std::vector<PointLoad> loads;
+};
+
+}  // namespace spoke

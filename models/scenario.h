@@ -1,0 +1,60 @@
+#pragma once
+
+// A scenario file: the rotor, how it is integrated and what is written. The file format (TOML, SI
+// units) is documented in docs/scenario.md.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/rotor.h"
+
+namespace spoke {
+
+enum class IntegrationMethod { generalized_alpha, rk4 };
+
+struct Integration {
+  IntegrationMethod method = IntegrationMethod::generalized_alpha;
+  double step = 0.005;           ///< [s]; shortened to divide the duration
+  double duration = 1.0;         ///< [s]
+  double spectral_radius = 0.8;  ///< of generalized_alpha at infinite frequency, 0 to 1
+  double tolerance = 1e-10;  ///< of the implicit iteration: last change of a coordinate [m, rad]
+  int iterations = 0;        ///< fixed number of iterations per step; 0: iterate to tolerance
+  int max_iterations = 30;   ///< per step, before the step is given up
+};
+
+struct Output {
+  double interval = 0.05;  ///< between rows of sensors.csv [s]; 0: every step
+};
+
+/// One "key=value" of the command line, overriding a key of the file.
+using Overrides = std::vector<std::string>;
+
+struct Scenario {
+  std::string title;
+  std::string name;  ///< the file's name without folder and ending; names the results folder
+  Rotor rotor;
+  Integration integration;
+  Output output;
+
+  /// Every key with the value in force (defaults included), as a JSON object shaped like the file;
+  /// blades always one by one, under "blades".
+  std::string to_json() const;
+};
+
+// The names that scenario files use.
+std::string_view name_of(IntegrationMethod method);
+std::string_view name_of(HubSupport support);
+std::string_view name_of(ReferenceFrame frame);
+std::string_view name_of(LoadFrame frame);
+
+/// Reads and validates a scenario. Throws InputError, its text "file:line:column: key: what is
+/// wrong, what is expected".
+Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides = {});
+
+/// The same from a string; `name` stands for the file in messages.
+Scenario parse_scenario(const std::string& text, const std::string& name,
+                        const Overrides& overrides = {});
+
+}  // namespace spoke

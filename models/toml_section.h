@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/toml_document.h"
+
+namespace spoke {
+
+/// What a number of a scenario file must be.
+struct Quantity {
+  std::string_view unit;  ///< empty: dimensionless
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+  bool least_included = true;
+
+  static Quantity any(std::string_view unit) { return {unit}; }
+  static Quantity positive(std::string_view unit) {
+    return {unit, 0.0, std::numeric_limits<double>::infinity(), false};
+  }
+  static Quantity not_negative(std::string_view unit) { return {unit, 0.0}; }
+  static Quantity between(double least, double greatest) { return {"", least, greatest}; }
+
+  bool holds(double value) const;
+  /// "a number greater than 0 (m)".
+  std::string expectation() const;
+};
+
+/// One table of a scenario file: typed access to its keys. Every complaint is an InputError naming
+/// place, key, value and what was expected. Valid as long as its document.
+class TomlSection {
+ public:
+  using Keys = std::vector<std::string_view>;
+
+  /// The whole document. Throws InputError if it has a key that is not in `known`, naming the
+  /// nearest one that is; so do the sections within.
+  TomlSection(const TomlDocument& document, const Keys& known);
+
+  const std::string& path() const { return path_; }
+  bool has(std::string_view key) const { return table_->contains(key); }
+  bool is_array(std::string_view key) const;
+  bool is_text(std::string_view key) const;
+
+  /// The table `key`; an empty one if it is missing.
+  TomlSection section(std::string_view key, const Keys& known) const;
+  /// The array of tables `key`; none if it is missing.
+  std::vector<TomlSection> sections(std::string_view key, const Keys& known) const;
+
+  // Values that must be there, or may be missing where there is a fallback.
+  double number(std::string_view key, const Quantity& quantity) const;
+  double number(std::string_view key, const Quantity& quantity, double fallback) const;
+  int integer(std::string_view key, int least, int greatest) const;
+  int integer(std::string_view key, int least, int greatest, int fallback) const;
+  bool flag(std::string_view key, bool fallback) const;
+  std::string text(std::string_view key, const std::string& fallback) const;
+  /// An array of numbers, of `count` of them unless it is 0 (then at least one).
+  std::vector<double> numbers(std::string_view key, const Quantity& quantity,
+                              std::size_t count = 0) const;
+  /// An array of numbers, each greater than the one before.
+  std::vector<double> increasing_numbers(std::string_view key, const Quantity& quantity) const;
+
+  /// One of the given names: its index.
+  std::size_t choice(std::string_view key, const Keys& names) const;
+  /// One of the given values of an enumeration with a function name_of().
+  template <class Enum>
+  Enum choice(std::string_view key, std::initializer_list<Enum> values, Enum fallback) const {
+    if (!has(key)) return fallback;
+    Keys names;
+    for (const Enum value : values) names.push_back(name_of(value));
+    return values.begin()[choice(key, names)];
+  }
+
+  /// Throws InputError about a key, or about the table if the key is empty.
+  [[noreturn]] void fail(std::string_view key, const std::string& what) const;
+  /// Throws InputError: "is VALUE, expected ...".
+  [[noreturn]] void fail_expected(std::string_view key, const std::string& expected) const;
+
+ private:
+  TomlSection(const TomlDocument& document, const toml::table& table, std::string path,
+              const toml::source_position& position, const Keys& known);
+
+  void check_keys(const Keys& known) const;
+  std::string path_of(std::string_view key) const;
+  const toml::node& required(std::string_view key, const std::string& expected) const;
+  double checked_number(const toml::node& node, const std::string& path,
+                        const Quantity& quantity) const;
+
+  const TomlDocument* document_;
+  const toml::table* table_;
+  std::string path_;
+  toml::source_position position_;  ///< for complaints about what is missing
+};
+
+/// "a", "b" or "c".
+std::string join_names(const TomlSection::Keys& names);
+
+}  // namespace spoke

@@ -1,0 +1,69 @@
+#include "tests/cli/program.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string quoted(const std::string& argument) {
+  std::string text = "'";
+  for (const char c : argument) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + '\'';
+}
+
+}  // namespace
+
+WorkFolder::WorkFolder() {
+  std::string pattern = (fs::temp_directory_path() / "spoke_cli_tests_XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make " + pattern);
+  path_ = pattern;
+}
+
+WorkFolder::~WorkFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+int WorkFolder::entries() const {
+  return static_cast<int>(std::distance(fs::recursive_directory_iterator(path_), {}));
+}
+
+fs::path WorkFolder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(path_ / name, std::ios::binary) << text;
+  return path_ / name;
+}
+
+Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder) {
+  const WorkFolder texts;
+  std::string command = "cd " + quoted(folder.path().string()) + " && " + quoted(SPOKE_PROGRAM);
+  for (const std::string& argument : arguments) command += ' ' + quoted(argument);
+  command += " >" + quoted((texts.path() / "out").string()) + " 2>" +
+             quoted((texts.path() / "err").string()) + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(texts.path() / "out"),
+          read_file(texts.path() / "err")};
+}
+
+std::string shipped(const std::string& name) {
+  return (fs::path(SPOKE_MODELS_DIR) / (name + ".toml")).string();
+}
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}

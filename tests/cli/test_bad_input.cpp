@@ -1,0 +1,131 @@
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Checks that spoke ends with status 2, one line on stderr that contains `message`, nothing on
+/// stdout and nothing new in the folder.
+void check_refused(const std::vector<std::string>& arguments, const std::string& message,
+                   const WorkFolder& folder) {
+  const int before = folder.entries();
+  const Ended ended = run_spoke(arguments, folder);
+  CAPTURE(message);
+  CAPTURE(ended.err);
+  CHECK(ended.status == 2);
+  CHECK(ended.out.empty());
+  CHECK(lines_of(ended.err).size() == 1);
+  CHECK(ended.err.find(message) != std::string::npos);
+  CHECK(folder.entries() == before);
+}
+
+void check_refused(const std::vector<std::string>& arguments, const std::string& message) {
+  check_refused(arguments, message, WorkFolder());
+}
+
+}  // namespace
+
+TEST_CASE("a bad command line is refused in one line and nothing is written") {
+  const std::string scenario = shipped("wu_haug_rotor");
+  check_refused({}, "spoke: no command, expected run or check (see spoke --help)");
+  check_refused({"rnu", scenario}, "spoke: unknown command \"rnu\", expected run or check");
+  check_refused({"--quiet"}, "spoke: unknown command \"--quiet\"");
+  check_refused({""}, "spoke: unknown command \"\"");
+  check_refused({"run"}, "spoke run: SCENARIO is required (see spoke run --help)");
+  check_refused({"check"}, "spoke check: SCENARIO is required (see spoke check --help)");
+  check_refused({"run", scenario, "--frmulation", "augmented"},
+                "spoke run: unexpected argument --frmulation");
+  check_refused({"run", scenario, "other.toml"}, "spoke run: unexpected argument other.toml");
+  check_refused({"check", scenario, "--out", "x"}, "spoke check: unexpected argument --out");
+  check_refused({"run", scenario, "--formulation", "dense"},
+                "--formulation: dense not in {structured,subsystem,augmented}");
+  check_refused({"run", scenario, "--integrator", "euler"},
+                "--integrator: euler not in {generalized_alpha,rk4}");
+  check_refused({"run", scenario, "--executor", "openmp"},
+                "--executor: openmp not in {flow_graph,serial}");
+  check_refused({"run", scenario, "--threads", "two"}, "--threads: Value two not in range");
+  check_refused({"run", scenario, "--threads", "-1"}, "--threads: Value -1 not in range");
+  check_refused({"run", scenario, "--threads", "1000000"}, "--threads: Value 1000000 not in range");
+  check_refused({"run", scenario, "--out"}, "--out: 1 required DIR missing");
+  check_refused({"run", scenario, "--set"}, "--set: 1 required KEY=VALUE missing");
+}
+
+TEST_CASE("a bad scenario is refused with its place and nothing is written") {
+  const WorkFolder folder;
+  const std::string file = folder.write("bad.toml", "[hub]\nradius = -1\n").string();
+  for (const std::string command : {"run", "check"}) {
+    check_refused({command, file},
+                  file + ":2:10: hub.radius: is -1, expected a number of 0 or more (m)", folder);
+    check_refused({command, "none.toml"}, "none.toml: no such file", folder);
+    check_refused({command, folder.path().string()}, ": is a directory", folder);
+    check_refused({command, folder.write("empty.toml", "").string()}, "empty.toml: is empty",
+                  folder);
+    check_refused({command, folder.write("binary.toml", std::string(9, '\0')).string()},
+                  "binary.toml: has a zero byte at 0", folder);
+    check_refused({command, folder.write("text.toml", "once upon a time\n").string()},
+                  "text.toml:1:6: not TOML: ", folder);
+  }
+}
+
+TEST_CASE("a bad override is refused and nothing is written") {
+  const std::string scenario = shipped("wu_haug_rotor");
+  check_refused({"run", scenario, "--set", "blade.bodies=-1"},
+                "--set blade.bodies=-1: blade.bodies: is -1, expected a whole number from 1 to");
+  check_refused({"run", scenario, "--set", "blade.bodies"}, "--set blade.bodies: has no '='");
+  check_refused({"run", scenario, "--set", "=3"}, "--set =3: the key is \"\"");
+  check_refused({"run", scenario, "--set", "{}"}, "--set {}: has no '='");
+  check_refused({"run", scenario, "--set", "blade.elemnts=3"},
+                "blade.elemnts: unknown key, did you mean \"elements\"?");
+  check_refused({"run", scenario, "--set", "integration.step=21"},
+                "the step is 21 s, expected at most the duration, 20 s");
+  check_refused({"run", scenario, "--set", "integration.step=nan"}, "is nan, expected a finite");
+  check_refused({"run", scenario, "--set", "title=42"}, "title: is 42, expected text in quotes");
+}
+
+TEST_CASE("a model that exhausts memory is refused before anything is written") {
+  check_refused({"run", shipped("wu_haug_rotor"), "--formulation", "augmented", "--set",
+                 "blade.count=1000", "--set", "blade.bodies=1000"},
+                "memory");
+}
+
+TEST_CASE("output that cannot be written is refused in one line") {
+  const std::string scenario = shipped("wu_haug_rotor");
+  const WorkFolder folder;
+  const std::string file = folder.write("file", "in the way").string();
+  const std::vector<std::string> run = {"run",   scenario,   "--set", "integration.duration=0.1",
+                                        "--out", "to be set"};
+  const auto refused = [&](const std::string& out, const std::string& message) {
+    std::vector<std::string> arguments = run;
+    arguments.back() = out;
+    check_refused(arguments, message, folder);
+  };
+  refused(file, "file: cannot be the folder of results: ");
+  refused(file + "/below", "file/below: cannot be the folder of results: ");
+  refused("/proc/spoke", "/proc/spoke: cannot be the folder of results: ");
+  if (geteuid() != 0) {  // root may write everywhere
+    fs::create_directory(folder.path() / "locked");
+    fs::permissions(folder.path() / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+    refused("locked", "locked/sensors.csv: cannot be written: Permission denied");
+  }
+  fs::create_directories(folder.path() / "taken" / "sensors.csv");
+  refused("taken", "taken/sensors.csv: cannot be written: Is a directory");
+}
+
+TEST_CASE("a full disk is told in one line") {
+  const WorkFolder folder;
+  fs::create_directory(folder.path() / "out");
+  fs::create_symlink("/dev/full", folder.path() / "out" / "sensors.csv");
+  const Ended ended = run_spoke({"run", shipped("wu_haug_rotor"), "--quiet", "--out", "out",
+                                 "--set", "integration.duration=1"},
+                                folder);
+  CHECK(ended.status == 2);
+  CHECK(ended.err == "out/sensors.csv: cannot be written: No space left on device\n");
+  CHECK_FALSE(fs::exists(folder.path() / "out" / "summary.json"));
+}

@@ -1,0 +1,65 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace {
+
+void check_contains(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) {
+    CAPTURE(part);
+    CHECK(text.find(part) != std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("--version prints name and version") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"--version"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.starts_with("spoke "));
+  CHECK(lines_of(ended.out).size() == 1);
+  CHECK(ended.err.empty());
+}
+
+TEST_CASE("--help names commands and exit statuses and examples") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"--help"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  check_contains(ended.out, {"run", "check", "--version", "Exit status:", "spoke run models/"});
+}
+
+TEST_CASE("run --help names every option and what is written") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"run", "--help"}, folder);
+  CHECK(ended.status == 0);
+  check_contains(
+      ended.out,
+      {"SCENARIO", "--out", "--set", "--formulation", "structured,subsystem,augmented",
+       "--integrator", "generalized_alpha,rk4", "--executor", "flow_graph,serial", "--threads",
+       "--quiet", "-v", "sensors.csv", "summary.json", "Exit status:", "Example:"});
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("check --help names its options and output") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", "--help"}, folder);
+  CHECK(ended.status == 0);
+  check_contains(ended.out, {"SCENARIO", "--set", "-v", "natural frequency", "rk4",
+                             "Exit status:", "Example:"});
+}
+
+TEST_CASE("no line of help is wider than 100 columns") {
+  const WorkFolder folder;
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--help"}, {"run", "--help"}, {"check", "--help"}}) {
+    for (const std::string& line : lines_of(run_spoke(arguments, folder).out)) {
+      CAPTURE(line);
+      CHECK(line.size() <= 100);
+    }
+  }
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "graph/step_graph.h"
+
+namespace spoke::graph::testing {
+
+/// What one node of a random graph really accesses (indices of parts), and what it declares.
+struct NodePlan {
+  std::vector<PartId> reads;
+  std::vector<PartId> writes;
+  std::vector<PartId> declared_reads;
+  std::vector<PartId> declared_writes;
+};
+
+/// A random graph whose nodes do arithmetic on the parts of `memory`. Honest as planned.
+struct GraphPlan {
+  std::vector<std::vector<double>> memory;
+  std::vector<NodePlan> nodes;
+};
+
+GraphPlan make_random_plan(std::uint32_t seed, int nodes, int parts, int part_size);
+
+/// Builds the plan's graph; `plan` must outlive it. The bodies mix everything they read into
+/// everything they write; results depend on the order of conflicting nodes.
+StepGraph build_graph(GraphPlan& plan);
+
+/// Sets the memory to the same start values each time.
+void reset_memory(GraphPlan& plan);
+
+}  // namespace spoke::graph::testing

@@ -1,0 +1,170 @@
+#include "graph/executor.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/graph/arithmetic_graph.h"
+
+using namespace spoke::graph;
+using spoke::graph::testing::build_graph;
+using spoke::graph::testing::GraphPlan;
+using spoke::graph::testing::make_random_plan;
+
+namespace {
+
+// Per node: how often it ran, and its place in the order of starts and ends of the last run.
+struct Record {
+  std::atomic<int> runs{0};
+  std::atomic<int> start{0};
+  std::atomic<int> end{0};
+};
+
+// A random graph whose nodes record when they run.
+class RecordedGraph {
+ public:
+  RecordedGraph() : records_(60), graph_(build()) {}
+
+  const StepGraph& graph() const { return graph_; }
+
+  int count_nodes_not_run(int times) const {
+    int count = 0;
+    for (const Record& record : records_) count += record.runs != times ? 1 : 0;
+    return count;
+  }
+  int count_edges_out_of_order() const {
+    int count = 0;
+    for (int i = 0; i < graph_.node_count(); ++i) {
+      for (const NodeId before : graph_.predecessors({i})) {
+        const Record& first = records_[static_cast<std::size_t>(before.index)];
+        count += first.end >= records_[static_cast<std::size_t>(i)].start ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+ private:
+  StepGraph build() {
+    const GraphPlan plan = make_random_plan(3, static_cast<int>(records_.size()), 25, 1);
+    StepGraphBuilder builder;
+    for (std::size_t i = 0; i < plan.memory.size(); ++i) builder.add_part("part", {});
+    for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
+      builder.add_node({"node"}, reads(plan.nodes[i].reads), writes(plan.nodes[i].writes),
+                       [this, i]() noexcept {
+                         records_[i].start = clock_++;
+                         ++records_[i].runs;
+                         records_[i].end = clock_++;
+                       });
+    }
+    return builder.build();
+  }
+
+  std::atomic<int> clock_{0};
+  std::vector<Record> records_;
+  StepGraph graph_;
+};
+
+void check_every_run(ExecutorKind kind, int threads) {
+  RecordedGraph recorded;
+  const auto executor = make_executor(recorded.graph(), kind, threads);
+  int faults = 0;
+  for (int run = 1; run <= 1000; ++run) {
+    executor->run();
+    faults += recorded.count_nodes_not_run(run) + recorded.count_edges_out_of_order();
+  }
+  CHECK(faults == 0);
+}
+
+std::vector<std::vector<double>> results(ExecutorKind kind, int threads, int runs) {
+  GraphPlan plan = make_random_plan(11, 80, 30, 8);
+  const StepGraph graph = build_graph(plan);
+  const auto executor = make_executor(graph, kind, threads);
+  for (int run = 0; run < runs; ++run) executor->run();
+  return plan.memory;
+}
+
+}  // namespace
+
+TEST_CASE("serial: every node runs once per run, after its predecessors") {
+  check_every_run(ExecutorKind::serial, 0);
+}
+
+TEST_CASE("flow graph: every node runs once per run, after its predecessors") {
+  for (const int threads : {1, 2, 3, 6, 12}) {
+    CAPTURE(threads);
+    check_every_run(ExecutorKind::flow_graph, threads);
+  }
+}
+
+// The values are finite, so that equal vectors are equal bits but for the sign of zero.
+TEST_CASE("flow graph: results equal the serial ones, whatever the number of threads") {
+  const auto serial = results(ExecutorKind::serial, 0, 200);
+  for (const int threads : {1, 2, 3, 6, 12}) {
+    CAPTURE(threads);
+    CHECK(results(ExecutorKind::flow_graph, threads, 200) == serial);
+  }
+}
+
+TEST_CASE("flow graph: the threads asked for exist, beyond the number of processors") {
+  constexpr int threads = 6;
+  std::atomic<int> arrived{0};
+  StepGraphBuilder builder;
+  for (int i = 0; i < threads; ++i) {
+    // No node ends before all have begun: with fewer threads this would not return.
+    builder.add_node({"meet"}, reads(), writes(), [&arrived]() noexcept {
+      ++arrived;
+      while (arrived < threads) std::this_thread::yield();
+    });
+  }
+  const StepGraph graph = builder.build();
+  // An executor of fewer threads at the same time must not lower the limit.
+  const StepGraph other = builder.build();
+  const auto smaller = make_executor(other, ExecutorKind::flow_graph, 3);
+  const auto executor = make_executor(graph, ExecutorKind::flow_graph, threads);
+  executor->run();
+  CHECK(arrived == threads);
+}
+
+TEST_CASE("an empty graph runs") {
+  const StepGraph graph = StepGraphBuilder().build();
+  make_executor(graph, ExecutorKind::serial)->run();
+  make_executor(graph, ExecutorKind::flow_graph, 2)->run();
+}
+
+TEST_CASE("two executors run at once in two threads of the program") {
+  const auto serial = results(ExecutorKind::serial, 0, 300);
+  std::vector<std::vector<double>> first;
+  std::vector<std::vector<double>> second;
+  std::thread one([&] { first = results(ExecutorKind::flow_graph, 2, 300); });
+  std::thread two([&] { second = results(ExecutorKind::flow_graph, 3, 300); });
+  one.join();
+  two.join();
+  CHECK(first == serial);
+  CHECK(second == serial);
+}
+
+TEST_CASE("an executor made in one thread may run in another") {
+  RecordedGraph recorded;
+  const auto executor = make_executor(recorded.graph(), ExecutorKind::flow_graph, 2);
+  std::thread([&] { executor->run(); }).join();
+  executor->run();
+  CHECK(recorded.count_nodes_not_run(2) == 0);
+  CHECK(recorded.count_edges_out_of_order() == 0);
+}
+
+TEST_CASE("executors tell their name and threads, and refuse a negative number") {
+  const StepGraph graph = StepGraphBuilder().build();
+  CHECK(make_executor(graph, ExecutorKind::serial, 5)->threads() == 1);
+  CHECK(make_executor(graph, ExecutorKind::serial)->name() == "serial");
+  CHECK(make_executor(graph, ExecutorKind::flow_graph, 3)->threads() == 3);
+  CHECK(make_executor(graph, ExecutorKind::flow_graph)->threads() == available_threads());
+  CHECK(make_executor(graph, ExecutorKind::flow_graph)->name() == "flow graph");
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, -1), std::invalid_argument);
+}
+
+TEST_CASE("the available threads are at least one and at most the processors") {
+  CHECK(available_threads() >= 1);
+  CHECK(available_threads() <= static_cast<int>(std::thread::hardware_concurrency()));
+}
