@@ -172,10 +172,4 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
   if (error) throw InputError(file.string() + ": cannot be written: " + error.message());
 }
 
-std::string shortest(double number) {
-  std::string text;
-  append_number(text, number);
-  return text;
-}
-
 }  // namespace spoke

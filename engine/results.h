@@ -88,7 +88,4 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
 /// Writes a whole file or nothing. Throws InputError if it cannot be written.
 void write_file(const std::filesystem::path& file, const std::string& text);
 
-/// The number in the fewest digits that read back equal.
-std::string shortest(double number);
-
 }  // namespace spoke

@@ -48,8 +48,17 @@ void add_coordinates(StepContext& c, const SubsystemParts& blade, int i,
                    });
 }
 
+/// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle only,
+/// which a clamped frame has none of.
+PartList chain_coordinates(const StepContext& c, const SubsystemParts& blade, int i) {
+  PartList list = blade.all(&BodyParts::coordinates);
+  const FlexibleBody& tip = *c.system.subsystems[i].bodies.back().body;
+  if (tip.inboard.coordinate[kRotation] < 0) list.pop_back();
+  return list;
+}
+
 void add_position(StepContext& c, const SubsystemParts& blade, int i, StepGraphBuilder& builder) {
-  builder.add_node({"position", i}, reads(blade.all(&BodyParts::coordinates)), writes(blade.poses),
+  builder.add_node({"position", i}, reads(chain_coordinates(c, blade, i)), writes(blade.poses),
                    [&c, i]() noexcept {
                      calc_positions(c.system.subsystems[i], c.data.subsystems[i]);
                    });
@@ -59,7 +68,7 @@ void add_velocity(StepContext& c, const StepParts& parts, const SubsystemParts& 
                   StepGraphBuilder& builder) {
   builder.add_node(
       {"velocity", i},
-      reads(blade.all(&BodyParts::coordinates), blade.poses, parts.hub_state), writes(blade.twists),
+      reads(chain_coordinates(c, blade, i), blade.poses, parts.hub_state), writes(blade.twists),
       [&c, i]() noexcept {
         calc_velocities(c.system.subsystems[i], c.data.hub, c.data.subsystems[i]);
       });
@@ -130,10 +139,16 @@ void add_effective(StepContext& c, const StepParts& parts, const SubsystemParts&
     });
 }
 
+/// What handing the hub's acceleration to the integrator reads.
+PartList hub_inputs(const StepContext& c, const StepParts& parts) {
+  PartList inputs{parts.hub_state, parts.hub_coordinates};
+  if (std::holds_alternative<GeneralizedAlpha>(c.method)) inputs.push_back(parts.hub_history);
+  return inputs;
+}
+
 void add_hub_solve(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {
   builder.add_node({"hub solve"},
-                   reads(parts.all(&SubsystemParts::effective), parts.hub_state,
-                         parts.hub_coordinates, parts.hub_history),
+                   reads(parts.all(&SubsystemParts::effective), hub_inputs(c, parts)),
                    writes(parts.hub_solution, parts.hub_coordinates), [&c]() noexcept {
                      solve_hub(c.system, c.data);
                      complete_hub(c.system, c.method, c.data);
@@ -141,10 +156,14 @@ void add_hub_solve(StepContext& c, const StepParts& parts, StepGraphBuilder& bui
 }
 
 void add_augmented_solve(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {
+  PartList outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
+  for (const SubsystemParts& blade : parts.subsystems)
+    for (std::size_t j = 0; j + 1 < blade.bodies.size(); ++j)
+      outboard_joints.push_back(blade.bodies[j].coordinates);
   builder.add_node({"solve"},
-                   reads(parts.all(&BodyParts::terms), parts.all(&BodyParts::coordinates),
+                   reads(parts.all(&BodyParts::terms), outboard_joints,
                          parts.all(&SubsystemParts::poses), parts.all(&SubsystemParts::twists),
-                         parts.hub_state, parts.hub_coordinates, parts.hub_history),
+                         hub_inputs(c, parts)),
                    writes(parts.augmented_solution, parts.hub_solution, parts.hub_coordinates),
                    [&c]() noexcept {
                      augmented::solve(c.system, c.data, c.work.augmented);

@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cstdio>
 #include <numbers>
 
 #include "engine/cli/report.h"

@@ -1,0 +1,192 @@
+// Energy and momentum: what a scheme of order p keeps to order p, with steps at which its error
+// stands well above round-off. The blades start bent and vibrating.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "engine/integrator/time_stepper.h"
+#include "engine/sensors.h"
+#include "engine/step_graph_builder.h"
+#include "lagrangian.h"
+#include "rotors.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+/// Two soft blades, whose fastest vibration has a period of some 1e-3 s.
+Rotor soft_rotor(bool stiffening, ReferenceFrame frame) {
+  Blade blade;
+  blade.length = 2.0;
+  blade.bodies = 2;
+  blade.elements = 2;
+  blade.density = 1000.0;
+  blade.area = 1e-4;
+  blade.second_moment = 1e-8;
+  blade.youngs_modulus = 2e8;
+  blade.geometric_stiffening = stiffening;
+  blade.reference_frame = frame;
+  Rotor rotor = make_rotor(blade, 2);
+  rotor.hub.drive = SpinUp{3.0, 0.5};
+  return rotor;
+}
+
+Rotor free_rotor() {
+  Rotor rotor = soft_rotor(true, ReferenceFrame::clamped);
+  rotor.blades[1].length = 1.3;  // lopsided: the hub is pulled about
+  rotor.blades[1].reference_frame = ReferenceFrame::chord;
+  rotor.hub.support = HubSupport::free;
+  rotor.hub.mass = 0.3;
+  rotor.hub.radius = 0.1;
+  rotor.hub.drive = FreeDrive{2.0};
+  return rotor;
+}
+
+/// A run of `duration` from a random bent state.
+class Run {
+ public:
+  Run(const Rotor& rotor, const Method& method, double step)
+      : step_(step), sensors_(prepare(rotor, method)), lagrangian_(context_.system) {}
+
+  /// Visits the state after every step.
+  template <class Visit>
+  void to(double duration, Visit&& visit) {
+    const graph::StepGraph graph = build_step_graph(context_);
+    const auto executor = graph::make_executor(graph, graph::ExecutorKind::serial);
+    TimeStepper stepper(context_, *executor, {1e-13, 0, 50});
+    REQUIRE(stepper.start() == StepOutcome::done);
+    sensors_.start(context_.system, context_.data);
+    const int steps = static_cast<int>(std::lround(duration / step_));
+    for (int n = 0; n < steps; ++n) {
+      REQUIRE(stepper.step(n * step_, (n + 1) * step_) == StepOutcome::done);
+      visit(stepper);
+    }
+  }
+
+  double energy_residual(const TimeStepper& stepper) {
+    return sensors_.measure(context_.system, stepper.work(), context_.data).back();
+  }
+
+  /// Linear momentum, and angular momentum about the origin.
+  Twist momentum() const {
+    const Eigen::VectorXd y = independent_coordinates(context_);
+    const Eigen::VectorXd p = lagrangian_.momenta(y, independent_velocities(context_));
+    return {p[0], p[1], y[0] * p[1] - y[1] * p[0] + p[2]};
+  }
+
+  const StepContext& context() const { return context_; }
+
+ private:
+  const System& prepare(const Rotor& rotor, const Method& method) {
+    make_context(rotor, Formulation::structured, method, context_);
+    std::mt19937 random(21);
+    randomize_state(random, context_);
+    return context_.system;
+  }
+
+  double step_;
+  StepContext context_;
+  Sensors sensors_;
+  Lagrangian lagrangian_;
+};
+
+Method rk4(double step) { return Rk4{step}; }
+Method generalized_alpha(double step) { return make_generalized_alpha(0.9, step); }
+using MakeMethod = Method (*)(double step);
+
+double largest_residual(const Rotor& rotor, MakeMethod make, double step) {
+  Run run(rotor, make(step), step);
+  double largest = 0.0;
+  run.to(0.24, [&](const TimeStepper& stepper) {
+    largest = std::max(largest, std::abs(run.energy_residual(stepper)));
+  });
+  return largest;
+}
+
+double largest_momentum_change(MakeMethod make, double step) {
+  Run run(free_rotor(), make(step), step);
+  const Twist before = run.momentum();
+  double largest = 0.0;
+  run.to(0.24, [&](const TimeStepper&) {
+    largest = std::max(largest, (run.momentum() - before).norm() / before.norm());
+  });
+  return largest;
+}
+
+/// Order with which an error falls when the step is halved.
+template <class Error>
+double order(Error&& error, double step) {
+  return std::log2(error(step) / error(step / 2));
+}
+
+}  // namespace
+
+TEST_CASE("the energy residual falls at the order of the scheme, with and without stiffening") {
+  for (const bool stiffening : {false, true})
+    for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
+      CAPTURE(stiffening);
+      const Rotor rotor = soft_rotor(stiffening, frame);
+      CHECK(order([&](double h) { return largest_residual(rotor, rk4, h); }, 4e-4) > 3.8);
+      const double second =
+          order([&](double h) { return largest_residual(rotor, generalized_alpha, h); }, 4e-4);
+      CHECK(second > 1.8);
+      CHECK(second < 3.2);  // numerical dissipation of the fast vibrations is of third order
+    }
+}
+
+TEST_CASE("the energy residual falls at the order of the scheme with torque, damping and loads") {
+  Rotor rotor = free_rotor();
+  rotor.hub.drive = TorqueDrive{Curve({-1.0, 1.0}, {0.0, 1.0})};
+  rotor.damping = {0.1, 1e-4};
+  rotor.gravity = Position{0.3, -1.0};
+  PointLoad load;
+  load.blade = 0;
+  load.position = 2.0;
+  load.force = Position{0.0, 0.05};
+  load.moment = 0.02;
+  load.factor = Curve({-1.0, 1.0}, {0.0, 1.0});
+  for (const LoadFrame frame : {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section}) {
+    load.frame = frame;
+    rotor.loads = {load};
+    CHECK(order([&](double h) { return largest_residual(rotor, rk4, h); }, 4e-4) > 3.8);
+    const double second =
+        order([&](double h) { return largest_residual(rotor, generalized_alpha, h); }, 4e-4);
+    CHECK(second > 1.8);
+  }
+}
+
+TEST_CASE("a free rotor keeps its linear and angular momentum, to the order of the scheme") {
+  CHECK(order([](double h) { return largest_momentum_change(rk4, h); }, 2e-4) > 3.8);
+  CHECK(largest_momentum_change(rk4, 2e-5) < 1e-9);
+  CHECK(order([](double h) { return largest_momentum_change(generalized_alpha, h); }, 2e-4) > 1.8);
+}
+
+TEST_CASE("the hub of a free rotor is pulled about while its momentum is kept") {
+  Run run(free_rotor(), rk4(2e-4), 2e-4);
+  const double before = run.context().data.hub_coordinates.v[0];
+  double largest_change = 0.0;
+  run.to(0.24, [&](const TimeStepper&) {
+    largest_change = std::max(
+        largest_change, std::abs(run.context().data.hub_coordinates.v[0] - before));
+  });
+  CHECK(largest_change > 0.1);
+}
+
+TEST_CASE("generalized_alpha converges to rk4 with second order, rk4 with fourth") {
+  const Rotor rotor = soft_rotor(true, ReferenceFrame::clamped);
+  const auto end_of = [&](MakeMethod make, double step) -> Eigen::VectorXd {
+    Run run(rotor, make(step), step);
+    run.to(0.24, [](const TimeStepper&) {});
+    return independent_coordinates(run.context());
+  };
+  const Eigen::VectorXd exact = end_of(rk4, 1e-5);
+  const auto error = [&](MakeMethod make, double step) {
+    return (end_of(make, step) - exact).lpNorm<Eigen::Infinity>();
+  };
+  CHECK(order([&](double h) { return error(rk4, h); }, 2e-4) > 3.7);
+  const double second = order([&](double h) { return error(generalized_alpha, h); }, 1e-4);
+  CHECK(second > 1.8);
+  CHECK(second < 2.2);
+}

@@ -1,0 +1,59 @@
+// The same model gives bitwise the same states on every executor and number of threads.
+
+#include <doctest/doctest.h>
+
+#include "engine/simulation.h"
+#include "rotors.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+Scenario unequal_rotor(IntegrationMethod method) {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.005);
+  scenario.rotor.blades[1] = wu_haug_blade(3, 6);
+  scenario.rotor.blades[1].azimuth = 2.0;
+  scenario.rotor.blades[1].reference_frame = ReferenceFrame::chord;
+  scenario.rotor.blades[2].geometric_stiffening = false;
+  scenario.rotor.hub.support = HubSupport::free;
+  scenario.rotor.hub.mass = 5.0;
+  scenario.rotor.hub.drive = TorqueDrive{Curve(10.0)};
+  scenario.integration.method = method;
+  if (method == IntegrationMethod::rk4) scenario.integration.step = 4e-5;
+  scenario.integration.duration = 1000 * scenario.integration.step;
+  return scenario;
+}
+
+std::uint64_t final_hash(const Scenario& scenario, const SimulationOptions& options, int steps) {
+  Simulation simulation(scenario, options);
+  for (int n = 0; n < steps; ++n) simulation.step();
+  return simulation.state_hash();
+}
+
+}  // namespace
+
+TEST_CASE("serial and flow graph give bitwise equal states for every thread count") {
+  for (const Formulation formulation :
+       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+    for (const IntegrationMethod method :
+         {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}) {
+      const Scenario scenario = unequal_rotor(method);
+      const int steps = formulation == Formulation::augmented ? 20 : 200;
+      const std::uint64_t serial =
+          final_hash(scenario, {formulation, ExecutorKind::serial, 1}, steps);
+      CHECK(serial == final_hash(scenario, {formulation, ExecutorKind::serial, 1}, steps));
+      for (const int threads : {1, 2, 3, 6, 12}) {
+        CAPTURE(name_of(formulation));
+        CAPTURE(threads);
+        CHECK(serial ==
+              final_hash(scenario, {formulation, ExecutorKind::flow_graph, threads}, steps));
+      }
+    }
+}
+
+TEST_CASE("the state hash tells states apart") {
+  const Scenario scenario = unequal_rotor(IntegrationMethod::generalized_alpha);
+  const SimulationOptions options{Formulation::structured, ExecutorKind::serial, 1};
+  CHECK(final_hash(scenario, options, 10) != final_hash(scenario, options, 11));
+}

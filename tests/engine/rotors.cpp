@@ -1,0 +1,149 @@
+#include "rotors.h"
+
+#include <numbers>
+
+#include "engine/kinematics.h"
+#include "engine/step_graph_builder.h"
+#include "graph/executor.h"
+
+namespace spoke::test {
+
+Blade wu_haug_blade(int bodies, int elements) {
+  Blade blade;
+  blade.length = 8.0;
+  blade.bodies = bodies;
+  blade.elements = elements;
+  blade.density = 2766.67;
+  blade.area = 7.299e-5;
+  blade.second_moment = 8.214e-9;
+  blade.youngs_modulus = 6.895e10;
+  return blade;
+}
+
+Rotor make_rotor(const Blade& blade, int count) {
+  Rotor rotor;
+  for (int i = 0; i < count; ++i) {
+    rotor.blades.push_back(blade);
+    rotor.blades.back().azimuth = 2.0 * std::numbers::pi * i / count;
+  }
+  rotor.hub.drive = SpinUp{4.0, 15.0};
+  return rotor;
+}
+
+Scenario spin_up_scenario(const Blade& blade, double step) {
+  Scenario scenario;
+  scenario.rotor = make_rotor(blade, 3);
+  scenario.integration.duration = 20.0;
+  scenario.integration.step = step;
+  return scenario;
+}
+
+Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random) {
+  std::uniform_real_distribution<double> factor(0.5, 2.0);
+  std::uniform_int_distribution<int> number(1, 4);
+  Rotor rotor;
+  const int blades = number(random);
+  for (int i = 0; i < blades; ++i) {
+    Blade blade = wu_haug_blade(number(random), kind.elements);
+    blade.length *= factor(random);
+    blade.density *= factor(random);
+    blade.area *= factor(random);
+    blade.second_moment *= factor(random);
+    blade.youngs_modulus *= factor(random);
+    blade.geometric_stiffening = number(random) % 2 == 0;
+    blade.reference_frame = number(random) % 2 == 0 ? ReferenceFrame::clamped : ReferenceFrame::chord;
+    blade.azimuth = 2.0 * std::numbers::pi * i / blades + factor(random);
+    rotor.blades.push_back(blade);
+  }
+  rotor.hub.support = kind.support;
+  rotor.hub.radius = 0.3 * factor(random);
+  rotor.hub.mass = 4.0 * factor(random);
+  rotor.hub.inertia = 2.0 * factor(random);
+  if (kind.is_driven)
+    rotor.hub.drive = SpinUp{4.0, 15.0};
+  else
+    rotor.hub.drive = TorqueDrive{Curve(3.0 * factor(random)), 2.0};
+  rotor.gravity = Position{1.0, -9.81};
+  rotor.damping = {0.05, 1e-5};
+  return rotor;
+}
+
+void randomize_state(std::mt19937& random, StepContext& context) {
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  StepData& data = context.data;
+  for (int c = 0; c < kTwist; ++c) {
+    if (is_prescribed(context.system.hub, c)) continue;
+    data.hub_coordinates.q[c] = 3.0 * unit(random);
+    data.hub_coordinates.v[c] = 3.0 * unit(random);
+  }
+  for (SubsystemData& subsystem : data.subsystems)
+    for (BodyData& member : subsystem.bodies) {
+      const FlexibleBody& body = *member.model->body;
+      const double bend = 0.05 * unit(random), bend_rate = 0.5 * unit(random);
+      const double stretch = 1e-5 * unit(random), stretch_rate = 1e-3 * unit(random);
+      for (int node = 0; node <= body.elements; ++node) {
+        const double x = static_cast<double>(node) / body.elements;
+        const auto set = [&](int component, double q, double v) {
+          const int index = body.coordinate(node, component);
+          if (index < 0) return;
+          member.coordinates.q[flex_index(index, member.layout)] = q * (1 + 0.1 * unit(random));
+          member.coordinates.v[flex_index(index, member.layout)] = v * (1 + 0.1 * unit(random));
+        };
+        set(0, stretch * x, stretch_rate * x);
+        set(1, bend * x * x, bend_rate * x * x);
+        set(2, 2 * bend * x / body.length, 2 * bend_rate * x / body.length);
+      }
+    }
+}
+
+Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout) {
+  Eigen::VectorXd values(layout.axial + layout.bending);
+  for (int k = 0; k < values.size(); ++k) values[k] = flex[flex_index(k, layout)];
+  return values;
+}
+
+Evaluation evaluate(double t, StepContext& context, bool implicit) {
+  const graph::StepGraph graph = build_step_graph(context);
+  StepData& data = context.data;
+  data.control = {t, PassControl::kEvaluateOnly, implicit};
+  if (std::holds_alternative<GeneralizedAlpha>(context.method))
+    for (SubsystemData& subsystem : data.subsystems)
+      for (BodyData& body : subsystem.bodies) hold(body.coordinates);
+  graph::make_executor(graph, graph::ExecutorKind::serial)->run();
+  std::vector<double> accelerations(data.hub_coordinates.a, data.hub_coordinates.a + kTwist);
+  std::vector<double> wrenches;
+  for (const SubsystemData& subsystem : data.subsystems)
+    for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+      const BodyData& body = subsystem.bodies[j];
+      const Eigen::VectorXd a = unpadded(body.coordinates.a, body.layout);
+      accelerations.insert(accelerations.end(), body.X.begin(), body.X.end());
+      accelerations.insert(accelerations.end(), a.begin(), a.end());
+      wrenches.insert(wrenches.end(), subsystem.wrenches[j].inboard.begin(),
+                      subsystem.wrenches[j].inboard.end());
+    }
+  return {Eigen::Map<Eigen::VectorXd>(accelerations.data(), accelerations.size()),
+          Eigen::Map<Eigen::VectorXd>(wrenches.data(), wrenches.size()),
+          data.hub_solution.reaction};
+}
+
+void make_context(const Rotor& rotor, Formulation formulation, const Method& method,
+                  StepContext& context) {
+  context.system = make_system(rotor);
+  context.formulation = formulation;
+  context.method = method;
+  allocate(context);
+}
+
+void copy_state(const StepContext& from, StepContext& to) {
+  const auto copy = [](const CoordinateBlock& a, CoordinateBlock& b) {
+    std::copy_n(a.q, a.size, b.q);
+    std::copy_n(a.v, a.size, b.v);
+  };
+  copy(from.data.hub_coordinates, to.data.hub_coordinates);
+  for (std::size_t i = 0; i < from.data.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < from.data.subsystems[i].bodies.size(); ++j)
+      copy(from.data.subsystems[i].bodies[j].coordinates,
+           to.data.subsystems[i].bodies[j].coordinates);
+}
+
+}  // namespace spoke::test

@@ -1,0 +1,53 @@
+#pragma once
+
+// Rotors and states that several tests use.
+
+#include <random>
+
+#include "engine/step_context.h"
+#include "models/scenario.h"
+
+namespace spoke::test {
+
+/// The blade of Wu & Haug 1988 and of the paper, 8 m long.
+Blade wu_haug_blade(int bodies = 4, int elements = 4);
+
+/// `count` equal blades, evenly spaced.
+Rotor make_rotor(const Blade& blade, int count);
+
+/// The 20 s spin-up to 4 rad/s of three such blades.
+Scenario spin_up_scenario(const Blade& blade, double step);
+
+/// A rotor with blades of random sizes, materials, reference frames and stiffening.
+struct RandomRotor {
+  int elements = 4;
+  HubSupport support = HubSupport::axle;
+  bool is_driven = true;  ///< the rotation is prescribed
+};
+Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random);
+
+/// Fills coordinates and velocities with a random smooth bend of every body and a random hub motion.
+void randomize_state(std::mt19937& random, StepContext& context);
+
+/// All accelerations found by a pass that only evaluates: hub, then bodies; and all root-to-tip joint
+/// wrenches.
+struct Evaluation {
+  Eigen::VectorXd accelerations;
+  Eigen::VectorXd wrenches;
+  Twist hub_reaction;
+};
+/// Builds the step graph of `context` and evaluates its state at time t [s], serially; `implicit`:
+/// with the constant block of an implicit step.
+Evaluation evaluate(double t, StepContext& context, bool implicit = false);
+
+/// A context for a rotor, undeformed. Filled in place, for its address must not change.
+void make_context(const Rotor& rotor, Formulation formulation, const Method& method,
+                  StepContext& context);
+
+/// Copies coordinates and velocities of one context to another of the same system.
+void copy_state(const StepContext& from, StepContext& to);
+
+/// Deformation coordinates of a body without padding, axial before bending.
+Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout);
+
+}  // namespace spoke::test
