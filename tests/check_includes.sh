@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Checks who includes whom:
+#   examples, bench, tests -> engine -> models, graph     (models and graph do not know each other)
+# and inside engine: kernels below formulations, these below the step graph, integration, simulation,
+# cli. Threads (oneTBB, OpenMP) are seen in graph/*.cpp only.
+set -u
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+failures=0
+
+# refuse PATTERN REASON FILE...: no file may include a path that matches the pattern.
+refuse() {
+  local pattern=$1 reason=$2 found
+  shift 2
+  found=$(grep -nE "#include [\"<]$pattern" "$@" /dev/null)
+  [ -z "$found" ] && return
+  printf '%s:\n%s\n' "$reason" "$found"
+  failures=$((failures + 1))
+}
+
+sources() { find "$@" -name '*.h' -o -name '*.cpp'; }
+
+refuse '(engine|models|Eigen)/' 'graph/ knows no physics' $(sources graph)
+refuse '(engine|graph)/' 'models/ knows neither engine nor graph' $(sources models)
+refuse '(tests|bench|examples)/' 'engine/ knows no user of its' $(sources engine)
+refuse '(oneapi/)?tbb/|omp\.h' 'threads belong to graph/' $(sources engine models)
+refuse '(oneapi/)?tbb/|omp\.h' 'no runtime in a public header' graph/*.h
+refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of models/ and engine/' \
+  $(find models engine -maxdepth 1 -name '*.h' ! -name 'toml_*')
+
+# Layers of the engine, lowest first: no file includes a header of a later layer.
+layers=(
+  'lanes elastic_block step_data'
+  'kinematics body_terms hub natural_frequencies'
+  'formulation/'
+  'integrator/generalized_alpha integrator/rk4 integrator/method'
+  'step_context pass_ends'
+  'step_parts step_graph_builder'
+  'integrator/time_stepper'
+  'sensors diagnosis'
+  'simulation'
+  'results machine'
+  'cli/'
+)
+later=''
+for ((k = ${#layers[@]} - 1; k >= 0; --k)); do
+  files=()
+  for name in ${layers[k]}; do
+    files+=($(find engine -path "engine/$name*" \( -name '*.h' -o -name '*.cpp' \)))
+    [ ${#files[@]} -gt 0 ] || { echo "layer of engine without a file: $name"; failures=$((failures + 1)); }
+  done
+  [ -n "$later" ] && refuse "engine/($later)" "engine: a lower layer includes a higher one" "${files[@]}"
+  for name in ${layers[k]}; do later="${later:+$later|}$name"; done
+done
+
+# Every source of the engine belongs to a layer.
+for file in $(sources engine); do
+  [[ $file =~ ^engine/($later) ]] || { echo "engine file without a layer: $file"; failures=$((failures + 1)); }
+done
+exit $((failures > 0))

@@ -1,0 +1,71 @@
+#include "engine/elastic_block.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "engine/formulation/dense_body.h"
+#include "models/beam_elements.h"
+
+using namespace spoke;
+
+namespace {
+
+template <int Half>
+SymmetricBand<Half> random_band(int n, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  SymmetricBand<Half> band(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = std::max(0, i - Half); j <= i; ++j)
+      band.add(i, j, i == j ? 2.0 * Half + 1.0 : unit(random));
+  return band;
+}
+
+template <int Half>
+void check_factor(int n) {
+  std::mt19937 random(n);
+  const SymmetricBand<Half> band = random_band<Half>(n, random);
+  const BandFactor<Half> factor(band);
+  std::srand(n);
+  const Eigen::VectorXd a = Eigen::VectorXd::Random(n), b = Eigen::VectorXd::Random(n);
+  Eigen::VectorXd x(n), y(n);
+  std::vector<Pair> scratch(n);
+  factor.solve(a.data(), b.data(), scratch.data(), x.data(), y.data());
+  CHECK((band.to_dense() * x - a).norm() < 1e-13 * n);
+  CHECK((band.to_dense() * y - b).norm() < 1e-13 * n);
+}
+
+}  // namespace
+
+TEST_CASE("a band factor solves two right-hand sides") {
+  for (const int n : {1, 2, 3, 4, 5, 8, 33}) {
+    CAPTURE(n);
+    check_factor<1>(n);
+    check_factor<3>(n);
+  }
+}
+
+TEST_CASE("an elastic block holds the inverse of its matrix at the handles") {
+  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
+    for (const int elements : {1, 2, 5}) {
+      const FlexibleBody body =
+          make_beam_body({2.0, elements, 0.2, 5e6, 566.0, frame});
+      const ElasticBlock block = make_elastic_block(body, 1.1, 3e-5);
+      const Eigen::MatrixXd inverse = make_dense_elastic_block(body, 1.1, 3e-5).inverse();
+      const auto rows = [&](const Handle& handle) {
+        Eigen::MatrixXd E = Eigen::MatrixXd::Zero(kTwist, body.coordinates());
+        for (int c = 0; c < kTwist; ++c)
+          if (handle.coordinate[c] >= 0) E(c, handle.coordinate[c]) = 1.0;
+        return E;
+      };
+      const Eigen::MatrixXd E_i = rows(body.inboard), E_o = rows(body.outboard);
+      const double scale = (E_o * inverse * E_o.transpose()).norm();
+      CHECK((block.Z_ii - E_i * inverse * E_i.transpose()).norm() < 1e-10 * scale);
+      CHECK((block.Z_io - E_i * inverse * E_o.transpose()).norm() < 1e-10 * scale);
+      CHECK((block.Z_oo - E_o * inverse * E_o.transpose()).norm() < 1e-10 * scale);
+      Eigen::VectorXd S_x = Eigen::VectorXd::Zero(body.coordinates());
+      S_x.head(body.axial()) = body.S_axial;
+      CHECK(block.S_Wx == doctest::Approx(S_x.dot(inverse * S_x)).epsilon(1e-10));
+    }
+}

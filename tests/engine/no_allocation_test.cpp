@@ -1,0 +1,95 @@
+// A program of its own: it counts every allocation of the process.
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "engine/simulation.h"
+#include "rotors.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+// Eigen and oneTBB allocate by malloc, everything else by operator new, which calls it.
+extern "C" void* __libc_malloc(std::size_t size);
+extern "C" void* malloc(std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  return __libc_malloc(size);
+}
+
+namespace {
+
+long allocations_of_steps(const Scenario& scenario, const SimulationOptions& options, int steps) {
+  Simulation simulation(scenario, options);
+  for (int n = 0; n < 3; ++n) simulation.step();  // runtimes fill their pools
+  const long before = allocations.load();
+  for (int n = 0; n < steps; ++n) simulation.step();
+  return allocations.load() - before;
+}
+
+}  // namespace
+
+TEST_CASE("allocations are counted") {
+  const long before = allocations.load();
+  std::vector<double> some(100);
+  CHECK(some.data() != nullptr);
+  CHECK(allocations.load() == before + 1);
+}
+
+TEST_CASE("a step allocates nothing, at small and large numbers of elements") {
+  for (const IntegrationMethod method :
+       {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
+    for (const int elements : {1, 4, 64, 300}) {
+      Scenario scenario = spin_up_scenario(wu_haug_blade(2, elements), 1e-3);
+      scenario.integration.method = method;
+      if (method == IntegrationMethod::rk4) scenario.integration.step = 1e-8;
+      scenario.rotor.damping = {0.1, 1e-6};
+      PointLoad load;
+      load.force = Position{0.0, 1.0};
+      load.factor = Curve({0.0, 1.0, 2.0}, {0.0, 1.0, 0.0});
+      scenario.rotor.loads.push_back(load);
+      CAPTURE(elements);
+      CHECK(allocations_of_steps(
+                scenario, {Formulation::structured, ExecutorKind::serial, 1}, 20) == 0);
+    }
+}
+
+TEST_CASE("a step of the dense formulations allocates nothing at the paper's size") {
+  for (const Formulation formulation : {Formulation::subsystem, Formulation::augmented})
+    for (const IntegrationMethod method :
+         {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}) {
+      Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
+      scenario.integration.method = method;
+      if (method == IntegrationMethod::rk4) scenario.integration.step = 8e-5;
+      CAPTURE(name_of(formulation));
+      CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
+    }
+}
+
+TEST_CASE("measuring the sensors allocates nothing") {
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 1e-3),
+                        {Formulation::structured, ExecutorKind::serial, 1});
+  simulation.sensor_values();
+  const long before = allocations.load();
+  for (int n = 0; n < 5; ++n) {
+    simulation.step();
+    simulation.sensor_values();
+  }
+  CHECK(allocations.load() == before);
+}
+
+TEST_CASE("a step on the flow graph allocates nothing once its pools are filled") {
+  const Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
+  Simulation simulation(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2});
+  for (int n = 0; n < 500; ++n) simulation.step();
+  const long before = allocations.load();
+  for (int n = 0; n < 500; ++n) simulation.step();
+  // oneTBB grows a pool now and then, when a task ends on another thread; a step does not.
+  CHECK(allocations.load() - before < 50);
+}

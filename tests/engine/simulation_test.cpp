@@ -1,0 +1,148 @@
+#include "engine/simulation.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "models/error.h"
+#include "rotors.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
+}
+
+TEST_CASE("a simulation tells its size") {
+  const Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  const ModelSize size = simulation.size();
+  CHECK(size.subsystems == 3);
+  CHECK(size.bodies == 12);
+  CHECK(size.coordinates == 144);
+  CHECK(size.joints == 12);
+  CHECK(size.graph_nodes == 54);
+  CHECK(simulation.planned_steps() == 4000);
+  CHECK(simulation.time() == 0.0);
+  CHECK(simulation.evaluations() == 1);
+}
+
+TEST_CASE("the hub follows its drive exactly and time does not drift") {
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  simulation.run_until(7.5);
+  CHECK(simulation.time() == doctest::Approx(7.5).epsilon(1e-15));
+  CHECK(simulation.sensor("hub.angle") == doctest::Approx(4.4603645).epsilon(1e-7));
+  CHECK(simulation.hub().velocity[kRotation] == doctest::Approx(2.0).epsilon(1e-12));
+  CHECK(simulation.hub().acceleration[kRotation] == doctest::Approx(0.53333333).epsilon(1e-8));
+  simulation.run_until(1e9);
+  CHECK(simulation.done());
+  CHECK(simulation.time() == 20.0);
+}
+
+TEST_CASE("a step that does not divide the duration is shortened") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.3);
+  scenario.integration.duration = 1.0;
+  const Simulation simulation(scenario, kSerial);
+  CHECK(simulation.planned_steps() == 4);
+  CHECK(simulation.step_size() == 0.25);
+}
+
+TEST_CASE("a torque turns a stiff rotor as a rigid body") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
+  for (Blade& blade : scenario.rotor.blades) blade.second_moment *= 1e4;
+  scenario.rotor.hub.drive = TorqueDrive{Curve(10.0)};
+  scenario.integration.duration = 2.0;
+  Simulation simulation(scenario, kSerial);
+  while (!simulation.done()) simulation.step();
+  const double inertia = 1.0 + 3.0 * 0.2019392 * 8.0 * 8.0 * 8.0 / 3.0;
+  CHECK(simulation.sensor("hub.speed") == doctest::Approx(20.0 / inertia).epsilon(1e-3));
+  CHECK(simulation.sensor("energy.work") ==
+        doctest::Approx(10.0 * simulation.sensor("hub.angle")).epsilon(1e-6));
+}
+
+TEST_CASE("a free rotor falls with gravity and an axle holds it") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
+  scenario.rotor.gravity = Position{0.0, -9.81};
+  scenario.rotor.hub.support = HubSupport::free;
+  scenario.rotor.hub.mass = 2.0;
+  scenario.rotor.hub.drive = FreeDrive{};
+  scenario.integration.duration = 1.0;
+  Simulation falling(scenario, kSerial);
+  while (!falling.done()) falling.step();
+  CHECK(falling.sensor("hub.y") == doctest::Approx(-0.5 * 9.81).epsilon(1e-9));
+  CHECK(std::abs(falling.sensor("blade1.tip.y")) < 1e-9);
+
+  scenario.rotor.hub.support = HubSupport::axle;
+  Simulation held(scenario, kSerial);
+  while (!held.done()) held.step();
+  CHECK(std::abs(held.sensor("blade1.tip.y")) > 0.1);
+  CHECK(std::abs(held.sensor("energy.residual")) < 1e-3);
+}
+
+TEST_CASE("a slowly growing tip force bends a damped blade as a cantilever") {
+  Scenario scenario;
+  scenario.rotor = make_rotor(wu_haug_blade(), 1);
+  scenario.rotor.hub.drive = SpeedTable{Curve(0.0)};
+  scenario.rotor.damping.mass_factor = 3.0;
+  PointLoad load;
+  load.position = 8.0;
+  load.force = Position{0.0, 0.1};
+  load.factor = Curve({0.0, 40.0}, {0.0, 1.0});
+  scenario.rotor.loads.push_back(load);
+  scenario.integration.duration = 60.0;
+  scenario.integration.step = 0.01;
+  Simulation simulation(scenario, kSerial);
+  while (!simulation.done()) simulation.step();
+  CHECK(simulation.sensor("blade1.tip.y") ==
+        doctest::Approx(0.1 * 512.0 / (3.0 * 566.355)).epsilon(1e-3));
+  CHECK(simulation.sensor("energy.dissipated") > 0.0);
+}
+
+TEST_CASE("a fixed number of iterations is kept to") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.01);
+  scenario.integration.iterations = 2;
+  Simulation simulation(scenario, kSerial);
+  for (int n = 0; n < 10; ++n) simulation.step();
+  CHECK(simulation.evaluations() == 21);
+}
+
+TEST_CASE("an iteration that does not converge says so") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.05);
+  scenario.integration.max_iterations = 1;
+  Simulation simulation(scenario, kSerial);
+  CHECK_THROWS_WITH_AS(simulation.run_until(5.0), doctest::Contains("tolerance"), DivergenceError);
+}
+
+TEST_CASE("sensors have names and units, and an unknown name is refused") {
+  const Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  CHECK(simulation.sensor_names().size() == simulation.sensor_units().size());
+  CHECK(simulation.sensor_names().size() == simulation.sensor_values().size());
+  CHECK(simulation.sensor_names().front() == "blade1.tip.x");
+  CHECK_THROWS_AS(simulation.sensor("blade9.tip.x"), std::out_of_range);
+}
+
+TEST_CASE("the state of a body is told in the order axial, bending") {
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  simulation.run_until(5.0);
+  const BodyState tip = simulation.body(0, 3);
+  REQUIRE(tip.coordinates.size() == 12);
+  CHECK(std::abs(tip.coordinates[3]) < 1e-3);  // u: stretched little
+  CHECK(tip.coordinates[10] < -1e-3);          // v: lags
+  CHECK_THROWS_AS(simulation.body(0, 4), std::out_of_range);
+  CHECK_THROWS_AS(simulation.body(3, 0), std::out_of_range);
+}
+
+TEST_CASE("a model beyond the machine's memory is refused before anything is allocated") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(1000, 20), 0.005);
+  CHECK_THROWS_WITH_AS(Simulation(scenario, {Formulation::augmented, ExecutorKind::serial, 1}),
+                       doctest::Contains("memory"), InputError);
+}
+
+TEST_CASE("simulations may be moved") {
+  Simulation first(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  first.step();
+  Simulation second = std::move(first);
+  second.step();
+  CHECK(second.steps() == 2);
+}
