@@ -18,95 +18,117 @@ Parts parts(const double* flex, const FlexLayout& layout) {
   return {flex + layout.u(), flex + layout.v()};
 }
 
-/// Row i (and i + 1) of a banded product.
-template <class Lane, int Half>
-[[gnu::always_inline]] inline Lane row(const SymmetricBand<Half>& A, int i, const double* x) {
-  Lane sum = load<Lane>(A.diagonal(-Half) + i) * load<Lane>(x + i - Half);
-  for (int k = 1 - Half; k <= Half; ++k)
-    sum += load<Lane>(A.diagonal(k) + i) * load<Lane>(x + i + k);
+/// Rows i and i + 1 of a banded product; `rows` are theirs, see SymmetricBand::pairs().
+template <int Half>
+[[gnu::always_inline]] inline Pair band_rows(const double* rows, int i, const double* x) {
+  Pair sum = load_aligned(rows) * load(x + i - Half);
+  for (int k = 1; k <= 2 * Half; ++k) sum += load_aligned(rows + 2 * k) * load(x + i - Half + k);
   return sum;
+}
+
+/// Two rows of H x; `rows` begins the first, and `x` is at its first column.
+[[gnu::always_inline]] inline Pair coupling_rows(const double* rows, const double* x) {
+  const auto row = [](const double* h, const double* at) -> Pair {
+    return load_aligned(h) * load(at) + load_aligned(h + 2) * load(at + 2) +
+           load_aligned(h + 4) * load(at + 4);
+  };
+  const Pair first = row(rows, x);
+  const Pair second = row(rows + AxialBendingCoupling::kWidth, x + 2);
+  return Pair{total(first), total(second)};
+}
+
+/// A pair of entries of H^T x; `x` is at the second of its axial neighbours. The first is none of a
+/// clamped frame's, whose pairs belong to one node each.
+template <bool kIsClamped>
+[[gnu::always_inline]] inline Pair coupling_pair(const double* h, const double* x) {
+  const Pair sum =
+      load_aligned(h + 2) * x[-1] + load_aligned(h + 4) * x[0] + load_aligned(h + 6) * x[1];
+  return kIsClamped ? sum : sum + load_aligned(h) * x[-2];
 }
 
 /// What the axial, or the bending, part of the deformation adds to sums over the body; m stands for
 /// d0 + Mff qf.
 struct PartSums {
-  LaneSum S, S_rate;             // S qf, S qf'
-  LaneSum inertia;               // m . qf
-  LaneSum inertia_rate;          // m . qf'
-  LaneSum d;                     // d0 . qf, axial only
-  LaneSum centrifugal_inertia;   // qf^T KG qf, bending only
-  LaneSum centrifugal_rate;      // qf^T KG qf'
+  double S = 0.0, S_rate = 0.0;        // S qf, S qf'
+  double inertia = 0.0;                // (d0 + m) . qf
+  double inertia_rate = 0.0;           // m . qf'
+  double centrifugal_inertia = 0.0;    // qf^T KG qf
+  double centrifugal_rate = 0.0;       // qf^T KG qf'
 };
 
-/// Row i of H x.
-double coupling_row(const AxialBendingCoupling& H, int i, const double* x) {
-  using Row = Eigen::Map<const Eigen::Array<double, AxialBendingCoupling::kWidth, 1>>;
-  return (Row(H.rows.data() + AxialBendingCoupling::kWidth * i) * Row(x + 2 * i + H.offset)).sum();
-}
-
-/// Entries 2 k and 2 k + 1 of H^T x.
-[[gnu::always_inline]] inline Pair coupling_pair(const AxialBendingCoupling& H, int k,
-                                                 const double* x) {
-  const double* h = H.pairs.data() + 2 * AxialBendingCoupling::kHeight * k;
-  return load<Pair>(h) * x[k - 2] + load<Pair>(h + 2) * x[k - 1] + load<Pair>(h + 4) * x[k] +
-         load<Pair>(h + 6) * x[k + 1];
-}
+// The loops below take all pointers out first: a store of a pair may alias anything to the compiler.
 
 /// Axial rows of c_theta = c0 + G^T qf and Q_f = w^2 (d0 + Mff qf) + 2 w G qf' - K q_elastic, with
 /// G = [0 H; -H^T 0].
 PartSums calc_axial_rows(const FlexibleBody& body, double w, const Parts& q, const Parts& qd,
                          const double* q_elastic, double* c_theta, double* Q) {
-  PartSums sums;
-  for_each_lane(body.axial(), [&]<class Lane>(int i) {
-    const Lane d = load<Lane>(body.d_axial.data() + i);
-    const Lane S = load<Lane>(body.S_axial.data() + i);
-    const Lane u = load<Lane>(q.u + i);
-    const Lane ud = load<Lane>(qd.u + i);
-    const Lane m = d + row<Lane>(body.M_axial, i, q.u);
-    store(Lane(w * w * m - row<Lane>(body.K_axial, i, q_elastic)), Q + i);
-    sums.S += S * u;
-    sums.S_rate += S * ud;
-    sums.inertia += m * u;
-    sums.inertia_rate += m * ud;
-    sums.d += d * u;
-  });
-  for (int i = 0; i < body.axial(); ++i) {
-    c_theta[i] = -coupling_row(body.H, i, q.v);
-    Q[i] += 2.0 * w * coupling_row(body.H, i, qd.v);
+  Pair S_sum{}, S_rate{};
+  Pair inertia{}, inertia_rate{};
+  const double *u = q.u, *ud = qd.u;
+  const double *d0 = body.d_axial.data(), *S = body.S_axial.data();
+  const double *M = body.M_axial.pairs(), *K = body.K_axial.pairs();
+  const double* h = body.H.rows.data();
+  const double *v = q.v + body.H.offset, *vd = qd.v + body.H.offset;
+  const int n = body.axial();
+  constexpr int kStride = 2 * SymmetricBand<1>::kWidth;
+  for (int i = 0; i < n; i += 2, M += kStride, K += kStride) {
+    const Pair m = load_aligned(d0 + i) + band_rows<1>(M, i, u);
+    store(w * w * m + 2.0 * w * coupling_rows(h, vd + 2 * i) - band_rows<1>(K, i, q_elastic),
+          Q + i);
+    store(-coupling_rows(h, v + 2 * i), c_theta + i);
+    h += 2 * AxialBendingCoupling::kWidth;
+    S_sum += load_aligned(S + i) * load_aligned(u + i);
+    S_rate += load_aligned(S + i) * load_aligned(ud + i);
+    inertia += (load_aligned(d0 + i) + m) * load_aligned(u + i);
+    inertia_rate += m * load_aligned(ud + i);
   }
-  return sums;
+  return {total(S_sum), total(S_rate), total(inertia), total(inertia_rate), 0.0, 0.0};
 }
 
 /// Bending rows of the same; with geometric stiffening Q_f -= w0^2 KG qf.
-template <bool kIsStiffened>
+template <bool kIsClamped, bool kIsStiffened>
 PartSums calc_bending_rows(const ChainBody& member, const BodyMotion& motion, const Parts& q,
                            const Parts& qd, const double* q_elastic, double* c_theta, double* Q) {
   const FlexibleBody& body = *member.body;
   const double w = motion.speed;
   const double ww_hub = motion.hub_speed * motion.hub_speed;
-  PartSums sums;
-  for (int i = 0; i < body.bending(); i += 2) {
-    const Pair S = load<Pair>(body.S_bending.data() + i);
-    const Pair v = load<Pair>(q.v + i);
-    const Pair vd = load<Pair>(qd.v + i);
-    const Pair m = row<Pair>(body.M_bending, i, q.v);
-    Pair force = w * w * m - 2.0 * w * coupling_pair(body.H, i / 2, qd.u) -
-                 row<Pair>(body.K_bending, i, q_elastic);
+  Pair S_sum{}, S_rate{};
+  Pair inertia{}, inertia_rate{};
+  Pair centrifugal_inertia{}, centrifugal_rate{};
+  const double *v = q.v, *vd = qd.v, *u = q.u, *ud = qd.u;
+  const double *S = body.S_bending.data(), *c0 = body.c_bending.data();
+  const double *M = body.M_bending.pairs(), *K = body.K_bending.pairs();
+  const double* KG = kIsStiffened ? member.centrifugal_stiffness->pairs() : nullptr;
+  const double* h = body.H.pairs.data();
+  const int n = body.bending();
+  constexpr int kStride = 2 * SymmetricBand<3>::kWidth;
+  for (int i = 0; i < n; i += 2, M += kStride, K += kStride, ++u, ++ud) {
+    const Pair m = band_rows<3>(M, i, v);
+    Pair force = w * w * m - 2.0 * w * coupling_pair<kIsClamped>(h, ud) - band_rows<3>(K, i, q_elastic);
     if constexpr (kIsStiffened) {
-      const Pair k = row<Pair>(*member.centrifugal_stiffness, i, q.v);
+      const Pair k = band_rows<3>(KG, i, v);
       force -= ww_hub * k;
-      sums.centrifugal_inertia += k * v;
-      sums.centrifugal_rate += k * vd;
+      centrifugal_inertia += k * load_aligned(v + i);
+      centrifugal_rate += k * load_aligned(vd + i);
+      KG += kStride;
     }
     store(force, Q + i);
-    store(Pair(load<Pair>(body.c_bending.data() + i) + coupling_pair(body.H, i / 2, q.u)),
-          c_theta + i);
-    sums.S += S * v;
-    sums.S_rate += S * vd;
-    sums.inertia += m * v;
-    sums.inertia_rate += m * vd;
+    store(load_aligned(c0 + i) + coupling_pair<kIsClamped>(h, u), c_theta + i);
+    S_sum += load_aligned(S + i) * load_aligned(v + i);
+    S_rate += load_aligned(S + i) * load_aligned(vd + i);
+    inertia += m * load_aligned(v + i);
+    inertia_rate += m * load_aligned(vd + i);
+    h += 2 * AxialBendingCoupling::kHeight;
   }
-  return sums;
+  return {total(S_sum), total(S_rate), total(inertia), total(inertia_rate),
+          total(centrifugal_inertia), total(centrifugal_rate)};
+}
+
+auto choose_bending_rows(const ChainBody& member) {
+  const bool is_stiffened = member.centrifugal_stiffness != nullptr;
+  if (member.body->reference_frame == ReferenceFrame::clamped)
+    return is_stiffened ? calc_bending_rows<true, true> : calc_bending_rows<true, false>;
+  return is_stiffened ? calc_bending_rows<false, true> : calc_bending_rows<false, false>;
 }
 
 /// Damping D = mass_factor Mff + stiffness_factor K: the force at v_elastic, the power at qf'.
@@ -125,13 +147,13 @@ double add_damping(const Damping& damping, const SymmetricBand<Half>& M,
 }
 
 /// Force of a load in the body frame [N].
-Position resolve_force(const NodeLoad& load, double rotation, const BodyPose& pose,
+Position resolve_force(const NodeLoad& load, double rotation, const Rotation& R_HB,
                        const Rotation& R_0) {
   switch (load.frame) {
     case LoadFrame::inertial:
-      return (R_0 * pose.X_HB.R).inverse() * load.force;
+      return (R_0 * R_HB).inverse() * load.force;
     case LoadFrame::hub:
-      return pose.X_HB.R.inverse() * load.force;
+      return R_HB.inverse() * load.force;
     case LoadFrame::section:
       break;
   }
@@ -150,24 +172,22 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData&
   double* Q_u = data.Q_f + layout.u();
   double* Q_v = data.Q_f + layout.v();
 
-  const PartSums axial =
-      calc_axial_rows(body, w, q, qd, q_elastic.u, data.c_theta + layout.u(), Q_u);
-  const auto calc_bending =
-      data.model->centrifugal_stiffness ? calc_bending_rows<true> : calc_bending_rows<false>;
+  const auto calc_bending = choose_bending_rows(*data.model);
   const PartSums bending = calc_bending(*data.model, motion, q, qd, q_elastic.v,
                                         data.c_theta + layout.v(), Q_v);
+  const PartSums axial =
+      calc_axial_rows(body, w, q, qd, q_elastic.u, data.c_theta + layout.u(), Q_u);
 
   BodyTerms& terms = data.terms;
-  terms.S = body.S0 + Position{axial.S.total(), bending.S.total()};
-  terms.rotary_inertia =
-      body.I0 + axial.d.total() + axial.inertia.total() + bending.inertia.total();
-  terms.centrifugal_inertia = bending.centrifugal_inertia.total();
-  terms.centrifugal_rate = bending.centrifugal_rate.total();
+  terms.S = body.S0 + Position{axial.S, bending.S};
+  terms.rotary_inertia = body.I0 + axial.inertia + bending.inertia;
+  terms.centrifugal_inertia = bending.centrifugal_inertia;
+  terms.centrifugal_rate = bending.centrifugal_rate;
   // Q_t = w^2 (S0 + S qf) - 2 w B S qf',  Q_w = -2 w (d0 + Mff qf) . qf'
-  const Position S_rate{axial.S_rate.total(), bending.S_rate.total()};
+  const Position S_rate{axial.S_rate, bending.S_rate};
   const Position Q_t = w * w * terms.S - 2.0 * w * quarter_turn(S_rate);
   terms.Q = Twist(Q_t.x(), Q_t.y(),
-                  -2.0 * w * (axial.inertia_rate.total() + bending.inertia_rate.total()));
+                  -2.0 * w * (axial.inertia_rate + bending.inertia_rate));
   terms.load_power = 0.0;
   terms.dissipation = 0.0;
   if (damping.mass_factor == 0.0 && damping.stiffness_factor == 0.0) return;
@@ -177,18 +197,18 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData&
       add_damping(damping, body.M_bending, body.K_bending, v_elastic.v, qd.v, Q_v);
 }
 
-void add_loads(double t, const BodyPose& pose, const Twist& twist, const Rotation& R_0,
+void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotation& R_0,
                BodyData& data) noexcept {
   const FlexLayout& layout = data.layout;
   const auto at = [&](const double* flex, int index) {
-    return index < 0 ? 0.0 : flex[flex_index(index, layout)];
+    return flex[layout.place(index)];
   };
   for (const NodeLoad& load : data.model->loads) {
     const double* q = data.coordinates.q;
     const double* qd = data.coordinates.v;
     const double factor = load.factor->value(t);
     const double rotation = at(q, load.coordinate[kRotation]);
-    const Position force = factor * resolve_force(load, rotation, pose, R_0);
+    const Position force = factor * resolve_force(load, rotation, R_HB, R_0);
     const double moment = factor * load.moment;
     const Position s = load.p + Position{at(q, load.coordinate[0]), at(q, load.coordinate[1])};
     const Position sd{at(qd, load.coordinate[0]), at(qd, load.coordinate[1])};
@@ -196,7 +216,7 @@ void add_loads(double t, const BodyPose& pose, const Twist& twist, const Rotatio
     const Twist wrench(force.x(), force.y(), moment);
     data.terms.Q += Twist(force.x(), force.y(), torque);
     for (int c = 0; c < kTwist; ++c)
-      if (load.coordinate[c] >= 0) data.Q_f[flex_index(load.coordinate[c], layout)] += wrench[c];
+      if (load.coordinate[c] >= 0) data.Q_f[layout.place(load.coordinate[c])] += wrench[c];
     data.terms.load_power += force.dot(Position(twist.head<kPosition>()) + sd) +
                              torque * twist[kRotation] +
                              moment * at(qd, load.coordinate[kRotation]);
@@ -209,7 +229,7 @@ BodyInertia calc_inertia(const BodyData& data) {
   const Parts qd = parts(data.coordinates.v, data.layout);
   BodyInertia inertia;
   inertia.rotary_inertia = body.I0;
-  inertia.S = body.S0 + Position{body.S_axial.dot(ConstVector(q.u, body.axial())),
+  inertia.S = body.S0 + Position{body.S_axial.dot(ConstVector(q.u, body.padded_axial())),
                                  body.S_bending.dot(ConstVector(q.v, body.bending()))};
   const double* h = body.H.rows.data();
   for (int i = 0; i < body.axial(); ++i, h += AxialBendingCoupling::kWidth) {
@@ -235,7 +255,7 @@ double calc_kinetic_energy(const BodyData& data, const BodyInertia& inertia, con
   const Parts qd = parts(data.coordinates.v, data.layout);
   const Position v = twist.head<kPosition>();
   const double w = twist[kRotation];
-  const Position S_rate{body.S_axial.dot(ConstVector(qd.u, body.axial())),
+  const Position S_rate{body.S_axial.dot(ConstVector(qd.u, body.padded_axial())),
                         body.S_bending.dot(ConstVector(qd.v, body.bending()))};
   double deformation = 0.0;
   for (int i = 0; i < body.axial(); ++i) deformation += qd.u[i] * body.M_axial.row(i, qd.u);

@@ -16,8 +16,8 @@ struct BodyMotion {
 void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData& data) noexcept;
 
 /// Adds the body's point loads at time `t` [s] to its right-hand side, and their power.
-/// `pose` and `twist`: of the body; R_0: hub frame to inertial frame.
-void add_loads(double t, const BodyPose& pose, const Twist& twist, const Rotation& R_0,
+/// R_HB: body frame to hub frame; R_0: hub frame to inertial frame; `twist`: of the body frame.
+void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotation& R_0,
                BodyData& data) noexcept;
 
 /// State-dependent entries of the mass matrix.

@@ -7,19 +7,19 @@ namespace spoke {
 template <int Half>
 BandFactor<Half>::BandFactor(const SymmetricBand<Half>& matrix)
     : n_(matrix.size()),
-      lower_(static_cast<std::size_t>(n_ + Half) * Half, 0.0),
+      lower_(static_cast<std::size_t>(n_ + Half) * Half, Pair{}),
       inverse_diagonal_(n_) {
   std::vector<double> d(n_);
-  const auto L = [&](int i, int j) -> double& { return lower_[i * Half + (j - i + Half)]; };
+  const auto L = [&](int i, int j) -> Pair& { return lower_[i * Half + (j - i + Half)]; };
   for (int i = 0; i < n_; ++i) {
     const int first = std::max(0, i - Half);
     for (int j = first; j < i; ++j) {
       double sum = matrix(i, j);
-      for (int k = std::max(first, j - Half); k < j; ++k) sum -= L(i, k) * d[k] * L(j, k);
-      L(i, j) = sum / d[j];
+      for (int k = std::max(first, j - Half); k < j; ++k) sum -= L(i, k)[0] * d[k] * L(j, k)[0];
+      L(i, j) = both(sum / d[j]);
     }
     double sum = matrix(i, i);
-    for (int k = first; k < i; ++k) sum -= L(i, k) * L(i, k) * d[k];
+    for (int k = first; k < i; ++k) sum -= L(i, k)[0] * L(i, k)[0] * d[k];
     d[i] = sum;
     inverse_diagonal_[i] = 1.0 / sum;
   }
@@ -30,34 +30,48 @@ void BandFactor<Half>::solve(const double* __restrict a, const double* __restric
                              Pair* __restrict scratch, double* __restrict x,
                              double* __restrict y) const {
   std::array<Pair, Half> last;  // last[k]: the solution Half - k rows back (then ahead)
-  last.fill(Pair::Zero());
-  const auto push = [&](const Pair& newest) {
+  last.fill(Pair{});
+  const auto push = [&](Pair newest) {
     for (int k = 0; k + 1 < Half; ++k) last[k] = last[k + 1];
     last[Half - 1] = newest;
   };
-  const double* L = lower_.data();
-  for (int i = 0; i < n_; ++i, L += Half) {
-    Pair sum(a[i], b[i]);
+  const Pair* L = lower_.data();
+  const int n = n_;
+  for (int i = 0; i < n; ++i, L += Half) {
+    Pair sum{a[i], b[i]};
     for (int k = 0; k < Half; ++k) sum -= L[k] * last[k];
     push(sum);
     scratch[i] = sum;
   }
-  last.fill(Pair::Zero());
-  for (int i = n_ - 1; i >= 0; --i) {
+  last.fill(Pair{});
+  const double* inverse_diagonal = inverse_diagonal_.data();
+  const auto substitute_back = [&](int i) -> Pair {
     L -= Half;
-    Pair sum = inverse_diagonal_[i] * scratch[i];
+    Pair sum = inverse_diagonal[i] * scratch[i];
     // Column i of L below the diagonal: L(i + Half - k, i) stands in row i + Half - k.
     for (int k = 0; k < Half; ++k) sum -= L[(Half - k) * Half + k] * last[k];
     push(sum);
-    x[i] = sum[0];
-    y[i] = sum[1];
+    return sum;
+  };
+  // Results go out in pairs of neighbours, as they will be loaded: loading two values at once that
+  // were stored one by one stalls the processor.
+  if (n % 2 != 0) {
+    const Pair top = substitute_back(n - 1);
+    store(Pair{top[0], 0.0}, x + n - 1);
+    store(Pair{top[1], 0.0}, y + n - 1);
+  }
+  for (int i = (n / 2) * 2 - 2; i >= 0; i -= 2) {
+    const Pair second = substitute_back(i + 1);
+    const Pair first = substitute_back(i);
+    store(Pair{first[0], second[0]}, x + i);
+    store(Pair{first[1], second[1]}, y + i);
   }
 }
 
 template <int Half>
 Eigen::VectorXd BandFactor<Half>::solve(const Eigen::VectorXd& b) const {
   std::vector<Pair> scratch(n_);
-  Eigen::VectorXd x(n_), y(n_);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(n_ + n_ % 2), y = x;
   solve(b.data(), b.data(), scratch.data(), x.data(), y.data());
   return x;
 }
@@ -89,15 +103,16 @@ ElasticBlock::BendingColumn make_column(const FlexibleBody& body, const BandFact
 }
 
 void fill_handle_compliances(ElasticBlock& block) {
-  block.Z_ii = block.Z_io = block.Z_oo = TwistMatrix::Zero();
-  block.Z_oo(0, 0) = block.Z_axial[block.axial_coordinate];
+  TwistMatrix Z_oo = TwistMatrix::Zero();
+  Z_oo(0, 0) = block.Z_axial[block.axial_coordinate];
   for (const auto& a : block.columns)
     for (const auto& b : block.columns) {
       const double z = b.Z[a.coordinate];
-      if (a.outboard && b.outboard) block.Z_oo(a.component, b.component) = z;
-      if (!a.outboard && b.outboard) block.Z_io(a.component, b.component) = z;
-      if (!a.outboard && !b.outboard) block.Z_ii(a.component, b.component) = z;
+      if (a.outboard && b.outboard) Z_oo(a.component, b.component) = z;
+      if (!a.outboard && b.outboard) block.Z_io[b.component] = z;
+      if (!a.outboard && !b.outboard) block.Z_ii = z;
     }
+  block.Z_oo = {Z_oo(0, 0), Z_oo(1, 0), Z_oo(1, 1), Z_oo(2, 0), Z_oo(2, 1), Z_oo(2, 2)};
 }
 
 }  // namespace
@@ -115,7 +130,7 @@ ElasticBlock make_elastic_block(const FlexibleBody& body, double mass_factor,
 
   block.axial_coordinate = body.outboard.coordinate[0];
   block.Z_axial =
-      block.axial.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(body.axial(), body.axial() - 1)));
+      block.axial.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(body.padded_axial(), body.axial() - 1)));
   // The free bending coordinates at the handles: v and psi outboard (clamped), or psi at both ends.
   const bool clamped = body.reference_frame == ReferenceFrame::clamped;
   block.columns[0] = make_column(body, block.bending, clamped, clamped ? 1 : kRotation);

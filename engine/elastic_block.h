@@ -16,14 +16,17 @@ class BandFactor {
   BandFactor() = default;
   explicit BandFactor(const SymmetricBand<Half>& matrix);
 
-  /// x = A^-1 a, y = A^-1 b, n values each; `scratch`: n pairs.
+  /// x = A^-1 a, y = A^-1 b; n values each, 16-byte aligned, a zero more if n is odd. `scratch`:
+  /// n pairs.
   void solve(const double* a, const double* b, Pair* scratch, double* x, double* y) const;
+  /// A^-1 b; with a zero more if n is odd.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:
   int n_ = 0;
-  /// Row i: L(i, i - Half) ... L(i, i - 1); zero left of the matrix. Half rows of zeros follow.
-  std::vector<double> lower_;
+  /// Row i: L(i, i - Half) ... L(i, i - 1), each twice, as a pair; zero left of the matrix. Half rows
+  /// of zeros follow.
+  std::vector<Pair> lower_;
   std::vector<double> inverse_diagonal_;
 };
 
@@ -34,7 +37,8 @@ struct ElasticBlock {
   BandFactor<1> axial;
   BandFactor<3> bending;
 
-  Eigen::VectorXd W_x;  ///< Mhat^-1 S_x^T, axial: the response to a translation along x (E)
+  // Axial vectors have a zero more if E is odd, as those of FlexibleBody.
+  Eigen::VectorXd W_x;  ///< Mhat^-1 S_x^T, axial: the response to a translation along x
   Eigen::VectorXd W_y;  ///< Mhat^-1 S_y^T, bending (2E)
   double S_Wx = 0.0;    ///< S_x W_x [kg]
   double S_Wy = 0.0;    ///< S_y W_y [kg]
@@ -47,11 +51,14 @@ struct ElasticBlock {
     Eigen::VectorXd Z;          ///< 2E
   };
   int axial_coordinate = 0;  ///< u of the outboard node
-  Eigen::VectorXd Z_axial;   ///< E
+  Eigen::VectorXd Z_axial;
   std::array<BendingColumn, 2> columns;
 
-  // E_a Mhat^-1 E_b^T: compliance of the deformation at the two handles.
-  TwistMatrix Z_ii, Z_io, Z_oo;
+  // E_a Mhat^-1 E_b^T: compliance of the deformation at the two handles. Inboard only the rotation
+  // can be free: Z_ii is one number, Z_io one row.
+  double Z_ii = 0.0;
+  Twist Z_io = Twist::Zero();
+  SymmetricTwistMatrix Z_oo;
 };
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, double mass_factor,

@@ -33,13 +33,16 @@ void solve_hub(const System& system, StepData& data) noexcept {
   const Twist given = calc_prescribed_acceleration(system, data);
   TwistMatrix matrix = equation.mass;
   Twist right = equation.force;
-  for (int c = 0; c < kTwist; ++c)
-    if (is_prescribed(system.hub, c)) {
-      matrix.row(c) = Twist::Unit(c);
-      right[c] = given[c];
-    }
+  int prescribed = 0;
+  for (int c = 0; c < kTwist; ++c) {
+    if (!is_prescribed(system.hub, c)) continue;
+    matrix.row(c) = Twist::Unit(c);
+    right[c] = given[c];
+    ++prescribed;
+  }
   HubSolution& solution = data.hub_solution;
-  solution.acceleration = matrix.partialPivLu().solve(right);
+  solution.acceleration = right;
+  if (prescribed < kTwist) solution.acceleration = matrix.partialPivLu().solve(right);
   solution.reaction = equation.mass * solution.acceleration - equation.force;
   for (int c = 0; c < kTwist; ++c)
     if (!is_prescribed(system.hub, c)) solution.reaction[c] = 0.0;
@@ -47,13 +50,13 @@ void solve_hub(const System& system, StepData& data) noexcept {
 }
 
 Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
-                             const Twist& hub_acceleration, const BodyPose& first) {
+                             const Twist& hub_acceleration, const Rotation& R_HB) {
   // [I, B p; 0, 1] Y'' - w0^2 p: the acceleration of the bracket, hub frame.
   const double w = hub.twist[kRotation];
   const Position& p = subsystem.root.p;
   Twist bracket = hub_acceleration;
   bracket.head<kPosition>() += hub_acceleration[kRotation] * quarter_turn(p) - w * w * p;
-  return first.R_PB.inverse() * bracket;
+  return R_HB.inverse() * bracket;
 }
 
 Twist calc_inertial_acceleration(const System& system, const HubState& hub,

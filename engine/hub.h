@@ -18,9 +18,10 @@ struct HubEquation {
 };
 HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept;
 
-/// Acceleration of a subsystem's root bracket, resolved in its first body's frame, less gravity.
+/// Acceleration of a subsystem's root bracket, less gravity, resolved in its first body's frame, from
+/// which R_HB leads to the hub frame.
 Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
-                             const Twist& hub_acceleration, const BodyPose& first);
+                             const Twist& hub_acceleration, const Rotation& R_HB);
 
 /// The acceleration of the hub in the inertial frame from its solution (a - g, hub frame).
 Twist calc_inertial_acceleration(const System& system, const HubState& hub,

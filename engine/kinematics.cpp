@@ -3,53 +3,41 @@
 namespace spoke {
 namespace {
 
-double value_at(int index, const double* q, const FlexLayout& layout) {
-  return index < 0 ? 0.0 : q[flex_index(index, layout)];
-}
-
-/// Rotation of a handle's section relative to the body frame.
-Rotation section_rotation(const Handle& handle, const double* q, const FlexLayout& layout) {
-  const int index = handle.coordinate[kRotation];
-  return index < 0 ? Rotation{} : Rotation::from_angle(q[flex_index(index, layout)]);
+/// Rotation of a handle's section relative to the body frame; `at`: places of its coordinates.
+Rotation section_rotation(const Handle& handle, const std::array<int, kTwist>& at,
+                          const double* q) {
+  return handle.coordinate[kRotation] < 0 ? Rotation{} : Rotation::from_angle(q[at[kRotation]]);
 }
 
 }  // namespace
 
-Position calc_handle_velocity(const Handle& handle, const double* v, const FlexLayout& layout) {
-  return {value_at(handle.coordinate[0], v, layout), value_at(handle.coordinate[1], v, layout)};
-}
-
-Position calc_handle_position(const Handle& handle, const double* q, const FlexLayout& layout) {
-  return handle.p + calc_handle_velocity(handle, q, layout);
-}
-
-double handle_rotation(const Handle& handle, const double* q, const FlexLayout& layout) {
-  return value_at(handle.coordinate[kRotation], q, layout);
-}
-
-Position calc_node_position(const FlexibleBody& body, int node, const double* q,
-                            const FlexLayout& layout) {
-  return {body.length * node / body.elements + value_at(body.coordinate(node, 0), q, layout),
-          value_at(body.coordinate(node, 1), q, layout)};
-}
-
-void calc_positions(const Subsystem& subsystem, SubsystemData& data) noexcept {
-  Pose bracket = subsystem.root;    // of the parent's outboard handle, in the hub frame
-  Rotation bracket_in_parent = subsystem.root.R;
+void calc_rotations(const Subsystem& subsystem, SubsystemData& data) noexcept {
+  Rotation bracket = subsystem.root.R;  // of the parent's outboard section, in the parent's frame
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData& member = data.bodies[j];
     const FlexibleBody& body = *member.model->body;
     const double* q = member.coordinates.q;
-    // The inboard handle sits on the bracket; its node stands at the frame's origin.
-    const Rotation back = section_rotation(body.inboard, q, member.layout).inverse();
-    BodyPose& pose = data.poses[j];
-    pose.R_PB = bracket_in_parent * back;
-    pose.X_HB.R = bracket.R * back;
-    pose.X_HB.p = bracket.p;
-    bracket_in_parent = section_rotation(body.outboard, q, member.layout);
-    bracket.p += pose.X_HB.R * calc_handle_position(body.outboard, q, member.layout);
-    bracket.R = pose.X_HB.R * bracket_in_parent;
+    data.rotations[j] = bracket * section_rotation(body.inboard, member.inboard_at, q).inverse();
+    if (j + 1 < data.bodies.size())
+      bracket = section_rotation(body.outboard, member.outboard_at, q);
   }
+}
+
+void calc_poses(const Subsystem& subsystem, SubsystemData& data) noexcept {
+  Pose parent;  // in the hub frame
+  Position bracket = subsystem.root.p;  // where the parent carries the body, in the parent's frame
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    data.poses[j].p = parent.p + parent.R * bracket;
+    data.poses[j].R = parent.R * data.rotations[j];
+    parent = data.poses[j];
+    bracket = calc_outboard_position(data.bodies[j]);
+  }
+}
+
+Rotation calc_rotation_to_hub(const SubsystemData& data, int body) noexcept {
+  Rotation R = data.rotations[0];
+  for (int j = 1; j <= body; ++j) R = R * data.rotations[j];
+  return R;
 }
 
 void calc_velocities(const Subsystem& subsystem, const HubState& hub, SubsystemData& data) noexcept {
@@ -59,17 +47,16 @@ void calc_velocities(const Subsystem& subsystem, const HubState& hub, SubsystemD
   bracket.head<kPosition>() += hub_speed * quarter_turn(subsystem.root.p);
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData& member = data.bodies[j];
-    const FlexibleBody& body = *member.model->body;
-    const double* q = member.coordinates.q;
     const double* v = member.coordinates.v;
-    Twist& twist = data.twists[j];
-    twist = data.poses[j].R_PB.inverse() * bracket;
-    twist[kRotation] -= handle_rotation(body.inboard, v, member.layout);
-    bracket = twist;
-    bracket.head<kPosition>() +=
-        twist[kRotation] * quarter_turn(calc_handle_position(body.outboard, q, member.layout)) +
-        calc_handle_velocity(body.outboard, v, member.layout);
-    bracket[kRotation] += handle_rotation(body.outboard, v, member.layout);
+    Twist twist = data.rotations[j].inverse() * bracket;
+    twist[kRotation] -= v[member.inboard_at[kRotation]];
+    data.twists[j] = twist;
+    if (j + 1 == data.bodies.size()) break;
+    const double w = twist[kRotation];
+    const Position s = calc_outboard_position(member);
+    const Position s_rate = calc_outboard_velocity(member);
+    bracket = Twist(twist[0] - w * s.y() + s_rate.x(), twist[1] + w * s.x() + s_rate.y(),
+                    w + v[member.outboard_at[kRotation]]);
   }
 }
 

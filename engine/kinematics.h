@@ -8,30 +8,29 @@
 
 namespace spoke {
 
-/// Place of a handle in the body frame, deformed [m].
-Position calc_handle_position(const Handle& handle, const double* q, const FlexLayout& layout);
-/// Velocity of a handle relative to the body frame [m/s].
-Position calc_handle_velocity(const Handle& handle, const double* v, const FlexLayout& layout);
-/// Rotation of a handle (or its rate) relative to the body frame [rad, rad/s]; `q` may be the
-/// velocities.
-double handle_rotation(const Handle& handle, const double* q, const FlexLayout& layout);
-
-/// Where coordinate `index` of the order "axial, then bending" stands in a flex vector.
-inline int flex_index(int index, const FlexLayout& layout) {
-  return index < layout.axial ? layout.u() + index : layout.v() + (index - layout.axial);
+/// Place of the outboard handle in the body frame, deformed [m]. The inboard one is the origin.
+inline Position calc_outboard_position(const BodyData& body) {
+  const double* q = body.coordinates.q;
+  return {body.model->body->length + q[body.outboard_at[0]], q[body.outboard_at[1]]};
+}
+/// Velocity of the outboard handle relative to the body frame [m/s].
+inline Position calc_outboard_velocity(const BodyData& body) {
+  return {body.coordinates.v[body.outboard_at[0]], body.coordinates.v[body.outboard_at[1]]};
 }
 
-/// Poses of all body frames of a subsystem in the hub frame, from the deformations.
-void calc_positions(const Subsystem& subsystem, SubsystemData& data) noexcept;
+/// Relative rotations along a subsystem, from the deformations.
+void calc_rotations(const Subsystem& subsystem, SubsystemData& data) noexcept;
+
+/// Poses of all body frames of a subsystem in the hub frame, from the rotations and deformations.
+void calc_poses(const Subsystem& subsystem, SubsystemData& data) noexcept;
+
+/// R_HB of a body, from the rotations.
+Rotation calc_rotation_to_hub(const SubsystemData& data, int body) noexcept;
 
 /// Twists of all body frames relative to the inertial frame, each resolved in its body frame.
 void calc_velocities(const Subsystem& subsystem, const HubState& hub, SubsystemData& data) noexcept;
 
 /// Orientation and hub-frame twist of the hub from its coordinates.
 HubState calc_hub_state(const CoordinateBlock& hub);
-
-/// Place of a node in the body frame, deformed [m]. Precondition: 0 <= node <= elements.
-Position calc_node_position(const FlexibleBody& body, int node, const double* q,
-                            const FlexLayout& layout);
 
 }  // namespace spoke

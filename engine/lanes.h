@@ -1,46 +1,29 @@
 #pragma once
 
-// Loops over flex vectors in pairs of neighbouring values, which the compiler keeps in one register.
-
-#include <Eigen/Core>
+// Loops over flex vectors take two neighbouring values at a time, in one vector register. GCC's and
+// clang's vector types make sure of it where an array of two would leave it to the optimiser.
 
 namespace spoke {
 
-/// Two values side by side.
-using Pair = Eigen::Array2d;
+/// Two values side by side; arithmetic is by value, also with a double.
+using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
-/// One value, or a pair of neighbours, from memory.
-template <class Lane>
-[[gnu::always_inline]] inline Lane load(const double* x) {
-  if constexpr (std::is_same_v<Lane, double>)
-    return *x;
-  else
-    return Eigen::Map<const Pair>(x);
+namespace detail {
+using PairInMemory = double __attribute__((vector_size(2 * sizeof(double)), may_alias));
+using PairAnywhere = double
+    __attribute__((vector_size(2 * sizeof(double)), may_alias, aligned(sizeof(double))));
+}  // namespace detail
+
+inline Pair both(double value) { return Pair{value, value}; }
+
+/// Two neighbours from anywhere, and from a place aligned to their size (constants, and even places
+/// of flex vectors).
+inline Pair load(const double* x) { return *reinterpret_cast<const detail::PairAnywhere*>(x); }
+inline Pair load_aligned(const double* x) {
+  return *reinterpret_cast<const detail::PairInMemory*>(x);
 }
+inline void store(Pair value, double* x) { *reinterpret_cast<detail::PairInMemory*>(x) = value; }
 
-inline void store(double value, double* x) { *x = value; }
-inline void store(const Pair& value, double* x) { Eigen::Map<Pair>{x} = value; }
-
-inline double total(const Pair& value) { return value[0] + value[1]; }
-
-/// Calls body.operator()<Lane>(i) for i = 0, 2, 4, ... with Lane = Pair, and for a last odd i with
-/// Lane = double.
-template <class Body>
-inline void for_each_lane(int n, Body&& body) {
-  int i = 0;
-  for (; i + 1 < n; i += 2) body.template operator()<Pair>(i);
-  if (i < n) body.template operator()<double>(i);
-}
-
-/// A sum over all lanes; an odd last value goes to the first place.
-class LaneSum {
- public:
-  void operator+=(const Pair& value) { sum_ += value; }
-  void operator+=(double value) { sum_[0] += value; }
-  double total() const { return spoke::total(sum_); }
-
- private:
-  Pair sum_ = Pair::Zero();
-};
+inline double total(Pair value) { return value[0] + value[1]; }
 
 }  // namespace spoke

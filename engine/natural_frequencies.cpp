@@ -89,7 +89,8 @@ int count_frequencies_below(const Rotor& rotor, double frequency) {
     const Rotation R = Rotation::from_angle(blade.azimuth);
     TwistMatrix T = TwistMatrix::Identity();
     T.col(kRotation).head<kPosition>() = quarter_turn(R * Position{hub.radius, 0.0});
-    at_hub += T.transpose() * R.turn(blade_sum.rest) * T;
+    const TwistMatrix M = R.matrix();
+    at_hub += T.transpose() * M * blade_sum.rest * M.transpose() * T;
   }
   const std::vector<int> free = free_components(hub);
   if (free.empty()) return negative;

@@ -23,10 +23,22 @@ double limit_of(const FlexibleBody& body, int coordinate) {
 
 /// Whether a body surely is within its limits: one sum, which NaN and infinity fail as well.
 bool is_small(const BodyData& body) {
+  const double* q = body.coordinates.q;
+  Pair first{}, second{};
+  for (int i = 0, n = body.layout.size(); i < n; i += 4) {  // all its sizes are multiples of 4
+    first += load_aligned(q + i) * load_aligned(q + i);
+    second += load_aligned(q + i + 2) * load_aligned(q + i + 2);
+  }
   const double limit = std::min(body.model->body->length, std::numbers::pi);
-  return Eigen::Map<const Eigen::VectorXd>(body.coordinates.q, body.layout.size()).squaredNorm() <=
-         limit * limit;
+  return total(first + second) <= limit * limit;
 }
+
+/// Whether the pass evaluates a state in which a step may end.
+bool is_end_of_step(const Method& method, const PassControl& control) {
+  return control.stage == 0 || (control.stage > 0 && std::holds_alternative<GeneralizedAlpha>(method));
+}
+
+bool is_finite(const Twist& X) { return std::isfinite(X[0] + X[1] + X[2]); }
 
 }  // namespace
 
@@ -54,8 +66,11 @@ void complete_body(const Method& method, const PassControl& control, BodyData& b
     else
       body.report.change = correct(*alpha, body.a_found, body.coordinates);
   }
-  // Whatever is wrong with the deformation's accelerations is wrong with the frame's, too.
-  const bool is_fine = body.X.allFinite() && (is_small(body) || find_excess(body).coordinate < 0);
+  // Whatever is wrong with the deformation's accelerations is wrong with the frame's, too. Limits
+  // are those of states: rk4's stages within a step are none.
+  const bool is_state = is_end_of_step(method, control);
+  const bool is_fine =
+      is_finite(body.X) && (!is_state || is_small(body) || find_excess(body).coordinate < 0);
   body.report.failed = is_fine ? 0.0 : 1.0;
 }
 
@@ -107,7 +122,7 @@ Excess find_excess(const BodyData& body) {
   const FlexibleBody& model = *body.model->body;
   Excess worst;
   for (int k = 0; k < model.coordinates(); ++k) {
-    const double value = body.coordinates.q[flex_index(k, body.layout)];
+    const double value = body.coordinates.q[body.layout.place(k)];
     const double limit = limit_of(model, k);
     if (!std::isfinite(value)) return {k, value, limit};
     const bool is_worst = worst.coordinate < 0 ||

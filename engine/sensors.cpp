@@ -11,7 +11,8 @@ void evaluate_state(const System& system, StepData& data) {
   data.hub = calc_hub_state(data.hub_coordinates);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     SubsystemData& subsystem = data.subsystems[i];
-    calc_positions(system.subsystems[i], subsystem);
+    calc_rotations(system.subsystems[i], subsystem);
+    calc_poses(system.subsystems[i], subsystem);
     calc_velocities(system.subsystems[i], data.hub, subsystem);
   }
 }
@@ -34,7 +35,7 @@ Energies calc_energies(const System& system, StepData& data) {
       energies.kinetic +=
           calc_kinetic_energy(body, inertia, data.subsystems[i].twists[j], hub_speed);
       energies.strain += calc_strain_energy(body);
-      const Pose& X_HB = data.subsystems[i].poses[j].X_HB;
+      const Pose& X_HB = data.subsystems[i].poses[j];
       const Position moment =
           body.model->body->mass * X_HB.p + Position(X_HB.R * inertia.S);
       energies.gravity += system.gravity.dot(
@@ -45,15 +46,13 @@ Energies calc_energies(const System& system, StepData& data) {
 
 Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data) {
   const BodyData& tip = data.bodies.back();
-  const Pose& X_HB = data.poses.back().X_HB;
-  const FlexibleBody& body = *tip.model->body;
-  const Position now =
-      X_HB.p + X_HB.R * calc_handle_position(body.outboard, tip.coordinates.q, tip.layout);
+  const Pose& X_HB = data.poses.back();
+  const Position now = X_HB.p + X_HB.R * calc_outboard_position(tip);
   const Position undeformed = subsystem.root.p + subsystem.root.R * Position{subsystem.length, 0.0};
   double rotation = 0.0;
   for (const BodyData& member : data.bodies)
-    rotation += handle_rotation(member.model->body->outboard, member.coordinates.q, member.layout) -
-                handle_rotation(member.model->body->inboard, member.coordinates.q, member.layout);
+    rotation += member.coordinates.q[member.outboard_at[kRotation]] -
+                member.coordinates.q[member.inboard_at[kRotation]];
   const Position displacement = now - undeformed;
   return {displacement.x(), displacement.y(), rotation};
 }

@@ -10,6 +10,7 @@ constexpr int kFlexVectors = 6;  // q, v, a, c_theta, Q_f, a_found
 void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
   const std::size_t count = subsystem.bodies.size();
   data.bodies.resize(count);
+  data.rotations.resize(count);
   data.poses.resize(count);
   data.twists.assign(count, Twist::Zero());
   data.wrenches.assign(count, {Twist::Zero(), Twist::Zero()});
@@ -18,6 +19,10 @@ void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
     const FlexibleBody& body = *subsystem.bodies[j].body;
     data.bodies[j].model = &subsystem.bodies[j];
     data.bodies[j].layout = {body.axial(), body.bending()};
+    for (int c = 0; c < kTwist; ++c) {
+      data.bodies[j].inboard_at[c] = data.bodies[j].layout.place(body.inboard.coordinate[c]);
+      data.bodies[j].outboard_at[c] = data.bodies[j].layout.place(body.outboard.coordinate[c]);
+    }
     total += Eigen::Index{data.bodies[j].layout.size()} * (kFlexVectors + history);
   }
   data.storage = Eigen::VectorXd::Zero(total);

@@ -24,6 +24,11 @@ struct FlexLayout {
   int u() const { return kPad; }
   int v() const { return 2 * kPad + rounded(axial); }
   int size() const { return 3 * kPad + rounded(axial) + rounded(bending); }
+  /// Place of coordinate `index` of the order "axial, then bending"; of -1, a place that is zero.
+  int place(int index) const {
+    if (index < 0) return 0;
+    return index < axial ? u() + index : v() + (index - axial);
+  }
 
  private:
   static int rounded(int n) { return (n + kPad - 1) / kPad * kPad; }
@@ -57,12 +62,6 @@ struct PassControl {
   bool implicit = false;      ///< solve with the implicit elastic block
 };
 
-/// How a body stands to its chain, from the position analysis.
-struct BodyPose {
-  Pose X_HB;      ///< body frame in the hub frame
-  Rotation R_PB;  ///< body frame to the parent's body frame (of the first body: to the hub frame)
-};
-
 /// Terms of a body's equations of motion that its state determines (docs/formulation.md, section
 /// 2), all in the body frame. The flex vectors c_theta and Q_f belong to them.
 struct BodyTerms {
@@ -75,20 +74,30 @@ struct BodyTerms {
   double dissipation;            ///< qf'^T D qf' [W]
 };
 
+/// X_o of a straight beam, [xx 0 xr; 0 yy yr; 0 ry rr]: axial and bending response decouple.
+struct HandleMap {
+  double xx = 1.0, xr = 0.0;
+  double yy = 1.0, yr = 0.0;
+  double ry = 0.0, rr = 1.0;
+};
+
 /// What a body shows its neighbours: forces on the two handles to their accelerations,
 /// a_i = P_ii F + P_io f + free_i, a_o = P_io^T F + P_oo f + free_o (all in the body frame).
 struct TwoPort {
-  TwistMatrix S_inverse;   ///< inverse of the condensed rigid-body mass M_RR - C Mhat^-1 C^T
-  Twist p;                 ///< condensed rigid-body force [N, N m]
-  TwistMatrix X_i, X_o;    ///< handle acceleration per frame acceleration, deformation following
-  TwistMatrix P_ii, P_io, P_oo;
-  Twist free_i, free_o;    ///< accelerations of the handles without joint forces
+  SymmetricTwistMatrix S_inverse;  ///< inverse of the condensed rigid-body mass M_RR - C Mhat^-1 C^T
+  Twist p;                         ///< condensed rigid-body force [N, N m]
+  // Handle accelerations per frame acceleration, deformation following: X_e = J_e - E_e W.
+  HandleMap X_o;
+  Twist x_i;  ///< last row of X_i; the others are the identity's, for the frame stands there
+  SymmetricTwistMatrix P_ii, P_oo;
+  TwistMatrix P_io;
+  Twist free_i, free_o;  ///< accelerations of the handles without joint forces
 };
 
 /// Elimination of the joint outboard of a body: its wrench on the body is
 /// f = Pi (rhs - P_oi F), F the wrench on the body's inboard handle.
 struct JointElimination {
-  TwistMatrix Pi;
+  SymmetricTwistMatrix Pi;
   Twist rhs;
 };
 
@@ -98,8 +107,8 @@ struct EffectiveInertia {
   Twist force;                 ///< Q^C
   double centrifugal_inertia;  ///< sum over the bodies
   double centrifugal_rate;
-  TwistMatrix root_mass;       ///< Lambda^-1: wrench on the root handle per its acceleration
-  Twist root_free;             ///< acceleration of the root handle without wrench, body frame
+  SymmetricTwistMatrix root_mass;  ///< Lambda^-1: wrench on the root handle per its acceleration
+  Twist root_free;                 ///< acceleration of the root handle without wrench, body frame
 };
 
 /// Wrenches on a body's two handles, in its frame: inboard, these are the multipliers of (P 8).
@@ -139,6 +148,10 @@ struct PassReport {
 /// One body's share of the table.
 struct BodyData {
   const ChainBody* model = nullptr;
+  // Places of the handles' coordinates (u, v, psi) in flex vectors; of those that the reference
+  // frame fixes, a place in the padding, which is zero.
+  std::array<int, kTwist> inboard_at{};
+  std::array<int, kTwist> outboard_at{};
   std::array<const ElasticBlock*, 2> blocks{};  ///< explicit, implicit
   FlexLayout layout;
 
@@ -157,11 +170,13 @@ struct BodyData {
 /// One subsystem's share of the table; vectors by body, root to tip.
 struct SubsystemData {
   std::vector<BodyData> bodies;
-  std::vector<BodyPose> poses;
+  /// R_PB: from the body frame to the parent's body frame (of the first body: to the hub frame).
+  std::vector<Rotation> rotations;
   std::vector<Twist> twists;  ///< of the body frames, in the body frames
   EffectiveInertia effective;
   std::vector<HandleWrenches> wrenches;
-  Eigen::VectorXd storage;  ///< of all flex vectors
+  std::vector<Pose> poses;    ///< in the hub frame; for sensors, no part of a step
+  Eigen::VectorXd storage;    ///< of all flex vectors
 };
 
 struct StepData {

@@ -58,9 +58,9 @@ PartList chain_coordinates(const StepContext& c, const SubsystemParts& blade, in
 }
 
 void add_position(StepContext& c, const SubsystemParts& blade, int i, StepGraphBuilder& builder) {
-  builder.add_node({"position", i}, reads(chain_coordinates(c, blade, i)), writes(blade.poses),
+  builder.add_node({"position", i}, reads(chain_coordinates(c, blade, i)), writes(blade.rotations),
                    [&c, i]() noexcept {
-                     calc_positions(c.system.subsystems[i], c.data.subsystems[i]);
+                     calc_rotations(c.system.subsystems[i], c.data.subsystems[i]);
                    });
 }
 
@@ -68,7 +68,7 @@ void add_velocity(StepContext& c, const StepParts& parts, const SubsystemParts& 
                   StepGraphBuilder& builder) {
   builder.add_node(
       {"velocity", i},
-      reads(chain_coordinates(c, blade, i), blade.poses, parts.hub_state), writes(blade.twists),
+      reads(chain_coordinates(c, blade, i), blade.rotations, parts.hub_state), writes(blade.twists),
       [&c, i]() noexcept {
         calc_velocities(c.system.subsystems[i], c.data.hub, c.data.subsystems[i]);
       });
@@ -81,51 +81,55 @@ PartList terms_inputs(const StepContext& c, const StepParts& parts, int i, int j
   PartList inputs{blade.bodies[j].coordinates, blade.twists};
   if (std::holds_alternative<GeneralizedAlpha>(c.method))
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
-  bool needs_pose = false;
+  bool needs_rotations = false;
   bool needs_hub = member.centrifugal_stiffness != nullptr;
   for (const NodeLoad& load : member.loads) {
-    needs_pose |= load.frame != LoadFrame::section;
+    needs_rotations |= load.frame != LoadFrame::section;
     needs_hub |= load.frame == LoadFrame::inertial;
   }
-  if (needs_pose) inputs.push_back(blade.poses);
+  if (needs_rotations) inputs.push_back(blade.rotations);
   if (needs_hub) inputs.push_back(parts.hub_state);
   return inputs;
 }
 
 void add_mass(StepContext& c, const StepParts& parts, int i, int j, StepGraphBuilder& builder) {
+  SubsystemData& blade = c.data.subsystems[i];
+  const Twist& twist = blade.twists[j];
+  BodyData& body = blade.bodies[j];
   builder.add_node({"mass", i, j}, reads(terms_inputs(c, parts, i, j)),
-                   writes(parts.subsystems[i].bodies[j].terms), [&c, i, j]() noexcept {
-                     SubsystemData& blade = c.data.subsystems[i];
-                     const Twist& twist = blade.twists[j];
+                   writes(parts.subsystems[i].bodies[j].terms),
+                   [&c, &blade, j, &twist, &body]() noexcept {
                      calc_body_terms({twist[kRotation], c.data.hub.twist[kRotation]},
-                                     c.system.damping, blade.bodies[j]);
-                     add_loads(c.data.control.time, blade.poses[j], twist, c.data.hub.R,
-                               blade.bodies[j]);
+                                     c.system.damping, body);
+                     if (!body.model->loads.empty())
+                       add_loads(c.data.control.time, calc_rotation_to_hub(blade, j), twist,
+                                 c.data.hub.R, body);
                    });
 }
 
 void add_inverse(StepContext& c, const SubsystemParts& blade, int i, int j,
                  StepGraphBuilder& builder) {
-  const BodyParts& body = blade.bodies[j];
-  const auto inputs = reads(body.coordinates, blade.twists, body.terms);
+  const BodyParts& parts = blade.bodies[j];
+  const auto inputs = reads(parts.coordinates, blade.twists, parts.terms);
+  const PassControl& control = c.data.control;
+  const Twist& twist = c.data.subsystems[i].twists[j];
+  const BodyData& body = c.data.subsystems[i].bodies[j];
   if (c.formulation == Formulation::structured)
-    builder.add_node({"inverse", i, j}, inputs, writes(body.inverse), [&c, i, j]() noexcept {
-      const SubsystemData& data = c.data.subsystems[i];
-      structured::condense_body(data.bodies[j], data.twists[j][kRotation], c.data.control,
-                                c.work.structured[i].bodies[j]);
-    });
+    builder.add_node({"inverse", i, j}, inputs, writes(parts.inverse),
+                     [&control, &twist, &body, &work = c.work.structured[i].bodies[j]]() noexcept {
+                       structured::condense_body(body, twist[kRotation], control, work);
+                     });
   else
-    builder.add_node({"inverse", i, j}, inputs, writes(body.inverse), [&c, i, j]() noexcept {
-      const SubsystemData& data = c.data.subsystems[i];
-      subsystem::invert_body(data.bodies[j], data.twists[j][kRotation], c.data.control,
-                             c.work.subsystem[i].bodies[j]);
-    });
+    builder.add_node({"inverse", i, j}, inputs, writes(parts.inverse),
+                     [&control, &twist, &body, &work = c.work.subsystem[i].bodies[j]]() noexcept {
+                       subsystem::invert_body(body, twist[kRotation], control, work);
+                     });
 }
 
 void add_effective(StepContext& c, const StepParts& parts, const SubsystemParts& blade, int i,
                    StepGraphBuilder& builder) {
   const auto inputs = reads(blade.all(&BodyParts::inverse), blade.all(&BodyParts::terms),
-                            blade.poses, parts.hub_state);
+                            blade.rotations, parts.hub_state);
   if (c.formulation == Formulation::structured)
     builder.add_node({"effective", i}, inputs, writes(blade.effective, blade.joints()),
                      [&c, i]() noexcept {
@@ -162,7 +166,7 @@ void add_augmented_solve(StepContext& c, const StepParts& parts, StepGraphBuilde
       outboard_joints.push_back(blade.bodies[j].coordinates);
   builder.add_node({"solve"},
                    reads(parts.all(&BodyParts::terms), outboard_joints,
-                         parts.all(&SubsystemParts::poses), parts.all(&SubsystemParts::twists),
+                         parts.all(&SubsystemParts::rotations), parts.all(&SubsystemParts::twists),
                          hub_inputs(c, parts)),
                    writes(parts.augmented_solution, parts.hub_solution, parts.hub_coordinates),
                    [&c]() noexcept {
@@ -178,7 +182,7 @@ void add_multipliers(StepContext& c, const StepParts& parts, int i, StepGraphBui
       PartList ports = blade.all(&BodyParts::inverse);
       ports.pop_back();  // the tip's two-port is in the effective inertia already
       builder.add_node({"multipliers", i},
-                       reads(blade.effective, blade.joints(), ports, blade.poses, parts.hub_state,
+                       reads(blade.effective, blade.joints(), ports, blade.rotations, parts.hub_state,
                              parts.hub_solution),
                        writes(blade.wrenches), [&c, i]() noexcept {
                          structured::recover_wrenches(c.system.subsystems[i], c.data.hub,
@@ -188,54 +192,83 @@ void add_multipliers(StepContext& c, const StepParts& parts, int i, StepGraphBui
       break;
     }
     case Formulation::subsystem:
-      builder.add_node({"multipliers", i}, reads(blade.effective, blade.poses, parts.hub_solution),
+      builder.add_node({"multipliers", i}, reads(blade.effective, blade.rotations, parts.hub_solution),
                        writes(blade.wrenches), [&c, i]() noexcept {
                          subsystem::recover_wrenches(c.system.subsystems[i], c.data.hub_solution,
                                                      c.work.subsystem[i], c.data.subsystems[i]);
                        });
       break;
     case Formulation::augmented:
-      builder.add_node({"multipliers", i}, reads(parts.augmented_solution, blade.poses),
+      builder.add_node({"multipliers", i}, reads(parts.augmented_solution, blade.rotations),
                        writes(blade.wrenches), [&c, i]() noexcept {
                          augmented::recover_wrenches(i, c.work.augmented, c.data.subsystems[i]);
                        });
   }
 }
 
-/// Accelerations of a body by the chosen formulation.
-void recover(StepContext& c, int i, int j) noexcept {
-  SubsystemData& blade = c.data.subsystems[i];
-  BodyData& body = blade.bodies[j];
-  switch (c.formulation) {
-    case Formulation::structured:
-      return structured::recover_body(blade.wrenches[j], c.work.structured[i].bodies[j],
-                                      c.data.control, body, body.a_found);
-    case Formulation::subsystem:
-      return subsystem::recover_body(blade.wrenches[j], c.work.subsystem[i].bodies[j], body,
-                                     body.a_found);
-    case Formulation::augmented:
-      return augmented::recover_body(i, j, c.work.augmented, body, body.a_found);
+/// What a recovery reads and writes.
+struct RecoveryAccess {
+  PartList inputs;
+  PartList outputs;
+};
+RecoveryAccess recovery_access(const StepContext& c, const StepParts& parts, int i, int j) {
+  const SubsystemParts& blade = parts.subsystems[i];
+  const BodyParts& body = blade.bodies[j];
+  PartList inputs{body.coordinates};  // checked, and by generalized_alpha corrected
+  PartList outputs{body.accelerations, body.report};
+  if (c.formulation == Formulation::augmented) {
+    inputs.push_back(parts.augmented_solution);
+  } else {
+    inputs.push_back(blade.wrenches);
+    inputs.push_back(body.inverse);
   }
+  if (std::holds_alternative<GeneralizedAlpha>(c.method)) {
+    inputs.push_back(body.history);
+    inputs.push_back(body.accelerations);
+    outputs.push_back(body.coordinates);
+  }
+  return {inputs, outputs};
+}
+
+/// Adds a recovery node; `recover` finds the accelerations by the chosen formulation.
+template <class Recover>
+void add_recovery(StepContext& c, const StepParts& parts, int i, int j, Recover recover,
+                  StepGraphBuilder& builder) {
+  const auto [inputs, outputs] = recovery_access(c, parts, i, j);
+  builder.add_node({"recovery", i, j}, reads(inputs), writes(outputs),
+                   [&c, &body = c.data.subsystems[i].bodies[j], recover]() noexcept {
+                     recover(body);
+                     complete_body(c.method, c.data.control, body);
+                   });
 }
 
 void add_recovery(StepContext& c, const StepParts& parts, int i, int j,
                   StepGraphBuilder& builder) {
-  const SubsystemParts& blade = parts.subsystems[i];
-  const BodyParts& body = blade.bodies[j];
-  PartList inputs{body.coordinates};  // checked, and by generalized_alpha corrected
-  if (c.formulation == Formulation::augmented)
-    inputs.push_back(parts.augmented_solution);
-  else
-    inputs.insert(inputs.end(), {blade.wrenches, body.inverse});
-  PartList outputs{body.accelerations, body.report};
-  if (std::holds_alternative<GeneralizedAlpha>(c.method)) {
-    inputs.insert(inputs.end(), {body.history, body.accelerations});
-    outputs.push_back(body.coordinates);
+  const HandleWrenches& wrenches = c.data.subsystems[i].wrenches[j];
+  switch (c.formulation) {
+    case Formulation::structured:
+      return add_recovery(
+          c, parts, i, j,
+          [&wrenches, &control = c.data.control,
+           &work = c.work.structured[i].bodies[j]](BodyData& body) noexcept {
+            structured::recover_body(wrenches, work, control, body, body.a_found);
+          },
+          builder);
+    case Formulation::subsystem:
+      return add_recovery(
+          c, parts, i, j,
+          [&wrenches, &work = c.work.subsystem[i].bodies[j]](BodyData& body) noexcept {
+            subsystem::recover_body(wrenches, work, body, body.a_found);
+          },
+          builder);
+    case Formulation::augmented:
+      return add_recovery(
+          c, parts, i, j,
+          [&work = c.work.augmented, i, j](BodyData& body) noexcept {
+            augmented::recover_body(i, j, work, body, body.a_found);
+          },
+          builder);
   }
-  builder.add_node({"recovery", i, j}, reads(inputs), writes(outputs), [&c, i, j]() noexcept {
-    recover(c, i, j);
-    complete_body(c.method, c.data.control, c.data.subsystems[i].bodies[j]);
-  });
 }
 
 void add_finish(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {

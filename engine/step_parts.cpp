@@ -34,7 +34,7 @@ void add_inverse_parts(StepContext& context, int i, int j, const std::string& na
     subsystem::BodyWork& work = context.work.subsystem[i].bodies[j];
     parts.inverse = builder.add_part(
         name + "inverse", {memory_of(work.inverse_columns), memory_of(work.products),
-                           doubles(work.bias_in), doubles(work.bias_out)});
+                           doubles(work.bias_out)});
   }
 }
 
@@ -66,7 +66,7 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
   const std::string name = "blade " + std::to_string(i + 1) + " / ";
   const std::size_t count = data.bodies.size();
   SubsystemParts parts;
-  parts.poses = builder.add_part(name + "poses", {doubles(data.poses[0], count)});
+  parts.rotations = builder.add_part(name + "rotations", {doubles(data.rotations[0], count)});
   parts.twists = builder.add_part(name + "twists", {doubles(data.twists[0], count)});
   parts.wrenches = builder.add_part(name + "wrenches", {doubles(data.wrenches[0], count)});
   if (context.formulation != Formulation::augmented) {

@@ -21,7 +21,7 @@ struct BodyParts {
 
 struct SubsystemParts {
   std::vector<BodyParts> bodies;
-  graph::PartId poses, twists, effective, wrenches;
+  graph::PartId rotations, twists, effective, wrenches;
 
   /// One member of all bodies, root to tip.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;

@@ -112,11 +112,12 @@ FlexibleBody make_empty_body(const BeamProperties& beam) {
   body.elements = beam.elements;
   body.length = beam.length;
   const int E = beam.elements;
-  body.S_axial = body.d_axial = Eigen::VectorXd::Zero(E);
+  body.S_axial = body.d_axial = Eigen::VectorXd::Zero(body.padded_axial());
   body.S_bending = body.c_bending = Eigen::VectorXd::Zero(2 * E);
   body.M_axial = body.K_axial = SymmetricBand<1>(E);
   body.M_bending = body.K_bending = SymmetricBand<3>(2 * E);
-  body.H.rows.assign(static_cast<std::size_t>(E) * AxialBendingCoupling::kWidth, 0.0);
+  body.H.rows.setZero(Eigen::Index{body.padded_axial()} * AxialBendingCoupling::kWidth);
+  body.H.pairs.setZero(Eigen::Index{E} * AxialBendingCoupling::kHeight * 2);
   // Row i belongs to node i + 1, whose left neighbour's v stands at 2 i - 2 (clamped: node 1 is the
   // first) or 2 i - 1 (chord: psi_0 stands in front).
   body.H.offset = beam.reference_frame == ReferenceFrame::clamped ? -2 : -1;
@@ -149,8 +150,7 @@ BeamProperties make_beam_properties(const Blade& blade) {
 }
 
 void AxialBendingCoupling::transpose() {
-  const int n = static_cast<int>(rows.size()) / kWidth;
-  pairs.assign(static_cast<std::size_t>(n) * kHeight * 2, 0.0);
+  const int n = static_cast<int>(pairs.size()) / (2 * kHeight);
   for (int i = 0; i < n; ++i)
     for (int place = 0; place < kWidth; ++place) {
       const int column = 2 * i + offset + place;

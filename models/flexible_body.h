@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <vector>
 
 #include "models/rotor.h"
 #include "models/symmetric_band.h"
@@ -31,9 +30,9 @@ struct AxialBendingCoupling {
   static constexpr int kHeight = 4;
 
   int offset = 0;            ///< row i begins at bending coordinate 2 i + offset
-  std::vector<double> rows;  ///< E x kWidth, row by row [kg, kg m]
+  Eigen::VectorXd rows;      ///< kWidth each, row by row, as many as axial vectors have values [kg, kg m]
   /// By pair k: for axial coordinates k - 2 to k + 1 the two entries, side by side: E x kHeight x 2.
-  std::vector<double> pairs;
+  Eigen::VectorXd pairs;
 
   double& at(int i, int column) { return rows[i * kWidth + column - (2 * i + offset)]; }
   /// Fills `pairs` from `rows`.
@@ -49,7 +48,8 @@ struct FlexibleBody {
 
   double mass = 0.0;              ///< m [kg]
   Position S0 = Position::Zero();  ///< int rhoA s0 dx, the undeformed first moment [kg m]
-  Eigen::VectorXd S_axial;        ///< row x of S = int rhoA N dx: E values [kg]
+  // Axial vectors have E values and, if E is odd, a zero more: they are taken two at a time.
+  Eigen::VectorXd S_axial;        ///< row x of S = int rhoA N dx [kg]
   Eigen::VectorXd S_bending;      ///< row y of S: 2E values [kg, kg m]
   double I0 = 0.0;                ///< int rhoA s0 . s0 dx [kg m^2]
   Eigen::VectorXd d_axial;        ///< d0 = int rhoA N^T s0 dx, axial part [kg m]
@@ -65,6 +65,8 @@ struct FlexibleBody {
   Handle outboard;
 
   int axial() const { return elements; }
+  /// Length of the axial vectors: E, made even.
+  int padded_axial() const { return elements + elements % 2; }
   int bending() const { return 2 * elements; }
   /// nf: deformation coordinates.
   int coordinates() const { return kTwist * elements; }

@@ -42,23 +42,6 @@ struct Rotation {
   Twist operator*(const Twist& v) const {
     return {cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1], v[2]};
   }
-  /// R A R^T: a symmetric twist matrix (mass, compliance) resolved in frame B, to frame A.
-  TwistMatrix turn(const TwistMatrix& a) const {
-    const double c = cosine, s = sine;
-    const double cc = c * c, ss = s * s, cs = c * s;
-    const double shear = 2.0 * cs * a(1, 0);
-    TwistMatrix r;
-    r(0, 0) = cc * a(0, 0) - shear + ss * a(1, 1);
-    r(1, 1) = ss * a(0, 0) + shear + cc * a(1, 1);
-    r(1, 0) = cs * (a(0, 0) - a(1, 1)) + (cc - ss) * a(1, 0);
-    r(2, 0) = c * a(2, 0) - s * a(2, 1);
-    r(2, 1) = s * a(2, 0) + c * a(2, 1);
-    r(2, 2) = a(2, 2);
-    r(0, 1) = r(1, 0);
-    r(0, 2) = r(2, 0);
-    r(1, 2) = r(2, 1);
-    return r;
-  }
   TwistMatrix matrix() const {
     TwistMatrix r;
     r << cosine, -sine, 0.0, sine, cosine, 0.0, 0.0, 0.0, 1.0;
@@ -69,19 +52,72 @@ struct Rotation {
 /// The quarter turn B of (P 3): cross(w, r) = w B r.
 inline Position quarter_turn(const Position& r) { return {-r.y(), r.x()}; }
 
-/// Inverse of a symmetric positive definite twist matrix; its lower triangle is read. Not finite if
-/// the matrix is singular.
-inline TwistMatrix invert_symmetric(const TwistMatrix& a) {
-  const double c00 = a(1, 1) * a(2, 2) - a(2, 1) * a(2, 1);
-  const double c10 = a(2, 0) * a(2, 1) - a(1, 0) * a(2, 2);
-  const double c20 = a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0);
-  const double c11 = a(0, 0) * a(2, 2) - a(2, 0) * a(2, 0);
-  const double c21 = a(1, 0) * a(2, 0) - a(0, 0) * a(2, 1);
-  const double c22 = a(0, 0) * a(1, 1) - a(1, 0) * a(1, 0);
-  const double scale = 1.0 / (a(0, 0) * c00 + a(1, 0) * c10 + a(2, 0) * c20);
-  TwistMatrix inverse;
-  inverse << c00, c10, c20, c10, c11, c21, c20, c21, c22;
-  return inverse * scale;
+/// A symmetric twist matrix (mass, compliance) by its six values: x, y and r (rotation). Kept as
+/// single numbers, it stays in registers where a matrix would go through memory.
+struct SymmetricTwistMatrix {
+  double xx = 0.0;
+  double yx = 0.0, yy = 0.0;
+  double rx = 0.0, ry = 0.0, rr = 0.0;
+
+  TwistMatrix matrix() const {
+    TwistMatrix m;
+    m << xx, yx, rx, yx, yy, ry, rx, ry, rr;
+    return m;
+  }
+  SymmetricTwistMatrix operator+(const SymmetricTwistMatrix& b) const {
+    return {xx + b.xx, yx + b.yx, yy + b.yy, rx + b.rx, ry + b.ry, rr + b.rr};
+  }
+  Twist operator*(const Twist& v) const {
+    return {xx * v[0] + yx * v[1] + rx * v[2], yx * v[0] + yy * v[1] + ry * v[2],
+            rx * v[0] + ry * v[1] + rr * v[2]};
+  }
+};
+
+/// R A R^T: a matrix resolved in frame B, to frame A.
+inline SymmetricTwistMatrix turn(const Rotation& R, const SymmetricTwistMatrix& a) {
+  const double c = R.cosine, s = R.sine;
+  const double cc = c * c, ss = s * s, cs = c * s;
+  const double shear = 2.0 * cs * a.yx;
+  return {cc * a.xx - shear + ss * a.yy, cs * (a.xx - a.yy) + (cc - ss) * a.yx,
+          ss * a.xx + shear + cc * a.yy, c * a.rx - s * a.ry,
+          s * a.rx + c * a.ry,           a.rr};
+}
+
+/// Inverse of a positive definite matrix. Not finite if it is singular.
+inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
+  const double xx = a.yy * a.rr - a.ry * a.ry;
+  const double yx = a.rx * a.ry - a.yx * a.rr;
+  const double rx = a.yx * a.ry - a.yy * a.rx;
+  const double scale = 1.0 / (a.xx * xx + a.yx * yx + a.rx * rx);
+  return {scale * xx,
+          scale * yx,
+          scale * (a.xx * a.rr - a.rx * a.rx),
+          scale * rx,
+          scale * (a.yx * a.rx - a.xx * a.ry),
+          scale * (a.xx * a.yy - a.yx * a.yx)};
+}
+
+/// C - A B A^T: what eliminating a joint of compliance B^-1 leaves of C.
+inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const TwistMatrix& a,
+                                      const SymmetricTwistMatrix& b) {
+  const double a00 = a(0, 0), a01 = a(0, 1), a02 = a(0, 2);
+  const double a10 = a(1, 0), a11 = a(1, 1), a12 = a(1, 2);
+  const double a20 = a(2, 0), a21 = a(2, 1), a22 = a(2, 2);
+  const double b00 = a00 * b.xx + a01 * b.yx + a02 * b.rx;
+  const double b01 = a00 * b.yx + a01 * b.yy + a02 * b.ry;
+  const double b02 = a00 * b.rx + a01 * b.ry + a02 * b.rr;
+  const double b10 = a10 * b.xx + a11 * b.yx + a12 * b.rx;
+  const double b11 = a10 * b.yx + a11 * b.yy + a12 * b.ry;
+  const double b12 = a10 * b.rx + a11 * b.ry + a12 * b.rr;
+  const double b20 = a20 * b.xx + a21 * b.yx + a22 * b.rx;
+  const double b21 = a20 * b.yx + a21 * b.yy + a22 * b.ry;
+  const double b22 = a20 * b.rx + a21 * b.ry + a22 * b.rr;
+  return {c.xx - (b00 * a00 + b01 * a01 + b02 * a02),
+          c.yx - (b10 * a00 + b11 * a01 + b12 * a02),
+          c.yy - (b10 * a10 + b11 * a11 + b12 * a12),
+          c.rx - (b20 * a00 + b21 * a01 + b22 * a02),
+          c.ry - (b20 * a10 + b21 * a11 + b22 * a12),
+          c.rr - (b20 * a20 + b21 * a21 + b22 * a22)};
 }
 
 /// Position and orientation of frame B in frame A.

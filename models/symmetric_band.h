@@ -4,50 +4,51 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
-#include <vector>
 
 namespace spoke {
 
-/// A symmetric n x n matrix of half-bandwidth `Half`, stored by diagonals (both triangles), so that
-/// a product runs along contiguous memory.
+/// A symmetric n x n matrix of half-bandwidth `Half`. Full rows are stored, two at a time side by
+/// side (rows 2 k and 2 k + 1), so that a product takes both in one vector register and runs along
+/// contiguous, 16-byte aligned memory. An odd last row has a partner of zeros.
 template <int Half>
 class SymmetricBand {
  public:
+  static constexpr int kWidth = 2 * Half + 1;
+
   SymmetricBand() = default;
-  explicit SymmetricBand(int n) : n_(n), diagonals_(static_cast<std::size_t>(n) * kWidth, 0.0) {}
+  explicit SymmetricBand(int n)
+      : n_(n), pairs_(Eigen::VectorXd::Zero(Eigen::Index{(n + 1) / 2} * 2 * kWidth)) {}
 
   int size() const { return n_; }
 
   double operator()(int i, int j) const {
-    return std::abs(i - j) > Half ? 0.0 : diagonal(j - i)[i];
+    return std::abs(i - j) > Half ? 0.0 : pairs_[place(i, j)];
   }
 
   /// Adds `value` at (i, j) and, off the diagonal, at (j, i).
   /// Precondition: |i - j| <= Half.
   void add(int i, int j, double value) {
     assert(std::abs(i - j) <= Half);
-    diagonal(j - i)[i] += value;
-    if (i != j) diagonal(i - j)[j] += value;
+    pairs_[place(i, j)] += value;
+    if (i != j) pairs_[place(j, i)] += value;
   }
 
   /// this += factor * other.
   void add_scaled(double factor, const SymmetricBand& other) {
     assert(n_ == other.n_);
-    for (std::size_t i = 0; i < diagonals_.size(); ++i)
-      diagonals_[i] += factor * other.diagonals_[i];
+    pairs_ += factor * other.pairs_;
   }
-
-  /// Entries (i, i + offset) by row i; outside the matrix they are zero.
-  const double* diagonal(int offset) const { return diagonals_.data() + (offset + Half) * n_; }
 
   /// Row i of A x. Precondition: x[i - Half] to x[i + Half] can be read and are finite.
   double row(int i, const double* x) const {
     double sum = 0.0;
-    for (int k = -Half; k <= Half; ++k) sum += diagonal(k)[i] * x[i + k];
+    for (int k = -Half; k <= Half; ++k) sum += pairs_[place(i, i + k)] * x[i + k];
     return sum;
   }
 
-  static constexpr int half() { return Half; }
+  /// The entries of rows 0 and 1; kWidth pairs, of columns i - Half to i + Half of row i. Those of
+  /// rows 2 k and 2 k + 1 follow k times 2 kWidth further on.
+  const double* pairs() const { return pairs_.data(); }
 
   Eigen::MatrixXd to_dense() const {
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n_, n_);
@@ -58,11 +59,12 @@ class SymmetricBand {
   }
 
  private:
-  static constexpr int kWidth = 2 * Half + 1;
-  double* diagonal(int offset) { return diagonals_.data() + (offset + Half) * n_; }
+  static Eigen::Index place(int i, int j) {
+    return (Eigen::Index{i / 2} * kWidth + (j - i + Half)) * 2 + i % 2;
+  }
 
   int n_ = 0;
-  std::vector<double> diagonals_;
+  Eigen::VectorXd pairs_;
 };
 
 }  // namespace spoke

@@ -21,31 +21,28 @@ void add_joint(const SubsystemData& subsystem, int i, int j, Work& work) {
   const int row = work.first_joint[i][j];
   const int n = dense_size(*child.model->body);
   auto child_block = work.matrix.block(row, work.first[i][j], d, n);
-  calc_handle_jacobian(child, child.model->body->inboard, child_block);
+  calc_inboard_jacobian(child, child_block);
   child_block = -child_block;
-  work.right.segment<d>(row) =
-      calc_handle_bias(child, child.model->body->inboard, subsystem.twists[j][kRotation]);
   if (j == 0) return;
   const BodyData& parent = subsystem.bodies[j - 1];
-  const Rotation back = subsystem.poses[j].R_PB.inverse();
+  const Rotation back = subsystem.rotations[j].inverse();
   const int m = dense_size(*parent.model->body);
   auto parent_block = work.matrix.block(row, work.first[i][j - 1], d, m);
-  calc_handle_jacobian(parent, parent.model->body->outboard, parent_block);
+  calc_outboard_jacobian(parent, parent_block);
   for (int c = 0; c < m; ++c) parent_block.col(c) = back * Twist(parent_block.col(c));
   work.right.segment<d>(row) -=
-      back * calc_handle_bias(parent, parent.model->body->outboard,
-                              subsystem.twists[j - 1][kRotation]);
+      back * calc_outboard_bias(parent, subsystem.twists[j - 1][kRotation]);
 }
 
 /// The hub's part of the root joint's rows.
-void add_root_joint(const Subsystem& subsystem, const HubState& hub, const BodyPose& first,
+void add_root_joint(const Subsystem& subsystem, const HubState& hub, const Rotation& R_HB,
                     int row, Work& work) {
   for (int c = 0; c < d; ++c) {
     const HubState at_rest{hub.R, Twist::Zero()};
     work.matrix.block<d, 1>(row, c) =
-        calc_root_acceleration(subsystem, at_rest, Twist(Twist::Unit(c)), first);
+        calc_root_acceleration(subsystem, at_rest, Twist(Twist::Unit(c)), R_HB);
   }
-  work.right.segment<d>(row) -= calc_root_acceleration(subsystem, hub, Twist(Twist::Zero()), first);
+  work.right.segment<d>(row) -= calc_root_acceleration(subsystem, hub, Twist(Twist::Zero()), R_HB);
 }
 
 void add_hub(const System& system, const StepData& data, Work& work) {
@@ -113,7 +110,7 @@ void solve(const System& system, StepData& data, Work& work) noexcept {
                work);
       add_joint(subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }
-    add_root_joint(system.subsystems[i], data.hub, subsystem.poses[0], work.first_joint[i][0],
+    add_root_joint(system.subsystems[i], data.hub, subsystem.rotations[0], work.first_joint[i][0],
                    work);
   }
   copy_lower_to_upper(work);
@@ -136,7 +133,7 @@ void recover_wrenches(int subsystem, const Work& work, SubsystemData& data) noex
     data.wrenches[j].outboard.setZero();
     if (j + 1 < rows.size())
       data.wrenches[j].outboard =
-          -(data.poses[j + 1].R_PB * Twist(work.solution.segment<d>(rows[j + 1])));
+          -(data.rotations[j + 1] * Twist(work.solution.segment<d>(rows[j + 1])));
   }
 }
 

@@ -34,7 +34,7 @@ void calc_dense_mass(const BodyData& data, const Eigen::MatrixXd& elastic,
       0.0, body.mass, data.terms.S.x(),                                       //
       -data.terms.S.y(), data.terms.S.x(), data.terms.rotary_inertia;
   auto C = mass.topRightCorner(kTwist, nf);
-  C.row(0) << body.S_axial.transpose(), Eigen::RowVectorXd::Zero(body.bending());
+  C.row(0) << body.S_axial.head(body.axial()).transpose(), Eigen::RowVectorXd::Zero(body.bending());
   C.row(1) << Eigen::RowVectorXd::Zero(body.axial()), body.S_bending.transpose();
   C.row(2) << axial(data.c_theta, data).transpose(), bending(data.c_theta, data).transpose();
   mass.bottomLeftCorner(nf, kTwist) = C.transpose();
@@ -45,21 +45,30 @@ void calc_dense_force(const BodyData& data, Eigen::Ref<Eigen::VectorXd> force) {
   force << data.terms.Q, axial(data.Q_f, data), bending(data.Q_f, data);
 }
 
-void calc_handle_jacobian(const BodyData& data, const Handle& handle,
-                          Eigen::Ref<Eigen::MatrixXd> J) {
+namespace {
+
+void calc_jacobian(const Handle& handle, const Position& s, Eigen::Ref<Eigen::MatrixXd> J) {
   J.setZero();
   J.leftCols<kTwist>().setIdentity();
-  J.col(kRotation).head<kPosition>() =
-      quarter_turn(calc_handle_position(handle, data.coordinates.q, data.layout));
+  J.col(kRotation).head<kPosition>() = quarter_turn(s);
   for (int c = 0; c < kTwist; ++c)
     if (handle.coordinate[c] >= 0) J(c, kTwist + handle.coordinate[c]) = 1.0;
 }
 
-Twist calc_handle_bias(const BodyData& data, const Handle& handle, double speed) {
-  const Position s = calc_handle_position(handle, data.coordinates.q, data.layout);
-  const Position s_rate = calc_handle_velocity(handle, data.coordinates.v, data.layout);
+}  // namespace
+
+void calc_inboard_jacobian(const BodyData& data, Eigen::Ref<Eigen::MatrixXd> J) {
+  calc_jacobian(data.model->body->inboard, Position::Zero(), J);
+}
+
+void calc_outboard_jacobian(const BodyData& data, Eigen::Ref<Eigen::MatrixXd> J) {
+  calc_jacobian(data.model->body->outboard, calc_outboard_position(data), J);
+}
+
+Twist calc_outboard_bias(const BodyData& data, double speed) {
   Twist bias = Twist::Zero();
-  bias.head<kPosition>() = -speed * speed * s + 2.0 * speed * quarter_turn(s_rate);
+  bias.head<kPosition>() = -speed * speed * calc_outboard_position(data) +
+                           2.0 * speed * quarter_turn(calc_outboard_velocity(data));
   return bias;
 }
 

@@ -23,12 +23,13 @@ void calc_dense_mass(const BodyData& data, const Eigen::MatrixXd& elastic,
 /// Fills the right-hand side [Q; Q_f] (n).
 void calc_dense_force(const BodyData& data, Eigen::Ref<Eigen::VectorXd> force);
 
-/// Jacobian J (d x n) of a handle's twist with respect to the body's, body frame.
-void calc_handle_jacobian(const BodyData& data, const Handle& handle,
-                          Eigen::Ref<Eigen::MatrixXd> J);
+/// Jacobians J (d x n) of the handles' twists with respect to the body's, body frame.
+void calc_inboard_jacobian(const BodyData& data, Eigen::Ref<Eigen::MatrixXd> J);
+void calc_outboard_jacobian(const BodyData& data, Eigen::Ref<Eigen::MatrixXd> J);
 
-/// Acceleration of a handle at zero accelerations: [-w^2 s + 2 w B s'; 0], body frame.
-Twist calc_handle_bias(const BodyData& data, const Handle& handle, double speed);
+/// Acceleration of the outboard handle at zero accelerations, [-w^2 s + 2 w B s'; 0], body frame.
+/// The inboard handle, at the origin, has none.
+Twist calc_outboard_bias(const BodyData& data, double speed);
 
 /// Takes [X; qf''] (n) apart into `data.X` and the flex vector `a`.
 void store_dense_acceleration(const Eigen::Ref<const Eigen::VectorXd>& x, BodyData& data,

@@ -24,9 +24,9 @@ void assemble(const Subsystem& subsystem, const HubState& hub, const SubsystemDa
   for (int k = 0; k < count; ++k) {
     const BodyWork& child = work.bodies[k];
     work.D.block<d, d>(d * k, d * k) = child.products.topLeftCorner<d, d>();
-    right.segment<d>(d * k) = -child.products.col(2 * d).head<d>() - child.bias_in;
+    right.segment<d>(d * k) = -child.products.col(2 * d).head<d>();
     if (k == 0) continue;
-    const TwistMatrix R = data.poses[k].R_PB.matrix();
+    const TwistMatrix R = data.rotations[k].matrix();
     const BodyWork& parent = work.bodies[k - 1];
     work.D.block<d, d>(d * k, d * k) +=
         R.transpose() * parent.products.block<d, d>(d, d) * R;
@@ -39,7 +39,7 @@ void assemble(const Subsystem& subsystem, const HubState& hub, const SubsystemDa
   const double w = hub.twist[kRotation];
   Twist bias = Twist::Zero();
   bias.head<kPosition>() = -w * w * subsystem.root.p;
-  right.head<d>() += data.poses[0].R_PB.inverse() * bias;
+  right.head<d>() += data.rotations[0].inverse() * bias;
 }
 
 }  // namespace
@@ -66,13 +66,11 @@ void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic
 
 void invert_body(const BodyData& data, double speed, const PassControl& control,
                  BodyWork& work) noexcept {
-  const FlexibleBody& body = *data.model->body;
   calc_dense_mass(data, *work.elastic[control.implicit], work.mass);
   work.factor.compute(work.mass);
-  calc_handle_jacobian(data, body.inboard, work.jacobians.topRows<d>());
-  calc_handle_jacobian(data, body.outboard, work.jacobians.bottomRows<d>());
-  work.bias_in = calc_handle_bias(data, body.inboard, speed);
-  work.bias_out = calc_handle_bias(data, body.outboard, speed);
+  calc_inboard_jacobian(data, work.jacobians.topRows<d>());
+  calc_outboard_jacobian(data, work.jacobians.bottomRows<d>());
+  work.bias_out = calc_outboard_bias(data, speed);
   work.inverse_columns.leftCols<2 * d>() = work.jacobians.transpose();
   calc_dense_force(data, work.inverse_columns.col(2 * d));
   work.factor.solveInPlace(work.inverse_columns);
@@ -88,10 +86,10 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
   work.factor.solveInPlace(work.solution);
 
   EffectiveInertia& effective = data.effective;
-  const TwistMatrix Phi_Y = data.poses[0].R_PB.inverse().matrix() * root_jacobian(subsystem);
-  effective.root_mass = work.solution.topLeftCorner<d, d>();
-  effective.root_free = Twist::Zero();
-  effective.mass = Phi_Y.transpose() * effective.root_mass * Phi_Y;
+  const TwistMatrix Phi_Y = data.rotations[0].inverse().matrix() * root_jacobian(subsystem);
+  effective.root_mass = {};  // the structured formulation's
+  effective.root_free.setZero();
+  effective.mass = Phi_Y.transpose() * work.solution.topLeftCorner<d, d>() * Phi_Y;
   effective.force = -Phi_Y.transpose() * work.solution.col(d).head<d>();
   effective.centrifugal_inertia = effective.centrifugal_rate = 0.0;
   for (const BodyData& body : data.bodies) {
@@ -103,7 +101,7 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
 void recover_wrenches(const Subsystem& subsystem, const HubSolution& solution, SubsystemWork& work,
                       SubsystemData& data) noexcept {
   const Twist root =
-      data.poses[0].R_PB.inverse() * Twist(root_jacobian(subsystem) * solution.acceleration);
+      data.rotations[0].inverse() * Twist(root_jacobian(subsystem) * solution.acceleration);
   work.multipliers.noalias() = work.solution.col(d) + work.solution.leftCols<d>().lazyProduct(root);
   const std::size_t count = work.bodies.size();
   for (std::size_t j = 0; j < count; ++j) {
@@ -111,7 +109,7 @@ void recover_wrenches(const Subsystem& subsystem, const HubSolution& solution, S
     data.wrenches[j].outboard.setZero();
     if (j + 1 < count)
       data.wrenches[j].outboard =
-          -(data.poses[j + 1].R_PB * Twist(work.multipliers.segment<d>(d * (j + 1))));
+          -(data.rotations[j + 1] * Twist(work.multipliers.segment<d>(d * (j + 1))));
   }
 }
 

@@ -25,7 +25,7 @@ struct BodyWork {
   Eigen::MatrixXd jacobians;          ///< [J_in; J_out], 2d x n
   Eigen::MatrixXd inverse_columns;    ///< M^-1 [J_in^T, J_out^T, Q], n x (2d + 1)
   Eigen::MatrixXd products;           ///< [J_in; J_out] M^-1 [J_in^T, J_out^T, Q], 2d x (2d + 1)
-  Twist bias_in, bias_out;
+  Twist bias_out;  ///< acceleration of the outboard handle at zero accelerations
 };
 
 struct SubsystemWork {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/formulation/dense_body.h"
+#include "engine/kinematics.h"
 #include "engine/sensors.h"
 #include "lagrangian.h"
 #include "rotors.h"
@@ -137,7 +138,7 @@ TEST_CASE("point loads do the work of their force and moment on the node they ac
     const NodeLoad& at = with.system.subsystems[0].bodies[j].loads[0];
     const BodyData& body = with.data.subsystems[0].bodies[j];
     const Rotation R_0 = Rotation::from_angle(y[kRotation]);
-    const Rotation R_body = R_0 * with.data.subsystems[0].poses[j].X_HB.R;
+    const Rotation R_body = R_0 * calc_rotation_to_hub(with.data.subsystems[0], j);
     const Eigen::VectorXd q = unpadded(body.coordinates.q, body.layout);
     const int psi = at.coordinate[kRotation];
     const Rotation R_section = R_body * Rotation::from_angle(psi < 0 ? 0.0 : q[psi]);

@@ -86,8 +86,8 @@ void randomize_state(std::mt19937& random, StepContext& context) {
         const auto set = [&](int component, double q, double v) {
           const int index = body.coordinate(node, component);
           if (index < 0) return;
-          member.coordinates.q[flex_index(index, member.layout)] = q * (1 + 0.1 * unit(random));
-          member.coordinates.v[flex_index(index, member.layout)] = v * (1 + 0.1 * unit(random));
+          member.coordinates.q[member.layout.place(index)] = q * (1 + 0.1 * unit(random));
+          member.coordinates.v[member.layout.place(index)] = v * (1 + 0.1 * unit(random));
         };
         set(0, stretch * x, stretch_rate * x);
         set(1, bend * x * x, bend_rate * x * x);
@@ -98,7 +98,7 @@ void randomize_state(std::mt19937& random, StepContext& context) {
 
 Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout) {
   Eigen::VectorXd values(layout.axial + layout.bending);
-  for (int k = 0; k < values.size(); ++k) values[k] = flex[flex_index(k, layout)];
+  for (int k = 0; k < values.size(); ++k) values[k] = flex[layout.place(k)];
   return values;
 }
 

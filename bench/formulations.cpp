@@ -1,0 +1,270 @@
+// What does one evaluation of the accelerations cost, by formulation and size? One pass of the step
+// graph that only evaluates (explicit, no integration), run by the serial executor, on the paper's
+// model in the state that it reaches at 5 s of its spin-up, each coordinate then disturbed by up to
+// a tenth. Undisturbed, elastic forces cancel but for a ten-millionth, and what is left, the
+// accelerations, would agree to as many digits fewer.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <stdexcept>
+
+#include "bench/interleaved.h"
+#include "bench/paper_rotor.h"
+#include "bench/progress.h"
+#include "bench/questions.h"
+#include "engine/integrator/time_stepper.h"
+#include "engine/step_graph_builder.h"
+#include "graph/executor.h"
+
+namespace spoke::bench {
+namespace {
+
+constexpr double kStateTime = 5.0;  // s
+constexpr RotorSize kSmall{3, 4, 4};
+constexpr RotorSize kWide{24, 8, 8};
+constexpr RotorSize kFine{3, 4, 64};
+constexpr std::array kSizes{kSmall, RotorSize{3, 4, 16}, RotorSize{3, 16, 4}, kFine, kWide};
+
+/// A system with its step graph.
+class Model {
+ public:
+  Model(const Rotor& rotor, Formulation formulation, const Method& method) {
+    context_.system = make_system(rotor);
+    context_.formulation = formulation;
+    context_.method = method;
+    allocate(context_);
+    graph_ = std::make_unique<graph::StepGraph>(build_step_graph(context_));
+    executor_ = graph::make_executor(*graph_, graph::ExecutorKind::serial);
+  }
+
+  /// Integrates from rest to kStateTime.
+  void integrate() {
+    constexpr int kSteps = 500;
+    const double step = kStateTime / kSteps;
+    TimeStepper stepper(context_, *executor_, IterationLimits{});
+    bool fine = stepper.start() == StepOutcome::done;
+    for (int k = 0; fine && k < kSteps; ++k)
+      fine = stepper.step(k * step, (k + 1) * step) == StepOutcome::done;
+    if (!fine) throw std::runtime_error("the state to evaluate at cannot be reached");
+  }
+
+  /// Scales each coordinate and velocity by a random factor, the same ones at every call.
+  void disturb() {
+    std::mt19937 random(20170941);
+    const auto scale = [&](double* values, int size) {
+      for (int k = 0; k < size; ++k)
+        values[k] *= 0.9 + 0.2 * random() / double{std::mt19937::max()};
+    };
+    for (SubsystemData& subsystem : context_.data.subsystems)
+      for (BodyData& body : subsystem.bodies) {
+        scale(body.coordinates.q, body.coordinates.size);
+        scale(body.coordinates.v, body.coordinates.size);
+      }
+  }
+
+  /// Takes the coordinates and velocities of another model of the same system, for evaluation.
+  void take_state(const Model& other) {
+    const auto copy = [](const CoordinateBlock& from, CoordinateBlock& to) {
+      std::copy_n(from.q, from.size, to.q);
+      std::copy_n(from.v, from.size, to.v);
+    };
+    StepData& data = context_.data;
+    const StepData& source = other.context_.data;
+    data.control = {kStateTime, PassControl::kEvaluateOnly, false};
+    copy(source.hub_coordinates, data.hub_coordinates);
+    for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+      for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
+        copy(source.subsystems[i].bodies[j].coordinates, data.subsystems[i].bodies[j].coordinates);
+  }
+
+  void evaluate() { executor_->run(); }
+
+  /// Of all deformations, with the padding's zeros.
+  Eigen::VectorXd accelerations() const {
+    std::vector<double> all;
+    for (const SubsystemData& subsystem : context_.data.subsystems)
+      for (const BodyData& body : subsystem.bodies)
+        all.insert(all.end(), body.coordinates.a, body.coordinates.a + body.coordinates.size);
+    return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  }
+
+ private:
+  StepContext context_;
+  std::unique_ptr<graph::StepGraph> graph_;
+  std::unique_ptr<graph::Executor> executor_;
+};
+
+using ModelPointer = std::shared_ptr<Model>;
+
+/// The given formulations of one system, ready to evaluate at the same state.
+std::vector<ModelPointer> make_models(const Rotor& rotor,
+                                      const std::vector<Formulation>& formulations) {
+  Model source(rotor, Formulation::structured, make_generalized_alpha(0.8, 0.01));
+  source.integrate();
+  source.disturb();
+  std::vector<ModelPointer> models;
+  for (const Formulation formulation : formulations) {
+    // rk4's table is the one without an implicit method's extras; its step is not used.
+    models.push_back(std::make_shared<Model>(rotor, formulation, Rk4{1e-5}));
+    models.back()->take_state(source);
+  }
+  return models;
+}
+
+/// The conditioning of a clamped body falls with E^3, and every formulation loses those digits
+/// alike; relative to the largest acceleration.
+double tolerance_for(int elements) { return 1e-11 * std::max(1.0, std::pow(elements / 4.0, 3)); }
+
+/// Evaluates all models and demands that they agree with the last one. Returns the largest
+/// difference.
+double demand_agreement(const RotorSize& size, const std::vector<ModelPointer>& models) {
+  for (const ModelPointer& model : models) model->evaluate();
+  const Eigen::VectorXd reference = models.back()->accelerations();
+  double largest = 0.0;
+  for (const ModelPointer& model : models) {
+    const double difference = (model->accelerations() - reference).lpNorm<Eigen::Infinity>() /
+                              reference.lpNorm<Eigen::Infinity>();
+    if (!(difference < tolerance_for(size.elements)))
+      throw std::runtime_error("formulations disagree at " + size.name() + ": accelerations by " +
+                               std::to_string(difference * 1e12) + "e-12 of the largest");
+    largest = std::max(largest, difference);
+  }
+  return largest;
+}
+
+Alternative make_alternative(std::string name, const ModelPointer& model) {
+  return {std::move(name), [model] { model->evaluate(); }, {}, 1.0, 0};
+}
+
+std::string scientific(double value) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.0e", value);
+  return text.data();
+}
+
+/// The formulations to compare at a size; a quick run leaves out what takes seconds.
+std::vector<Formulation> formulations_for(const RotorSize& size, bool quick) {
+  std::vector<Formulation> all{Formulation::structured, Formulation::subsystem,
+                               Formulation::augmented};
+  const bool slow = size.total_elements() > 300;
+  if (quick && slow) all.pop_back();
+  return all;
+}
+
+void add_small_targets(const std::vector<Timing>& timings, Report& report) {
+  report.add_target(at_least("structured is faster than subsystem, " + kSmall.name() + ", times",
+                             timings[1].ratio, 10.0));
+  report.add_target(at_least("structured is faster than augmented, " + kSmall.name() + ", times",
+                             timings[2].ratio, 100.0));
+}
+
+void compare_formulations(const QuestionOptions& options, Report& report) {
+  Table table{"One evaluation, by formulation; the formulations in turns at each size",
+              {"(N,M,E)", "formulation", "time", "/ structured", "rounds", "agree to"},
+              {}};
+  const Effort effort = options.quick ? Effort{5, 1e-3, 1.0} : Effort{};
+  for (const RotorSize& size : kSizes) {
+    show_progress(size.name() + ": building");
+    const auto formulations = formulations_for(size, options.quick);
+    const auto models = make_models(paper_rotor(size).rotor, formulations);
+    const std::string agreement = scientific(demand_agreement(size, models));
+    std::vector<Alternative> alternatives;
+    for (std::size_t k = 0; k < models.size(); ++k)
+      alternatives.push_back(make_alternative(std::string(name_of(formulations[k])), models[k]));
+    const std::vector<Timing> timings = measure(alternatives, effort);
+    for (const Timing& timing : timings) {
+      const bool first = &timing == &timings.front();
+      table.rows.push_back({first ? size.name() : "", timing.name, duration(timing.least),
+                            first ? "1" : ratio_with_spread(timing), std::to_string(timing.rounds),
+                            first ? agreement : ""});
+      report.add_timing(size.name(), timing);
+    }
+    if (&size == &kSizes.front()) add_small_targets(timings, report);
+  }
+  report.add_table(table);
+}
+
+/// Timings of the structured formulation: per size without and with stiffening, in turns.
+/// Ratios: without, to the smallest size; with, to the same size without.
+std::vector<Timing> measure_structured(const QuestionOptions& options) {
+  std::vector<Alternative> alternatives;
+  for (const RotorSize& size : kSizes)
+    for (const bool stiffening : {false, true}) {
+      const auto model =
+          make_models(paper_rotor(size, stiffening).rotor, {Formulation::structured}).front();
+      alternatives.push_back(
+          make_alternative(stiffening ? "structured, stiffening" : "structured", model));
+      if (stiffening) alternatives.back().reference = static_cast<int>(alternatives.size()) - 2;
+    }
+  return measure(alternatives, options.quick ? Effort{5, 1e-3, 1.0} : Effort{101, 1e-3, 12.0});
+}
+
+double cost_per_element(const RotorSize& size, const Timing& timing) {
+  return timing.ratio * kSmall.total_elements() / size.total_elements();
+}
+
+void add_structured_targets(const std::vector<Timing>& timings, Report& report) {
+  double most_stiffening = 0.0;
+  for (std::size_t k = 0; k < kSizes.size(); ++k) {
+    most_stiffening = std::max(most_stiffening, timings[2 * k + 1].ratio);
+    const std::string name = kSizes[k].name();
+    if (name != kFine.name() && name != kWide.name()) continue;
+    report.add_target(
+        within("structured, cost per element, " + name + " / " + kSmall.name() + ", times",
+               cost_per_element(kSizes[k], timings[2 * k]), 1.0 / 1.5, 1.5));
+  }
+  report.add_target(
+      at_most("structured, stiffening on / off, worst size, times", most_stiffening, 1.2));
+}
+
+/// Splits the cost into one of a body and one of an element, by the sizes that differ in E only.
+void add_cost_split(const std::vector<Timing>& timings, Report& report) {
+  double small = 0.0, fine = 0.0;
+  for (std::size_t k = 0; k < kSizes.size(); ++k) {
+    if (kSizes[k].name() == kSmall.name()) small = timings[2 * k].least;
+    if (kSizes[k].name() == kFine.name()) fine = timings[2 * k].least;
+  }
+  const double element = (fine - small) / (kFine.total_elements() - kSmall.total_elements());
+  const double body = (small - element * kSmall.total_elements()) / (kSmall.blades * kSmall.bodies);
+  report.add_remark(
+      "  From " + kSmall.name() + " to " + kFine.name() + ": about " + figure(body * 1e9) +
+      " ns a body and " + figure(element * 1e9) +
+      " ns an element,\n  so that an element of a coarse body is dearer than one of a fine body.");
+}
+
+void scale_structured(const QuestionOptions& options, Report& report) {
+  const std::vector<Timing> timings = measure_structured(options);
+  Table table{"structured alone; all sizes in turns",
+              {"(N,M,E)", "elements", "time", "per element", "/ " + kSmall.name(), "stiffening on",
+               "/ off"},
+              {}};
+  for (std::size_t k = 0; k < kSizes.size(); ++k) {
+    const RotorSize& size = kSizes[k];
+    const Timing& off = timings[2 * k];
+    const Timing& on = timings[2 * k + 1];
+    const int elements = size.total_elements();
+    table.rows.push_back({size.name(), std::to_string(elements), duration(off.least),
+                          figure(off.least / elements * 1e9) + " ns",
+                          figure(cost_per_element(size, off)), duration(on.least),
+                          ratio_with_spread(on)});
+    report.add_timing(size.name() + ", structured alone", off);
+    report.add_timing(size.name() + ", structured alone", on);
+  }
+  report.add_table(table);
+  add_cost_split(timings, report);
+  add_structured_targets(timings, report);
+}
+
+}  // namespace
+
+void measure_formulations(const QuestionOptions& options, Report& report) {
+  compare_formulations(options, report);
+  scale_structured(options, report);
+}
+
+}  // namespace spoke::bench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "models/scenario.h"
+
+namespace spoke::bench {
+
+/// Blades, bodies per blade, finite elements per body: the (N, M, E) of the tables.
+struct RotorSize {
+  int blades = 3;
+  int bodies = 4;
+  int elements = 4;
+
+  int total_elements() const { return blades * bodies * elements; }
+  /// "(3,4,4)".
+  std::string name() const;
+};
+
+/// The paper's rotor (models/paper_rotor.toml) in another size.
+Scenario paper_rotor(const RotorSize& size, bool stiffening = false);
+
+}  // namespace spoke::bench

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "bench/report.h"
+
+namespace spoke::bench {
+
+struct QuestionOptions {
+  bool quick = false;  ///< a smoke run: few rounds, the slowest alternatives left out
+};
+
+/// What does one evaluation of the accelerations cost, by formulation and size?
+void measure_formulations(const QuestionOptions& options, Report& report);
+
+/// How long does the 20 s spin-up take at 0.1 % accuracy, Spoke's way and the paper's way?
+void measure_time_to_solution(const QuestionOptions& options, Report& report);
+
+}  // namespace spoke::bench

@@ -1,0 +1,69 @@
+#pragma once
+
+// What a benchmark run says: tables and remarks on stdout as they come, a summary of the targets at
+// the end, and the same for machines as JSON.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/interleaved.h"
+
+namespace spoke::bench {
+
+/// A table of texts; the first column is aligned left, the others right.
+struct Table {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Something that was promised.
+struct Target {
+  std::string text;
+  double measured = 0.0;
+  double least = 0.0;     ///< bounds of what was promised
+  double greatest = 0.0;  ///< 0 and infinity: none
+  bool reached() const { return measured >= least && measured <= greatest; }
+  /// "reached" or "MISSED", and on which side where there are two.
+  std::string verdict() const;
+};
+
+Target at_least(std::string text, double measured, double least);
+Target at_most(std::string text, double measured, double greatest);
+Target within(std::string text, double measured, double least, double greatest);
+
+class Report {
+ public:
+  explicit Report(bool quick);
+
+  /// Machine, version and how to read the figures.
+  void print_header() const;
+  void begin_question(const std::string& name, const std::string& text);
+  void add_table(const Table& table);
+  void add_remark(const std::string& text);
+  void add_target(const Target& target);
+  /// One result, for the JSON only; its question is added.
+  void add_result(nlohmann::json result);
+  /// A timing as a result of `model`, for the JSON only.
+  void add_timing(const std::string& model, const Timing& timing);
+
+  void print_summary() const;
+  /// Throws std::runtime_error if the file cannot be written.
+  void write_json(const std::filesystem::path& file) const;
+
+ private:
+  std::string question_;
+  nlohmann::json json_;
+  std::vector<Target> targets_;
+};
+
+/// A time in the unit that suits it: "3.95 us".
+std::string duration(double seconds);
+/// Three significant digits, no exponent below a million: "0.98", "13.4", "5420".
+std::string figure(double value);
+/// A median ratio and its quartiles: "13.4 [13.1-13.9]".
+std::string ratio_with_spread(const Timing& timing);
+
+}  // namespace spoke::bench
