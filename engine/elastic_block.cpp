@@ -25,46 +25,95 @@ BandFactor<Half>::BandFactor(const SymmetricBand<Half>& matrix)
   }
 }
 
+namespace {
+
+/// Substitution of two right-hand sides, row by row; the last `Half` solutions are kept.
 template <int Half>
-void BandFactor<Half>::solve(const double* __restrict a, const double* __restrict b,
-                             Pair* __restrict scratch, double* __restrict x,
-                             double* __restrict y) const {
-  std::array<Pair, Half> last;  // last[k]: the solution Half - k rows back (then ahead)
-  last.fill(Pair{});
-  const auto push = [&](Pair newest) {
-    for (int k = 0; k + 1 < Half; ++k) last[k] = last[k + 1];
-    last[Half - 1] = newest;
-  };
-  const Pair* L = lower_.data();
-  const int n = n_;
-  for (int i = 0; i < n; ++i, L += Half) {
-    Pair sum{a[i], b[i]};
-    for (int k = 0; k < Half; ++k) sum -= L[k] * last[k];
+class Substitution {
+ public:
+  explicit Substitution(const BandSystem<Half>& system, Pair* scratch)
+      : L_(system.factor->row(0)),
+        inverse_diagonal_(system.factor->inverse_diagonal()),
+        a_(system.a),
+        b_(system.b),
+        x_(system.x),
+        y_(system.y),
+        scratch_(scratch) {}
+
+  /// Row i of L, for i = 0, 1, ...
+  [[gnu::always_inline]] void forward(int i) {
+    Pair sum{a_[i], b_[i]};
+    for (int k = 0; k < Half; ++k) sum -= L_[Half * i + k] * last_[k];
     push(sum);
-    scratch[i] = sum;
+    scratch_[i] = sum;
   }
-  last.fill(Pair{});
-  const double* inverse_diagonal = inverse_diagonal_.data();
-  const auto substitute_back = [&](int i) -> Pair {
-    L -= Half;
-    Pair sum = inverse_diagonal[i] * scratch[i];
+
+  void turn_back() {
+    for (Pair& value : last_) value = Pair{};
+  }
+
+  /// Row i of D L^T, for i = n - 1, n - 2, ...
+  [[gnu::always_inline]] Pair backward(int i) {
+    Pair sum = inverse_diagonal_[i] * scratch_[i];
     // Column i of L below the diagonal: L(i + Half - k, i) stands in row i + Half - k.
-    for (int k = 0; k < Half; ++k) sum -= L[(Half - k) * Half + k] * last[k];
+    for (int k = 0; k < Half; ++k) sum -= L_[Half * (i + Half - k) + k] * last_[k];
     push(sum);
     return sum;
-  };
-  // Results go out in pairs of neighbours, as they will be loaded: loading two values at once that
-  // were stored one by one stalls the processor.
-  if (n % 2 != 0) {
-    const Pair top = substitute_back(n - 1);
-    store(Pair{top[0], 0.0}, x + n - 1);
-    store(Pair{top[1], 0.0}, y + n - 1);
   }
-  for (int i = (n / 2) * 2 - 2; i >= 0; i -= 2) {
-    const Pair second = substitute_back(i + 1);
-    const Pair first = substitute_back(i);
-    store(Pair{first[0], second[0]}, x + i);
-    store(Pair{first[1], second[1]}, y + i);
+  /// Rows i + 1 and i. Results go out in pairs of neighbours, as they will be loaded: loading two
+  /// values at once that were stored one by one stalls the processor.
+  [[gnu::always_inline]] void backward_pair(int i) {
+    const Pair second = backward(i + 1);
+    const Pair first = backward(i);
+    store(Pair{first[0], second[0]}, x_ + i);
+    store(Pair{first[1], second[1]}, y_ + i);
+  }
+  /// Row i, the last of an odd number.
+  void backward_last(int i) {
+    const Pair last = backward(i);
+    store(Pair{last[0], 0.0}, x_ + i);
+    store(Pair{last[1], 0.0}, y_ + i);
+  }
+
+ private:
+  [[gnu::always_inline]] void push(Pair newest) {
+    for (int k = 0; k + 1 < Half; ++k) last_[k] = last_[k + 1];
+    last_[Half - 1] = newest;
+  }
+
+  const Pair* L_;
+  const double* inverse_diagonal_;
+  const double* a_;
+  const double* b_;
+  double* x_;
+  double* y_;
+  Pair* scratch_;
+  Pair last_[Half] = {};  // last_[k]: the solution Half - k rows back (then ahead)
+};
+
+}  // namespace
+
+void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending, Pair* scratch) {
+  const int n = axial.factor->size();
+  Substitution<1> u(axial, scratch);
+  Substitution<3> v(bending, scratch + n);
+  for (int i = 0; i < n; ++i) {
+    u.forward(i);
+    v.forward(2 * i);
+    v.forward(2 * i + 1);
+  }
+  u.turn_back();
+  v.turn_back();
+  int i = n;
+  if (n % 2 != 0) {
+    --i;
+    v.backward_pair(2 * i);
+    u.backward_last(i);
+  }
+  for (i -= 2; i >= 0; i -= 2) {
+    v.backward_pair(2 * i + 2);
+    v.backward_pair(2 * i);
+    u.backward_pair(i);
   }
 }
 
@@ -72,7 +121,10 @@ template <int Half>
 Eigen::VectorXd BandFactor<Half>::solve(const Eigen::VectorXd& b) const {
   std::vector<Pair> scratch(n_);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n_ + n_ % 2), y = x;
-  solve(b.data(), b.data(), scratch.data(), x.data(), y.data());
+  Substitution<Half> substitution({this, b.data(), b.data(), x.data(), y.data()}, scratch.data());
+  for (int i = 0; i < n_; ++i) substitution.forward(i);
+  substitution.turn_back();
+  for (int i = n_ - 1; i >= 0; --i) x[i] = substitution.backward(i)[0];
   return x;
 }
 

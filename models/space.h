@@ -83,6 +83,19 @@ inline SymmetricTwistMatrix turn(const Rotation& R, const SymmetricTwistMatrix& 
           s * a.rx + c * a.ry,           a.rr};
 }
 
+/// T^T A T with T = [I, B p; 0, 1]: a mass at a bracket, as felt at the point from which p leads there.
+inline SymmetricTwistMatrix shift(const Position& p, const SymmetricTwistMatrix& a) {
+  const double x = p.x(), y = p.y();
+  const double rx = a.rx - y * a.xx + x * a.yx;
+  const double ry = a.ry - y * a.yx + x * a.yy;
+  return {a.xx, a.yx, a.yy, rx, ry, a.rr + x * (a.ry + ry) - y * (a.rx + rx)};
+}
+
+/// T^T f: a wrench at a bracket, as felt at the point from which p leads there.
+inline Twist shift(const Position& p, const Twist& f) {
+  return {f[0], f[1], f[2] + p.x() * f[1] - p.y() * f[0]};
+}
+
 /// Inverse of a positive definite matrix. Not finite if it is singular.
 inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
   const double xx = a.yy * a.rr - a.ry * a.ry;

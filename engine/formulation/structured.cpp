@@ -26,13 +26,6 @@ PartProducts sum_part(const double* S, const double* c, const double* W, const d
   return {total(S_W), total(S_z), total(c_W), total(c_z)};
 }
 
-/// Jacobian of a bracket at s without deformation: [I, B s; 0, 1].
-TwistMatrix rigid_jacobian(const Position& s) {
-  TwistMatrix X = TwistMatrix::Identity();
-  X.col(kRotation).head<kPosition>() = quarter_turn(s);
-  return X;
-}
-
 /// Handle maps X_e = J_e - E_e W.
 void calc_handle_maps(const ElasticBlock& block, const BodyData& data, const BodyWork& work,
                       HandleMap& X_o, Twist& x_i) {
@@ -117,7 +110,7 @@ void allocate(const SubsystemData& data, SubsystemWork& work) {
   std::size_t scratch_total = 0;
   for (const BodyData& body : data.bodies) {
     flex_total += 2 * body.layout.size();
-    scratch_total += body.layout.bending;
+    scratch_total += body.layout.axial + body.layout.bending;
   }
   work.storage = Eigen::VectorXd::Zero(flex_total);
   work.scratch.assign(scratch_total, Pair{});
@@ -127,7 +120,7 @@ void allocate(const SubsystemData& data, SubsystemWork& work) {
     const FlexLayout& layout = data.bodies[j].layout;
     work.bodies[j].W_theta = std::exchange(next, next + layout.size());
     work.bodies[j].z = std::exchange(next, next + layout.size());
-    work.bodies[j].scratch = std::exchange(next_scratch, next_scratch + layout.bending);
+    work.bodies[j].scratch = std::exchange(next_scratch, next_scratch + layout.axial + layout.bending);
   }
 }
 
@@ -137,8 +130,9 @@ void condense_body(const BodyData& data, double speed, const PassControl& contro
   const ElasticBlock& block = *data.blocks[control.implicit];
   const int u = data.layout.u();
   const int v = data.layout.v();
-  block.bending.solve(data.c_theta + v, data.Q_f + v, work.scratch, work.W_theta + v, work.z + v);
-  block.axial.solve(data.c_theta + u, data.Q_f + u, work.scratch, work.W_theta + u, work.z + u);
+  solve_together({&block.axial, data.c_theta + u, data.Q_f + u, work.W_theta + u, work.z + u},
+                 {&block.bending, data.c_theta + v, data.Q_f + v, work.W_theta + v, work.z + v},
+                 work.scratch);
   const PartProducts axial = sum_part(body.S_axial.data(), data.c_theta + u, work.W_theta + u,
                                       work.z + u, body.axial());
   const PartProducts bending = sum_part(body.S_bending.data(), data.c_theta + v, work.W_theta + v,
@@ -186,15 +180,14 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
   EffectiveInertia& effective = data.effective;
   effective.root_mass = invert(Lambda);
   effective.root_free = free;
-  // T Y'' + b is the bracket's acceleration in the hub frame, R that of the first body's frame.
+  // The bracket's acceleration is T Y'' - w^2 p in the hub frame; R leads there from the first body's.
   const Rotation& R = data.rotations[0];
-  const TwistMatrix T = rigid_jacobian(subsystem.root.p);
-  const TwistMatrix mass = turn(R, effective.root_mass).matrix();
-  const double w = hub.twist[kRotation];
-  Twist bias = Twist::Zero();
-  bias.head<kPosition>() = -w * w * subsystem.root.p;
-  effective.mass = T.transpose() * mass * T;
-  effective.force = T.transpose() * (mass * (R * free - bias));
+  const Position& p = subsystem.root.p;
+  const SymmetricTwistMatrix mass = turn(R, effective.root_mass);
+  const double ww = hub.twist[kRotation] * hub.twist[kRotation];
+  const Twist bias(-ww * p.x(), -ww * p.y(), 0.0);
+  effective.mass = shift(p, mass).matrix();
+  effective.force = shift(p, mass * Twist(R * free - bias));
   effective.centrifugal_inertia = effective.centrifugal_rate = 0.0;
   for (const BodyData& body : data.bodies) {
     effective.centrifugal_inertia += body.terms.centrifugal_inertia;

@@ -29,7 +29,7 @@ struct BodyWork {
 struct SubsystemWork {
   std::vector<BodyWork> bodies;
   Eigen::VectorXd storage;    ///< of all flex vectors
-  std::vector<Pair> scratch;  ///< 2E pairs per body
+  std::vector<Pair> scratch;  ///< 3E pairs per body
 };
 
 void allocate(const SubsystemData& data, SubsystemWork& work);

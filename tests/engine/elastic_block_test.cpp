@@ -22,27 +22,43 @@ SymmetricBand<Half> random_band(int n, std::mt19937& random) {
   return band;
 }
 
+/// A system with two random right-hand sides.
 template <int Half>
-void check_factor(int n) {
-  std::mt19937 random(n);
-  const SymmetricBand<Half> band = random_band<Half>(n, random);
-  const BandFactor<Half> factor(band);
-  std::srand(n);
-  const Eigen::VectorXd a = Eigen::VectorXd::Random(n), b = Eigen::VectorXd::Random(n);
-  Eigen::VectorXd x(n + n % 2), y(n + n % 2);
-  std::vector<Pair> scratch(n);
-  factor.solve(a.data(), b.data(), scratch.data(), x.data(), y.data());
-  CHECK((band.to_dense() * x.head(n) - a).norm() < 1e-13 * n);
-  CHECK((band.to_dense() * y.head(n) - b).norm() < 1e-13 * n);
-}
+struct RandomSystem {
+  SymmetricBand<Half> band;
+  BandFactor<Half> factor;
+  Eigen::VectorXd a, b, x, y;
+
+  RandomSystem(int n, std::mt19937& random)
+      : band(random_band<Half>(n, random)),
+        factor(band),
+        a(Eigen::VectorXd::Random(n)),
+        b(Eigen::VectorXd::Random(n)),
+        x(n + n % 2),
+        y(n + n % 2) {}
+
+  BandSystem<Half> system() { return {&factor, a.data(), b.data(), x.data(), y.data()}; }
+  void check() const {
+    const Eigen::Index n = a.size();
+    CHECK((band.to_dense() * x.head(n) - a).norm() < 1e-13 * n);
+    CHECK((band.to_dense() * y.head(n) - b).norm() < 1e-13 * n);
+    CHECK((band.to_dense() * factor.solve(a).head(n) - a).norm() < 1e-13 * n);
+  }
+};
 
 }  // namespace
 
-TEST_CASE("a band factor solves two right-hand sides") {
+TEST_CASE("axial and bending systems are solved together, two right-hand sides each") {
   for (const int n : {1, 2, 3, 4, 5, 8, 33}) {
     CAPTURE(n);
-    check_factor<1>(n);
-    check_factor<3>(n);
+    std::mt19937 random(n);
+    std::srand(n);
+    RandomSystem<1> axial(n, random);
+    RandomSystem<3> bending(2 * n, random);
+    std::vector<Pair> scratch(3 * n);
+    solve_together(axial.system(), bending.system(), scratch.data());
+    axial.check();
+    bending.check();
   }
 }
 
