@@ -60,22 +60,12 @@ void print_table(const Table& table) {
 
 }  // namespace
 
-std::string Target::verdict() const {
-  if (reached()) return "reached";
-  if (least == 0.0 || std::isinf(greatest)) return "MISSED";
-  return measured < least ? "MISSED (below)" : "MISSED (above)";
-}
-
 Target at_least(std::string text, double measured, double least) {
   return {std::move(text), measured, least, std::numeric_limits<double>::infinity()};
 }
 
 Target at_most(std::string text, double measured, double greatest) {
   return {std::move(text), measured, 0.0, greatest};
-}
-
-Target within(std::string text, double measured, double least, double greatest) {
-  return {std::move(text), measured, least, greatest};
 }
 
 Report::Report(bool quick)
@@ -144,7 +134,7 @@ void Report::add_timing(const std::string& model, const Timing& timing) {
 void Report::print_summary() const {
   Table table{"Targets", {"", "promised", "measured", ""}, {}};
   for (const Target& target : targets_)
-    table.rows.push_back({target.text, bounds(target), figure(target.measured), target.verdict()});
+    table.rows.push_back({target.text, bounds(target), figure(target.measured), target.reached() ? "reached" : "MISSED"});
   if (!targets_.empty()) print_table(table);
 }
 

@@ -26,13 +26,10 @@ struct Target {
   double least = 0.0;     ///< bounds of what was promised
   double greatest = 0.0;  ///< 0 and infinity: none
   bool reached() const { return measured >= least && measured <= greatest; }
-  /// "reached" or "MISSED", and on which side where there are two.
-  std::string verdict() const;
 };
 
 Target at_least(std::string text, double measured, double least);
 Target at_most(std::string text, double measured, double greatest);
-Target within(std::string text, double measured, double least, double greatest);
 
 class Report {
  public:

@@ -23,6 +23,15 @@ void calc_rotations(const Subsystem& subsystem, SubsystemData& data) noexcept {
   }
 }
 
+double calc_foreshortening(const BodyData& body) noexcept {
+  const SymmetricBand<3>* slopes = body.model->slope_integral.get();
+  if (!slopes) return 0.0;
+  const double* v = body.coordinates.q + body.layout.v();
+  double sum = 0.0;
+  for (int i = 0; i < slopes->size(); ++i) sum += v[i] * slopes->row(i, v);
+  return 0.5 * sum;
+}
+
 void calc_poses(const Subsystem& subsystem, SubsystemData& data) noexcept {
   Pose parent;  // in the hub frame
   Position bracket = subsystem.root.p;  // where the parent carries the body, in the parent's frame

@@ -18,6 +18,10 @@ inline Position calc_outboard_velocity(const BodyData& body) {
   return {body.coordinates.v[body.outboard_at[0]], body.coordinates.v[body.outboard_at[1]]};
 }
 
+/// Foreshortening 1/2 int v'^2 dx of a body with geometric stiffening [m]; 0 of a linear one, whose
+/// model has none. The stiffened model accounts for it in its energies, not in its coordinates.
+double calc_foreshortening(const BodyData& body) noexcept;
+
 /// Relative rotations along a subsystem, from the deformations.
 void calc_rotations(const Subsystem& subsystem, SubsystemData& data) noexcept;
 

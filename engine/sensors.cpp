@@ -45,15 +45,16 @@ Energies calc_energies(const System& system, StepData& data) {
 }
 
 Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data) {
-  const BodyData& tip = data.bodies.back();
-  const Pose& X_HB = data.poses.back();
-  const Position now = X_HB.p + X_HB.R * calc_outboard_position(tip);
   const Position undeformed = subsystem.root.p + subsystem.root.R * Position{subsystem.length, 0.0};
+  Position tip = data.poses.back().p + data.poses.back().R * calc_outboard_position(data.bodies.back());
   double rotation = 0.0;
-  for (const BodyData& member : data.bodies)
-    rotation += member.coordinates.q[member.outboard_at[kRotation]] -
-                member.coordinates.q[member.inboard_at[kRotation]];
-  const Position displacement = now - undeformed;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const BodyData& body = data.bodies[j];
+    tip -= data.poses[j].R * Position{calc_foreshortening(body), 0.0};
+    rotation += body.coordinates.q[body.outboard_at[kRotation]] -
+                body.coordinates.q[body.inboard_at[kRotation]];
+  }
+  const Position displacement = tip - undeformed;
   return {displacement.x(), displacement.y(), rotation};
 }
 

@@ -29,16 +29,26 @@ Method make_method(const Integration& integration, double step) {
   return make_generalized_alpha(integration.spectral_radius, step);
 }
 
+/// Memory of the step graph while it is built [bytes]: some 2 kB a node, and a bit for each pair of
+/// nodes, by which edges implied by others are found.
+double estimate_graph_memory(const System& system) {
+  const double nodes = 3.0 + 5.0 * static_cast<double>(system.subsystems.size()) +
+                       3.0 * static_cast<double>(system.body_count());
+  return 2000.0 * nodes + nodes * nodes / 8.0;
+}
+
 void demand_memory(const System& system, Formulation formulation) {
-  const double needed = estimate_memory(system, formulation);
+  const double needed = estimate_memory(system, formulation) + estimate_graph_memory(system);
   const double available =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   if (needed < 0.8 * available) return;
-  constexpr double kGigabyte = 1e9;
-  throw InputError("the model with formulation " + std::string(name_of(formulation)) + " needs " +
-                   std::to_string(needed / kGigabyte) + " GB of memory, this machine has " +
-                   std::to_string(available / kGigabyte) +
-                   " GB: use fewer elements, or formulation structured");
+  const auto gigabytes = [](double bytes) {
+    return std::to_string(static_cast<long long>(std::ceil(bytes / 1e9))) + " GB";
+  };
+  const bool is_dense = formulation != Formulation::structured;
+  throw InputError("the model in the formulation " + std::string(name_of(formulation)) + " needs " +
+                   gigabytes(needed) + " of memory, this machine has " + gigabytes(available) +
+                   ": use fewer blades, bodies or elements" + (is_dense ? ", or the formulation structured" : ""));
 }
 
 std::uint64_t hash(std::uint64_t value, const double* first, int count) {
@@ -77,6 +87,7 @@ struct Simulation::Impl {
 
  private:
   graph::StepGraph prepare();
+  void demand_kept_declarations(const graph::StepGraph& graph);
 };
 
 Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
@@ -102,7 +113,20 @@ graph::StepGraph Simulation::Impl::prepare() {
   context.method = make_method(scenario.integration, step_size);
   demand_memory(context.system, context.formulation);
   allocate(context);
-  return build_step_graph(context);
+  graph::StepGraph built = build_step_graph(context);
+#ifndef NDEBUG
+  demand_kept_declarations(built);
+#endif
+  return built;
+}
+
+/// Debug builds run every node once on its declared data alone.
+[[maybe_unused]] void Simulation::Impl::demand_kept_declarations(const graph::StepGraph& built) {
+  constexpr int kLargest = 500;  // nodes: the check costs their number times the memory
+  if (built.node_count() > kLargest) return;
+  context.data.control = {0.0, PassControl::kEvaluateOnly, false};
+  for (const graph::DeclarationFault& fault : graph::check_declarations(built))
+    throw std::logic_error(fault.message);
 }
 
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {

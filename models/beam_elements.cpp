@@ -179,10 +179,12 @@ FlexibleBody make_beam_body(const BeamProperties& beam) {
   return body;
 }
 
-SymmetricBand<3> make_centrifugal_stiffness(const BeamProperties& beam, double distance,
-                                            double outboard) {
+namespace {
+
+/// int tension(x) N_v'^T N_v' dx by four Gauss points an element: exact up to a quadratic tension.
+template <class Tension>
+SymmetricBand<3> integrate_slopes(const BeamProperties& beam, Tension&& tension) {
   const FlexibleBody body = make_empty_body(beam);
-  // Four Gauss points integrate the quadratic tension times two quadratic slopes exactly.
   const double a = std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
   const double b = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
   const double weight_a = (18.0 + std::sqrt(30.0)) / 72.0;
@@ -190,21 +192,31 @@ SymmetricBand<3> make_centrifugal_stiffness(const BeamProperties& beam, double d
   const std::array<std::array<double, 2>, 4> gauss{
       {{(1 - b) / 2, weight_b}, {(1 - a) / 2, weight_a}, {(1 + a) / 2, weight_a},
        {(1 + b) / 2, weight_b}}};
-  const double L = beam.length;
-  const double l = L / beam.elements;
-  SymmetricBand<3> KG(body.bending());
+  const double l = beam.length / beam.elements;
+  SymmetricBand<3> sum(body.bending());
   for (int e = 0; e < beam.elements; ++e) {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     for (const auto& [xi, weight] : gauss) {
-      const double x = (e + xi) * l;
-      const double tension =
-          beam.mass_per_length * ((L * L - x * x) / 2.0 + distance * (L - x)) + outboard;
       const Vector4 slope = bending_slope(xi, l);
-      matrix += (weight * l * tension) * slope * slope.transpose();
+      matrix += (weight * l * tension((e + xi) * l)) * slope * slope.transpose();
     }
-    add_bending(body, e, matrix, KG);
+    add_bending(body, e, matrix, sum);
   }
-  return KG;
+  return sum;
+}
+
+}  // namespace
+
+SymmetricBand<3> make_centrifugal_stiffness(const BeamProperties& beam, double distance,
+                                            double outboard) {
+  const double L = beam.length;
+  return integrate_slopes(beam, [&](double x) {
+    return beam.mass_per_length * ((L * L - x * x) / 2.0 + distance * (L - x)) + outboard;
+  });
+}
+
+SymmetricBand<3> make_slope_integral(const BeamProperties& beam) {
+  return integrate_slopes(beam, [](double) { return 1.0; });
 }
 
 BeamElement make_beam_element(const BeamProperties& beam) {

@@ -35,6 +35,9 @@ FlexibleBody make_beam_body(const BeamProperties& beam);
 SymmetricBand<3> make_centrifugal_stiffness(const BeamProperties& beam, double distance,
                                             double outboard);
 
+/// int N_v'^T N_v' dx [1/m, 1, m]: half its quadratic form is the foreshortening of a bent body.
+SymmetricBand<3> make_slope_integral(const BeamProperties& beam);
+
 /// Mass and stiffness of one element in the coordinates (u, v, psi) of its two nodes.
 struct BeamElement {
   using Matrix = Eigen::Matrix<double, 2 * kTwist, 2 * kTwist>;

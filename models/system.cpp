@@ -21,17 +21,25 @@ class BodyCatalogue {
 
   std::shared_ptr<const SymmetricBand<3>> stiffness(const BeamProperties& beam, double distance,
                                                     double outboard) {
-    auto& made = stiffnesses_[{beam, distance, outboard}];
-    if (!made)
-      made = std::make_shared<const SymmetricBand<3>>(
-          make_centrifugal_stiffness(beam, distance, outboard));
-    return made;
+    return shared(stiffnesses_[{beam, distance, outboard}],
+                  [&] { return make_centrifugal_stiffness(beam, distance, outboard); });
+  }
+
+  std::shared_ptr<const SymmetricBand<3>> slope_integral(const BeamProperties& beam) {
+    return shared(slope_integrals_[beam], [&] { return make_slope_integral(beam); });
   }
 
  private:
+  using SharedBand = std::shared_ptr<const SymmetricBand<3>>;
+  template <class Make>
+  static SharedBand shared(SharedBand& made, Make&& make) {
+    if (!made) made = std::make_shared<const SymmetricBand<3>>(make());
+    return made;
+  }
+
   std::map<BeamProperties, std::shared_ptr<const FlexibleBody>> bodies_;
-  std::map<std::tuple<BeamProperties, double, double>, std::shared_ptr<const SymmetricBand<3>>>
-      stiffnesses_;
+  std::map<std::tuple<BeamProperties, double, double>, SharedBand> stiffnesses_;
+  std::map<BeamProperties, SharedBand> slope_integrals_;
 };
 
 Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& catalogue) {
@@ -50,6 +58,7 @@ Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& cata
       const double outboard =
           j + 1 == blade.bodies ? 0.0 : beam.mass_per_length * (tip * tip - end * end) / 2.0;
       member.centrifugal_stiffness = catalogue.stiffness(beam, distance, outboard);
+      member.slope_integral = catalogue.slope_integral(beam);
     }
     subsystem.bodies.push_back(std::move(member));
   }

@@ -28,6 +28,8 @@ struct ChainBody {
   std::shared_ptr<const FlexibleBody> body;
   /// KG of make_centrifugal_stiffness; null if the blade has no geometric stiffening.
   std::shared_ptr<const SymmetricBand<3>> centrifugal_stiffness;
+  /// make_slope_integral, for the tip's displacement; null likewise.
+  std::shared_ptr<const SymmetricBand<3>> slope_integral;
   std::vector<NodeLoad> loads;
 };
 

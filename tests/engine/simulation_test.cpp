@@ -137,6 +137,8 @@ TEST_CASE("a model beyond the machine's memory is refused before anything is all
   Scenario scenario = spin_up_scenario(wu_haug_blade(1000, 20), 0.005);
   CHECK_THROWS_WITH_AS(Simulation(scenario, {Formulation::augmented, ExecutorKind::serial, 1}),
                        doctest::Contains("memory"), InputError);
+  scenario.rotor = make_rotor(wu_haug_blade(1, 1), 100000);
+  CHECK_THROWS_WITH_AS(Simulation(scenario, kSerial), doctest::Contains("memory"), InputError);
 }
 
 TEST_CASE("simulations may be moved") {

@@ -76,6 +76,7 @@ TEST_CASE("spin-up with geometric stiffening: 4 bodies of 4 elements follow the 
   CHECK(std::abs(history.peak - -0.53412871) < 0.02e-2 * 0.53412871);
   CHECK(history.time_of_peak == doctest::Approx(6.7659).epsilon(5e-4));
   CHECK(worst_of_history(history) < 0.05e-2 * std::abs(kExactPeak));
+  CHECK(history.smallest_x == doctest::Approx(-0.020503467).epsilon(5e-4));
 }
 
 TEST_CASE("spin-up with geometric stiffening: the drive torque is the exact root torque") {
