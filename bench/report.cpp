@@ -134,7 +134,8 @@ void Report::add_timing(const std::string& model, const Timing& timing) {
 void Report::print_summary() const {
   Table table{"Targets", {"", "promised", "measured", ""}, {}};
   for (const Target& target : targets_)
-    table.rows.push_back({target.text, bounds(target), figure(target.measured), target.reached() ? "reached" : "MISSED"});
+    table.rows.push_back({target.text, bounds(target), figure(target.measured),
+                          target.reached() ? "reached" : "MISSED"});
   if (!targets_.empty()) print_table(table);
 }
 

@@ -49,14 +49,15 @@ template <bool kIsClamped>
 /// What the axial, or the bending, part of the deformation adds to sums over the body; m stands for
 /// d0 + Mff qf.
 struct PartSums {
-  double S = 0.0, S_rate = 0.0;        // S qf, S qf'
-  double inertia = 0.0;                // (d0 + m) . qf
-  double inertia_rate = 0.0;           // m . qf'
-  double centrifugal_inertia = 0.0;    // qf^T KG qf
-  double centrifugal_rate = 0.0;       // qf^T KG qf'
+  double S = 0.0, S_rate = 0.0;      // S qf, S qf'
+  double inertia = 0.0;              // (d0 + m) . qf
+  double inertia_rate = 0.0;         // m . qf'
+  double centrifugal_inertia = 0.0;  // qf^T KG qf
+  double centrifugal_rate = 0.0;     // qf^T KG qf'
 };
 
-// The loops below take all pointers out first: a store of a pair may alias anything to the compiler.
+// The loops below take all pointers out first: a store of a pair may alias anything to the
+// compiler.
 
 /// Axial rows of c_theta = c0 + G^T qf and Q_f = w^2 (d0 + Mff qf) + 2 w G qf' - K q_elastic, with
 /// G = [0 H; -H^T 0].
@@ -104,7 +105,8 @@ PartSums calc_bending_rows(const ChainBody& member, const BodyMotion& motion, co
   constexpr int kStride = 2 * SymmetricBand<3>::kWidth;
   for (int i = 0; i < n; i += 2, M += kStride, K += kStride, ++u, ++ud) {
     const Pair m = band_rows<3>(M, i, v);
-    Pair force = w * w * m - 2.0 * w * coupling_pair<kIsClamped>(h, ud) - band_rows<3>(K, i, q_elastic);
+    Pair force =
+        w * w * m - 2.0 * w * coupling_pair<kIsClamped>(h, ud) - band_rows<3>(K, i, q_elastic);
     if constexpr (kIsStiffened) {
       const Pair k = band_rows<3>(KG, i, v);
       force -= ww_hub * k;
@@ -120,8 +122,12 @@ PartSums calc_bending_rows(const ChainBody& member, const BodyMotion& motion, co
     inertia_rate += m * load_aligned(vd + i);
     h += 2 * AxialBendingCoupling::kHeight;
   }
-  return {total(S_sum), total(S_rate), total(inertia), total(inertia_rate),
-          total(centrifugal_inertia), total(centrifugal_rate)};
+  return {total(S_sum),
+          total(S_rate),
+          total(inertia),
+          total(inertia_rate),
+          total(centrifugal_inertia),
+          total(centrifugal_rate)};
 }
 
 auto choose_bending_rows(const ChainBody& member) {
@@ -173,8 +179,8 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData&
   double* Q_v = data.Q_f + layout.v();
 
   const auto calc_bending = choose_bending_rows(*data.model);
-  const PartSums bending = calc_bending(*data.model, motion, q, qd, q_elastic.v,
-                                        data.c_theta + layout.v(), Q_v);
+  const PartSums bending =
+      calc_bending(*data.model, motion, q, qd, q_elastic.v, data.c_theta + layout.v(), Q_v);
   const PartSums axial =
       calc_axial_rows(body, w, q, qd, q_elastic.u, data.c_theta + layout.u(), Q_u);
 
@@ -186,23 +192,19 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData&
   // Q_t = w^2 (S0 + S qf) - 2 w B S qf',  Q_w = -2 w (d0 + Mff qf) . qf'
   const Position S_rate{axial.S_rate, bending.S_rate};
   const Position Q_t = w * w * terms.S - 2.0 * w * quarter_turn(S_rate);
-  terms.Q = Twist(Q_t.x(), Q_t.y(),
-                  -2.0 * w * (axial.inertia_rate + bending.inertia_rate));
+  terms.Q = Twist(Q_t.x(), Q_t.y(), -2.0 * w * (axial.inertia_rate + bending.inertia_rate));
   terms.load_power = 0.0;
   terms.dissipation = 0.0;
   if (damping.mass_factor == 0.0 && damping.stiffness_factor == 0.0) return;
   const Parts v_elastic = parts(data.v_elastic, layout);
-  terms.dissipation =
-      add_damping(damping, body.M_axial, body.K_axial, v_elastic.u, qd.u, Q_u) +
-      add_damping(damping, body.M_bending, body.K_bending, v_elastic.v, qd.v, Q_v);
+  terms.dissipation = add_damping(damping, body.M_axial, body.K_axial, v_elastic.u, qd.u, Q_u) +
+                      add_damping(damping, body.M_bending, body.K_bending, v_elastic.v, qd.v, Q_v);
 }
 
 void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotation& R_0,
                BodyData& data) noexcept {
   const FlexLayout& layout = data.layout;
-  const auto at = [&](const double* flex, int index) {
-    return flex[layout.place(index)];
-  };
+  const auto at = [&](const double* flex, int index) { return flex[layout.place(index)]; };
   for (const NodeLoad& load : data.model->loads) {
     const double* q = data.coordinates.q;
     const double* qd = data.coordinates.v;

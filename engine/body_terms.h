@@ -22,10 +22,10 @@ void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotatio
 
 /// State-dependent entries of the mass matrix.
 struct BodyInertia {
-  Position S;                        ///< S0 + S qf [kg m]
-  double rotary_inertia = 0.0;       ///< M_ww [kg m^2]
+  Position S;                         ///< S0 + S qf [kg m]
+  double rotary_inertia = 0.0;        ///< M_ww [kg m^2]
   double rotation_deformation = 0.0;  ///< M_wf qf' [kg m^2/s]
-  double centrifugal_inertia = 0.0;  ///< qf^T KG qf [kg m^2]
+  double centrifugal_inertia = 0.0;   ///< qf^T KG qf [kg m^2]
 };
 
 /// The same entries as calc_body_terms finds, from the body's coordinates alone.

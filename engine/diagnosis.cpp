@@ -90,7 +90,8 @@ std::string advise(const Scenario& scenario, const StepContext& context, const F
   for (const Blade& blade : scenario.rotor.blades) all_stiffened &= blade.geometric_stiffening;
   const double speed = std::abs(context.data.hub_coordinates.v[kRotation]);
   if (!all_stiffened && speed > 0.5 * range.lowest) {
-    text << "without geometric stiffening a body does not feel that rotation stiffens it, and the hub "
+    text << "without geometric stiffening a body does not feel that rotation stiffens it, and the "
+            "hub "
             "turns at "
          << speed << " rad/s against a lowest natural frequency of " << range.lowest
          << " rad/s: set geometric_stiffening = true, or cut the blade into more bodies";

@@ -149,8 +149,8 @@ ElasticBlock::BendingColumn make_column(const FlexibleBody& body, const BandFact
   column.component = component;
   const Handle& handle = outboard ? body.outboard : body.inboard;
   column.coordinate = handle.coordinate[component] - body.axial();
-  column.Z = factor.solve(
-      Eigen::VectorXd(Eigen::VectorXd::Unit(body.bending(), column.coordinate)));
+  column.Z =
+      factor.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(body.bending(), column.coordinate)));
   return column;
 }
 
@@ -181,8 +181,8 @@ ElasticBlock make_elastic_block(const FlexibleBody& body, double mass_factor,
   block.S_Wy = body.S_bending.dot(block.W_y);
 
   block.axial_coordinate = body.outboard.coordinate[0];
-  block.Z_axial =
-      block.axial.solve(Eigen::VectorXd(Eigen::VectorXd::Unit(body.padded_axial(), body.axial() - 1)));
+  block.Z_axial = block.axial.solve(
+      Eigen::VectorXd(Eigen::VectorXd::Unit(body.padded_axial(), body.axial() - 1)));
   // The free bending coordinates at the handles: v and psi outboard (clamped), or psi at both ends.
   const bool clamped = body.reference_frame == ReferenceFrame::clamped;
   block.columns[0] = make_column(body, block.bending, clamped, clamped ? 1 : kRotation);

@@ -20,8 +20,8 @@ class BandFactor {
   /// A^-1 b; with a zero more if n is odd.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
-  /// Row i of L, left of the diagonal: L(i, i - Half) ... L(i, i - 1), each twice, as a pair. Zero left
-  /// of the matrix; Half rows of zeros follow the last.
+  /// Row i of L, left of the diagonal: L(i, i - Half) ... L(i, i - 1), each twice, as a pair. Zero
+  /// left of the matrix; Half rows of zeros follow the last.
   const Pair* row(int i) const { return lower_.data() + Half * i; }
   const double* inverse_diagonal() const { return inverse_diagonal_.data(); }
 
@@ -31,8 +31,8 @@ class BandFactor {
   std::vector<double> inverse_diagonal_;
 };
 
-/// x = A^-1 a, y = A^-1 b: n values each, x and y 16-byte aligned and with room for one more if n is
-/// odd, which is set to zero.
+/// x = A^-1 a, y = A^-1 b: n values each, x and y 16-byte aligned and with room for one more if n
+/// is odd, which is set to zero.
 template <int Half>
 struct BandSystem {
   const BandFactor<Half>* factor;
@@ -43,8 +43,8 @@ struct BandSystem {
 };
 
 /// Solves the axial and the bending system of a body row by row in turns: each solution is one long
-/// chain of dependent operations, and the processor follows both at once. The bending system has twice
-/// the rows. `scratch`: 3E pairs.
+/// chain of dependent operations, and the processor follows both at once. The bending system has
+/// twice the rows. `scratch`: 3E pairs.
 void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending, Pair* scratch);
 
 /// The constant block Mhat = mass_factor Mff + stiffness_factor K of a body, factorised, and what

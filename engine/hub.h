@@ -18,8 +18,8 @@ struct HubEquation {
 };
 HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept;
 
-/// Acceleration of a subsystem's root bracket, less gravity, resolved in its first body's frame, from
-/// which R_HB leads to the hub frame.
+/// Acceleration of a subsystem's root bracket, less gravity, resolved in its first body's frame,
+/// from which R_HB leads to the hub frame.
 Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
                              const Twist& hub_acceleration, const Rotation& R_HB);
 
@@ -27,8 +27,9 @@ Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
 Twist calc_inertial_acceleration(const System& system, const HubState& hub,
                                  const HubSolution& solution);
 
-/// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub frame;
-/// components that are not prescribed are zero. That of the drive stands in the hub's coordinates.
+/// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub
+/// frame; components that are not prescribed are zero. That of the drive stands in the hub's
+/// coordinates.
 Twist calc_prescribed_acceleration(const System& system, const StepData& data);
 
 }  // namespace spoke

@@ -33,7 +33,7 @@ double calc_foreshortening(const BodyData& body) noexcept {
 }
 
 void calc_poses(const Subsystem& subsystem, SubsystemData& data) noexcept {
-  Pose parent;  // in the hub frame
+  Pose parent;                          // in the hub frame
   Position bracket = subsystem.root.p;  // where the parent carries the body, in the parent's frame
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     data.poses[j].p = parent.p + parent.R * bracket;
@@ -49,7 +49,8 @@ Rotation calc_rotation_to_hub(const SubsystemData& data, int body) noexcept {
   return R;
 }
 
-void calc_velocities(const Subsystem& subsystem, const HubState& hub, SubsystemData& data) noexcept {
+void calc_velocities(const Subsystem& subsystem, const HubState& hub,
+                     SubsystemData& data) noexcept {
   // Twist of the bracket that carries the body, resolved in the parent's frame.
   const double hub_speed = hub.twist[kRotation];
   Twist bracket = hub.twist;

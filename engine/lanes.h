@@ -10,8 +10,8 @@ using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
 namespace detail {
 using PairInMemory = double __attribute__((vector_size(2 * sizeof(double)), may_alias));
-using PairAnywhere = double
-    __attribute__((vector_size(2 * sizeof(double)), may_alias, aligned(sizeof(double))));
+using PairAnywhere =
+    double __attribute__((vector_size(2 * sizeof(double)), may_alias, aligned(sizeof(double))));
 }  // namespace detail
 
 inline Pair both(double value) { return Pair{value, value}; }

@@ -18,11 +18,10 @@ struct Elimination {
 
 template <class Matrix>
 int count_negative(const Matrix& symmetric) {
-  return static_cast<int>(
-      (Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly)
-           .eigenvalues()
-           .array() < 0.0)
-          .count());
+  return static_cast<int>((Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly)
+                               .eigenvalues()
+                               .array() < 0.0)
+                              .count());
 }
 
 /// Eliminates a blade's nodes from the tip; `rest` is its dynamic stiffness at the root node.

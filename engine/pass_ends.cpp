@@ -11,13 +11,12 @@ namespace spoke {
 namespace {
 
 double limit_of(const FlexibleBody& body, int coordinate) {
-  const bool is_displacement =
-      coordinate < body.axial() || [&] {
-        // Bending coordinates alternate v, psi; a chord frame's begin with psi_0 and end with psi_E.
-        const int at = coordinate - body.axial();
-        if (body.reference_frame == ReferenceFrame::clamped) return at % 2 == 0;
-        return at % 2 == 1 && at != body.bending() - 1;
-      }();
+  const bool is_displacement = coordinate < body.axial() || [&] {
+    // Bending coordinates alternate v, psi; a chord frame's begin with psi_0 and end with psi_E.
+    const int at = coordinate - body.axial();
+    if (body.reference_frame == ReferenceFrame::clamped) return at % 2 == 0;
+    return at % 2 == 1 && at != body.bending() - 1;
+  }();
   return is_displacement ? body.length : std::numbers::pi;
 }
 
@@ -35,7 +34,8 @@ bool is_small(const BodyData& body) {
 
 /// Whether the pass evaluates a state in which a step may end.
 bool is_end_of_step(const Method& method, const PassControl& control) {
-  return control.stage == 0 || (control.stage > 0 && std::holds_alternative<GeneralizedAlpha>(method));
+  return control.stage == 0 ||
+         (control.stage > 0 && std::holds_alternative<GeneralizedAlpha>(method));
 }
 
 bool is_finite(const Twist& X) { return std::isfinite(X[0] + X[1] + X[2]); }
@@ -125,8 +125,8 @@ Excess find_excess(const BodyData& body) {
     const double value = body.coordinates.q[body.layout.place(k)];
     const double limit = limit_of(model, k);
     if (!std::isfinite(value)) return {k, value, limit};
-    const bool is_worst = worst.coordinate < 0 ||
-                          std::abs(value) / limit > std::abs(worst.value) / worst.limit;
+    const bool is_worst =
+        worst.coordinate < 0 || std::abs(value) / limit > std::abs(worst.value) / worst.limit;
     if (std::abs(value) > limit && is_worst) worst = {k, value, limit};
   }
   return worst;

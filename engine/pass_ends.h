@@ -35,7 +35,8 @@ struct Excess {
   double value = 0.0;
   double limit = 0.0;
 };
-/// Finds the first coordinate of a body that is not finite, or else the one farthest beyond its limit.
+/// Finds the first coordinate of a body that is not finite, or else the one farthest beyond its
+/// limit.
 Excess find_excess(const BodyData& body);
 
 }  // namespace spoke

@@ -36,8 +36,7 @@ Energies calc_energies(const System& system, StepData& data) {
           calc_kinetic_energy(body, inertia, data.subsystems[i].twists[j], hub_speed);
       energies.strain += calc_strain_energy(body);
       const Pose& X_HB = data.subsystems[i].poses[j];
-      const Position moment =
-          body.model->body->mass * X_HB.p + Position(X_HB.R * inertia.S);
+      const Position moment = body.model->body->mass * X_HB.p + Position(X_HB.R * inertia.S);
       energies.gravity += system.gravity.dot(
           Position(body.model->body->mass * hub_position + Position(data.hub.R * moment)));
     }
@@ -46,7 +45,8 @@ Energies calc_energies(const System& system, StepData& data) {
 
 Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data) {
   const Position undeformed = subsystem.root.p + subsystem.root.R * Position{subsystem.length, 0.0};
-  Position tip = data.poses.back().p + data.poses.back().R * calc_outboard_position(data.bodies.back());
+  Position tip =
+      data.poses.back().p + data.poses.back().R * calc_outboard_position(data.bodies.back());
   double rotation = 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData& body = data.bodies[j];
@@ -99,14 +99,12 @@ const std::vector<double>& Sensors::measure(const System& system, const WorkDone
   }
   const CoordinateBlock& hub = data.hub_coordinates;
   if (system.hub.support == HubSupport::free) values_.insert(values_.end(), {hub.q[0], hub.q[1]});
-  const double torque =
-      data.hub_solution.reaction[kRotation] + data.hub_solution.applied_torque;
+  const double torque = data.hub_solution.reaction[kRotation] + data.hub_solution.applied_torque;
   const double done = work.by_drive_and_loads + (energies.gravity - initial_gravity_);
   const double residual =
       energies.kinetic + energies.strain - initial_energy_ + work.dissipated - done;
-  values_.insert(values_.end(),
-                 {hub.q[kRotation], hub.v[kRotation], torque, energies.kinetic, energies.strain,
-                  done, work.dissipated, residual});
+  values_.insert(values_.end(), {hub.q[kRotation], hub.v[kRotation], torque, energies.kinetic,
+                                 energies.strain, done, work.dissipated, residual});
   return values_;
 }
 

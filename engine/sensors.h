@@ -20,7 +20,8 @@ struct Energies {
 Energies calc_energies(const System& system, StepData& data);
 
 /// Displacement of a subsystem's tip node from its undeformed place, and its rotation, hub frame
-/// [m, m, rad]; poses must be those of the state. Bodies with geometric stiffening are foreshortened.
+/// [m, m, rad]; poses must be those of the state. Bodies with geometric stiffening are
+/// foreshortened.
 Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data);
 
 /// Names, units and values of the sensors of a system.

@@ -48,7 +48,8 @@ void demand_memory(const System& system, Formulation formulation) {
   const bool is_dense = formulation != Formulation::structured;
   throw InputError("the model in the formulation " + std::string(name_of(formulation)) + " needs " +
                    gigabytes(needed) + " of memory, this machine has " + gigabytes(available) +
-                   ": use fewer blades, bodies or elements" + (is_dense ? ", or the formulation structured" : ""));
+                   ": use fewer blades, bodies or elements" +
+                   (is_dense ? ", or the formulation structured" : ""));
 }
 
 std::uint64_t hash(std::uint64_t value, const double* first, int count) {
@@ -130,8 +131,8 @@ graph::StepGraph Simulation::Impl::prepare() {
 }
 
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
-  throw DivergenceError(describe_failure(
-      scenario, context, {outcome, static_cast<double>(step) * step_size, step}));
+  throw DivergenceError(
+      describe_failure(scenario, context, {outcome, static_cast<double>(step) * step_size, step}));
 }
 
 Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options)
@@ -153,8 +154,7 @@ ModelSize Simulation::size() const {
   size.joints = size.bodies;
   size.graph_nodes = impl_->graph.node_count();
   size.graph_edges = impl_->graph.edge_count();
-  size.memory_bytes =
-      static_cast<std::size_t>(estimate_memory(system, impl_->context.formulation));
+  size.memory_bytes = static_cast<std::size_t>(estimate_memory(system, impl_->context.formulation));
   return size;
 }
 
@@ -165,9 +165,7 @@ LinearProperties Simulation::linear_properties() const {
 
 std::string_view Simulation::executor_name() const { return name_of(impl_->options.executor); }
 int Simulation::threads() const { return impl_->executor->threads(); }
-double Simulation::time() const {
-  return static_cast<double>(impl_->steps) * impl_->step_size;
-}
+double Simulation::time() const { return static_cast<double>(impl_->steps) * impl_->step_size; }
 double Simulation::step_size() const { return impl_->step_size; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
 std::int64_t Simulation::planned_steps() const { return impl_->planned_steps; }
@@ -190,8 +188,8 @@ const std::vector<std::string>& Simulation::sensor_units() const { return impl_-
 
 std::span<const double> Simulation::sensor_values() const {
   if (impl_->measured_step != impl_->steps) {
-    impl_->sensor_values = impl_->sensors.measure(impl_->context.system, impl_->stepper->work(),
-                                                  impl_->context.data);
+    impl_->sensor_values =
+        impl_->sensors.measure(impl_->context.system, impl_->stepper->work(), impl_->context.data);
     impl_->measured_step = impl_->steps;
   }
   return impl_->sensor_values;

@@ -38,9 +38,9 @@ struct ModelSize {
 
 /// What a model does at rest, linearised.
 struct LinearProperties {
-  double lowest_frequency = 0.0;     ///< natural, of the vibrations [rad/s]
-  double highest_frequency = 0.0;    ///< [rad/s]
-  double rk4_largest_step = 0.0;     ///< 2 sqrt(2) / highest_frequency [s]
+  double lowest_frequency = 0.0;   ///< natural, of the vibrations [rad/s]
+  double highest_frequency = 0.0;  ///< [rad/s]
+  double rk4_largest_step = 0.0;   ///< 2 sqrt(2) / highest_frequency [s]
 };
 
 /// A view of one body's deformation coordinates: 3 E values, the E axial ones (u) first, then the
@@ -75,9 +75,9 @@ class Simulation {
   std::string_view executor_name() const;
   int threads() const;  ///< in use by the executor
 
-  double time() const;            ///< [s]
-  double step_size() const;       ///< in use [s]
-  std::int64_t steps() const;     ///< done so far
+  double time() const;         ///< [s]
+  double step_size() const;    ///< in use [s]
+  std::int64_t steps() const;  ///< done so far
   std::int64_t planned_steps() const;
   std::int64_t evaluations() const;  ///< of the accelerations, so far
   bool done() const { return steps() >= planned_steps(); }

@@ -19,8 +19,8 @@ struct StepContext {
   FormulationWork work;
 };
 
-/// Allocates table and work for context.system, formulation and method, undeformed; the hub turns at
-/// its initial speed.
+/// Allocates table and work for context.system, formulation and method, undeformed; the hub turns
+/// at its initial speed.
 void allocate(StepContext& context);
 
 }  // namespace spoke

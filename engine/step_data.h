@@ -38,9 +38,9 @@ struct FlexLayout {
 /// All arrays have `size` values (for a body: in its FlexLayout).
 struct CoordinateBlock {
   int size = 0;
-  double* q = nullptr;  ///< coordinates
-  double* v = nullptr;  ///< velocities
-  double* a = nullptr;  ///< accelerations
+  double* q = nullptr;               ///< coordinates
+  double* v = nullptr;               ///< velocities
+  double* a = nullptr;               ///< accelerations
   std::array<double*, 4> history{};  ///< the integrator's own, see engine/integrator
 
   /// The block of coordinate `c` alone.
@@ -65,13 +65,13 @@ struct PassControl {
 /// Terms of a body's equations of motion that its state determines (docs/formulation.md, section
 /// 2), all in the body frame. The flex vectors c_theta and Q_f belong to them.
 struct BodyTerms {
-  Position S;                    ///< first moment S0 + S qf [kg m]
-  double rotary_inertia;         ///< M_ww [kg m^2]
-  Twist Q;                       ///< right-hand side of translation and rotation [N, N m]
-  double centrifugal_inertia;    ///< qf^T KG qf [kg m^2]
-  double centrifugal_rate;       ///< qf^T KG qf' [kg m^2/s]
-  double load_power;             ///< of applied loads [W]
-  double dissipation;            ///< qf'^T D qf' [W]
+  Position S;                  ///< first moment S0 + S qf [kg m]
+  double rotary_inertia;       ///< M_ww [kg m^2]
+  Twist Q;                     ///< right-hand side of translation and rotation [N, N m]
+  double centrifugal_inertia;  ///< qf^T KG qf [kg m^2]
+  double centrifugal_rate;     ///< qf^T KG qf' [kg m^2/s]
+  double load_power;           ///< of applied loads [W]
+  double dissipation;          ///< qf'^T D qf' [W]
 };
 
 /// X_o of a straight beam, [xx 0 xr; 0 yy yr; 0 ry rr]: axial and bending response decouple.
@@ -84,8 +84,9 @@ struct HandleMap {
 /// What a body shows its neighbours: forces on the two handles to their accelerations,
 /// a_i = P_ii F + P_io f + free_i, a_o = P_io^T F + P_oo f + free_o (all in the body frame).
 struct TwoPort {
-  SymmetricTwistMatrix S_inverse;  ///< inverse of the condensed rigid-body mass M_RR - C Mhat^-1 C^T
-  Twist p;                         ///< condensed rigid-body force [N, N m]
+  SymmetricTwistMatrix
+      S_inverse;  ///< inverse of the condensed rigid-body mass M_RR - C Mhat^-1 C^T
+  Twist p;        ///< condensed rigid-body force [N, N m]
   // Handle accelerations per frame acceleration, deformation following: X_e = J_e - E_e W.
   HandleMap X_o;
   Twist x_i;  ///< last row of X_i; the others are the identity's, for the frame stands there
@@ -125,16 +126,16 @@ struct HubState {
 
 /// Result of (P 9).
 struct HubSolution {
-  Twist acceleration;    ///< hub frame, less gravity: a - g (see solve_hub)
-  Twist reaction;        ///< wrench of the support and drive on the hub, hub frame [N, N m]
-  double applied_torque; ///< of a torque drive [N m]
-  double change;         ///< of a free coordinate in this iteration [m, rad]
+  Twist acceleration;     ///< hub frame, less gravity: a - g (see solve_hub)
+  Twist reaction;         ///< wrench of the support and drive on the hub, hub frame [N, N m]
+  double applied_torque;  ///< of a torque drive [N m]
+  double change;          ///< of a free coordinate in this iteration [m, rad]
 };
 
 /// What a body's recovery reports to the end of the pass.
 struct BodyReport {
-  double change;   ///< largest change of a coordinate in this iteration [m, rad]
-  double failed;   ///< 1 if a coordinate is not finite or beyond its limit
+  double change;  ///< largest change of a coordinate in this iteration [m, rad]
+  double failed;  ///< 1 if a coordinate is not finite or beyond its limit
 };
 
 /// The pass as a whole, summed in fixed order.
@@ -175,8 +176,8 @@ struct SubsystemData {
   std::vector<Twist> twists;  ///< of the body frames, in the body frames
   EffectiveInertia effective;
   std::vector<HandleWrenches> wrenches;
-  std::vector<Pose> poses;    ///< in the hub frame; for sensors, no part of a step
-  Eigen::VectorXd storage;    ///< of all flex vectors
+  std::vector<Pose> poses;  ///< in the hub frame; for sensors, no part of a step
+  Eigen::VectorXd storage;  ///< of all flex vectors
 };
 
 struct StepData {

@@ -48,8 +48,8 @@ void add_coordinates(StepContext& c, const SubsystemParts& blade, int i,
                    });
 }
 
-/// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle only,
-/// which a clamped frame has none of.
+/// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle
+/// only, which a clamped frame has none of.
 PartList chain_coordinates(const StepContext& c, const SubsystemParts& blade, int i) {
   PartList list = blade.all(&BodyParts::coordinates);
   const FlexibleBody& tip = *c.system.subsystems[i].bodies.back().body;
@@ -58,20 +58,18 @@ PartList chain_coordinates(const StepContext& c, const SubsystemParts& blade, in
 }
 
 void add_position(StepContext& c, const SubsystemParts& blade, int i, StepGraphBuilder& builder) {
-  builder.add_node({"position", i}, reads(chain_coordinates(c, blade, i)), writes(blade.rotations),
-                   [&c, i]() noexcept {
-                     calc_rotations(c.system.subsystems[i], c.data.subsystems[i]);
-                   });
+  builder.add_node(
+      {"position", i}, reads(chain_coordinates(c, blade, i)), writes(blade.rotations),
+      [&c, i]() noexcept { calc_rotations(c.system.subsystems[i], c.data.subsystems[i]); });
 }
 
 void add_velocity(StepContext& c, const StepParts& parts, const SubsystemParts& blade, int i,
                   StepGraphBuilder& builder) {
-  builder.add_node(
-      {"velocity", i},
-      reads(chain_coordinates(c, blade, i), blade.rotations, parts.hub_state), writes(blade.twists),
-      [&c, i]() noexcept {
-        calc_velocities(c.system.subsystems[i], c.data.hub, c.data.subsystems[i]);
-      });
+  builder.add_node({"velocity", i},
+                   reads(chain_coordinates(c, blade, i), blade.rotations, parts.hub_state),
+                   writes(blade.twists), [&c, i]() noexcept {
+                     calc_velocities(c.system.subsystems[i], c.data.hub, c.data.subsystems[i]);
+                   });
 }
 
 /// What a body's terms read: only what its options make them depend on.
@@ -96,15 +94,13 @@ void add_mass(StepContext& c, const StepParts& parts, int i, int j, StepGraphBui
   SubsystemData& blade = c.data.subsystems[i];
   const Twist& twist = blade.twists[j];
   BodyData& body = blade.bodies[j];
-  builder.add_node({"mass", i, j}, reads(terms_inputs(c, parts, i, j)),
-                   writes(parts.subsystems[i].bodies[j].terms),
-                   [&c, &blade, j, &twist, &body]() noexcept {
-                     calc_body_terms({twist[kRotation], c.data.hub.twist[kRotation]},
-                                     c.system.damping, body);
-                     if (!body.model->loads.empty())
-                       add_loads(c.data.control.time, calc_rotation_to_hub(blade, j), twist,
-                                 c.data.hub.R, body);
-                   });
+  builder.add_node(
+      {"mass", i, j}, reads(terms_inputs(c, parts, i, j)),
+      writes(parts.subsystems[i].bodies[j].terms), [&c, &blade, j, &twist, &body]() noexcept {
+        calc_body_terms({twist[kRotation], c.data.hub.twist[kRotation]}, c.system.damping, body);
+        if (!body.model->loads.empty())
+          add_loads(c.data.control.time, calc_rotation_to_hub(blade, j), twist, c.data.hub.R, body);
+      });
 }
 
 void add_inverse(StepContext& c, const SubsystemParts& blade, int i, int j,
@@ -160,19 +156,19 @@ void add_hub_solve(StepContext& c, const StepParts& parts, StepGraphBuilder& bui
 }
 
 void add_augmented_solve(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {
-  PartList outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
+  PartList
+      outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
   for (const SubsystemParts& blade : parts.subsystems)
     for (std::size_t j = 0; j + 1 < blade.bodies.size(); ++j)
       outboard_joints.push_back(blade.bodies[j].coordinates);
-  builder.add_node({"solve"},
-                   reads(parts.all(&BodyParts::terms), outboard_joints,
-                         parts.all(&SubsystemParts::rotations), parts.all(&SubsystemParts::twists),
-                         hub_inputs(c, parts)),
-                   writes(parts.augmented_solution, parts.hub_solution, parts.hub_coordinates),
-                   [&c]() noexcept {
-                     augmented::solve(c.system, c.data, c.work.augmented);
-                     complete_hub(c.system, c.method, c.data);
-                   });
+  builder.add_node(
+      {"solve"},
+      reads(parts.all(&BodyParts::terms), outboard_joints, parts.all(&SubsystemParts::rotations),
+            parts.all(&SubsystemParts::twists), hub_inputs(c, parts)),
+      writes(parts.augmented_solution, parts.hub_solution, parts.hub_coordinates), [&c]() noexcept {
+        augmented::solve(c.system, c.data, c.work.augmented);
+        complete_hub(c.system, c.method, c.data);
+      });
 }
 
 void add_multipliers(StepContext& c, const StepParts& parts, int i, StepGraphBuilder& builder) {
@@ -182,8 +178,8 @@ void add_multipliers(StepContext& c, const StepParts& parts, int i, StepGraphBui
       PartList ports = blade.all(&BodyParts::inverse);
       ports.pop_back();  // the tip's two-port is in the effective inertia already
       builder.add_node({"multipliers", i},
-                       reads(blade.effective, blade.joints(), ports, blade.rotations, parts.hub_state,
-                             parts.hub_solution),
+                       reads(blade.effective, blade.joints(), ports, blade.rotations,
+                             parts.hub_state, parts.hub_solution),
                        writes(blade.wrenches), [&c, i]() noexcept {
                          structured::recover_wrenches(c.system.subsystems[i], c.data.hub,
                                                       c.data.hub_solution, c.work.structured[i],
@@ -192,7 +188,8 @@ void add_multipliers(StepContext& c, const StepParts& parts, int i, StepGraphBui
       break;
     }
     case Formulation::subsystem:
-      builder.add_node({"multipliers", i}, reads(blade.effective, blade.rotations, parts.hub_solution),
+      builder.add_node({"multipliers", i},
+                       reads(blade.effective, blade.rotations, parts.hub_solution),
                        writes(blade.wrenches), [&c, i]() noexcept {
                          subsystem::recover_wrenches(c.system.subsystems[i], c.data.hub_solution,
                                                      c.work.subsystem[i], c.data.subsystems[i]);
@@ -242,8 +239,7 @@ void add_recovery(StepContext& c, const StepParts& parts, int i, int j, Recover 
                    });
 }
 
-void add_recovery(StepContext& c, const StepParts& parts, int i, int j,
-                  StepGraphBuilder& builder) {
+void add_recovery(StepContext& c, const StepParts& parts, int i, int j, StepGraphBuilder& builder) {
   const HandleWrenches& wrenches = c.data.subsystems[i].wrenches[j];
   switch (c.formulation) {
     case Formulation::structured:
@@ -275,8 +271,7 @@ void add_finish(StepContext& c, const StepParts& parts, StepGraphBuilder& builde
   builder.add_node({"finish"},
                    reads(parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
                          parts.hub_solution, parts.hub_state),
-                   writes(parts.report),
-                   [&c]() noexcept { c.data.report = sum_reports(c.data); });
+                   writes(parts.report), [&c]() noexcept { c.data.report = sum_reports(c.data); });
 }
 
 }  // namespace

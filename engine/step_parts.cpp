@@ -33,8 +33,8 @@ void add_inverse_parts(StepContext& context, int i, int j, const std::string& na
   } else if (context.formulation == Formulation::subsystem) {
     subsystem::BodyWork& work = context.work.subsystem[i].bodies[j];
     parts.inverse = builder.add_part(
-        name + "inverse", {memory_of(work.inverse_columns), memory_of(work.products),
-                           doubles(work.bias_out)});
+        name + "inverse",
+        {memory_of(work.inverse_columns), memory_of(work.products), doubles(work.bias_out)});
   }
 }
 
@@ -114,8 +114,8 @@ StepParts add_parts(StepContext& context, StepGraphBuilder& builder) {
   for (double* h : hub.history)
     if (h) history.emplace_back(h, kTwist);
   StepParts parts;
-  parts.hub_coordinates = builder.add_part(
-      "hub coordinates", {{hub.q, kTwist}, {hub.v, kTwist}, {hub.a, kTwist}});
+  parts.hub_coordinates =
+      builder.add_part("hub coordinates", {{hub.q, kTwist}, {hub.v, kTwist}, {hub.a, kTwist}});
   parts.hub_history = builder.add_part("hub history", history);
   parts.hub_state = builder.add_part("hub state", {doubles(data.hub)});
   parts.hub_solution = builder.add_part("hub solution", {doubles(data.hub_solution)});

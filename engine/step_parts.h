@@ -7,8 +7,8 @@
 
 namespace spoke {
 
-/// Handles of the table's parts (see step_data.h), by which the step graph's nodes declare what they
-/// read and write.
+/// Handles of the table's parts (see step_data.h), by which the step graph's nodes declare what
+/// they read and write.
 struct BodyParts {
   graph::PartId coordinates;    ///< q, v
   graph::PartId history;        ///< the integrator's vectors

@@ -28,18 +28,18 @@ void add_axial(const FlexibleBody& body, int element, const Eigen::Matrix2d& mat
 
 Eigen::Matrix4d bending_mass(double l) {
   Eigen::Matrix4d m;
-  m << 156.0, 22.0 * l, 54.0, -13.0 * l,                  //
-      22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l,      //
-      54.0, 13.0 * l, 156.0, -22.0 * l,                   //
+  m << 156.0, 22.0 * l, 54.0, -13.0 * l,              //
+      22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l,  //
+      54.0, 13.0 * l, 156.0, -22.0 * l,               //
       -13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l;
   return m * (l / 420.0);
 }
 
 Eigen::Matrix4d bending_stiffness(double l) {
   Eigen::Matrix4d k;
-  k << 12.0, 6.0 * l, -12.0, 6.0 * l,                //
-      6.0 * l, 4.0 * l * l, -6.0 * l, 2.0 * l * l,   //
-      -12.0, -6.0 * l, 12.0, -6.0 * l,               //
+  k << 12.0, 6.0 * l, -12.0, 6.0 * l,               //
+      6.0 * l, 4.0 * l * l, -6.0 * l, 2.0 * l * l,  //
+      -12.0, -6.0 * l, 12.0, -6.0 * l,              //
       6.0 * l, 2.0 * l * l, -6.0 * l, 4.0 * l * l;
   return k / (l * l * l);
 }
@@ -66,8 +66,8 @@ Vector4 bending_slope(double xi, double l) {
 
 void add_coupling(const FlexibleBody& body, int element, double rhoA, double l,
                   AxialBendingCoupling& H) {
-  const Vector4 outer = rhoA * bending_moment(l);                // times N_u2 = xi
-  const Vector4 inner = rhoA * bending_area(l) - outer;          // times N_u1 = 1 - xi
+  const Vector4 outer = rhoA * bending_moment(l);        // times N_u2 = xi
+  const Vector4 inner = rhoA * bending_area(l) - outer;  // times N_u1 = 1 - xi
   for (int side = 0; side < 2; ++side) {
     const int row = body.coordinate(element + side, 0);
     if (row < 0) continue;
@@ -189,9 +189,10 @@ SymmetricBand<3> integrate_slopes(const BeamProperties& beam, Tension&& tension)
   const double b = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
   const double weight_a = (18.0 + std::sqrt(30.0)) / 72.0;
   const double weight_b = (18.0 - std::sqrt(30.0)) / 72.0;
-  const std::array<std::array<double, 2>, 4> gauss{
-      {{(1 - b) / 2, weight_b}, {(1 - a) / 2, weight_a}, {(1 + a) / 2, weight_a},
-       {(1 + b) / 2, weight_b}}};
+  const std::array<std::array<double, 2>, 4> gauss{{{(1 - b) / 2, weight_b},
+                                                    {(1 - a) / 2, weight_a},
+                                                    {(1 + a) / 2, weight_a},
+                                                    {(1 + b) / 2, weight_b}}};
   const double l = beam.length / beam.elements;
   SymmetricBand<3> sum(body.bending());
   for (int e = 0; e < beam.elements; ++e) {

@@ -29,9 +29,11 @@ struct AxialBendingCoupling {
   static constexpr int kWidth = 6;
   static constexpr int kHeight = 4;
 
-  int offset = 0;            ///< row i begins at bending coordinate 2 i + offset
-  Eigen::VectorXd rows;      ///< kWidth each, row by row, as many as axial vectors have values [kg, kg m]
-  /// By pair k: for axial coordinates k - 2 to k + 1 the two entries, side by side: E x kHeight x 2.
+  int offset = 0;  ///< row i begins at bending coordinate 2 i + offset
+  Eigen::VectorXd
+      rows;  ///< kWidth each, row by row, as many as axial vectors have values [kg, kg m]
+  /// By pair k: for axial coordinates k - 2 to k + 1 the two entries, side by side: E x kHeight
+  /// x 2.
   Eigen::VectorXd pairs;
 
   double& at(int i, int column) { return rows[i * kWidth + column - (2 * i + offset)]; }
@@ -46,14 +48,14 @@ struct FlexibleBody {
   int elements = 0;
   double length = 0.0;  ///< [m]
 
-  double mass = 0.0;              ///< m [kg]
+  double mass = 0.0;               ///< m [kg]
   Position S0 = Position::Zero();  ///< int rhoA s0 dx, the undeformed first moment [kg m]
   // Axial vectors have E values and, if E is odd, a zero more: they are taken two at a time.
-  Eigen::VectorXd S_axial;        ///< row x of S = int rhoA N dx [kg]
-  Eigen::VectorXd S_bending;      ///< row y of S: 2E values [kg, kg m]
-  double I0 = 0.0;                ///< int rhoA s0 . s0 dx [kg m^2]
-  Eigen::VectorXd d_axial;        ///< d0 = int rhoA N^T s0 dx, axial part [kg m]
-  Eigen::VectorXd c_bending;      ///< c0 = int rhoA N^T B s0 dx, bending part [kg m, kg m^2]
+  Eigen::VectorXd S_axial;    ///< row x of S = int rhoA N dx [kg]
+  Eigen::VectorXd S_bending;  ///< row y of S: 2E values [kg, kg m]
+  double I0 = 0.0;            ///< int rhoA s0 . s0 dx [kg m^2]
+  Eigen::VectorXd d_axial;    ///< d0 = int rhoA N^T s0 dx, axial part [kg m]
+  Eigen::VectorXd c_bending;  ///< c0 = int rhoA N^T B s0 dx, bending part [kg m, kg m^2]
 
   SymmetricBand<1> M_axial;    ///< axial block of Mff [kg]
   SymmetricBand<3> M_bending;  ///< bending block of Mff [kg, kg m, kg m^2]

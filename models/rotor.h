@@ -60,8 +60,9 @@ enum class LoadFrame {
 
 /// A point force and moment on a node of a blade, scaled by a function of time.
 struct PointLoad {
-  int blade = -1;         ///< index from 0; -1: every blade
-  double position = 0.0;  ///< distance of the node from the blade root [m]; the nearest node is taken
+  int blade = -1;  ///< index from 0; -1: every blade
+  double position =
+      0.0;  ///< distance of the node from the blade root [m]; the nearest node is taken
   LoadFrame frame = LoadFrame::hub;
   Position force = Position::Zero();  ///< [N]
   double moment = 0.0;                ///< about z [N m]

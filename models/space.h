@@ -83,7 +83,8 @@ inline SymmetricTwistMatrix turn(const Rotation& R, const SymmetricTwistMatrix& 
           s * a.rx + c * a.ry,           a.rr};
 }
 
-/// T^T A T with T = [I, B p; 0, 1]: a mass at a bracket, as felt at the point from which p leads there.
+/// T^T A T with T = [I, B p; 0, 1]: a mass at a bracket, as felt at the point from which p leads
+/// there.
 inline SymmetricTwistMatrix shift(const Position& p, const SymmetricTwistMatrix& a) {
   const double x = p.x(), y = p.y();
   const double rx = a.rx - y * a.xx + x * a.yx;
@@ -125,12 +126,9 @@ inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const Twist
   const double b20 = a20 * b.xx + a21 * b.yx + a22 * b.rx;
   const double b21 = a20 * b.yx + a21 * b.yy + a22 * b.ry;
   const double b22 = a20 * b.rx + a21 * b.ry + a22 * b.rr;
-  return {c.xx - (b00 * a00 + b01 * a01 + b02 * a02),
-          c.yx - (b10 * a00 + b11 * a01 + b12 * a02),
-          c.yy - (b10 * a10 + b11 * a11 + b12 * a12),
-          c.rx - (b20 * a00 + b21 * a01 + b22 * a02),
-          c.ry - (b20 * a10 + b21 * a11 + b22 * a12),
-          c.rr - (b20 * a20 + b21 * a21 + b22 * a22)};
+  return {c.xx - (b00 * a00 + b01 * a01 + b02 * a02), c.yx - (b10 * a00 + b11 * a01 + b12 * a02),
+          c.yy - (b10 * a10 + b11 * a11 + b12 * a12), c.rx - (b20 * a00 + b21 * a01 + b22 * a02),
+          c.ry - (b20 * a10 + b21 * a11 + b22 * a12), c.rr - (b20 * a20 + b21 * a21 + b22 * a22)};
 }
 
 /// Position and orientation of frame B in frame A.

@@ -14,8 +14,8 @@ namespace spoke {
 
 /// A point load as it sits on one body.
 struct NodeLoad {
-  int node = 0;  ///< 0..E
-  Position p = Position::Zero();  ///< undeformed place in the body frame [m]
+  int node = 0;                                    ///< 0..E
+  Position p = Position::Zero();                   ///< undeformed place in the body frame [m]
   std::array<int, kTwist> coordinate{-1, -1, -1};  ///< as in Handle
   LoadFrame frame = LoadFrame::hub;
   Position force = Position::Zero();  ///< [N]
@@ -35,7 +35,7 @@ struct ChainBody {
 
 /// A chain of bodies, root to tip.
 struct Subsystem {
-  Pose root;  ///< pose of the root bracket in the hub frame
+  Pose root;            ///< pose of the root bracket in the hub frame
   double length = 0.0;  ///< undeformed, root to tip [m]
   std::vector<ChainBody> bodies;
 };

@@ -35,8 +35,8 @@ void add_joint(const SubsystemData& subsystem, int i, int j, Work& work) {
 }
 
 /// The hub's part of the root joint's rows.
-void add_root_joint(const Subsystem& subsystem, const HubState& hub, const Rotation& R_HB,
-                    int row, Work& work) {
+void add_root_joint(const Subsystem& subsystem, const HubState& hub, const Rotation& R_HB, int row,
+                    Work& work) {
   for (int c = 0; c < d; ++c) {
     const HubState at_rest{hub.R, Twist::Zero()};
     work.matrix.block<d, 1>(row, c) =

@@ -1,7 +1,7 @@
 #pragma once
 
-// The paper's conventional method, (P 4) to (P 6): one dense symmetric system of the hub, all bodies
-// and all multipliers, assembled and factorised whole:
+// The paper's conventional method, (P 4) to (P 6): one dense symmetric system of the hub, all
+// bodies and all multipliers, assembled and factorised whole:
 //   [M0         PhiY^T  H^T] [Y''   ]   [Q0   ]
 //   [     M     Phi^T      ] [q''   ] = [Q    ]     H: the hub's prescribed components
 //   [PhiY Phi              ] [lambda]   [gamma]
@@ -17,8 +17,8 @@ namespace spoke::augmented {
 
 struct Work {
   std::vector<std::vector<subsystem::DenseBlocks>> elastic;  ///< by subsystem and body
-  std::vector<std::vector<int>> first;         ///< first row of each body's coordinates
-  std::vector<std::vector<int>> first_joint;   ///< first row of each joint's multipliers
+  std::vector<std::vector<int>> first;        ///< first row of each body's coordinates
+  std::vector<std::vector<int>> first_joint;  ///< first row of each joint's multipliers
   int first_hub_multiplier = 0;
   Eigen::MatrixXd matrix;
   Eigen::PartialPivLU<Eigen::MatrixXd> factor;

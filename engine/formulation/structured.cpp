@@ -97,8 +97,8 @@ void turn_inboard(const ElasticBlock& block, double bias, const Twist& X_free, T
   port.P_ii.ry = S_x[1];
   port.P_ii.rr = x.dot(S_x) + block.Z_ii;
   for (int c = 0; c < kTwist; ++c)
-    port.P_io(kRotation, c) = x[0] * port.P_io(0, c) + x[1] * port.P_io(1, c) +
-                              x[2] * port.P_io(2, c) + block.Z_io[c];
+    port.P_io(kRotation, c) =
+        x[0] * port.P_io(0, c) + x[1] * port.P_io(1, c) + x[2] * port.P_io(2, c) + block.Z_io[c];
   port.free_i[kRotation] = x.dot(X_free) + bias;
 }
 
@@ -120,7 +120,8 @@ void allocate(const SubsystemData& data, SubsystemWork& work) {
     const FlexLayout& layout = data.bodies[j].layout;
     work.bodies[j].W_theta = std::exchange(next, next + layout.size());
     work.bodies[j].z = std::exchange(next, next + layout.size());
-    work.bodies[j].scratch = std::exchange(next_scratch, next_scratch + layout.axial + layout.bending);
+    work.bodies[j].scratch =
+        std::exchange(next_scratch, next_scratch + layout.axial + layout.bending);
   }
 }
 
@@ -133,18 +134,16 @@ void condense_body(const BodyData& data, double speed, const PassControl& contro
   solve_together({&block.axial, data.c_theta + u, data.Q_f + u, work.W_theta + u, work.z + u},
                  {&block.bending, data.c_theta + v, data.Q_f + v, work.W_theta + v, work.z + v},
                  work.scratch);
-  const PartProducts axial = sum_part(body.S_axial.data(), data.c_theta + u, work.W_theta + u,
-                                      work.z + u, body.axial());
+  const PartProducts axial =
+      sum_part(body.S_axial.data(), data.c_theta + u, work.W_theta + u, work.z + u, body.axial());
   const PartProducts bending = sum_part(body.S_bending.data(), data.c_theta + v, work.W_theta + v,
                                         work.z + v, body.bending());
 
   const BodyTerms& terms = data.terms;
-  const SymmetricTwistMatrix S_R{body.mass - block.S_Wx,
-                                 0.0,
-                                 body.mass - block.S_Wy,
-                                 -terms.S.y() - axial.S_W,
-                                 terms.S.x() - bending.S_W,
-                                 terms.rotary_inertia - axial.c_W - bending.c_W};
+  const SymmetricTwistMatrix S_R{
+      body.mass - block.S_Wx,    0.0,
+      body.mass - block.S_Wy,    -terms.S.y() - axial.S_W,
+      terms.S.x() - bending.S_W, terms.rotary_inertia - axial.c_W - bending.c_W};
   const SymmetricTwistMatrix S_inverse = invert(S_R);
   const Twist p = terms.Q - Twist(axial.S_z, bending.S_z, axial.c_z + bending.c_z);
   const Twist X_free = S_inverse * p;
@@ -162,8 +161,9 @@ void condense_body(const BodyData& data, double speed, const PassControl& contro
 void condense_subsystem(const Subsystem& subsystem, const HubState& hub, SubsystemData& data,
                         SubsystemWork& work) noexcept {
   const std::size_t count = work.bodies.size();
-  SymmetricTwistMatrix Lambda = work.bodies[count - 1].port.P_ii;  // compliance of what hangs at a joint
-  Twist free = work.bodies[count - 1].port.free_i;        // its acceleration without wrench
+  SymmetricTwistMatrix Lambda =
+      work.bodies[count - 1].port.P_ii;             // compliance of what hangs at a joint
+  Twist free = work.bodies[count - 1].port.free_i;  // its acceleration without wrench
   for (std::size_t j = count - 1; j-- > 0;) {
     const TwoPort& port = work.bodies[j].port;
     JointElimination& joint = work.bodies[j].joint;
@@ -180,7 +180,8 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
   EffectiveInertia& effective = data.effective;
   effective.root_mass = invert(Lambda);
   effective.root_free = free;
-  // The bracket's acceleration is T Y'' - w^2 p in the hub frame; R leads there from the first body's.
+  // The bracket's acceleration is T Y'' - w^2 p in the hub frame; R leads there from the first
+  // body's.
   const Rotation& R = data.rotations[0];
   const Position& p = subsystem.root.p;
   const SymmetricTwistMatrix mass = turn(R, effective.root_mass);

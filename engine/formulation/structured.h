@@ -8,9 +8,9 @@
 // condense() eliminates qf'':
 //   qf'' = z - W X + Z_i F + Z_o f,   W = Mhat^-1 C^T,  z = Mhat^-1 Q_f,  Z_e = Mhat^-1 E_e^T
 //   S_R X = p + X_i^T F + X_o^T f,    S_R = M_RR - C W,  p = Q - C z,  X_e = J_e - E_e W
-// and so to the two-port of handle accelerations. Per subsystem the chain of two-ports is eliminated
-// from the tip to the root (the block-tridiagonal Phi M^-1 Phi^T of (P 8)); what remains at the root
-// is (P 10).
+// and so to the two-port of handle accelerations. Per subsystem the chain of two-ports is
+// eliminated from the tip to the root (the block-tridiagonal Phi M^-1 Phi^T of (P 8)); what remains
+// at the root is (P 10).
 
 #include "engine/step_data.h"
 
@@ -19,10 +19,10 @@ namespace spoke::structured {
 /// What the structured path keeps per body besides BodyData.
 struct BodyWork {
   TwoPort port;
-  JointElimination joint;          ///< of the outboard joint; unused at the tip
-  double* W_theta = nullptr;       ///< response to an angular acceleration (flex vector)
-  double* z = nullptr;             ///< response to Q_f (flex vector)
-  Pair* scratch = nullptr;         ///< of the solves
+  JointElimination joint;     ///< of the outboard joint; unused at the tip
+  double* W_theta = nullptr;  ///< response to an angular acceleration (flex vector)
+  double* z = nullptr;        ///< response to Q_f (flex vector)
+  Pair* scratch = nullptr;    ///< of the solves
 };
 
 /// Per subsystem.

@@ -28,11 +28,9 @@ void assemble(const Subsystem& subsystem, const HubState& hub, const SubsystemDa
     if (k == 0) continue;
     const TwistMatrix R = data.rotations[k].matrix();
     const BodyWork& parent = work.bodies[k - 1];
-    work.D.block<d, d>(d * k, d * k) +=
-        R.transpose() * parent.products.block<d, d>(d, d) * R;
+    work.D.block<d, d>(d * k, d * k) += R.transpose() * parent.products.block<d, d>(d, d) * R;
     work.D.block<d, d>(d * k, d * (k - 1)) = -R.transpose() * parent.products.block<d, d>(d, 0);
-    work.D.block<d, d>(d * (k - 1), d * k) =
-        work.D.block<d, d>(d * k, d * (k - 1)).transpose();
+    work.D.block<d, d>(d * (k - 1), d * k) = work.D.block<d, d>(d * k, d * (k - 1)).transpose();
     right.segment<d>(d * k) +=
         R.transpose() * (parent.products.col(2 * d).tail<d>() + parent.bias_out);
   }
@@ -116,8 +114,7 @@ void recover_wrenches(const Subsystem& subsystem, const HubSolution& solution, S
 void recover_body(const HandleWrenches& wrenches, const BodyWork& work, BodyData& data,
                   double* a) noexcept {
   const auto& columns = work.inverse_columns;
-  data.X = columns.topRows<d>().col(2 * d) +
-           columns.topLeftCorner<d, d>() * wrenches.inboard +
+  data.X = columns.topRows<d>().col(2 * d) + columns.topLeftCorner<d, d>() * wrenches.inboard +
            columns.topRows<d>().middleCols<d>(d) * wrenches.outboard;
   const auto part = [&](Eigen::Index first, Eigen::Index size, double* into) {
     Eigen::Map<Eigen::VectorXd>(into, size).noalias() =

@@ -1,8 +1,8 @@
 #pragma once
 
-// The paper's subsystem synthesis method, (P 7) to (P 11), with dense blocks: each body's mass matrix
-// is assembled and factorised whole, Phi M^-1 Phi^T of each subsystem is formed and factorised whole.
-// The rows of Phi belong to the joints, resolved in the child's frame:
+// The paper's subsystem synthesis method, (P 7) to (P 11), with dense blocks: each body's mass
+// matrix is assembled and factorised whole, Phi M^-1 Phi^T of each subsystem is formed and
+// factorised whole. The rows of Phi belong to the joints, resolved in the child's frame:
 //   [R^T J_out(parent), -J_in(child)] q'' = gamma,  with the hub's [R^T T] in front at the root.
 
 #include <Eigen/Cholesky>
@@ -20,20 +20,20 @@ using DenseBlocks = std::array<std::shared_ptr<const Eigen::MatrixXd>, 2>;
 /// Per body: M^-1 applied to what the joints need, and the products of (P 8) and (P 10).
 struct BodyWork {
   DenseBlocks elastic;
-  Eigen::MatrixXd mass;               ///< n x n
+  Eigen::MatrixXd mass;  ///< n x n
   Eigen::LLT<Eigen::MatrixXd> factor;
-  Eigen::MatrixXd jacobians;          ///< [J_in; J_out], 2d x n
-  Eigen::MatrixXd inverse_columns;    ///< M^-1 [J_in^T, J_out^T, Q], n x (2d + 1)
-  Eigen::MatrixXd products;           ///< [J_in; J_out] M^-1 [J_in^T, J_out^T, Q], 2d x (2d + 1)
-  Twist bias_out;  ///< acceleration of the outboard handle at zero accelerations
+  Eigen::MatrixXd jacobians;        ///< [J_in; J_out], 2d x n
+  Eigen::MatrixXd inverse_columns;  ///< M^-1 [J_in^T, J_out^T, Q], n x (2d + 1)
+  Eigen::MatrixXd products;         ///< [J_in; J_out] M^-1 [J_in^T, J_out^T, Q], 2d x (2d + 1)
+  Twist bias_out;                   ///< acceleration of the outboard handle at zero accelerations
 };
 
 struct SubsystemWork {
   std::vector<BodyWork> bodies;
-  Eigen::MatrixXd D;                  ///< Phi M^-1 Phi^T, C1 x C1
+  Eigen::MatrixXd D;  ///< Phi M^-1 Phi^T, C1 x C1
   Eigen::LLT<Eigen::MatrixXd> factor;
-  Eigen::MatrixXd solution;           ///< D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1)
-  Eigen::VectorXd multipliers;        ///< (P 8), C1
+  Eigen::MatrixXd solution;     ///< D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1)
+  Eigen::VectorXd multipliers;  ///< (P 8), C1
 };
 
 void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic,

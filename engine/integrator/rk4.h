@@ -1,8 +1,8 @@
 #pragma once
 
-// The classical Runge-Kutta method of order four, on q' = v, v' = a(q, v, t). A step runs the passes
-// of stages 1, 2, 3 and then, at the new state, stage 0 of the next step, so that accelerations and
-// reactions belong to the state that the step ends in.
+// The classical Runge-Kutta method of order four, on q' = v, v' = a(q, v, t). A step runs the
+// passes of stages 1, 2, 3 and then, at the new state, stage 0 of the next step, so that
+// accelerations and reactions belong to the state that the step ends in.
 
 #include "engine/step_data.h"
 

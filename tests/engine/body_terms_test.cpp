@@ -44,8 +44,7 @@ TEST_CASE("the mass matrix of a body is the Hessian of its kinetic energy") {
         body.coordinates.q[body.layout.v()] = 0.0;
       }
       const Lagrangian lagrangian(single.context.system);
-      const Eigen::MatrixXd expected =
-          lagrangian.mass(independent_coordinates(single.context));
+      const Eigen::MatrixXd expected = lagrangian.mass(independent_coordinates(single.context));
       evaluate(0.0, single.context);
       const BodyData& body = single.context.data.subsystems[0].bodies[0];
       Eigen::MatrixXd mass(expected.rows(), expected.cols());
@@ -131,8 +130,7 @@ TEST_CASE("point loads do the work of their force and moment on the node they ac
     const Lagrangian lagrangian(with.system);
     const Eigen::VectorXd y = independent_coordinates(with);
     const Eigen::VectorXd generalised =
-        lagrangian.mass(y) *
-        (independent_accelerations(with) - independent_accelerations(without));
+        lagrangian.mass(y) * (independent_accelerations(with) - independent_accelerations(without));
     int j = 0;
     while (with.system.subsystems[0].bodies[j].loads.empty()) ++j;
     const NodeLoad& at = with.system.subsystems[0].bodies[j].loads[0];

@@ -168,8 +168,8 @@ TEST_CASE("the hub of a free rotor is pulled about while its momentum is kept") 
   const double before = run.context().data.hub_coordinates.v[0];
   double largest_change = 0.0;
   run.to(0.24, [&](const TimeStepper&) {
-    largest_change = std::max(
-        largest_change, std::abs(run.context().data.hub_coordinates.v[0] - before));
+    largest_change =
+        std::max(largest_change, std::abs(run.context().data.hub_coordinates.v[0] - before));
   });
   CHECK(largest_change > 0.1);
 }

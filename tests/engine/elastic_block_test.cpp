@@ -65,8 +65,7 @@ TEST_CASE("axial and bending systems are solved together, two right-hand sides e
 TEST_CASE("an elastic block holds the inverse of its matrix at the handles") {
   for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
     for (const int elements : {1, 2, 5}) {
-      const FlexibleBody body =
-          make_beam_body({2.0, elements, 0.2, 5e6, 566.0, frame});
+      const FlexibleBody body = make_beam_body({2.0, elements, 0.2, 5e6, 566.0, frame});
       const ElasticBlock block = make_elastic_block(body, 1.1, 3e-5);
       const Eigen::MatrixXd inverse = make_dense_elastic_block(body, 1.1, 3e-5).inverse();
       const auto rows = [&](const Handle& handle) {

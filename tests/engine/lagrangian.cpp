@@ -45,8 +45,7 @@ Shape shape_at(double xi, double l) {
   return {{1 - xi, xi},
           {1 - 3 * x2 + 2 * x3, l * (xi - 2 * x2 + x3), 3 * x2 - 2 * x3, l * (x3 - x2)},
           {(-6 * xi + 6 * x2) / l, 1 - 4 * xi + 3 * x2, (6 * xi - 6 * x2) / l, 3 * x2 - 2 * xi},
-          {(-6 + 12 * xi) / (l * l), (-4 + 6 * xi) / l, (6 - 12 * xi) / (l * l),
-           (6 * xi - 2) / l}};
+          {(-6 + 12 * xi) / (l * l), (-4 + 6 * xi) / l, (6 - 12 * xi) / (l * l), (6 * xi - 2) / l}};
 }
 
 constexpr std::array<double, 5> kGaussPoints{-0.9061798459386640, -0.5384693101056831, 0.0,
@@ -87,8 +86,8 @@ void for_each_body(const System& system, const Eigen::VectorXd& y, const double*
       const BodyCoordinates q(body, y.data() + next, v ? v + next : nullptr);
       const Frame frame{bracket.x, bracket.y, bracket.angle - q.at(0, 2)};
       visit(static_cast<int>(i), static_cast<int>(j), frame, q);
-      const auto [x, y_end] = frame.point(constant(body.length) + q.at(body.elements, 0),
-                                          q.at(body.elements, 1));
+      const auto [x, y_end] =
+          frame.point(constant(body.length) + q.at(body.elements, 0), q.at(body.elements, 1));
       bracket = {x, y_end, frame.angle + q.at(body.elements, 2)};
       next += body.coordinates();
     }
@@ -156,20 +155,19 @@ Eigen::VectorXd gather(const StepContext& context, double* CoordinateBlock::*mem
 
 double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const {
   const Hub& hub = system_.hub;
-  double energy =
-      0.5 * hub.mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * hub.inertia * v[2] * v[2];
-  for_each_body(system_, y, v.data(), [&](int i, int j, const Frame& frame,
-                                          const BodyCoordinates& q) {
-    const ChainBody& member = system_.subsystems[i].bodies[j];
-    const double rhoA = mass_per_length(*member.body);
-    for_each_point(*member.body, q, [&](double x, double weight, Dual u, Dual w, Dual slope) {
-      const auto [px, py] = frame.point(constant(x) + u, w);
-      energy += 0.5 * weight * rhoA * (px.rate * px.rate + py.rate * py.rate);
-      if (member.centrifugal_stiffness)
-        energy -= 0.5 * v[2] * v[2] * weight * unit_tension(system_.subsystems[i], j, x) *
-                  slope.value * slope.value;
-    });
-  });
+  double energy = 0.5 * hub.mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * hub.inertia * v[2] * v[2];
+  for_each_body(
+      system_, y, v.data(), [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
+        const ChainBody& member = system_.subsystems[i].bodies[j];
+        const double rhoA = mass_per_length(*member.body);
+        for_each_point(*member.body, q, [&](double x, double weight, Dual u, Dual w, Dual slope) {
+          const auto [px, py] = frame.point(constant(x) + u, w);
+          energy += 0.5 * weight * rhoA * (px.rate * px.rate + py.rate * py.rate);
+          if (member.centrifugal_stiffness)
+            energy -= 0.5 * v[2] * v[2] * weight * unit_tension(system_.subsystems[i], j, x) *
+                      slope.value * slope.value;
+        });
+      });
   return energy;
 }
 
@@ -177,20 +175,20 @@ double Lagrangian::potential_energy(const Eigen::VectorXd& y) const {
   const Position& g = system_.gravity;
   double energy = -system_.hub.mass * (g.x() * y[0] + g.y() * y[1]);
   Eigen::Index next = kTwist;
-  for_each_body(system_, y, nullptr, [&](int i, int j, const Frame& frame,
-                                         const BodyCoordinates& q) {
-    const FlexibleBody& body = *system_.subsystems[i].bodies[j].body;
-    for_each_point(body, q, [&](double x, double weight, Dual u, Dual w, Dual) {
-      const auto [px, py] = frame.point(constant(x) + u, w);
-      energy -= weight * mass_per_length(body) * (g.x() * px.value + g.y() * py.value);
-    });
-    // The elastic stiffness itself is checked against the beam's analytic solutions elsewhere.
-    const Eigen::VectorXd q_u = y.segment(next, body.axial());
-    const Eigen::VectorXd q_v = y.segment(next + body.axial(), body.bending());
-    energy += 0.5 * q_u.dot(body.K_axial.to_dense() * q_u) +
-              0.5 * q_v.dot(body.K_bending.to_dense() * q_v);
-    next += body.coordinates();
-  });
+  for_each_body(
+      system_, y, nullptr, [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
+        const FlexibleBody& body = *system_.subsystems[i].bodies[j].body;
+        for_each_point(body, q, [&](double x, double weight, Dual u, Dual w, Dual) {
+          const auto [px, py] = frame.point(constant(x) + u, w);
+          energy -= weight * mass_per_length(body) * (g.x() * px.value + g.y() * py.value);
+        });
+        // The elastic stiffness itself is checked against the beam's analytic solutions elsewhere.
+        const Eigen::VectorXd q_u = y.segment(next, body.axial());
+        const Eigen::VectorXd q_v = y.segment(next + body.axial(), body.bending());
+        energy += 0.5 * q_u.dot(body.K_axial.to_dense() * q_u) +
+                  0.5 * q_v.dot(body.K_bending.to_dense() * q_v);
+        next += body.coordinates();
+      });
   return energy;
 }
 

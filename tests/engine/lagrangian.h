@@ -1,8 +1,8 @@
 #pragma once
 
 // A rotor's Lagrangian, written independently of the engine: position fields of all bodies from
-// poses, shape functions and coordinates, velocities by dual numbers, energies by quadrature along the
-// blades. No integral, joint equation or mass matrix of the engine is used.
+// poses, shape functions and coordinates, velocities by dual numbers, energies by quadrature along
+// the blades. No integral, joint equation or mass matrix of the engine is used.
 
 #include <Eigen/Core>
 

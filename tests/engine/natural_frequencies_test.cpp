@@ -37,9 +37,9 @@ TEST_CASE("the largest stable step of rk4 depends on the element length") {
     int elements;  // per body of 2 m
     double step;
   };
-  for (const auto& [elements, step] : {Reference{1, 0.000346}, Reference{2, 0.0001659},
-                                       Reference{4, 8.207e-05}, Reference{8, 4.093e-05},
-                                       Reference{16, 1.394e-05}}) {
+  for (const auto& [elements, step] :
+       {Reference{1, 0.000346}, Reference{2, 0.0001659}, Reference{4, 8.207e-05},
+        Reference{8, 4.093e-05}, Reference{16, 1.394e-05}}) {
     const Rotor rotor = make_rotor(wu_haug_blade(4, elements), 3);
     CHECK(calc_rk4_largest_step(calc_frequency_range(rotor)) ==
           doctest::Approx(step).epsilon(1e-3));
@@ -74,10 +74,9 @@ TEST_CASE("frequencies of free and torque-driven hubs are those of the linearise
     const int fixed = support == HubSupport::axle ? 2 : 0;  // x and y
     const int rigid = kTwist - fixed;
     const Eigen::MatrixXd M = lagrangian.mass(rest).bottomRightCorner(n - fixed, n - fixed);
-    const Eigen::VectorXd squares =
-        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
-            K.bottomRightCorner(n - fixed, n - fixed), M)
-            .eigenvalues();
+    const Eigen::VectorXd squares = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                        K.bottomRightCorner(n - fixed, n - fixed), M)
+                                        .eigenvalues();
     const FrequencyRange range = calc_frequency_range(rotor);
     CHECK(range.lowest == doctest::Approx(std::sqrt(squares[rigid])).epsilon(1e-6));
     CHECK(range.highest == doctest::Approx(std::sqrt(squares[squares.size() - 1])).epsilon(1e-6));

@@ -55,8 +55,8 @@ TEST_CASE("a step allocates nothing, at small and large numbers of elements") {
       load.factor = Curve({0.0, 1.0, 2.0}, {0.0, 1.0, 0.0});
       scenario.rotor.loads.push_back(load);
       CAPTURE(elements);
-      CHECK(allocations_of_steps(
-                scenario, {Formulation::structured, ExecutorKind::serial, 1}, 20) == 0);
+      CHECK(allocations_of_steps(scenario, {Formulation::structured, ExecutorKind::serial, 1},
+                                 20) == 0);
     }
 }
 

@@ -1,3 +1,5 @@
+#include "engine/results.h"
+
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "engine/machine.h"
-#include "engine/results.h"
 #include "models/error.h"
 
 namespace fs = std::filesystem;

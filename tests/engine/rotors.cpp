@@ -51,7 +51,8 @@ Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random) {
     blade.second_moment *= factor(random);
     blade.youngs_modulus *= factor(random);
     blade.geometric_stiffening = number(random) % 2 == 0;
-    blade.reference_frame = number(random) % 2 == 0 ? ReferenceFrame::clamped : ReferenceFrame::chord;
+    blade.reference_frame =
+        number(random) % 2 == 0 ? ReferenceFrame::clamped : ReferenceFrame::chord;
     blade.azimuth = 2.0 * std::numbers::pi * i / blades + factor(random);
     rotor.blades.push_back(blade);
   }

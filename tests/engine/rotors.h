@@ -26,11 +26,12 @@ struct RandomRotor {
 };
 Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random);
 
-/// Fills coordinates and velocities with a random smooth bend of every body and a random hub motion.
+/// Fills coordinates and velocities with a random smooth bend of every body and a random hub
+/// motion.
 void randomize_state(std::mt19937& random, StepContext& context);
 
-/// All accelerations found by a pass that only evaluates: hub, then bodies; and all root-to-tip joint
-/// wrenches.
+/// All accelerations found by a pass that only evaluates: hub, then bodies; and all root-to-tip
+/// joint wrenches.
 struct Evaluation {
   Eigen::VectorXd accelerations;
   Eigen::VectorXd wrenches;

@@ -1,5 +1,5 @@
-// The spin-up of Wu & Haug's blade and of Simo & Vu-Quoc's beam against solutions that owe nothing to
-// the floating frame: a geometrically exact (Reissner) beam, mesh and step converged, and its
+// The spin-up of Wu & Haug's blade and of Simo & Vu-Quoc's beam against solutions that owe nothing
+// to the floating frame: a geometrically exact (Reissner) beam, mesh and step converged, and its
 // Euler-Bernoulli limit, to which these models converge. The values of linear floating-frame bodies
 // come from an independent implementation, integrated to convergence.
 
@@ -55,11 +55,10 @@ Blade blade(int bodies, int elements, bool stiffening,
 
 // The Euler-Bernoulli limit of the exact beam.
 constexpr double kExactPeak = -0.53411139;
-const std::map<int, double> kExactHistory{{10, -0.01324108},    {25, -0.14306001},
-                                          {50, -0.42305208},    {75, -0.52079305},
-                                          {100, -0.3477879},    {125, -0.1105987},
-                                          {150, 0.0073388835},  {175, -0.00021268942},
-                                          {200, -0.0071307119}};
+const std::map<int, double> kExactHistory{
+    {10, -0.01324108},   {25, -0.14306001},     {50, -0.42305208},
+    {75, -0.52079305},   {100, -0.3477879},     {125, -0.1105987},
+    {150, 0.0073388835}, {175, -0.00021268942}, {200, -0.0071307119}};
 
 double worst_of_history(const TipHistory& history) {
   double worst = 0.0;
@@ -82,8 +81,8 @@ TEST_CASE("spin-up with geometric stiffening: 4 bodies of 4 elements follow the 
 TEST_CASE("spin-up with geometric stiffening: the drive torque is the exact root torque") {
   const TipHistory history = run(spin_up_scenario(blade(4, 4, true), 0.0025));
   // Three blades, and the hub's own inertia of 1 kg m^2.
-  const std::map<int, double> root{{25, 4.6047032}, {50, 13.816945}, {75, 18.36047},
-                                   {100, 13.825607}, {125, 4.7369704}};
+  const std::map<int, double> root{
+      {25, 4.6047032}, {50, 13.816945}, {75, 18.36047}, {100, 13.825607}, {125, 4.7369704}};
   for (const auto& [tenths, torque] : root) {
     const double hub = calc_motion(SpinUp{4.0, 15.0}, tenths / 10.0).acceleration;
     CHECK(history.torque_at.at(tenths) == doctest::Approx(3.0 * torque + hub).epsilon(1e-3));
@@ -102,18 +101,17 @@ TEST_CASE("spin-up of the paper's linear bodies: value, time and history") {
   CHECK(history.peak == doctest::Approx(-0.55586755).epsilon(5e-6));
   CHECK(history.time_of_peak == doctest::Approx(6.9849287).epsilon(4e-4));
   CHECK(history.smallest_x == doctest::Approx(-0.020698164).epsilon(1e-4));
-  const std::map<int, double> reference{{25, -0.14307332}, {50, -0.42642602}, {75, -0.55195738},
-                                        {100, -0.40154742}, {125, -0.1338782},
-                                        {150, -0.00028443707}, {200, 0.00093488297}};
-  for (const auto& [tenths, y] : reference)
-    CHECK(std::abs(history.y_at.at(tenths) - y) < 2e-5);
+  const std::map<int, double> reference{
+      {25, -0.14307332}, {50, -0.42642602},     {75, -0.55195738},   {100, -0.40154742},
+      {125, -0.1338782}, {150, -0.00028443707}, {200, 0.00093488297}};
+  for (const auto& [tenths, y] : reference) CHECK(std::abs(history.y_at.at(tenths) - y) < 2e-5);
 }
 
 TEST_CASE("spin-up of linear bodies: the error falls with the square of their number") {
-  const std::map<int, double> clamped{{2, -0.764264}, {4, -0.5558675}, {8, -0.5390142},
-                                      {16, -0.5352956}};
-  const std::map<int, double> chord{{1, -0.593478}, {2, -0.5518658}, {4, -0.5386884},
-                                    {8, -0.5352628}};
+  const std::map<int, double> clamped{
+      {2, -0.764264}, {4, -0.5558675}, {8, -0.5390142}, {16, -0.5352956}};
+  const std::map<int, double> chord{
+      {1, -0.593478}, {2, -0.5518658}, {4, -0.5386884}, {8, -0.5352628}};
   std::map<int, double> error;
   for (const auto& [bodies, value] : clamped) {
     const int elements = bodies == 16 ? 2 : 4;
@@ -172,9 +170,9 @@ TEST_CASE("spin-up of Simo and Vu-Quoc's beam") {
   beam.bodies = 4;
   beam.elements = 4;
   beam.youngs_modulus = 2.8e10;
-  beam.area = 1e-3;             // EA = 2.8e7 N
-  beam.second_moment = 5e-7;    // EI = 1.4e4 N m^2
-  beam.density = 1200.0;        // rhoA = 1.2 kg/m
+  beam.area = 1e-3;           // EA = 2.8e7 N
+  beam.second_moment = 5e-7;  // EI = 1.4e4 N m^2
+  beam.density = 1200.0;      // rhoA = 1.2 kg/m
   Scenario scenario;
   scenario.rotor = make_rotor(beam, 1);
   scenario.rotor.hub.drive = SpinUp{6.0, 15.0};

@@ -81,7 +81,8 @@ class Snapshot {
  public:
   explicit Snapshot(const graph::StepGraph& graph) : graph_(graph) {
     for (const graph::Part& part : graph.parts())
-      for (const std::span<double> range : part.memory) saved_.emplace_back(range.begin(), range.end());
+      for (const std::span<double> range : part.memory)
+        saved_.emplace_back(range.begin(), range.end());
   }
   void restore() const {
     auto next = saved_.begin();
@@ -149,8 +150,8 @@ TEST_CASE("a step graph with any one declaration removed is caught") {
           if (is_caught(part, is_read)) continue;
           ++missed;
           const std::string verb = is_read ? " does not need to read " : " does not need to write ";
-          MESSAGE(name_of(which.formulation) << ": " << graph.name_of({n}) << verb
-                                             << graph.part(part).name);
+          MESSAGE(name_of(which.formulation)
+                  << ": " << graph.name_of({n}) << verb << graph.part(part).name);
         }
       };
       check(node.reads, true);

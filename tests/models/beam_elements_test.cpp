@@ -33,8 +33,7 @@ Eigen::MatrixXd coupling_from_pairs(const FlexibleBody& body) {
     for (int m = 0; m < AxialBendingCoupling::kHeight; ++m)
       for (int side = 0; side < 2; ++side) {
         const int row = k - 2 + m;
-        const double value =
-            body.H.pairs[2 * (AxialBendingCoupling::kHeight * k + m) + side];
+        const double value = body.H.pairs[2 * (AxialBendingCoupling::kHeight * k + m) + side];
         if (row >= 0 && row < body.axial())
           H(row, 2 * k + side) = value;
         else

@@ -1,11 +1,11 @@
+#include "models/curve.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
-
-#include "models/curve.h"
 
 using doctest::Approx;
 using spoke::Curve;

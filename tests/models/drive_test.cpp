@@ -1,9 +1,9 @@
+#include "models/drive.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <vector>
-
-#include "models/drive.h"
 
 using doctest::Approx;
 using namespace spoke;

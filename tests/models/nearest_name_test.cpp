@@ -1,9 +1,9 @@
+#include "models/nearest_name.h"
+
 #include <doctest/doctest.h>
 
 #include <string_view>
 #include <vector>
-
-#include "models/nearest_name.h"
 
 using spoke::edit_distance;
 using spoke::nearest_name;

@@ -1,11 +1,11 @@
+#include "models/scenario.h"
+
 #include <doctest/doctest.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
-
-#include "models/scenario.h"
 
 using doctest::Approx;
 using namespace spoke;
