@@ -1,9 +1,10 @@
 #pragma once
 
-// The part of Spoke that knows it lives in a plane: sizes, rotations, and how a twist turns.
-// Everything built on these names (joints, condensation, hub, formulations, integrators) is
-// written for a general number of twist components; a spatial engine replaces this file and the
-// finite element (beam_elements), nothing else.
+// Sizes, rotations and twist algebra of the plane. What is built on these names (chains, hub,
+// dense formulations, step graph, integrators, sensors) is written for kTwist components. What else
+// knows the plane is a body by itself: the finite element (flexible_body, beam_elements), its terms
+// (body_terms, elastic_block), its two-port (condense_body and recover_body in structured.cpp) and
+// the names of its coordinates (pass_ends, diagnosis). A spatial body brings its own of these.
 
 #include <Eigen/Core>
 #include <cmath>
