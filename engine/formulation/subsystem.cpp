@@ -50,14 +50,14 @@ void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic
     const int n = dense_size(*data.bodies[j].model->body);
     body.elastic = elastic[j];
     body.mass.setZero(n, n);
-    body.factor = Eigen::LLT<Eigen::MatrixXd>(n);
+    body.factor.compute(Eigen::MatrixXd::Identity(n, n));  // allocates
     body.jacobians.setZero(2 * d, n);
     body.inverse_columns.setZero(n, 2 * d + 1);
     body.products.setZero(2 * d, 2 * d + 1);
   }
   const int C1 = d * static_cast<int>(data.bodies.size());
   work.D.setZero(C1, C1);
-  work.factor = Eigen::LLT<Eigen::MatrixXd>(C1);
+  work.factor.compute(Eigen::MatrixXd::Identity(C1, C1));
   work.solution.setZero(C1, d + 1);
   work.multipliers.setZero(C1);
 }
