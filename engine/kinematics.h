@@ -1,8 +1,8 @@
 #pragma once
 
 // Position and velocity analysis of a chain. Bracket joints of a tree are explicit: rotations
-// and twists follow outward, body by body, from the hub and the deformations, so the constraints hold
-// to round-off and never drift (docs/formulation.md, section 3).
+// and twists follow outward, body by body, from the hub and the deformations, so the constraints
+// hold to round-off and never drift (docs/formulation.md, section 3).
 
 #include "engine/step_data.h"
 

@@ -164,7 +164,7 @@ LinearProperties Simulation::linear_properties() const {
 }
 
 std::string_view Simulation::executor_name() const { return name_of(impl_->options.executor); }
-int Simulation::threads() const { return impl_->executor->threads(); }
+graph::Threads Simulation::threads() const { return impl_->executor->threads(); }
 double Simulation::time() const { return static_cast<double>(impl_->steps) * impl_->step_size; }
 double Simulation::step_size() const { return impl_->step_size; }
 std::int64_t Simulation::steps() const { return impl_->steps; }
@@ -226,10 +226,6 @@ std::uint64_t Simulation::state_hash() const {
         value = hash(value, flex + body.layout.v(), body.layout.bending);
       }
   return value;
-}
-
-std::string_view name_of(ExecutorKind kind) {
-  return kind == ExecutorKind::serial ? "serial" : "flow_graph";
 }
 
 }  // namespace spoke

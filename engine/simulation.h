@@ -18,11 +18,12 @@
 namespace spoke {
 
 using graph::ExecutorKind;
+using graph::name_of;
 
 struct SimulationOptions {
   Formulation formulation = Formulation::structured;
   ExecutorKind executor = ExecutorKind::flow_graph;
-  int threads = 0;  ///< 0: the cores available to the process
+  graph::Threads threads;  ///< unless set: the cores available to the process
 };
 
 /// The size of a model.
@@ -73,7 +74,7 @@ class Simulation {
   ModelSize size() const;
   LinearProperties linear_properties() const;
   std::string_view executor_name() const;
-  int threads() const;  ///< in use by the executor
+  graph::Threads threads() const;  ///< in use by the executor
 
   double time() const;         ///< [s]
   double step_size() const;    ///< in use [s]
@@ -107,7 +108,5 @@ class Simulation {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-std::string_view name_of(ExecutorKind kind);
 
 }  // namespace spoke

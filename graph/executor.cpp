@@ -1,6 +1,7 @@
 #include "graph/executor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -43,17 +44,49 @@ int available_threads() {
   return std::max(threads, 1);
 }
 
-std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind, int threads) {
-  if (threads < 0) {
-    throw std::invalid_argument("number of threads: expected 0 (all available) or more, got " +
-                                std::to_string(threads));
+std::string name_of(const Threads& threads) {
+  std::string name = std::to_string(threads.outer);
+  if (threads.inner != 1) name += 'x' + std::to_string(threads.inner);
+  return name;
+}
+
+void Executor::run_while(const std::function<bool()>& more) {
+  do run();
+  while (more());
+}
+
+std::span<const ExecutorKind> executor_kinds() {
+  static constexpr std::array kinds{ExecutorKind::flow_graph, ExecutorKind::serial};
+  return kinds;
+}
+
+std::string_view name_of(ExecutorKind kind) {
+  switch (kind) {
+    case ExecutorKind::flow_graph:
+      return "flow_graph";
+    case ExecutorKind::serial:
+      return "serial";
   }
-  if (threads == 0) threads = available_threads();
+  return "unknown";
+}
+
+std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
+                                        Threads threads) {
+  if (threads.outer < 0 || threads.inner < 1) {
+    throw std::invalid_argument("number of threads: expected 0 (all available) or more, got " +
+                                name_of(threads));
+  }
+  if (threads.inner != 1) {
+    throw std::invalid_argument(std::string(name_of(kind)) +
+                                " has one layer of threads, expected a number, got " +
+                                name_of(threads));
+  }
+  if (threads.outer == 0) threads.outer = available_threads();
   switch (kind) {
     case ExecutorKind::serial:
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph:
-      return make_flow_graph_executor(graph, threads);
+      return make_flow_graph_executor(graph, threads.outer);
   }
   throw std::invalid_argument("unknown kind of executor");
 }

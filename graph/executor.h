@@ -1,11 +1,28 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "graph/step_graph.h"
 
 namespace spoke::graph {
+
+/// How many threads an executor works with, the calling one included. Executors with nested teams
+/// give each of `outer` threads a team of `inner`; all others know one layer only.
+struct Threads {
+  int outer = 0;  ///< 0: as many as are available
+  int inner = 1;
+
+  Threads() = default;
+  Threads(int outer_threads, int inner_threads = 1) : outer(outer_threads), inner(inner_threads) {}
+  int total() const { return outer * inner; }
+  friend bool operator==(const Threads&, const Threads&) = default;
+};
+/// "2", or "3x2" of nested teams.
+std::string name_of(const Threads& threads);
 
 /// Runs the nodes of one graph, each after its predecessors, any number of times.
 class Executor {
@@ -17,10 +34,13 @@ class Executor {
 
   /// Runs every node once and returns when all are done. One call at a time per executor.
   virtual void run() = 0;
-  /// The executor's kind, for reports: "serial", "flow graph".
+  /// Runs the graph and asks `more`, on the calling thread while no node runs, again and again
+  /// until it says no. An executor may keep its threads together meanwhile.
+  virtual void run_while(const std::function<bool()>& more);
+  /// The executor's kind, for reports, as by name_of(ExecutorKind).
   virtual std::string_view name() const = 0;
-  /// How many threads may work on a run, the calling one included.
-  virtual int threads() const = 0;
+  /// The threads that may work on a run.
+  virtual Threads threads() const = 0;
 };
 
 enum class ExecutorKind {
@@ -28,9 +48,16 @@ enum class ExecutorKind {
   serial,      ///< a loop on the calling thread; `threads` is ignored
 };
 
+/// All kinds of this build.
+std::span<const ExecutorKind> executor_kinds();
+/// "flow_graph", "serial".
+std::string_view name_of(ExecutorKind kind);
+
 /// Makes an executor with `threads` threads (0 = available_threads()). It refers to `graph`, which
-/// must outlive it and stay in place. Throws std::invalid_argument if `threads` is negative.
-std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind, int threads = 0);
+/// must outlive it and stay in place. Throws std::invalid_argument if a number of threads is
+/// negative, or of nested teams that this kind does not have.
+std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
+                                        Threads threads = {});
 
 /// How many threads of this process can run at once: the processors of the calling thread's
 /// affinity mask, at most the processor quota of its control groups (rounded up). At least 1.

@@ -48,8 +48,8 @@ class FlowGraphExecutor final : public Executor {
       flow_->wait_for_all();
     });
   }
-  std::string_view name() const override { return "flow graph"; }
-  int threads() const override { return threads_; }
+  std::string_view name() const override { return name_of(ExecutorKind::flow_graph); }
+  Threads threads() const override { return threads_; }
 
  private:
   using FlowNode = flow::continue_node<flow::continue_msg>;

@@ -13,8 +13,8 @@ class SerialExecutor final : public Executor {
   void run() override {
     for (const NodeId node : graph_.serial_order()) graph_.run_node(node);
   }
-  std::string_view name() const override { return "serial"; }
-  int threads() const override { return 1; }
+  std::string_view name() const override { return name_of(ExecutorKind::serial); }
+  Threads threads() const override { return 1; }
 
  private:
   const StepGraph& graph_;

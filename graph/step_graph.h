@@ -19,15 +19,18 @@ struct NodeId {
   friend auto operator<=>(const NodeId&, const NodeId&) = default;
 };
 
-/// A node's coordinates: what it does, and for which subsystem and body (0-based, -1 = none).
+/// A node's coordinates: what it does, for which subsystem and body, and in which of several passes
+/// (0-based, -1 = none).
 struct NodeLabel {
   std::string stage;
   int subsystem = -1;
   int body = -1;
+  int pass = -1;
 };
 
 /// A node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", or "hub solve" for
-/// a node of no subsystem and no body. `subsystem_word` replaces "subsystem".
+/// a node of no subsystem and no body; one of several passes ends in " (pass 4)". `subsystem_word`
+/// replaces "subsystem".
 std::string name_of(const NodeLabel& label, std::string_view subsystem_word = "subsystem");
 
 /// A part of the step's data: one or several ranges of doubles under one name.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <iostream>
 #include <utility>
 
@@ -11,7 +12,7 @@
 namespace spoke::cli {
 namespace {
 
-constexpr int kMostThreads = 4096;
+constexpr int kMostThreads = 1024;
 
 constexpr const char* kStatusText = R"(Exit status:
   0  done
@@ -97,6 +98,27 @@ void add_common(CLI::App& command, Arguments& arguments) {
   command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");
 }
 
+/// "2", or "3x2" of nested teams.
+graph::Threads parse_threads(const std::string& text) {
+  const auto fail = [&] {
+    return CLI::ValidationError("--threads", "expected a number from 1 to " +
+                                                 std::to_string(kMostThreads) +
+                                                 ", or two as in 3x2, got " + text);
+  };
+  const auto number = [&](std::string_view digits) {
+    int value = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (fault != std::errc{} || end != digits.data() + digits.size() || value < 1) throw fail();
+    return value;
+  };
+  const auto cross = text.find('x');
+  const int outer = number(std::string_view(text).substr(0, cross));
+  const int inner =
+      cross == std::string::npos ? 1 : number(std::string_view(text).substr(cross + 1));
+  if (outer > kMostThreads || inner > kMostThreads / outer) throw fail();
+  return {outer, inner};
+}
+
 void add_run(CLI::App& program, Arguments& arguments) {
   CLI::App& run = *program.add_subcommand("run", "Simulate a scenario and write its results");
   add_common(run, arguments);
@@ -113,10 +135,11 @@ void add_run(CLI::App& program, Arguments& arguments) {
   add_choice<ExecutorKind>(run, "--executor", "What runs the task graph of a step [flow_graph]",
                            {ExecutorKind::flow_graph, ExecutorKind::serial},
                            [&](ExecutorKind kind) { arguments.options.executor = kind; });
-  run.add_option("--threads", arguments.options.threads,
-                 "Threads of the executor; 0: as many as there are cores [0]")
-      ->check(CLI::Range(0, kMostThreads))
-      ->type_name("N");
+  run.add_option_function<std::string>(
+         "--threads",
+         [&](const std::string& text) { arguments.options.threads = parse_threads(text); },
+         "Threads of the executor, or OUTERxINNER of nested teams\n[the cores available]")
+      ->type_name("N|OxI");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] { arguments.command = Arguments::Command::run; });

@@ -92,12 +92,13 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, bool show_pro
 
 void print_plan(const Simulation& simulation) {
   print_model(simulation);
-  print_line("solved by", fmt::format("{}, {}, {} steps of {:.6g} s, {} on {} thread{}",
-                                      name_of(simulation.options().formulation),
-                                      name_of(simulation.scenario().integration.method),
-                                      simulation.planned_steps(), simulation.step_size(),
-                                      name_of(simulation.options().executor), simulation.threads(),
-                                      simulation.threads() == 1 ? "" : "s"));
+  print_line(
+      "solved by",
+      fmt::format("{}, {}, {} steps of {:.6g} s, {} on {} thread{}",
+                  name_of(simulation.options().formulation),
+                  name_of(simulation.scenario().integration.method), simulation.planned_steps(),
+                  simulation.step_size(), name_of(simulation.options().executor),
+                  name_of(simulation.threads()), simulation.threads().total() == 1 ? "" : "s"));
   std::fflush(stdout);
 }
 

@@ -156,11 +156,11 @@ TEST_CASE("an executor made in one thread may run in another") {
 
 TEST_CASE("executors tell their name and threads, and refuse a negative number") {
   const StepGraph graph = StepGraphBuilder().build();
-  CHECK(make_executor(graph, ExecutorKind::serial, 5)->threads() == 1);
+  CHECK(make_executor(graph, ExecutorKind::serial, 5)->threads() == Threads(1));
   CHECK(make_executor(graph, ExecutorKind::serial)->name() == "serial");
-  CHECK(make_executor(graph, ExecutorKind::flow_graph, 3)->threads() == 3);
-  CHECK(make_executor(graph, ExecutorKind::flow_graph)->threads() == available_threads());
-  CHECK(make_executor(graph, ExecutorKind::flow_graph)->name() == "flow graph");
+  CHECK(make_executor(graph, ExecutorKind::flow_graph, 3)->threads() == Threads(3));
+  CHECK(make_executor(graph, ExecutorKind::flow_graph)->threads() == Threads(available_threads()));
+  CHECK(make_executor(graph, ExecutorKind::flow_graph)->name() == "flow_graph");
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, -1), std::invalid_argument);
 }
 
