@@ -36,7 +36,7 @@ class Model {
   Model(const Rotor& rotor, Formulation formulation, const Method& method) {
     context_.system = make_system(rotor);
     context_.formulation = formulation;
-    context_.method = method;
+    context_.integrator.method = method;
     allocate(context_);
     graph_ = std::make_unique<graph::StepGraph>(build_step_graph(context_));
     executor_ = graph::make_executor(*graph_, graph::ExecutorKind::serial);
@@ -45,11 +45,9 @@ class Model {
   /// Integrates from rest to kStateTime.
   void integrate() {
     constexpr int kSteps = 500;
-    const double step = kStateTime / kSteps;
-    TimeStepper stepper(context_, *executor_, IterationLimits{});
-    bool fine = stepper.start() == StepOutcome::done;
-    for (int k = 0; fine && k < kSteps; ++k)
-      fine = stepper.step(k * step, (k + 1) * step) == StepOutcome::done;
+    TimeStepper stepper(context_, *graph_);
+    const bool fine = stepper.start() == StepOutcome::done &&
+                      stepper.advance(kSteps, *executor_) == StepOutcome::done;
     if (!fine) throw std::runtime_error("the state to evaluate at cannot be reached");
   }
 
@@ -75,14 +73,19 @@ class Model {
     };
     StepData& data = context_.data;
     const StepData& source = other.context_.data;
-    data.control = {kStateTime, PassControl::kEvaluateOnly, false};
     copy(source.hub_coordinates, data.hub_coordinates);
     for (std::size_t i = 0; i < data.subsystems.size(); ++i)
       for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
         copy(source.subsystems[i].bodies[j].coordinates, data.subsystems[i].bodies[j].coordinates);
   }
 
-  void evaluate() { executor_->run(); }
+  void evaluate() {
+    for (Clock& clock : context_.data.clocks) {
+      clock = make_start_clock();
+      clock.control.time = kStateTime;
+    }
+    executor_->run();
+  }
 
   /// Of all deformations, with the padding's zeros.
   Eigen::VectorXd accelerations() const {

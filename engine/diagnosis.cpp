@@ -75,12 +75,19 @@ void describe_place(const StepData& data, std::ostream& text) {
   text << " (node \"" << body << " / recovery\")";
 }
 
+/// The clock whose iteration has not converged.
+const Clock& find_unconverged(const StepData& data) {
+  for (const Clock& clock : data.clocks)
+    if (clock.ended() == StepOutcome::not_converged) return clock;
+  return data.clocks.front();
+}
+
 /// The likely cause, and what to try.
 std::string advise(const Scenario& scenario, const StepContext& context, const FailedStep& failed) {
   const FrequencyRange range = calc_frequency_range(scenario.rotor);
   std::ostringstream text;
   const double limit = calc_rk4_largest_step(range);
-  const auto* rk4 = std::get_if<Rk4>(&context.method);
+  const auto* rk4 = std::get_if<Rk4>(&context.integrator.method);
   if (rk4 && rk4->step > limit) {
     text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
          << " s: take a smaller integration.step, or generalized_alpha";
@@ -109,7 +116,7 @@ std::string describe_failure(const Scenario& scenario, const StepContext& contex
   std::ostringstream text;
   text << "diverged at t = " << failed.time << " s, step " << failed.step << ": ";
   if (failed.outcome == StepOutcome::not_converged)
-    text << "the iteration still changes a coordinate by " << context.data.report.change
+    text << "the iteration still changes a coordinate by " << find_unconverged(context.data).change
          << " (tolerance " << scenario.integration.tolerance << ") after "
          << scenario.integration.max_iterations << " iterations (node \"finish\")";
   else

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/integrator/time_stepper.h"
 #include "engine/step_context.h"
 #include "models/scenario.h"
 

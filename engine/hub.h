@@ -28,8 +28,21 @@ Twist calc_inertial_acceleration(const System& system, const HubState& hub,
                                  const HubSolution& solution);
 
 /// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub
-/// frame; components that are not prescribed are zero. That of the drive stands in the hub's
-/// coordinates.
-Twist calc_prescribed_acceleration(const System& system, const StepData& data);
+/// frame; components that are not prescribed are zero. `alpha`: the drive's [rad/s^2].
+Twist calc_prescribed_acceleration(const System& system, const Rotation& R, double alpha);
+
+/// Sets position, velocity and acceleration of the hub's prescribed components at time t [s].
+void impose_hub_motion(const System& system, double t, CoordinateBlock& hub) noexcept;
+
+/// The whole motion of a hub that support and drive prescribe, at time t [s].
+PrescribedHub calc_prescribed_motion(const System& system, double t) noexcept;
+
+/// Share of one subsystem in the hub's reaction of (P 9): M^C Y'' - Q^C less the centrifugal terms,
+/// at the acceleration that the subsystem has felt; hub frame.
+Twist calc_reaction(const SubsystemData& subsystem) noexcept;
+
+/// Whether support and drive prescribe the whole motion of the hub. The solution of (P 9) is then
+/// known but for the reaction, which no motion depends on.
+bool is_prescribed(const Hub& hub);
 
 }  // namespace spoke

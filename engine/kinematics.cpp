@@ -49,11 +49,10 @@ Rotation calc_rotation_to_hub(const SubsystemData& data, int body) noexcept {
   return R;
 }
 
-void calc_velocities(const Subsystem& subsystem, const HubState& hub,
-                     SubsystemData& data) noexcept {
+void calc_velocities(const Subsystem& subsystem, SubsystemData& data) noexcept {
   // Twist of the bracket that carries the body, resolved in the parent's frame.
-  const double hub_speed = hub.twist[kRotation];
-  Twist bracket = hub.twist;
+  const double hub_speed = data.hub->twist[kRotation];
+  Twist bracket = data.hub->twist;
   bracket.head<kPosition>() += hub_speed * quarter_turn(subsystem.root.p);
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData& member = data.bodies[j];
@@ -72,6 +71,7 @@ void calc_velocities(const Subsystem& subsystem, const HubState& hub,
 
 HubState calc_hub_state(const CoordinateBlock& hub) {
   HubState state;
+  state.p = {hub.q[0], hub.q[1]};
   state.R = Rotation::from_angle(hub.q[kRotation]);
   const Twist inertial(hub.v[0], hub.v[1], hub.v[2]);
   state.twist = state.R.inverse() * inertial;

@@ -32,9 +32,9 @@ void calc_poses(const Subsystem& subsystem, SubsystemData& data) noexcept;
 Rotation calc_rotation_to_hub(const SubsystemData& data, int body) noexcept;
 
 /// Twists of all body frames relative to the inertial frame, each resolved in its body frame.
-void calc_velocities(const Subsystem& subsystem, const HubState& hub, SubsystemData& data) noexcept;
+void calc_velocities(const Subsystem& subsystem, SubsystemData& data) noexcept;
 
-/// Orientation and hub-frame twist of the hub from its coordinates.
+/// Place, orientation and hub-frame twist of the hub from its coordinates.
 HubState calc_hub_state(const CoordinateBlock& hub);
 
 }  // namespace spoke

@@ -40,6 +40,25 @@ bool is_end_of_step(const Method& method, const PassControl& control) {
 
 bool is_finite(const Twist& X) { return std::isfinite(X[0] + X[1] + X[2]); }
 
+void add_reports(const SubsystemData& subsystem, PassReport& sum) {
+  for (const BodyData& body : subsystem.bodies) {
+    sum.power.applied += body.terms.load_power;
+    sum.power.dissipation += body.terms.dissipation;
+    sum.change = std::max(sum.change, body.report.change);
+    sum.failed = std::max(sum.failed, body.report.failed);
+  }
+}
+
+void add_record(const StepRecord& record, StepRecord& sum) {
+  sum.passes = std::max(sum.passes, record.passes);
+  sum.work += record.work;
+  sum.dissipated += record.dissipated;
+  sum.reaction += record.reaction;
+}
+
+Twist position_of(const CoordinateBlock& hub) { return {hub.q[0], hub.q[1], hub.q[2]}; }
+Twist velocity_of(const CoordinateBlock& hub) { return {hub.v[0], hub.v[1], hub.v[2]}; }
+
 }  // namespace
 
 void begin_block(const Method& method, const PassControl& control,
@@ -48,13 +67,22 @@ void begin_block(const Method& method, const PassControl& control,
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
     if (control.stage == 0) predict(*alpha, block);
   } else {
-    advance(std::get<Rk4>(method), control.stage, block);
+    advance(std::get<Rk4>(method), static_cast<int>(control.stage), block);
   }
 }
 
+bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
+  if (control.stage == PassControl::kEvaluateOnly) return true;
+  if (!std::holds_alternative<Rk4>(method)) return control.stage == 0;
+  const auto stage = static_cast<std::size_t>(control.stage);
+  // Stage 0 stands where stage 3 stood, at the end of the step.
+  return stage != 0 && Rk4::nodes[stage] != Rk4::nodes[stage - 1];
+}
+
 void begin_hub(const System& system, const Method& method, StepData& data) noexcept {
-  begin_block(method, data.control, data.hub_coordinates);
-  impose_hub_motion(system, data.control.time, data.hub_coordinates);
+  const PassControl& control = data.clocks[0].control;
+  begin_block(method, control, data.hub_coordinates);
+  impose_hub_motion(system, control.time, data.hub_coordinates);
   data.hub = calc_hub_state(data.hub_coordinates);
 }
 
@@ -74,22 +102,12 @@ void complete_body(const Method& method, const PassControl& control, BodyData& b
   body.report.failed = is_fine ? 0.0 : 1.0;
 }
 
-void impose_hub_motion(const System& system, double t, CoordinateBlock& hub) noexcept {
-  for (int c = 0; c < kPosition; ++c)
-    if (is_prescribed(system.hub, c)) hub.q[c] = hub.v[c] = hub.a[c] = 0.0;
-  if (!is_prescribed(system.hub, kRotation)) return;
-  const DriveMotion motion = calc_motion(system.hub.drive, t);
-  hub.q[kRotation] = motion.angle;
-  hub.v[kRotation] = motion.speed;
-  hub.a[kRotation] = motion.acceleration;
-}
-
 void complete_hub(const System& system, const Method& method, StepData& data) noexcept {
   CoordinateBlock& hub = data.hub_coordinates;
   const Twist found = calc_inertial_acceleration(system, data.hub, data.hub_solution);
   double change = 0.0;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
-  const bool corrects = alpha && data.control.stage != PassControl::kEvaluateOnly;
+  const bool corrects = alpha && data.clocks[0].control.stage != PassControl::kEvaluateOnly;
   for (int c = 0; c < kTwist; ++c) {
     if (is_prescribed(system.hub, c)) continue;
     CoordinateBlock component = hub.component(c);
@@ -101,21 +119,63 @@ void complete_hub(const System& system, const Method& method, StepData& data) no
   data.hub_solution.change = change;
 }
 
-PassReport sum_reports(const StepData& data) noexcept {
-  PassReport sum{};
+void finish_subsystem(const Integrator& integrator, const Window& window,
+                      SubsystemData& subsystem) noexcept {
+  Clock& clock = *subsystem.clock;
+  const Twist reaction = calc_reaction(subsystem);
+  PassReport report;
+  report.power.applied = reaction[kRotation] * subsystem.hub->twist[kRotation];
+  add_reports(subsystem, report);
+  StepRecord& record = of_step(subsystem.records, static_cast<std::int64_t>(clock.step));
+  record.reaction = reaction;
+  end_pass(integrator, window, report, clock, record);
+}
+
+void finish_system(const Integrator& integrator, StepData& data) noexcept {
+  Clock& clock = data.clocks[0];
   const HubSolution& hub = data.hub_solution;
-  const double torque = hub.reaction[kRotation] + hub.applied_torque;
-  sum.power = torque * data.hub.twist[kRotation];
-  sum.change = hub.change;
-  sum.failed = hub.acceleration.allFinite() ? 0.0 : 1.0;
-  for (const SubsystemData& subsystem : data.subsystems)
-    for (const BodyData& body : subsystem.bodies) {
-      sum.power += body.terms.load_power;
-      sum.dissipation += body.terms.dissipation;
-      sum.change = std::max(sum.change, body.report.change);
-      sum.failed = std::max(sum.failed, body.report.failed);
-    }
-  return sum;
+  PassReport report;
+  report.power.applied = (hub.reaction[kRotation] + hub.applied_torque) * data.hub.twist[kRotation];
+  report.change = hub.change;
+  report.failed = is_finite(hub.acceleration) ? 0.0 : 1.0;
+  for (const SubsystemData& subsystem : data.subsystems) add_reports(subsystem, report);
+  SystemRecord& record = of_step(data.records, static_cast<std::int64_t>(clock.step));
+  end_pass(integrator, data.window, report, clock, record.step);
+  if (clock.completed < 0.0) return;
+  record.step.reaction = hub.reaction;
+  record.applied_torque = hub.applied_torque;
+  record.position = position_of(data.hub_coordinates);
+  record.velocity = velocity_of(data.hub_coordinates);
+}
+
+void record_reactions(const System& system, const Integrator& integrator, StepData& data) noexcept {
+  const double h = step_size(integrator);
+  const std::int64_t last = std::min(last_complete_step(data), data.window.last);
+  CoordinateBlock& hub = data.hub_coordinates;
+  for (std::int64_t step = data.window.first; step <= last; ++step) {
+    SystemRecord record;
+    const double speed_before = hub.v[kRotation];
+    const double t = static_cast<double>(step) * h;
+    impose_hub_motion(system, t, hub);
+    record.position = position_of(hub);
+    record.velocity = velocity_of(hub);
+    // Its own inertia takes what the subsystems leave of the drive's work.
+    const double speed = hub.v[kRotation];
+    if (step > 0)
+      record.step.work = 0.5 * system.hub.inertia * (speed * speed - speed_before * speed_before);
+    const Twist a = calc_prescribed_motion(system, t).acceleration;
+    record.step.reaction =
+        Twist(system.hub.mass, system.hub.mass, system.hub.inertia).cwiseProduct(a);
+    for (const SubsystemData& subsystem : data.subsystems)
+      add_record(of_step(subsystem.records, step), record.step);
+    of_step(data.records, step) = record;
+  }
+}
+
+std::int64_t last_complete_step(const StepData& data) noexcept {
+  double first_open = data.clocks[0].step;
+  for (const Clock& clock : data.clocks) first_open = std::min(first_open, clock.step);
+  return static_cast<std::int64_t>(first_open - 1.0);
 }
 
 Excess find_excess(const BodyData& body) {

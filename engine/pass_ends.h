@@ -1,9 +1,10 @@
 #pragma once
 
 // Where a pass meets the integrator: at its start coordinates are set, at its end the integrator
-// takes the accelerations found, the state is checked, and all reports are summed in fixed order.
+// takes the accelerations found, the state is checked, all reports are summed in fixed order, and
+// the clock moves on.
 
-#include "engine/integrator/method.h"
+#include "engine/integrator/step_control.h"
 #include "engine/step_data.h"
 
 namespace spoke {
@@ -11,7 +12,10 @@ namespace spoke {
 /// Sets the coordinates of a block for the pass.
 void begin_block(const Method& method, const PassControl& control, CoordinateBlock& block) noexcept;
 
-/// Sets the hub's coordinates, the prescribed ones by the drive, and its state.
+/// Whether a pass stands at another time than the one before it.
+bool is_at_new_time(const Method& method, const PassControl& control) noexcept;
+
+/// Coupled: sets the hub's coordinates, the prescribed ones by the drive, and its state.
 void begin_hub(const System& system, const Method& method, StepData& data) noexcept;
 
 /// Hands `body.a_found` to the integrator and reports the change and whether the deformation has
@@ -19,15 +23,24 @@ void begin_hub(const System& system, const Method& method, StepData& data) noexc
 /// beyond a half turn).
 void complete_body(const Method& method, const PassControl& control, BodyData& body) noexcept;
 
-/// Hands the hub's acceleration to the integrator; prescribed components follow the drive. Reports
-/// the largest change of a free coordinate.
+/// Coupled: hands the hub's acceleration to the integrator; prescribed components follow the drive.
+/// Reports the largest change of a free coordinate.
 void complete_hub(const System& system, const Method& method, StepData& data) noexcept;
 
-/// Sets position, velocity and acceleration of the hub's prescribed components at time t [s].
-void impose_hub_motion(const System& system, double t, CoordinateBlock& hub) noexcept;
+/// Not coupled: ends the pass of a subsystem on its own clock.
+void finish_subsystem(const Integrator& integrator, const Window& window,
+                      SubsystemData& subsystem) noexcept;
 
-/// Sums the reports of a pass, in fixed order.
-PassReport sum_reports(const StepData& data) noexcept;
+/// Coupled: ends the pass of the system.
+void finish_system(const Integrator& integrator, StepData& data) noexcept;
+
+/// Not coupled: (P 9) where the hub's whole motion is prescribed, for every step that all
+/// subsystems have completed since the window began: the reaction, from the shares of the
+/// subsystems in their order, and the hub's motion.
+void record_reactions(const System& system, const Integrator& integrator, StepData& data) noexcept;
+
+/// The last step that all clocks have completed; -1: not even the start.
+std::int64_t last_complete_step(const StepData& data) noexcept;
 
 /// A deformation coordinate that has left its limits.
 struct Excess {

@@ -1,61 +1,53 @@
 #include "engine/sensors.h"
 
-#include "engine/body_terms.h"
 #include "engine/kinematics.h"
+#include "engine/samples.h"
 
 namespace spoke {
 namespace {
 
-/// Poses, twists and terms at the state in the table.
-void evaluate_state(const System& system, StepData& data) {
-  data.hub = calc_hub_state(data.hub_coordinates);
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    SubsystemData& subsystem = data.subsystems[i];
-    calc_rotations(system.subsystems[i], subsystem);
-    calc_poses(system.subsystems[i], subsystem);
-    calc_velocities(system.subsystems[i], data.hub, subsystem);
+/// The hub's energies: kinetic, and the work of gravity.
+Energies calc_hub_energies(const System& system, const Twist& position, const Twist& velocity) {
+  const Hub& hub = system.hub;
+  const Position v = velocity.head<kPosition>(), p = position.head<kPosition>();
+  const double speed = velocity[kRotation];
+  return {0.5 * hub.mass * v.squaredNorm() + 0.5 * hub.inertia * speed * speed, 0.0,
+          hub.mass * system.gravity.dot(p)};
+}
+
+/// Sums over the hub and the samples of a step, in the subsystems' order.
+Energies sum_energies(const System& system, const SystemRecord& record, std::int64_t step,
+                      const StepData& data) {
+  Energies energies = calc_hub_energies(system, record.position, record.velocity);
+  for (const SubsystemData& subsystem : data.subsystems) {
+    const SubsystemSample& sample = of_step(subsystem.samples, step);
+    energies.kinetic += sample.kinetic;
+    energies.strain += sample.strain;
+    energies.gravity += sample.gravity;
   }
+  return energies;
 }
 
 }  // namespace
 
 Energies calc_energies(const System& system, StepData& data) {
-  evaluate_state(system, data);
-  const double hub_speed = data.hub.twist[kRotation];
-  const Position hub_velocity = data.hub.twist.head<kPosition>();
-  const Position hub_position{data.hub_coordinates.q[0], data.hub_coordinates.q[1]};
-  Energies energies;
-  energies.kinetic = 0.5 * system.hub.mass * hub_velocity.squaredNorm() +
-                     0.5 * system.hub.inertia * hub_speed * hub_speed;
-  energies.gravity = system.hub.mass * system.gravity.dot(hub_position);
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
-    for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j) {
-      const BodyData& body = data.subsystems[i].bodies[j];
-      const BodyInertia inertia = calc_inertia(body);
-      energies.kinetic +=
-          calc_kinetic_energy(body, inertia, data.subsystems[i].twists[j], hub_speed);
-      energies.strain += calc_strain_energy(body);
-      const Pose& X_HB = data.subsystems[i].poses[j];
-      const Position moment = body.model->body->mass * X_HB.p + Position(X_HB.R * inertia.S);
-      energies.gravity += system.gravity.dot(
-          Position(body.model->body->mass * hub_position + Position(data.hub.R * moment)));
-    }
+  const CoordinateBlock& hub = data.hub_coordinates;
+  if (data.is_coupled) data.hub = calc_hub_state(hub);
+  Energies energies = calc_hub_energies(system, Twist(hub.q[0], hub.q[1], hub.q[2]),
+                                        Twist(hub.v[0], hub.v[1], hub.v[2]));
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    update_kinematics(system.subsystems[i], data.subsystems[i]);
+    const SubsystemSample sample = calc_sample(system, i, data.subsystems[i]);
+    energies.kinetic += sample.kinetic;
+    energies.strain += sample.strain;
+    energies.gravity += sample.gravity;
+  }
   return energies;
 }
 
-Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data) {
-  const Position undeformed = subsystem.root.p + subsystem.root.R * Position{subsystem.length, 0.0};
-  Position tip =
-      data.poses.back().p + data.poses.back().R * calc_outboard_position(data.bodies.back());
-  double rotation = 0.0;
-  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    const BodyData& body = data.bodies[j];
-    tip -= data.poses[j].R * Position{calc_foreshortening(body), 0.0};
-    rotation += body.coordinates.q[body.outboard_at[kRotation]] -
-                body.coordinates.q[body.inboard_at[kRotation]];
-  }
-  const Position displacement = tip - undeformed;
-  return {displacement.x(), displacement.y(), rotation};
+void WorkDone::add(const StepRecord& step) {
+  by_drive_and_loads += step.work;
+  dissipated += step.dissipated;
 }
 
 Sensors::Sensors(const System& system) {
@@ -84,27 +76,37 @@ void Sensors::add(std::string name, std::string unit) {
 }
 
 void Sensors::start(const System& system, StepData& data) {
-  const Energies energies = calc_energies(system, data);
+  sample(system, 0, data);
+  const Energies energies = sum_energies(system, of_step(data.records, 0), 0, data);
   initial_energy_ = energies.kinetic + energies.strain;
   initial_gravity_ = energies.gravity;
 }
 
-const std::vector<double>& Sensors::measure(const System& system, const WorkDone& work,
-                                            StepData& data) {
-  const Energies energies = calc_energies(system, data);
-  values_.clear();
+void Sensors::sample(const System& system, std::int64_t step, StepData& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    const Twist tip = calc_tip_displacement(system.subsystems[i], data.subsystems[i]);
-    values_.insert(values_.end(), {tip[0], tip[1]});
+    update_kinematics(system.subsystems[i], data.subsystems[i]);
+    of_step(data.subsystems[i].samples, step) = calc_sample(system, i, data.subsystems[i]);
   }
-  const CoordinateBlock& hub = data.hub_coordinates;
-  if (system.hub.support == HubSupport::free) values_.insert(values_.end(), {hub.q[0], hub.q[1]});
-  const double torque = data.hub_solution.reaction[kRotation] + data.hub_solution.applied_torque;
+}
+
+const std::vector<double>& Sensors::measure(const System& system, const WorkDone& work,
+                                            std::int64_t step, const StepData& data) {
+  const SystemRecord& record = of_step(data.records, step);
+  const Energies energies = sum_energies(system, record, step, data);
+  values_.clear();
+  for (const SubsystemData& subsystem : data.subsystems) {
+    const SubsystemSample& sample = of_step(subsystem.samples, step);
+    values_.insert(values_.end(), {sample.tip_x, sample.tip_y});
+  }
+  if (system.hub.support == HubSupport::free)
+    values_.insert(values_.end(), {record.position[0], record.position[1]});
+  const double torque = record.step.reaction[kRotation] + record.applied_torque;
   const double done = work.by_drive_and_loads + (energies.gravity - initial_gravity_);
   const double residual =
       energies.kinetic + energies.strain - initial_energy_ + work.dissipated - done;
-  values_.insert(values_.end(), {hub.q[kRotation], hub.v[kRotation], torque, energies.kinetic,
-                                 energies.strain, done, work.dissipated, residual});
+  values_.insert(values_.end(),
+                 {record.position[kRotation], record.velocity[kRotation], torque, energies.kinetic,
+                  energies.strain, done, work.dissipated, residual});
   return values_;
 }
 

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/integrator/time_stepper.h"
-#include "engine/step_context.h"
+#include "engine/step_data.h"
 
 namespace spoke {
 
@@ -15,14 +14,17 @@ struct Energies {
   double gravity = 0.0;  ///< work of gravity since the undeformed start, -(change of potential)
 };
 
-/// Energies at the state in the table. Recalculates what depends on the state: the last pass of an
-/// implicit step stands one correction behind it.
+/// Energies at the state in the table, whose kinematics it recalculates. Where subsystems follow a
+/// prescribed hub, its motion must be that of the state.
 Energies calc_energies(const System& system, StepData& data);
 
-/// Displacement of a subsystem's tip node from its undeformed place, and its rotation, hub frame
-/// [m, m, rad]; poses must be those of the state. Bodies with geometric stiffening are
-/// foreshortened.
-Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data);
+/// Work done on the system since t = 0, by the quadrature that belongs to the method.
+struct WorkDone {
+  double by_drive_and_loads = 0.0;  ///< [J]; gravity's is a function of the state, see Energies
+  double dissipated = 0.0;          ///< by damping [J]
+
+  void add(const StepRecord& step);
+};
 
 /// Names, units and values of the sensors of a system.
 class Sensors {
@@ -34,8 +36,12 @@ class Sensors {
 
   /// Takes the state at the start as reference of energy.
   void start(const System& system, StepData& data);
-  /// Values at the state in the table, in the order of names().
-  const std::vector<double>& measure(const System& system, const WorkDone& work, StepData& data);
+  /// Fills the samples of step `step` from the state in the table, which must be the step's.
+  static void sample(const System& system, std::int64_t step, StepData& data);
+  /// Values at the end of step `step`, of which records and samples must be in the table, in the
+  /// order of names(). `work`: up to then.
+  const std::vector<double>& measure(const System& system, const WorkDone& work, std::int64_t step,
+                                     const StepData& data);
 
  private:
   void add(std::string name, std::string unit);

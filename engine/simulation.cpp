@@ -2,11 +2,12 @@
 
 #include <unistd.h>
 
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "engine/diagnosis.h"
+#include "engine/integrator/time_stepper.h"
 #include "engine/kinematics.h"
 #include "engine/natural_frequencies.h"
 #include "engine/sensors.h"
@@ -67,28 +68,41 @@ std::vector<double> unpadded(const double* flex, const FlexLayout& layout) {
 
 }  // namespace
 
+/// A graph of some passes and what runs it.
+struct Runner {
+  Runner(StepContext& context, int passes, const SimulationOptions& options)
+      : graph(build_step_graph(context, passes)),
+        executor(graph::make_executor(graph, options.executor, options.threads)) {}
+
+  graph::StepGraph graph;
+  std::unique_ptr<graph::Executor> executor;
+};
+
 struct Simulation::Impl {
   Impl(const Scenario& given, const SimulationOptions& chosen);
 
-  void throw_failure(StepOutcome outcome, std::int64_t step);
+  void advance(std::int64_t target, graph::Executor& executor, const StepObserver& observe);
 
   Scenario scenario;
   SimulationOptions options;
   std::int64_t planned_steps;
   double step_size;
-  std::int64_t steps = 0;
   StepContext context;
-  graph::StepGraph graph;
-  std::unique_ptr<graph::Executor> executor;
+  std::unique_ptr<Runner> single;  ///< of one pass
+  std::unique_ptr<Runner> window;  ///< of the passes of a window of steps, if there is one
   std::unique_ptr<TimeStepper> stepper;
+  std::int64_t evaluations = 0;
+  WorkDone work;
   Sensors sensors;
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
   std::int64_t measured_step = -1;
 
  private:
-  graph::StepGraph prepare();
-  void demand_kept_declarations(const graph::StepGraph& graph);
+  void prepare();
+  void demand_kept_declarations();
+  void complete_step(std::int64_t step, const StepObserver& observe);
+  [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
 };
 
 Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
@@ -96,38 +110,56 @@ Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
       options(chosen),
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
-      graph(prepare()),
-      executor(graph::make_executor(graph, options.executor, options.threads)),
-      sensors(context.system) {
-  const Integration& integration = scenario.integration;
-  stepper = std::make_unique<TimeStepper>(
-      context, *executor,
-      IterationLimits{integration.tolerance, integration.iterations, integration.max_iterations});
+      sensors((prepare(), context.system)) {
   const StepOutcome outcome = stepper->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   sensors.start(context.system, context.data);
+  complete_step(0, {});
 }
 
-graph::StepGraph Simulation::Impl::prepare() {
+void Simulation::Impl::prepare() {
   context.system = make_system(scenario.rotor);
   context.formulation = options.formulation;
-  context.method = make_method(scenario.integration, step_size);
+  context.integrator = {make_method(scenario.integration, step_size),
+                        {scenario.integration.tolerance, scenario.integration.iterations,
+                         scenario.integration.max_iterations}};
   demand_memory(context.system, context.formulation);
-  allocate(context);
-  graph::StepGraph built = build_step_graph(context);
+  const int window_steps = std::max(options.window, 1);
+  // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
+  allocate(context, window_steps > 1 ? 2 * window_steps : 1);
+  single = std::make_unique<Runner>(context, 1, options);
+  if (window_steps > 1 && !context.data.is_coupled)
+    window =
+        std::make_unique<Runner>(context, window_steps * usual_passes(context.integrator), options);
+  stepper = std::make_unique<TimeStepper>(context, single->graph);
 #ifndef NDEBUG
-  demand_kept_declarations(built);
+  demand_kept_declarations();
 #endif
-  return built;
 }
 
 /// Debug builds run every node once on its declared data alone.
-[[maybe_unused]] void Simulation::Impl::demand_kept_declarations(const graph::StepGraph& built) {
+[[maybe_unused]] void Simulation::Impl::demand_kept_declarations() {
   constexpr int kLargest = 500;  // nodes: the check costs their number times the memory
-  if (built.node_count() > kLargest) return;
-  context.data.control = {0.0, PassControl::kEvaluateOnly, false};
-  for (const graph::DeclarationFault& fault : graph::check_declarations(built))
+  if (single->graph.node_count() > kLargest) return;
+  for (const graph::DeclarationFault& fault : graph::check_declarations(single->graph))
     throw std::logic_error(fault.message);
+}
+
+void Simulation::Impl::advance(std::int64_t target, graph::Executor& executor,
+                               const StepObserver& observe) {
+  const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
+  const StepOutcome outcome = stepper->advance(std::min(target, planned_steps), executor,
+                                               static_cast<bool>(observe), completed);
+  if (outcome != StepOutcome::done) throw_failure(outcome, stepper->steps() + 1);
+}
+
+void Simulation::Impl::complete_step(std::int64_t step, const StepObserver& observe) {
+  const StepRecord& record = of_step(context.data.records, step).step;
+  evaluations += static_cast<std::int64_t>(record.passes);
+  work.add(record);
+  if (observe)
+    observe(static_cast<double>(step) * step_size,
+            sensors.measure(context.system, work, step, context.data));
 }
 
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
@@ -152,8 +184,8 @@ ModelSize Simulation::size() const {
   size.coordinates = system.deformation_count();
   for (int c = 0; c < kTwist; ++c) size.coordinates += !is_prescribed(system.hub, c);
   size.joints = size.bodies;
-  size.graph_nodes = impl_->graph.node_count();
-  size.graph_edges = impl_->graph.edge_count();
+  size.graph_nodes = impl_->single->graph.node_count();
+  size.graph_edges = impl_->single->graph.edge_count();
   size.memory_bytes = static_cast<std::size_t>(estimate_memory(system, impl_->context.formulation));
   return size;
 }
@@ -164,33 +196,33 @@ LinearProperties Simulation::linear_properties() const {
 }
 
 std::string_view Simulation::executor_name() const { return name_of(impl_->options.executor); }
-graph::Threads Simulation::threads() const { return impl_->executor->threads(); }
-double Simulation::time() const { return static_cast<double>(impl_->steps) * impl_->step_size; }
+graph::Threads Simulation::threads() const { return impl_->single->executor->threads(); }
+double Simulation::time() const { return static_cast<double>(steps()) * impl_->step_size; }
 double Simulation::step_size() const { return impl_->step_size; }
-std::int64_t Simulation::steps() const { return impl_->steps; }
+std::int64_t Simulation::steps() const { return impl_->stepper->steps(); }
 std::int64_t Simulation::planned_steps() const { return impl_->planned_steps; }
-std::int64_t Simulation::evaluations() const { return impl_->stepper->evaluations(); }
+std::int64_t Simulation::evaluations() const { return impl_->evaluations; }
 
-void Simulation::step() {
-  const double t = time();
-  const double t_next = static_cast<double>(impl_->steps + 1) * impl_->step_size;
-  const StepOutcome outcome = impl_->stepper->step(t, t_next);
-  if (outcome != StepOutcome::done) impl_->throw_failure(outcome, impl_->steps + 1);
-  ++impl_->steps;
-}
+void Simulation::step() { impl_->advance(steps() + 1, *impl_->single->executor, {}); }
 
-void Simulation::run_until(double t) {
-  while (!done() && time() < t - 0.5 * step_size()) step();
+void Simulation::run_until(double t, const StepObserver& observe) {
+  const double steps_to_t = std::ceil(t / impl_->step_size - 0.5);
+  if (!(steps_to_t > 0.0)) return;
+  const auto target =
+      static_cast<std::int64_t>(std::min(steps_to_t, static_cast<double>(impl_->planned_steps)));
+  const Runner& runner = impl_->window ? *impl_->window : *impl_->single;
+  impl_->advance(target, *runner.executor, observe);
 }
 
 const std::vector<std::string>& Simulation::sensor_names() const { return impl_->sensors.names(); }
 const std::vector<std::string>& Simulation::sensor_units() const { return impl_->sensors.units(); }
 
 std::span<const double> Simulation::sensor_values() const {
-  if (impl_->measured_step != impl_->steps) {
+  if (impl_->measured_step != steps()) {
+    Sensors::sample(impl_->context.system, steps(), impl_->context.data);
     impl_->sensor_values =
-        impl_->sensors.measure(impl_->context.system, impl_->stepper->work(), impl_->context.data);
-    impl_->measured_step = impl_->steps;
+        impl_->sensors.measure(impl_->context.system, impl_->work, steps(), impl_->context.data);
+    impl_->measured_step = steps();
   }
   return impl_->sensor_values;
 }

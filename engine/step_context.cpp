@@ -1,6 +1,6 @@
 #include "engine/step_context.h"
 
-#include "engine/pass_ends.h"
+#include "engine/hub.h"
 
 namespace spoke {
 namespace {
@@ -16,11 +16,14 @@ ElasticShares implicit_shares(const Method& method, const Damping& damping) {
 
 }  // namespace
 
-void allocate(StepContext& context) {
-  const auto* alpha = std::get_if<GeneralizedAlpha>(&context.method);
+void allocate(StepContext& context, int window_steps) {
+  const Method& method = context.integrator.method;
+  const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const int history = alpha ? int{GeneralizedAlpha::count} : int{Rk4::count};
   StepData& data = context.data;
-  allocate(context.system, history, data);
+  const bool is_coupled =
+      context.formulation == Formulation::augmented || !is_prescribed(context.system.hub);
+  allocate(context.system, {history, is_coupled, window_steps}, data);
   for (SubsystemData& subsystem : data.subsystems)
     for (BodyData& body : subsystem.bodies) {
       CoordinateBlock& block = body.coordinates;
@@ -28,8 +31,8 @@ void allocate(StepContext& context) {
       body.v_elastic = alpha ? block.history[GeneralizedAlpha::predicted_v] : block.v;
       if (!alpha) body.a_found = block.a;
     }
-  allocate(context.system, context.formulation,
-           implicit_shares(context.method, context.system.damping), data, context.work);
+  allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),
+           data, context.work);
   data.hub_coordinates.v[kRotation] = calc_initial_speed(context.system.hub.drive);
   impose_hub_motion(context.system, 0.0, data.hub_coordinates);
 }

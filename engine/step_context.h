@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/formulation/work.h"
-#include "engine/integrator/method.h"
+#include "engine/integrator/step_control.h"
 #include "engine/step_data.h"
 
 namespace spoke {
@@ -14,13 +14,13 @@ struct StepContext {
 
   System system;
   Formulation formulation = Formulation::structured;
-  Method method;
+  Integrator integrator;
   StepData data;
   FormulationWork work;
 };
 
-/// Allocates table and work for context.system, formulation and method, undeformed; the hub turns
-/// at its initial speed.
-void allocate(StepContext& context);
+/// Allocates table and work for context.system, formulation and integrator, undeformed; the hub
+/// turns at its initial speed. `window_steps`: see TableOptions.
+void allocate(StepContext& context, int window_steps = 1);
 
 }  // namespace spoke

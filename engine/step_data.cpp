@@ -42,22 +42,39 @@ void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
   }
 }
 
+/// Points a subsystem to the clock and hub motion that it follows.
+void follow_clock(std::size_t i, StepData& data, SubsystemData& subsystem) {
+  subsystem.prescribed = {data.hub, Twist::Zero()};
+  subsystem.clock = &data.clocks[data.is_coupled ? 0 : i];
+  subsystem.hub = data.is_coupled ? &data.hub : &subsystem.prescribed.state;
+  subsystem.hub_acceleration =
+      data.is_coupled ? &data.hub_solution.acceleration : &subsystem.prescribed.acceleration;
+}
+
 }  // namespace
 
-void allocate(const System& system, int history, StepData& data) {
+void allocate(const System& system, const TableOptions& options, StepData& data) {
   data.hub_storage.fill(Twist::Zero());
   CoordinateBlock& hub = data.hub_coordinates;
   hub.size = kTwist;
   hub.q = data.hub_storage[0].data();
   hub.v = data.hub_storage[1].data();
   hub.a = data.hub_storage[2].data();
-  for (int k = 0; k < history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
-  data.hub.twist.setZero();
+  for (int k = 0; k < options.history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
+  data.hub = {Position::Zero(), {}, Twist::Zero()};
   data.hub_solution = {Twist::Zero(), Twist::Zero(), 0.0, 0.0};
-  data.report = {};
+  data.is_coupled = options.is_coupled;
+  data.window = {};
+  data.clocks.assign(options.is_coupled ? 1 : system.subsystems.size(), Clock{});
+  data.records.assign(static_cast<std::size_t>(options.window_steps), {});
   data.subsystems.resize(system.subsystems.size());
-  for (std::size_t i = 0; i < system.subsystems.size(); ++i)
-    allocate(system.subsystems[i], history, data.subsystems[i]);
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
+    SubsystemData& subsystem = data.subsystems[i];
+    allocate(system.subsystems[i], options.history, subsystem);
+    follow_clock(i, data, subsystem);
+    subsystem.samples.assign(data.records.size(), {});
+    if (!options.is_coupled) subsystem.records.assign(data.records.size(), {});
+  }
 }
 
 }  // namespace spoke

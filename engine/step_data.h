@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/clock.h"
 #include "engine/elastic_block.h"
 #include "models/system.h"
 
@@ -52,16 +53,6 @@ struct CoordinateBlock {
   }
 };
 
-/// What one pass over the step graph evaluates; set by the integrator before the pass, constant
-/// during it.
-struct PassControl {
-  static constexpr int kEvaluateOnly = -1;
-
-  double time = 0.0;          ///< of the state to evaluate [s]
-  int stage = kEvaluateOnly;  ///< of rk4, or iteration of generalized_alpha
-  bool implicit = false;      ///< solve with the implicit elastic block
-};
-
 /// Terms of a body's equations of motion that its state determines (docs/formulation.md, section
 /// 2), all in the body frame. The flex vectors c_theta and Q_f belong to them.
 struct BodyTerms {
@@ -102,14 +93,12 @@ struct JointElimination {
   Twist rhs;
 };
 
-/// A subsystem as the hub feels it, (P 10), in the hub frame, and how its root wrench follows.
+/// A subsystem as the hub feels it, (P 10), in the hub frame.
 struct EffectiveInertia {
   TwistMatrix mass;            ///< M^C
   Twist force;                 ///< Q^C
   double centrifugal_inertia;  ///< sum over the bodies
   double centrifugal_rate;
-  SymmetricTwistMatrix root_mass;  ///< Lambda^-1: wrench on the root handle per its acceleration
-  Twist root_free;                 ///< acceleration of the root handle without wrench, body frame
 };
 
 /// Wrenches on a body's two handles, in its frame: inboard, these are the multipliers of (P 8).
@@ -120,8 +109,15 @@ struct HandleWrenches {
 
 /// Hub motion at the evaluated state.
 struct HubState {
+  Position p;   ///< place in the inertial frame [m]
   Rotation R;   ///< hub frame to inertial frame
   Twist twist;  ///< velocity (resolved in the hub frame) and angular velocity
+};
+
+/// Hub motion that support and drive prescribe.
+struct PrescribedHub {
+  HubState state;
+  Twist acceleration;  ///< hub frame, less gravity: a - g (see solve_hub)
 };
 
 /// Result of (P 9).
@@ -136,14 +132,6 @@ struct HubSolution {
 struct BodyReport {
   double change;  ///< largest change of a coordinate in this iteration [m, rad]
   double failed;  ///< 1 if a coordinate is not finite or beyond its limit
-};
-
-/// The pass as a whole, summed in fixed order.
-struct PassReport {
-  double change;       ///< largest change of a coordinate in this iteration [m, rad]
-  double power;        ///< of drive and loads [W]
-  double dissipation;  ///< [W]
-  double failed;       ///< 1 if any body or the hub failed
 };
 
 /// One body's share of the table.
@@ -178,22 +166,47 @@ struct SubsystemData {
   std::vector<HandleWrenches> wrenches;
   std::vector<Pose> poses;  ///< in the hub frame; for sensors, no part of a step
   Eigen::VectorXd storage;  ///< of all flex vectors
+
+  // What the subsystem's nodes follow: the system's if it is coupled, else its own.
+  Clock* clock = nullptr;
+  const HubState* hub = nullptr;
+  const Twist* hub_acceleration = nullptr;  ///< hub frame, less gravity
+
+  PrescribedHub prescribed;              ///< if not coupled
+  std::vector<StepRecord> records;       ///< ring by step, if not coupled
+  std::vector<SubsystemSample> samples;  ///< ring by step
 };
 
 struct StepData {
-  PassControl control;
+  Window window;
+  /// One clock and one hub motion for all subsystems, because the hub has a free coordinate or the
+  /// formulation solves for all at once. Else each has its own.
+  bool is_coupled = false;
+  std::vector<Clock> clocks;  ///< one, or one for each subsystem
   HubState hub;
   HubSolution hub_solution;
   CoordinateBlock hub_coordinates;
   std::array<Twist, 7> hub_storage;  ///< of hub_coordinates
   std::vector<SubsystemData> subsystems;
-  PassReport report;
+  std::vector<SystemRecord> records;  ///< ring by step
 };
 
-/// Allocates the table for a system, at rest and undeformed; `history` flex vectors per body. What
-/// depends on the method is left to allocate(StepContext&). The system must outlive the data, which
-/// must not move.
-void allocate(const System& system, int history, StepData& data);
+/// What the table's size depends on besides the system.
+struct TableOptions {
+  int history = 0;          ///< flex vectors per body that the integrator keeps
+  bool is_coupled = false;  ///< see StepData
+  int window_steps = 1;     ///< steps between the first without a record and the furthest clock
+};
+
+/// Allocates the table for a system, at rest and undeformed. What depends on the method is left to
+/// allocate(StepContext&). The system must outlive the data, which must not move.
+void allocate(const System& system, const TableOptions& options, StepData& data);
+
+/// Place of a step's record in a ring.
+template <class Ring>
+auto& of_step(Ring& ring, std::int64_t step) {
+  return ring[static_cast<std::size_t>(step) % ring.size()];
+}
 
 /// Memory of a structure of doubles, or of `count` of them in a row.
 template <class T>

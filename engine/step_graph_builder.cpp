@@ -4,80 +4,139 @@
 #include "engine/hub.h"
 #include "engine/kinematics.h"
 #include "engine/pass_ends.h"
+#include "engine/samples.h"
 #include "engine/step_parts.h"
 
-// One pass, drawn for one blade of two bodies (structured and subsystem formulations):
+// One pass of one blade of two bodies (structured and subsystem formulations), where the whole
+// motion of the hub is prescribed:
 //
-//   hub motion ----------------+
-//                              v
-//   coordinates -> position -> velocity -+-> mass 1 -> inverse 1 -+-> effective -+-> hub solve
-//                                        +-> mass 2 -> inverse 2 -+              |       |
-//                                                           other blades --------+       |
-//   finish <-+- recovery 1 <-+- multipliers <--------------------------------------------+
-//            +- recovery 2 <-+
+//   hub motion -----------------+
+//                               v
+//   coordinates -> position -> velocity -+-> mass 1 -> inverse 1 -+-> effective -> multipliers
+//                                        +-> mass 2 -> inverse 2 -+                 |
+//   next pass's coordinates <- sensors <- finish <-+- recovery 1 <------------------+
+//                                  |               +- recovery 2 <------------------+
+//                                  +-> hub solve, once, behind all passes of all blades
 //
-// Blades meet at the hub only, and the bodies of a blade only in its position and velocity
-// analysis, its effective inertia and its multipliers: the two layers of parallelism are what the
-// declarations leave unordered. The augmented formulation has one node, "solve", in place of those
-// from "inverse" to "hub solve".
+// Nothing that a blade's next pass reads comes from another blade: the passes of a graph, and with
+// them the steps of a window, are one chain for each blade, on its own clock. The hub solve only
+// yields the reaction.
+//
+// Where the hub has a free coordinate, its acceleration is what the multipliers of all blades wait
+// for, "hub solve" stands between "effective" and "multipliers", and "hub motion" and "finish" are
+// nodes of the system. The same declarations then leave one pass after the other. The augmented
+// formulation has one node, "solve", in place of those from "inverse" to "hub solve".
+//
+// The bodies of a blade meet in its position and velocity analysis, its effective inertia, its
+// multipliers and its finish: the two layers of parallelism, and the window as the third, are what
+// the declarations leave unordered.
 
 namespace spoke {
 namespace {
 
+using graph::NodeLabel;
 using graph::PartId;
 using graph::reads;
 using graph::StepGraphBuilder;
 using graph::writes;
 using PartList = std::vector<PartId>;
 
-void add_hub_motion(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {
-  builder.add_node({"hub motion"}, reads(parts.hub_coordinates, parts.hub_history),
-                   writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
-                   [&c]() noexcept { begin_hub(c.system, c.method, c.data); });
+/// What adds nodes, and the pass they belong to.
+struct Assembly {
+  StepContext& c;
+  const StepParts& parts;
+  StepGraphBuilder& builder;
+  int pass = -1;
+
+  const SubsystemParts& blade(int i) const { return parts.subsystems[i]; }
+  NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
+    return {stage, subsystem, body, pass};
+  }
+};
+
+/// The body of a node that has nothing to do while its clock is halted.
+template <class Body>
+auto unless_halted(const Clock& clock, Body body) {
+  return [&clock, body]() noexcept {
+    if (!clock.is_halted()) body();
+  };
 }
 
-void add_coordinates(StepContext& c, const SubsystemParts& blade, int i,
-                     StepGraphBuilder& builder) {
+void add_hub_motion(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  g.builder.add_node(
+      g.label("hub motion"), reads(parts.clock, parts.hub_coordinates, parts.hub_history),
+      writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
+      unless_halted(c.data.clocks[0],
+                    [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
+}
+
+void add_prescribed_hub_motion(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const SubsystemData& data = g.c.data.subsystems[i];
+  const StepContext& c = g.c;
+  PrescribedHub& prescribed = g.c.data.subsystems[i].prescribed;
+  g.builder.add_node(g.label("hub motion", i), reads(blade.clock, blade.hub_state),
+                     writes(blade.hub_state),
+                     unless_halted(*data.clock, [&c, &prescribed, &clock = *data.clock]() noexcept {
+                       if (is_at_new_time(c.integrator.method, clock.control))
+                         prescribed = calc_prescribed_motion(c.system, clock.control.time);
+                     }));
+}
+
+void add_coordinates(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
   const PartList coordinates = blade.all(&BodyParts::coordinates);
   const PartList history = blade.all(&BodyParts::history);
-  builder.add_node({"coordinates", i},
-                   reads(coordinates, history, blade.all(&BodyParts::accelerations)),
-                   writes(coordinates, history), [&c, i]() noexcept {
-                     for (BodyData& body : c.data.subsystems[i].bodies)
-                       begin_block(c.method, c.data.control, body.coordinates);
-                   });
+  const Method& method = g.c.integrator.method;
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(g.label("coordinates", i),
+                     reads(blade.clock, coordinates, history, blade.all(&BodyParts::accelerations)),
+                     writes(coordinates, history),
+                     unless_halted(*data.clock, [&method, &data]() noexcept {
+                       for (BodyData& body : data.bodies)
+                         begin_block(method, data.clock->control, body.coordinates);
+                     }));
 }
 
 /// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle
 /// only, which a clamped frame has none of.
-PartList chain_coordinates(const StepContext& c, const SubsystemParts& blade, int i) {
-  PartList list = blade.all(&BodyParts::coordinates);
-  const FlexibleBody& tip = *c.system.subsystems[i].bodies.back().body;
+PartList chain_coordinates(const Assembly& g, int i) {
+  PartList list = g.blade(i).all(&BodyParts::coordinates);
+  const FlexibleBody& tip = *g.c.system.subsystems[i].bodies.back().body;
   if (tip.inboard.coordinate[kRotation] < 0) list.pop_back();
   return list;
 }
 
-void add_position(StepContext& c, const SubsystemParts& blade, int i, StepGraphBuilder& builder) {
-  builder.add_node(
-      {"position", i}, reads(chain_coordinates(c, blade, i)), writes(blade.rotations),
-      [&c, i]() noexcept { calc_rotations(c.system.subsystems[i], c.data.subsystems[i]); });
+void add_position(const Assembly& g, int i) {
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(g.label("position", i), reads(g.blade(i).clock, chain_coordinates(g, i)),
+                     writes(g.blade(i).rotations),
+                     unless_halted(*data.clock, [&subsystem, &data]() noexcept {
+                       calc_rotations(subsystem, data);
+                     }));
 }
 
-void add_velocity(StepContext& c, const StepParts& parts, const SubsystemParts& blade, int i,
-                  StepGraphBuilder& builder) {
-  builder.add_node({"velocity", i},
-                   reads(chain_coordinates(c, blade, i), blade.rotations, parts.hub_state),
-                   writes(blade.twists), [&c, i]() noexcept {
-                     calc_velocities(c.system.subsystems[i], c.data.hub, c.data.subsystems[i]);
-                   });
+void add_velocity(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(g.label("velocity", i),
+                     reads(blade.clock, chain_coordinates(g, i), blade.rotations, blade.hub_state),
+                     writes(blade.twists),
+                     unless_halted(*data.clock, [&subsystem, &data]() noexcept {
+                       calc_velocities(subsystem, data);
+                     }));
 }
 
 /// What a body's terms read: only what its options make them depend on.
-PartList terms_inputs(const StepContext& c, const StepParts& parts, int i, int j) {
-  const SubsystemParts& blade = parts.subsystems[i];
-  const ChainBody& member = c.system.subsystems[i].bodies[j];
-  PartList inputs{blade.bodies[j].coordinates, blade.twists};
-  if (std::holds_alternative<GeneralizedAlpha>(c.method))
+PartList terms_inputs(const Assembly& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
+  const ChainBody& member = g.c.system.subsystems[i].bodies[j];
+  PartList inputs{blade.clock, blade.bodies[j].coordinates, blade.twists};
+  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method))
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
   bool needs_rotations = false;
   bool needs_hub = member.centrifugal_stiffness != nullptr;
@@ -86,120 +145,150 @@ PartList terms_inputs(const StepContext& c, const StepParts& parts, int i, int j
     needs_hub |= load.frame == LoadFrame::inertial;
   }
   if (needs_rotations) inputs.push_back(blade.rotations);
-  if (needs_hub) inputs.push_back(parts.hub_state);
+  if (needs_hub) inputs.push_back(blade.hub_state);
   return inputs;
 }
 
-void add_mass(StepContext& c, const StepParts& parts, int i, int j, StepGraphBuilder& builder) {
-  SubsystemData& blade = c.data.subsystems[i];
-  const Twist& twist = blade.twists[j];
-  BodyData& body = blade.bodies[j];
-  builder.add_node(
-      {"mass", i, j}, reads(terms_inputs(c, parts, i, j)),
-      writes(parts.subsystems[i].bodies[j].terms), [&c, &blade, j, &twist, &body]() noexcept {
-        calc_body_terms({twist[kRotation], c.data.hub.twist[kRotation]}, c.system.damping, body);
+void add_mass(const Assembly& g, int i, int j) {
+  SubsystemData& blade = g.c.data.subsystems[i];
+  const Damping& damping = g.c.system.damping;
+  g.builder.add_node(
+      g.label("mass", i, j), reads(terms_inputs(g, i, j)), writes(g.blade(i).bodies[j].terms),
+      unless_halted(*blade.clock, [&damping, &blade, j]() noexcept {
+        const Twist& twist = blade.twists[j];
+        BodyData& body = blade.bodies[j];
+        calc_body_terms({twist[kRotation], blade.hub->twist[kRotation]}, damping, body);
         if (!body.model->loads.empty())
-          add_loads(c.data.control.time, calc_rotation_to_hub(blade, j), twist, c.data.hub.R, body);
-      });
+          add_loads(blade.clock->control.time, calc_rotation_to_hub(blade, j), twist, blade.hub->R,
+                    body);
+      }));
 }
 
-void add_inverse(StepContext& c, const SubsystemParts& blade, int i, int j,
-                 StepGraphBuilder& builder) {
+void add_inverse(const Assembly& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
   const BodyParts& parts = blade.bodies[j];
-  const auto inputs = reads(parts.coordinates, blade.twists, parts.terms);
-  const PassControl& control = c.data.control;
-  const Twist& twist = c.data.subsystems[i].twists[j];
-  const BodyData& body = c.data.subsystems[i].bodies[j];
-  if (c.formulation == Formulation::structured)
-    builder.add_node({"inverse", i, j}, inputs, writes(parts.inverse),
-                     [&control, &twist, &body, &work = c.work.structured[i].bodies[j]]() noexcept {
-                       structured::condense_body(body, twist[kRotation], control, work);
-                     });
+  const auto inputs = reads(blade.clock, parts.coordinates, blade.twists, parts.terms);
+  const SubsystemData& data = g.c.data.subsystems[i];
+  const auto add = [&](auto invert, auto& work) {
+    g.builder.add_node(g.label("inverse", i, j), inputs, writes(parts.inverse),
+                       unless_halted(*data.clock, [&data, j, invert, &work]() noexcept {
+                         invert(data.bodies[j], data.twists[j][kRotation],
+                                data.clock->control.is_implicit(), work);
+                       }));
+  };
+  if (g.c.formulation == Formulation::structured)
+    add(structured::condense_body, g.c.work.structured[i].bodies[j]);
   else
-    builder.add_node({"inverse", i, j}, inputs, writes(parts.inverse),
-                     [&control, &twist, &body, &work = c.work.subsystem[i].bodies[j]]() noexcept {
-                       subsystem::invert_body(body, twist[kRotation], control, work);
-                     });
+    add(subsystem::invert_body, g.c.work.subsystem[i].bodies[j]);
 }
 
-void add_effective(StepContext& c, const StepParts& parts, const SubsystemParts& blade, int i,
-                   StepGraphBuilder& builder) {
-  const auto inputs = reads(blade.all(&BodyParts::inverse), blade.all(&BodyParts::terms),
-                            blade.rotations, parts.hub_state);
-  if (c.formulation == Formulation::structured)
-    builder.add_node({"effective", i}, inputs, writes(blade.effective, blade.joints()),
-                     [&c, i]() noexcept {
-                       structured::condense_subsystem(c.system.subsystems[i], c.data.hub,
-                                                      c.data.subsystems[i], c.work.structured[i]);
-                     });
+void add_effective(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const auto inputs = reads(blade.clock, blade.all(&BodyParts::inverse),
+                            blade.all(&BodyParts::terms), blade.rotations, blade.hub_state);
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
+    g.builder.add_node(g.label("effective", i), inputs, outputs,
+                       unless_halted(*data.clock, [&subsystem, &data, condense, &work]() noexcept {
+                         condense(subsystem, data, work);
+                       }));
+  };
+  if (g.c.formulation == Formulation::structured)
+    add(structured::condense_subsystem, g.c.work.structured[i],
+        writes(blade.effective, blade.joints()));
   else
-    builder.add_node({"effective", i}, inputs, writes(blade.effective), [&c, i]() noexcept {
-      subsystem::condense_subsystem(c.system.subsystems[i], c.data.hub, c.data.subsystems[i],
-                                    c.work.subsystem[i]);
-    });
+    add(subsystem::condense_subsystem, g.c.work.subsystem[i], writes(blade.effective));
+}
+
+/// Whether a pass ends with the correction of a free coordinate of the hub.
+bool corrects_hub(const Assembly& g) {
+  return std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method) &&
+         !is_prescribed(g.c.system.hub);
 }
 
 /// What handing the hub's acceleration to the integrator reads.
-PartList hub_inputs(const StepContext& c, const StepParts& parts) {
-  PartList inputs{parts.hub_state, parts.hub_coordinates};
-  if (std::holds_alternative<GeneralizedAlpha>(c.method)) inputs.push_back(parts.hub_history);
+PartList hub_inputs(const Assembly& g) {
+  PartList inputs{g.parts.clock, g.parts.hub_state, g.parts.hub_coordinates};
+  if (corrects_hub(g)) inputs.push_back(g.parts.hub_history);
   return inputs;
 }
-
-void add_hub_solve(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {
-  builder.add_node({"hub solve"},
-                   reads(parts.all(&SubsystemParts::effective), hub_inputs(c, parts)),
-                   writes(parts.hub_solution, parts.hub_coordinates), [&c]() noexcept {
-                     solve_hub(c.system, c.data);
-                     complete_hub(c.system, c.method, c.data);
-                   });
+/// What solving for the hub's acceleration writes.
+PartList hub_outputs(const Assembly& g) {
+  PartList outputs{g.parts.hub_solution};
+  if (!is_prescribed(g.c.system.hub)) outputs.push_back(g.parts.hub_coordinates);
+  return outputs;
 }
 
-void add_augmented_solve(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {
+void add_hub_solve(const Assembly& g) {
+  StepContext& c = g.c;
+  g.builder.add_node(g.label("hub solve"),
+                     reads(g.parts.all(&SubsystemParts::effective), hub_inputs(g)),
+                     writes(hub_outputs(g)), unless_halted(c.data.clocks[0], [&c]() noexcept {
+                       solve_hub(c.system, c.data);
+                       complete_hub(c.system, c.integrator.method, c.data);
+                     }));
+}
+
+/// (P 9) where it only yields the reaction: once for all steps that are complete.
+void add_prescribed_hub_solve(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  g.builder.add_node({"hub solve"},
+                     reads(parts.all(&SubsystemParts::clock), parts.all(&SubsystemParts::records),
+                           parts.records, parts.hub_coordinates),
+                     writes(parts.records, parts.hub_coordinates),
+                     [&c]() noexcept { record_reactions(c.system, c.integrator, c.data); });
+}
+
+void add_augmented_solve(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
   PartList
       outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
   for (const SubsystemParts& blade : parts.subsystems)
     for (std::size_t j = 0; j + 1 < blade.bodies.size(); ++j)
       outboard_joints.push_back(blade.bodies[j].coordinates);
-  builder.add_node(
-      {"solve"},
+  g.builder.add_node(
+      g.label("solve"),
       reads(parts.all(&BodyParts::terms), outboard_joints, parts.all(&SubsystemParts::rotations),
-            parts.all(&SubsystemParts::twists), hub_inputs(c, parts)),
-      writes(parts.augmented_solution, parts.hub_solution, parts.hub_coordinates), [&c]() noexcept {
+            parts.all(&SubsystemParts::twists), hub_inputs(g)),
+      writes(parts.augmented_solution, hub_outputs(g)),
+      unless_halted(c.data.clocks[0], [&c]() noexcept {
         augmented::solve(c.system, c.data, c.work.augmented);
-        complete_hub(c.system, c.method, c.data);
-      });
+        complete_hub(c.system, c.integrator.method, c.data);
+      }));
 }
 
-void add_multipliers(StepContext& c, const StepParts& parts, int i, StepGraphBuilder& builder) {
-  const SubsystemParts& blade = parts.subsystems[i];
+void add_multipliers(const Assembly& g, int i) {
+  StepContext& c = g.c;
+  const SubsystemParts& blade = g.blade(i);
+  const Subsystem& subsystem = c.system.subsystems[i];
+  SubsystemData& data = c.data.subsystems[i];
+  const auto add = [&](const graph::Reads& inputs, auto recover) {
+    g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches),
+                       unless_halted(*data.clock, recover));
+  };
   switch (c.formulation) {
     case Formulation::structured: {
       PartList ports = blade.all(&BodyParts::inverse);
       ports.pop_back();  // the tip's two-port is in the effective inertia already
-      builder.add_node({"multipliers", i},
-                       reads(blade.effective, blade.joints(), ports, blade.rotations,
-                             parts.hub_state, parts.hub_solution),
-                       writes(blade.wrenches), [&c, i]() noexcept {
-                         structured::recover_wrenches(c.system.subsystems[i], c.data.hub,
-                                                      c.data.hub_solution, c.work.structured[i],
-                                                      c.data.subsystems[i]);
-                       });
-      break;
+      return add(reads(blade.clock, blade.effective, blade.joints(), ports, blade.rotations,
+                       blade.hub_state, blade.hub_acceleration),
+                 [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
+                   structured::recover_wrenches(subsystem, work, data);
+                 });
     }
     case Formulation::subsystem:
-      builder.add_node({"multipliers", i},
-                       reads(blade.effective, blade.rotations, parts.hub_solution),
-                       writes(blade.wrenches), [&c, i]() noexcept {
-                         subsystem::recover_wrenches(c.system.subsystems[i], c.data.hub_solution,
-                                                     c.work.subsystem[i], c.data.subsystems[i]);
-                       });
-      break;
+      return add(reads(blade.clock, blade.effective, blade.rotations, blade.hub_acceleration),
+                 [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
+                   subsystem::recover_wrenches(subsystem, work, data);
+                 });
     case Formulation::augmented:
-      builder.add_node({"multipliers", i}, reads(parts.augmented_solution, blade.rotations),
-                       writes(blade.wrenches), [&c, i]() noexcept {
-                         augmented::recover_wrenches(i, c.work.augmented, c.data.subsystems[i]);
-                       });
+      return add(reads(blade.clock, g.parts.augmented_solution, blade.rotations),
+                 [i, &data, &work = c.work.augmented]() noexcept {
+                   augmented::recover_wrenches(i, work, data);
+                 });
   }
 }
 
@@ -208,18 +297,18 @@ struct RecoveryAccess {
   PartList inputs;
   PartList outputs;
 };
-RecoveryAccess recovery_access(const StepContext& c, const StepParts& parts, int i, int j) {
-  const SubsystemParts& blade = parts.subsystems[i];
+RecoveryAccess recovery_access(const Assembly& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
   const BodyParts& body = blade.bodies[j];
-  PartList inputs{body.coordinates};  // checked, and by generalized_alpha corrected
+  PartList inputs{blade.clock, body.coordinates};  // checked, and by generalized_alpha corrected
   PartList outputs{body.accelerations, body.report};
-  if (c.formulation == Formulation::augmented) {
-    inputs.push_back(parts.augmented_solution);
+  if (g.c.formulation == Formulation::augmented) {
+    inputs.push_back(g.parts.augmented_solution);
   } else {
     inputs.push_back(blade.wrenches);
     inputs.push_back(body.inverse);
   }
-  if (std::holds_alternative<GeneralizedAlpha>(c.method)) {
+  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
     inputs.push_back(body.history);
     inputs.push_back(body.accelerations);
     outputs.push_back(body.coordinates);
@@ -227,82 +316,148 @@ RecoveryAccess recovery_access(const StepContext& c, const StepParts& parts, int
   return {inputs, outputs};
 }
 
-/// Adds a recovery node; `recover` finds the accelerations by the chosen formulation.
-template <class Recover>
-void add_recovery(StepContext& c, const StepParts& parts, int i, int j, Recover recover,
-                  StepGraphBuilder& builder) {
-  const auto [inputs, outputs] = recovery_access(c, parts, i, j);
-  builder.add_node({"recovery", i, j}, reads(inputs), writes(outputs),
-                   [&c, &body = c.data.subsystems[i].bodies[j], recover]() noexcept {
-                     recover(body);
-                     complete_body(c.method, c.data.control, body);
-                   });
-}
-
-void add_recovery(StepContext& c, const StepParts& parts, int i, int j, StepGraphBuilder& builder) {
-  const HandleWrenches& wrenches = c.data.subsystems[i].wrenches[j];
+void add_recovery(const Assembly& g, int i, int j) {
+  StepContext& c = g.c;
+  SubsystemData& blade = c.data.subsystems[i];
+  const Method& method = c.integrator.method;
+  const auto add = [&](auto recover) {
+    const auto [inputs, outputs] = recovery_access(g, i, j);
+    g.builder.add_node(g.label("recovery", i, j), reads(inputs), writes(outputs),
+                       unless_halted(*blade.clock, [&blade, &method, j, recover]() noexcept {
+                         BodyData& body = blade.bodies[j];
+                         recover(body);
+                         complete_body(method, blade.clock->control, body);
+                       }));
+  };
   switch (c.formulation) {
     case Formulation::structured:
-      return add_recovery(
-          c, parts, i, j,
-          [&wrenches, &control = c.data.control,
-           &work = c.work.structured[i].bodies[j]](BodyData& body) noexcept {
-            structured::recover_body(wrenches, work, control, body, body.a_found);
-          },
-          builder);
+      return add([&blade, j, &work = c.work.structured[i].bodies[j]](BodyData& body) noexcept {
+        structured::recover_body(blade.wrenches[j], work, blade.clock->control.is_implicit(), body,
+                                 body.a_found);
+      });
     case Formulation::subsystem:
-      return add_recovery(
-          c, parts, i, j,
-          [&wrenches, &work = c.work.subsystem[i].bodies[j]](BodyData& body) noexcept {
-            subsystem::recover_body(wrenches, work, body, body.a_found);
-          },
-          builder);
+      return add([&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData& body) noexcept {
+        subsystem::recover_body(blade.wrenches[j], work, body, body.a_found);
+      });
     case Formulation::augmented:
-      return add_recovery(
-          c, parts, i, j,
-          [&work = c.work.augmented, i, j](BodyData& body) noexcept {
-            augmented::recover_body(i, j, work, body, body.a_found);
-          },
-          builder);
+      return add([i, j, &work = c.work.augmented](BodyData& body) noexcept {
+        augmented::recover_body(i, j, work, body, body.a_found);
+      });
   }
 }
 
-void add_finish(StepContext& c, const StepParts& parts, StepGraphBuilder& builder) {
-  builder.add_node({"finish"},
-                   reads(parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
-                         parts.hub_solution, parts.hub_state),
-                   writes(parts.report), [&c]() noexcept { c.data.report = sum_reports(c.data); });
+void add_finish(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  const bool is_corrected = corrects_hub(g);
+  PartList outputs{parts.clock, parts.records};
+  if (is_corrected) outputs.push_back(parts.hub_state);
+  g.builder.add_node(g.label("finish"),
+                     reads(outputs, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
+                           parts.hub_solution, parts.hub_state, parts.hub_coordinates),
+                     writes(outputs), [&c, is_corrected]() noexcept {
+                       Clock& clock = c.data.clocks[0];
+                       if (clock.is_halted()) {
+                         clock.completed = -1.0;
+                         return;
+                       }
+                       finish_system(c.integrator, c.data);
+                       // For the sensors: the last correction has moved the hub once more.
+                       if (is_corrected && clock.completed >= 0.0)
+                         c.data.hub = calc_hub_state(c.data.hub_coordinates);
+                     });
+}
+
+void add_subsystem_finish(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const Integrator& integrator = g.c.integrator;
+  const Window& window = g.c.data.window;
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(g.label("finish", i),
+                     reads(blade.clock, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
+                           blade.effective, blade.hub_state, blade.records),
+                     writes(blade.clock, blade.records), [&integrator, &window, &data]() noexcept {
+                       if (data.clock->is_halted())
+                         data.clock->completed = -1.0;
+                       else
+                         finish_subsystem(integrator, window, data);
+                     });
+}
+
+/// What the sensors show, if the pass has completed a step and somebody wants to know.
+void add_sensors(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const System& system = g.c.system;
+  const Window& window = g.c.data.window;
+  SubsystemData& data = g.c.data.subsystems[i];
+  const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method);
+  PartList outputs{blade.poses, blade.samples}, inputs{blade.rotations, blade.twists};
+  if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
+  g.builder.add_node(
+      g.label("sensors", i),
+      reads(blade.clock, blade.all(&BodyParts::coordinates), blade.hub_state, inputs, outputs),
+      writes(outputs), [&system, &window, &data, i, is_corrected]() noexcept {
+        if (!window.observed || !(data.clock->completed >= 0.0)) return;
+        const auto index = static_cast<std::size_t>(i);
+        if (is_corrected) update_kinematics(system.subsystems[index], data);
+        const auto step = static_cast<std::int64_t>(data.clock->completed);
+        of_step(data.samples, step) = calc_sample(system, index, data);
+      });
+}
+
+/// From the coordinates to the inverses, or to the effective inertia where there is one.
+void add_condensation(const Assembly& g, int i) {
+  const int bodies = static_cast<int>(g.blade(i).bodies.size());
+  if (!g.c.data.is_coupled) add_prescribed_hub_motion(g, i);
+  add_coordinates(g, i);
+  add_position(g, i);
+  add_velocity(g, i);
+  for (int j = 0; j < bodies; ++j) add_mass(g, i, j);
+  if (g.c.formulation == Formulation::augmented) return;
+  for (int j = 0; j < bodies; ++j) add_inverse(g, i, j);
+  add_effective(g, i);
+}
+
+void add_recoveries(const Assembly& g, int i) {
+  const int bodies = static_cast<int>(g.blade(i).bodies.size());
+  add_multipliers(g, i);
+  for (int j = 0; j < bodies; ++j) add_recovery(g, i, j);
+}
+
+void add_coupled_pass(const Assembly& g, int blades) {
+  add_hub_motion(g);
+  for (int i = 0; i < blades; ++i) add_condensation(g, i);
+  if (g.c.formulation == Formulation::augmented)
+    add_augmented_solve(g);
+  else
+    add_hub_solve(g);
+  for (int i = 0; i < blades; ++i) add_recoveries(g, i);
+  add_finish(g);
+  for (int i = 0; i < blades; ++i) add_sensors(g, i);
+}
+
+void add_pass_of_blade(const Assembly& g, int i) {
+  add_condensation(g, i);
+  add_recoveries(g, i);
+  add_subsystem_finish(g, i);
+  add_sensors(g, i);
 }
 
 }  // namespace
 
-graph::StepGraph build_step_graph(StepContext& c) {
+graph::StepGraph build_step_graph(StepContext& c, int passes) {
   StepGraphBuilder builder("blade");
   const StepParts parts = add_parts(c, builder);
   const int blades = static_cast<int>(parts.subsystems.size());
-  const auto bodies = [&](int i) { return static_cast<int>(parts.subsystems[i].bodies.size()); };
-  const bool is_augmented = c.formulation == Formulation::augmented;
-
-  add_hub_motion(c, parts, builder);
-  for (int i = 0; i < blades; ++i) {
-    const SubsystemParts& blade = parts.subsystems[i];
-    add_coordinates(c, blade, i, builder);
-    add_position(c, blade, i, builder);
-    add_velocity(c, parts, blade, i, builder);
-    for (int j = 0; j < bodies(i); ++j) add_mass(c, parts, i, j, builder);
-    if (is_augmented) continue;
-    for (int j = 0; j < bodies(i); ++j) add_inverse(c, blade, i, j, builder);
-    add_effective(c, parts, blade, i, builder);
+  Assembly g{c, parts, builder};
+  for (int pass = 0; pass < passes; ++pass) {
+    if (passes > 1) g.pass = pass;
+    if (c.data.is_coupled)
+      add_coupled_pass(g, blades);
+    else
+      for (int i = 0; i < blades; ++i) add_pass_of_blade(g, i);
   }
-  if (is_augmented)
-    add_augmented_solve(c, parts, builder);
-  else
-    add_hub_solve(c, parts, builder);
-  for (int i = 0; i < blades; ++i) {
-    add_multipliers(c, parts, i, builder);
-    for (int j = 0; j < bodies(i); ++j) add_recovery(c, parts, i, j, builder);
-  }
-  add_finish(c, parts, builder);
+  if (!c.data.is_coupled) add_prescribed_hub_solve(g);
   return builder.build();
 }
 

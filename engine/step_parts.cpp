@@ -14,6 +14,11 @@ void add_flex(Memory& memory, double* flex, const FlexLayout& layout) {
   memory.emplace_back(flex + layout.v(), layout.bending);
 }
 
+template <class Record>
+std::span<double> ring(std::vector<Record>& records) {
+  return doubles(records[0], records.size());
+}
+
 template <class Matrix>
 std::span<double> memory_of(Matrix& matrix) {
   return {matrix.data(), static_cast<std::size_t>(matrix.size())};
@@ -68,16 +73,45 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
   SubsystemParts parts;
   parts.rotations = builder.add_part(name + "rotations", {doubles(data.rotations[0], count)});
   parts.twists = builder.add_part(name + "twists", {doubles(data.twists[0], count)});
+  parts.poses = builder.add_part(name + "poses", {doubles(data.poses[0], count)});
   parts.wrenches = builder.add_part(name + "wrenches", {doubles(data.wrenches[0], count)});
+  parts.samples = builder.add_part(name + "samples", {ring(data.samples)});
   if (context.formulation != Formulation::augmented) {
     Memory effective{doubles(data.effective)};
     if (context.formulation == Formulation::subsystem)
       effective.push_back(memory_of(context.work.subsystem[i].solution));
+    else
+      effective.push_back(doubles(context.work.structured[i].root));
     parts.effective = builder.add_part(name + "effective inertia", effective);
   }
   for (std::size_t j = 0; j < count; ++j)
     parts.bodies.push_back(add_body_parts(context, i, static_cast<int>(j), builder));
   return parts;
+}
+
+/// What subsystems follow: one clock and hub motion of the system, or their own.
+void add_time_parts(StepContext& context, StepGraphBuilder& builder, StepParts& parts) {
+  StepData& data = context.data;
+  if (data.is_coupled) {
+    parts.clock = builder.add_part("clock", {doubles(data.clocks[0])});
+    parts.hub_state = builder.add_part("hub state", {doubles(data.hub)});
+    parts.hub_solution = builder.add_part("hub solution", {doubles(data.hub_solution)});
+  }
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    SubsystemParts& blade = parts.subsystems[i];
+    if (data.is_coupled) {
+      blade.clock = parts.clock;
+      blade.hub_state = parts.hub_state;
+      blade.hub_acceleration = parts.hub_solution;
+      continue;
+    }
+    SubsystemData& subsystem = data.subsystems[i];
+    const std::string name = "blade " + std::to_string(i + 1) + " / ";
+    blade.clock = builder.add_part(name + "clock", {doubles(data.clocks[i])});
+    blade.hub_state = blade.hub_acceleration =
+        builder.add_part(name + "hub motion", {doubles(subsystem.prescribed)});
+    blade.records = builder.add_part(name + "records", {ring(subsystem.records)});
+  }
 }
 
 }  // namespace
@@ -117,14 +151,13 @@ StepParts add_parts(StepContext& context, StepGraphBuilder& builder) {
   parts.hub_coordinates =
       builder.add_part("hub coordinates", {{hub.q, kTwist}, {hub.v, kTwist}, {hub.a, kTwist}});
   parts.hub_history = builder.add_part("hub history", history);
-  parts.hub_state = builder.add_part("hub state", {doubles(data.hub)});
-  parts.hub_solution = builder.add_part("hub solution", {doubles(data.hub_solution)});
-  parts.report = builder.add_part("report", {doubles(data.report)});
+  parts.records = builder.add_part("records", {ring(data.records)});
   if (context.formulation == Formulation::augmented)
     parts.augmented_solution =
         builder.add_part("augmented solution", {memory_of(context.work.augmented.solution)});
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     parts.subsystems.push_back(add_subsystem_parts(context, static_cast<int>(i), builder));
+  add_time_parts(context, builder, parts);
   return parts;
 }
 

@@ -21,7 +21,9 @@ struct BodyParts {
 
 struct SubsystemParts {
   std::vector<BodyParts> bodies;
-  graph::PartId rotations, twists, effective, wrenches;
+  graph::PartId rotations, twists, poses, effective, wrenches, samples;
+  graph::PartId clock, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
+  graph::PartId records;                             ///< if not coupled
 
   /// One member of all bodies, root to tip.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
@@ -31,7 +33,8 @@ struct SubsystemParts {
 
 struct StepParts {
   std::vector<SubsystemParts> subsystems;
-  graph::PartId hub_coordinates, hub_history, hub_state, hub_solution, report;
+  graph::PartId hub_coordinates, hub_history, records;
+  graph::PartId clock, hub_state, hub_solution;  ///< if coupled
   graph::PartId augmented_solution;
 
   /// One member of all bodies of all subsystems.

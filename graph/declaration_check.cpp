@@ -102,13 +102,15 @@ class Checker {
         results_{Image(memory_.image_size()), Image(memory_.image_size())} {}
 
   std::vector<DeclarationFault> run() {
-    memory_.save(before_);
+    for (const NodeId node : graph_.serial_order()) check(node);
+    return std::move(faults_);
+  }
+  std::vector<DeclarationFault> run_to(NodeId last) {
     for (const NodeId node : graph_.serial_order()) {
-      check(node);
-      // The next node finds what this one left in its ordinary run.
-      for (std::size_t part = 0; part < part_count(); ++part) memory_.load(part, after_);
-      std::swap(before_, after_);
+      if (node == last) break;
+      graph_.run_node(node);
     }
+    check(last);
     return std::move(faults_);
   }
 
@@ -139,6 +141,7 @@ class Checker {
 
 void Checker::check(NodeId node) {
   node_ = node;
+  memory_.save(before_);
   declared_.assign(part_count(), {});
   for (const PartId p : graph_.node(node).reads) {
     declared_[static_cast<std::size_t>(p.index)].read = true;
@@ -156,6 +159,8 @@ void Checker::check(NodeId node) {
   find_undeclared_writes();
   find_unwritten_outputs();
   if (outputs_differ(results_[0]) || outputs_differ(results_[1])) find_undeclared_reads();
+  // The next node finds what this one left in its ordinary run.
+  for (std::size_t part = 0; part < part_count(); ++part) memory_.load(part, after_);
 }
 
 // Runs the node on the data it found, the parts marked in `poisoned` replaced by poison.
@@ -301,6 +306,12 @@ std::vector<DeclarationFault> check_declarations(const StepGraph& graph) {
   std::vector<DeclarationFault> overlaps = find_overlaps(graph.parts());
   if (!overlaps.empty()) return overlaps;
   return Checker(graph).run();
+}
+
+std::vector<DeclarationFault> check_declaration(const StepGraph& graph, NodeId node) {
+  std::vector<DeclarationFault> overlaps = find_overlaps(graph.parts());
+  if (!overlaps.empty()) return overlaps;
+  return Checker(graph).run_to(node);
 }
 
 }  // namespace spoke::graph

@@ -34,4 +34,8 @@ struct DeclarationFault {
 /// runs three times (more often if at fault), which must not matter to memory outside the parts.
 std::vector<DeclarationFault> check_declarations(const StepGraph& graph);
 
+/// The same for one node; those before it in the serial order run once, ordinarily, those behind it
+/// do not run.
+std::vector<DeclarationFault> check_declaration(const StepGraph& graph, NodeId node);
+
 }  // namespace spoke::graph

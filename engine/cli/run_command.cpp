@@ -59,9 +59,7 @@ void write_row(Recording& recording, double t, std::span<const double> values) {
   recording.writing_time += seconds_since(start);
 }
 
-void record(const Simulation& simulation, Recording& recording) {
-  const double t = simulation.time();
-  const auto values = simulation.sensor_values();
+void record(double t, std::span<const double> values, Recording& recording) {
   recording.statistics.add(t, values);
   recording.tips.add(t, values);
   if (recording.due.is_due(t)) write_row(recording, t, values);
@@ -71,15 +69,15 @@ void record(const Simulation& simulation, Recording& recording) {
 RunOutcome integrate(Simulation& simulation, Recording& recording, bool show_progress) {
   RunOutcome outcome;
   ProgressBar bar(simulation.scenario().integration.duration, show_progress);
-  record(simulation, recording);
+  record(simulation.time(), simulation.sensor_values(), recording);
   recording.writing_time = 0.0;
   const auto start = Clock::now();
   try {
-    while (!simulation.done()) {
-      simulation.step();
-      record(simulation, recording);
-      bar.update(simulation.time());
-    }
+    simulation.run_until(simulation.scenario().integration.duration,
+                         [&](double t, std::span<const double> sensors) {
+                           record(t, sensors, recording);
+                           bar.update(t);
+                         });
   } catch (const DivergenceError& error) {
     outcome.divergence = one_line(error.what());
   }

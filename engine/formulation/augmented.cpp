@@ -38,7 +38,7 @@ void add_joint(const SubsystemData& subsystem, int i, int j, Work& work) {
 void add_root_joint(const Subsystem& subsystem, const HubState& hub, const Rotation& R_HB, int row,
                     Work& work) {
   for (int c = 0; c < d; ++c) {
-    const HubState at_rest{hub.R, Twist::Zero()};
+    const HubState at_rest{hub.p, hub.R, Twist::Zero()};
     work.matrix.block<d, 1>(row, c) =
         calc_root_acceleration(subsystem, at_rest, Twist(Twist::Unit(c)), R_HB);
   }
@@ -55,9 +55,10 @@ void add_hub(const System& system, const StepData& data, Work& work) {
   const Hub& hub = system.hub;
   work.matrix.topLeftCorner<d, d>() =
       Twist(hub.mass, hub.mass, hub.inertia - centrifugal_inertia).asDiagonal();
-  work.right[kRotation] = calc_torque(hub.drive, data.control.time) +
+  work.right[kRotation] = calc_torque(hub.drive, data.clocks[0].control.time) +
                           2.0 * data.hub.twist[kRotation] * centrifugal_rate;
-  const Twist given = calc_prescribed_acceleration(system, data);
+  const Twist given =
+      calc_prescribed_acceleration(system, data.hub.R, data.hub_coordinates.a[kRotation]);
   int row = work.first_hub_multiplier;
   for (int c = 0; c < d; ++c)
     if (is_prescribed(hub, c)) {
@@ -106,8 +107,8 @@ void solve(const System& system, StepData& data, Work& work) noexcept {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     const SubsystemData& subsystem = data.subsystems[i];
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
-      add_body(subsystem.bodies[j], *work.elastic[i][j][data.control.implicit], work.first[i][j],
-               work);
+      add_body(subsystem.bodies[j], *work.elastic[i][j][data.clocks[0].control.is_implicit()],
+               work.first[i][j], work);
       add_joint(subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }
     add_root_joint(system.subsystems[i], data.hub, subsystem.rotations[0], work.first_joint[i][0],
@@ -119,7 +120,7 @@ void solve(const System& system, StepData& data, Work& work) noexcept {
 
   HubSolution& solution = data.hub_solution;
   solution.acceleration = work.solution.head<d>();
-  solution.applied_torque = calc_torque(system.hub.drive, data.control.time);
+  solution.applied_torque = calc_torque(system.hub.drive, data.clocks[0].control.time);
   solution.reaction.setZero();
   int row = work.first_hub_multiplier;
   for (int c = 0; c < d; ++c)

@@ -125,10 +125,9 @@ void allocate(const SubsystemData& data, SubsystemWork& work) {
   }
 }
 
-void condense_body(const BodyData& data, double speed, const PassControl& control,
-                   BodyWork& work) noexcept {
+void condense_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept {
   const FlexibleBody& body = *data.model->body;
-  const ElasticBlock& block = *data.blocks[control.implicit];
+  const ElasticBlock& block = *data.blocks[implicit];
   const int u = data.layout.u();
   const int v = data.layout.v();
   solve_together({&block.axial, data.c_theta + u, data.Q_f + u, work.W_theta + u, work.z + u},
@@ -158,7 +157,7 @@ void condense_body(const BodyData& data, double speed, const PassControl& contro
     turn_inboard(block, work.z[data.inboard_at[kRotation]], X_free, port);
 }
 
-void condense_subsystem(const Subsystem& subsystem, const HubState& hub, SubsystemData& data,
+void condense_subsystem(const Subsystem& subsystem, SubsystemData& data,
                         SubsystemWork& work) noexcept {
   const std::size_t count = work.bodies.size();
   SymmetricTwistMatrix Lambda =
@@ -178,14 +177,13 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
   }
 
   EffectiveInertia& effective = data.effective;
-  effective.root_mass = invert(Lambda);
-  effective.root_free = free;
+  work.root = {invert(Lambda), free};
   // The bracket's acceleration is T Y'' - w^2 p in the hub frame; R leads there from the first
   // body's.
   const Rotation& R = data.rotations[0];
   const Position& p = subsystem.root.p;
-  const SymmetricTwistMatrix mass = turn(R, effective.root_mass);
-  const double ww = hub.twist[kRotation] * hub.twist[kRotation];
+  const SymmetricTwistMatrix mass = turn(R, work.root.mass);
+  const double ww = data.hub->twist[kRotation] * data.hub->twist[kRotation];
   const Twist bias(-ww * p.x(), -ww * p.y(), 0.0);
   effective.mass = shift(p, mass).matrix();
   effective.force = shift(p, mass * Twist(R * free - bias));
@@ -196,11 +194,11 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
   }
 }
 
-void recover_wrenches(const Subsystem& subsystem, const HubState& hub, const HubSolution& solution,
-                      const SubsystemWork& work, SubsystemData& data) noexcept {
+void recover_wrenches(const Subsystem& subsystem, const SubsystemWork& work,
+                      SubsystemData& data) noexcept {
   const Twist root =
-      calc_root_acceleration(subsystem, hub, solution.acceleration, data.rotations[0]);
-  Twist F = data.effective.root_mass * (root - data.effective.root_free);
+      calc_root_acceleration(subsystem, *data.hub, *data.hub_acceleration, data.rotations[0]);
+  Twist F = work.root.mass * (root - work.root.free);
   const std::size_t count = work.bodies.size();
   for (std::size_t j = 0; j < count; ++j) {
     HandleWrenches& wrenches = data.wrenches[j];
@@ -214,10 +212,10 @@ void recover_wrenches(const Subsystem& subsystem, const HubState& hub, const Hub
   }
 }
 
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, const PassControl& control,
+void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool implicit,
                   BodyData& data, double* a) noexcept {
   const FlexibleBody& body = *data.model->body;
-  const ElasticBlock& block = *data.blocks[control.implicit];
+  const ElasticBlock& block = *data.blocks[implicit];
   const TwoPort& port = work.port;
   const Twist& F = wrenches.inboard;
   const Twist X_i_F(F[0] + port.x_i[0] * F[2], F[1] + port.x_i[1] * F[2], port.x_i[2] * F[2]);

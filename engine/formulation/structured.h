@@ -25,9 +25,16 @@ struct BodyWork {
   Pair* scratch = nullptr;    ///< of the solves
 };
 
+/// How the root wrench of a subsystem follows from its root's acceleration (body frame).
+struct RootInertia {
+  SymmetricTwistMatrix mass;  ///< Lambda^-1: wrench on the root handle per its acceleration
+  Twist free;                 ///< acceleration of the root handle without wrench
+};
+
 /// Per subsystem.
 struct SubsystemWork {
   std::vector<BodyWork> bodies;
+  RootInertia root;
   Eigen::VectorXd storage;    ///< of all flex vectors
   std::vector<Pair> scratch;  ///< 3E pairs per body
 };
@@ -35,19 +42,18 @@ struct SubsystemWork {
 void allocate(const SubsystemData& data, SubsystemWork& work);
 
 /// Solves for W_theta and z and condenses a body to its two-port.
-void condense_body(const BodyData& data, double speed, const PassControl& control,
-                   BodyWork& work) noexcept;
+void condense_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept;
 
 /// Eliminates the joints of a chain from tip to root: effective mass and force (P 10).
-void condense_subsystem(const Subsystem& subsystem, const HubState& hub, SubsystemData& data,
+void condense_subsystem(const Subsystem& subsystem, SubsystemData& data,
                         SubsystemWork& work) noexcept;
 
 /// Joint wrenches from root to tip (P 8), from the hub's acceleration.
-void recover_wrenches(const Subsystem& subsystem, const HubState& hub, const HubSolution& solution,
-                      const SubsystemWork& work, SubsystemData& data) noexcept;
+void recover_wrenches(const Subsystem& subsystem, const SubsystemWork& work,
+                      SubsystemData& data) noexcept;
 
 /// Accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, const PassControl& control,
+void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool implicit,
                   BodyData& data, double* a) noexcept;
 
 }  // namespace spoke::structured

@@ -62,9 +62,8 @@ void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic
   work.multipliers.setZero(C1);
 }
 
-void invert_body(const BodyData& data, double speed, const PassControl& control,
-                 BodyWork& work) noexcept {
-  calc_dense_mass(data, *work.elastic[control.implicit], work.mass);
+void invert_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept {
+  calc_dense_mass(data, *work.elastic[implicit], work.mass);
   work.factor.compute(work.mass);
   calc_inboard_jacobian(data, work.jacobians.topRows<d>());
   calc_outboard_jacobian(data, work.jacobians.bottomRows<d>());
@@ -75,9 +74,9 @@ void invert_body(const BodyData& data, double speed, const PassControl& control,
   work.products.noalias() = work.jacobians.lazyProduct(work.inverse_columns);
 }
 
-void condense_subsystem(const Subsystem& subsystem, const HubState& hub, SubsystemData& data,
+void condense_subsystem(const Subsystem& subsystem, SubsystemData& data,
                         SubsystemWork& work) noexcept {
-  assemble(subsystem, hub, data, work);
+  assemble(subsystem, *data.hub, data, work);
   work.factor.compute(work.D);
   work.solution.leftCols<d>().setZero();
   work.solution.topLeftCorner<d, d>().setIdentity();
@@ -85,8 +84,6 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
 
   EffectiveInertia& effective = data.effective;
   const TwistMatrix Phi_Y = data.rotations[0].inverse().matrix() * root_jacobian(subsystem);
-  effective.root_mass = {};  // the structured formulation's
-  effective.root_free.setZero();
   effective.mass = Phi_Y.transpose() * work.solution.topLeftCorner<d, d>() * Phi_Y;
   effective.force = -Phi_Y.transpose() * work.solution.col(d).head<d>();
   effective.centrifugal_inertia = effective.centrifugal_rate = 0.0;
@@ -96,10 +93,10 @@ void condense_subsystem(const Subsystem& subsystem, const HubState& hub, Subsyst
   }
 }
 
-void recover_wrenches(const Subsystem& subsystem, const HubSolution& solution, SubsystemWork& work,
+void recover_wrenches(const Subsystem& subsystem, SubsystemWork& work,
                       SubsystemData& data) noexcept {
   const Twist root =
-      data.rotations[0].inverse() * Twist(root_jacobian(subsystem) * solution.acceleration);
+      data.rotations[0].inverse() * Twist(root_jacobian(subsystem) * *data.hub_acceleration);
   work.multipliers.noalias() = work.solution.col(d) + work.solution.leftCols<d>().lazyProduct(root);
   const std::size_t count = work.bodies.size();
   for (std::size_t j = 0; j < count; ++j) {

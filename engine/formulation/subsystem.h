@@ -40,15 +40,14 @@ void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic
               SubsystemWork& work);
 
 /// Assembles and inverts one block of (P 11).
-void invert_body(const BodyData& data, double speed, const PassControl& control,
-                 BodyWork& work) noexcept;
+void invert_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept;
 
 /// Effective mass and force, (P 10).
-void condense_subsystem(const Subsystem& subsystem, const HubState& hub, SubsystemData& data,
+void condense_subsystem(const Subsystem& subsystem, SubsystemData& data,
                         SubsystemWork& work) noexcept;
 
 /// Multipliers, (P 8), as wrenches on the handles.
-void recover_wrenches(const Subsystem& subsystem, const HubSolution& solution, SubsystemWork& work,
+void recover_wrenches(const Subsystem& subsystem, SubsystemWork& work,
                       SubsystemData& data) noexcept;
 
 /// Accelerations of a body, (P 7).

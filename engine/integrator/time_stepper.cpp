@@ -1,25 +1,76 @@
 #include "engine/integrator/time_stepper.h"
 
+#include <algorithm>
+#include <exception>
+
+#include "engine/pass_ends.h"
+
 namespace spoke {
+namespace {
 
-TimeStepper::TimeStepper(StepContext& context, graph::Executor& executor,
-                         const IterationLimits& limits)
-    : context_(context), executor_(executor), limits_(limits) {}
+/// Runs between two copies of the state: what a failure costs to repeat, against what copies cost.
+constexpr int kRunsPerCopy = 32;
 
-bool TimeStepper::pass(double time, int stage, bool implicit) {
-  context_.data.control = {time, stage, implicit};
-  executor_.run();
-  ++evaluations_;
-  return context_.data.report.failed == 0.0;
+bool is_any_failed(const StepData& data) {
+  return std::any_of(data.clocks.begin(), data.clocks.end(),
+                     [](const Clock& clock) { return clock.ended() != StepOutcome::done; });
 }
 
-void TimeStepper::add_work(double duration, const PassReport& rates) {
-  work_.by_drive_and_loads += duration * rates.power;
-  work_.dissipated += duration * rates.dissipation;
+bool are_all_halted(const StepData& data) {
+  return std::all_of(data.clocks.begin(), data.clocks.end(),
+                     [](const Clock& clock) { return clock.is_halted(); });
+}
+
+StepOutcome first_failure(const StepData& data) {
+  for (const Clock& clock : data.clocks)
+    if (clock.ended() != StepOutcome::done) return clock.ended();
+  return StepOutcome::done;
+}
+
+/// Whether all clocks stand at the beginning of one step.
+bool are_together(const StepData& data) {
+  const double step = data.clocks[0].step;
+  return std::all_of(data.clocks.begin(), data.clocks.end(), [step](const Clock& clock) {
+    return clock.step == step && clock.passes == 0.0;
+  });
+}
+
+/// The last step that any clock has begun.
+double furthest_step(const StepData& data) {
+  double furthest = 0.0;
+  for (const Clock& clock : data.clocks)
+    furthest = std::max(furthest, clock.passes > 0.0 ? clock.step : clock.step - 1.0);
+  return furthest;
+}
+
+/// Lets the clocks go to the end of step `last`.
+void let_go(std::int64_t last, StepData& data) {
+  data.window.last = last;
+  for (Clock& clock : data.clocks)
+    if (clock.ended() == StepOutcome::done)
+      clock.halted = clock.step > static_cast<double>(last) ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+/// One call of advance().
+struct TimeStepper::Advance {
+  std::int64_t target;
+  const Completed& completed;
+  bool is_wide;  ///< clocks may part
+  int runs_since_copy = kRunsPerCopy;
+  std::exception_ptr thrown;  ///< by `completed`; no exception may cross an executor
+};
+
+TimeStepper::TimeStepper(StepContext& context, const graph::StepGraph& graph)
+    : context_(context), graph_(graph), saved_(context.data) {}
+
+void TimeStepper::run_serially() {
+  for (const graph::NodeId node : graph_.serial_order()) graph_.run_node(node);
 }
 
 StepOutcome TimeStepper::start() {
-  const auto* alpha = std::get_if<GeneralizedAlpha>(&context_.method);
+  const auto* alpha = std::get_if<GeneralizedAlpha>(&context_.integrator.method);
   StepData& data = context_.data;
   const auto each_block = [&](auto&& apply) {
     apply(data.hub_coordinates);
@@ -27,42 +78,85 @@ StepOutcome TimeStepper::start() {
       for (BodyData& body : subsystem.bodies) apply(body.coordinates);
   };
   if (alpha) each_block([](CoordinateBlock& block) { hold(block); });
-  if (!pass(0.0, PassControl::kEvaluateOnly, false)) return StepOutcome::left_limits;
+  data.window = {};
+  std::fill(data.clocks.begin(), data.clocks.end(), make_start_clock());
+  run_serially();
+  if (is_any_failed(data)) return first_failure(data);
   if (alpha) each_block([&](CoordinateBlock& block) { spoke::start(*alpha, block); });
+  steps_ = 0;
   return StepOutcome::done;
 }
 
-StepOutcome TimeStepper::step(double t, double t_next) {
-  return std::holds_alternative<Rk4>(context_.method) ? step_rk4(t, t_next)
-                                                      : step_generalized_alpha(t_next);
+StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor, bool observed,
+                                 const Completed& completed) {
+  StepData& data = context_.data;
+  if (steps_ >= target) return StepOutcome::done;
+  const bool is_wide = data.records.size() > 1 && target > steps_ + 1;
+  Advance advance{target, completed, is_wide, kRunsPerCopy, nullptr};
+  data.window.observed = observed;
+  open_window(advance);
+  executor.run_while([this, &advance] { return continues(advance); });
+  if (is_any_failed(data) && advance.is_wide && !advance.thrown) return repeat_failure(advance);
+  if (advance.thrown) std::rethrow_exception(advance.thrown);
+  return first_failure(data);
 }
 
-StepOutcome TimeStepper::step_generalized_alpha(double t_next) {
-  const double h = std::get<GeneralizedAlpha>(context_.method).step;
-  const PassReport before = context_.data.report;
-  const int most = limits_.fixed > 0 ? limits_.fixed : limits_.most;
-  for (int iteration = 0; iteration < most; ++iteration) {
-    if (!pass(t_next, iteration, true)) return StepOutcome::left_limits;
-    const bool is_last = limits_.fixed > 0 ? iteration + 1 == limits_.fixed
-                                           : context_.data.report.change <= limits_.tolerance;
-    if (!is_last) continue;
-    // The trapezoidal rule: second order, as the method.
-    add_work(0.5 * h, before);
-    add_work(0.5 * h, context_.data.report);
-    return StepOutcome::done;
+void TimeStepper::open_window(Advance& advance) {
+  StepData& data = context_.data;
+  std::int64_t last =
+      std::min(advance.target,
+               steps_ + (advance.is_wide ? static_cast<std::int64_t>(data.records.size()) : 1));
+  if (advance.is_wide && ++advance.runs_since_copy > kRunsPerCopy) {
+    if (are_together(data)) {
+      saved_.save();
+      saved_steps_ = steps_;
+      advance.runs_since_copy = 0;
+    } else {
+      last = static_cast<std::int64_t>(furthest_step(data));  // wait for one another
+    }
   }
-  return StepOutcome::not_converged;
+  data.window.first = steps_ + 1;
+  let_go(last, data);
 }
 
-StepOutcome TimeStepper::step_rk4(double t, double t_next) {
-  const double h = std::get<Rk4>(context_.method).step;
-  add_work(Rk4::weights[0] * h, context_.data.report);
-  for (int stage = 1; stage < Rk4::kStages; ++stage) {
-    const double time = Rk4::nodes[stage] == 1.0 ? t_next : t + Rk4::nodes[stage] * h;
-    if (!pass(time, stage, false)) return StepOutcome::left_limits;
-    add_work(Rk4::weights[stage] * h, context_.data.report);
+/// After a run: reports its steps and sets the next one, if there is one to be made.
+bool TimeStepper::continues(Advance& advance) {
+  StepData& data = context_.data;
+  report_steps(advance);
+  if (advance.thrown || steps_ >= advance.target) return false;
+  if (is_any_failed(data)) {
+    // Where clocks do not part, the others complete the step; where they do, it will be repeated.
+    return !advance.is_wide && !are_all_halted(data);
   }
-  return pass(t_next, 0, false) ? StepOutcome::done : StepOutcome::left_limits;
+  open_window(advance);
+  return true;
+}
+
+void TimeStepper::report_steps(Advance& advance) {
+  const std::int64_t last = last_complete_step(context_.data);
+  while (steps_ < last && !advance.thrown) {
+    ++steps_;
+    if (!advance.completed) continue;
+    try {
+      advance.completed(steps_);
+    } catch (...) {
+      advance.thrown = std::current_exception();
+    }
+  }
+}
+
+/// Goes back to the last copy and steps, one step at a time, into the failure again.
+StepOutcome TimeStepper::repeat_failure(Advance& advance) {
+  StepData& data = context_.data;
+  saved_.restore();
+  for (std::int64_t step = saved_steps_ + 1; !is_any_failed(data); ++step) {
+    data.window.first = step;
+    let_go(step, data);
+    while (!are_all_halted(data)) run_serially();
+    report_steps(advance);
+    if (advance.thrown) std::rethrow_exception(advance.thrown);
+  }
+  return first_failure(data);
 }
 
 }  // namespace spoke

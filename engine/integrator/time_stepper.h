@@ -1,58 +1,54 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
+#include "engine/state_copy.h"
 #include "engine/step_context.h"
 #include "graph/executor.h"
 
 namespace spoke {
 
-/// What the integrator of generalized_alpha iterates to.
-struct IterationLimits {
-  double tolerance = 1e-10;  ///< of the last change of a coordinate [m, rad]
-  int fixed = 0;             ///< number of iterations; 0: to the tolerance
-  int most = 30;
-};
-
-/// How a step ended.
-enum class StepOutcome {
-  done,
-  left_limits,    ///< a body's deformation or an acceleration is not finite or beyond its limits
-  not_converged,  ///< the iteration did not reach its tolerance
-};
-
-/// Work done on the system since t = 0, by the quadrature that belongs to the method.
-struct WorkDone {
-  double by_drive_and_loads = 0.0;  ///< [J]; gravity's is a function of the state, see sensors
-  double dissipated = 0.0;          ///< by damping [J]
-};
-
-/// Runs passes of the step graph to advance time.
+/// Advances a system by runs of its step graph. A run makes as many passes as the graph has, and
+/// each clock as many steps in them as it can, up to the end of a window: as many steps beyond the
+/// last complete one as the table has records for. Subsystems with clocks of their own may stand at
+/// different steps between two runs; they meet again at the target of advance().
 class TimeStepper {
  public:
-  /// context and executor must outlive the stepper.
-  TimeStepper(StepContext& context, graph::Executor& executor, const IterationLimits& limits);
+  /// Told of each complete step, in order, while its records (and samples, if they are observed)
+  /// are in the table.
+  using Completed = std::function<void(std::int64_t step)>;
 
-  /// Evaluates the accelerations at t = 0.
+  /// `graph`: of one pass, on `context`. Both must outlive the stepper.
+  TimeStepper(StepContext& context, const graph::StepGraph& graph);
+
+  /// Evaluates the accelerations at t = 0, serially.
   StepOutcome start();
-  /// Advances from t to t_next = t + h of the method.
-  StepOutcome step(double t, double t_next);
+  /// Advances to the end of step `target`, by runs of `executor`, whose graph is one of any number
+  /// of passes on the context. `observed`: samples are taken at each step. `completed` may be
+  /// empty; what it throws leaves the system between two steps of some subsystems, not to be
+  /// advanced further. If a step fails, the system stands at that step as if it had been advanced
+  /// step by step, whatever the window and the executor.
+  StepOutcome advance(std::int64_t target, graph::Executor& executor, bool observed = false,
+                      const Completed& completed = {});
 
-  std::int64_t evaluations() const { return evaluations_; }
-  const WorkDone& work() const { return work_; }
+  /// Steps that are complete; those that failed are not.
+  std::int64_t steps() const { return steps_; }
 
  private:
-  StepOutcome step_generalized_alpha(double t_next);
-  StepOutcome step_rk4(double t, double t_next);
-  /// Runs one pass; false if the state left its limits.
-  bool pass(double time, int stage, bool implicit);
-  void add_work(double duration, const PassReport& rates);
+  struct Advance;
+
+  void open_window(Advance& advance);
+  bool continues(Advance& advance);
+  void report_steps(Advance& advance);
+  StepOutcome repeat_failure(Advance& advance);
+  void run_serially();
 
   StepContext& context_;
-  graph::Executor& executor_;
-  IterationLimits limits_;
-  std::int64_t evaluations_ = 0;
-  WorkDone work_;
+  const graph::StepGraph& graph_;
+  std::int64_t steps_ = -1;
+  StateCopy saved_;  ///< a state from which a failure can be repeated
+  std::int64_t saved_steps_ = -1;
 };
 
 }  // namespace spoke

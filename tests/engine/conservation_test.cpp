@@ -55,18 +55,23 @@ class Run {
   void to(double duration, Visit&& visit) {
     const graph::StepGraph graph = build_step_graph(context_);
     const auto executor = graph::make_executor(graph, graph::ExecutorKind::serial);
-    TimeStepper stepper(context_, *executor, {1e-13, 0, 50});
+    context_.integrator.limits = {1e-13, 0, 50};
+    TimeStepper stepper(context_, graph);
     REQUIRE(stepper.start() == StepOutcome::done);
     sensors_.start(context_.system, context_.data);
-    const int steps = static_cast<int>(std::lround(duration / step_));
-    for (int n = 0; n < steps; ++n) {
-      REQUIRE(stepper.step(n * step_, (n + 1) * step_) == StepOutcome::done);
-      visit(stepper);
-    }
+    work_ = {};
+    const auto steps = static_cast<std::int64_t>(std::lround(duration / step_));
+    const auto outcome = stepper.advance(steps, *executor, false, [&](std::int64_t step) {
+      work_.add(of_step(context_.data.records, step).step);
+      step_done_ = step;
+      visit();
+    });
+    REQUIRE(outcome == StepOutcome::done);
   }
 
-  double energy_residual(const TimeStepper& stepper) {
-    return sensors_.measure(context_.system, stepper.work(), context_.data).back();
+  double energy_residual() {
+    Sensors::sample(context_.system, step_done_, context_.data);
+    return sensors_.measure(context_.system, work_, step_done_, context_.data).back();
   }
 
   /// Linear momentum, and angular momentum about the origin.
@@ -90,6 +95,8 @@ class Run {
   StepContext context_;
   Sensors sensors_;
   Lagrangian lagrangian_;
+  WorkDone work_;
+  std::int64_t step_done_ = 0;
 };
 
 Method rk4(double step) { return Rk4{step}; }
@@ -99,9 +106,7 @@ using MakeMethod = Method (*)(double step);
 double largest_residual(const Rotor& rotor, MakeMethod make, double step) {
   Run run(rotor, make(step), step);
   double largest = 0.0;
-  run.to(0.24, [&](const TimeStepper& stepper) {
-    largest = std::max(largest, std::abs(run.energy_residual(stepper)));
-  });
+  run.to(0.24, [&] { largest = std::max(largest, std::abs(run.energy_residual())); });
   return largest;
 }
 
@@ -109,9 +114,8 @@ double largest_momentum_change(MakeMethod make, double step) {
   Run run(free_rotor(), make(step), step);
   const Twist before = run.momentum();
   double largest = 0.0;
-  run.to(0.24, [&](const TimeStepper&) {
-    largest = std::max(largest, (run.momentum() - before).norm() / before.norm());
-  });
+  run.to(0.24,
+         [&] { largest = std::max(largest, (run.momentum() - before).norm() / before.norm()); });
   return largest;
 }
 
@@ -167,7 +171,7 @@ TEST_CASE("the hub of a free rotor is pulled about while its momentum is kept") 
   Run run(free_rotor(), rk4(2e-4), 2e-4);
   const double before = run.context().data.hub_coordinates.v[0];
   double largest_change = 0.0;
-  run.to(0.24, [&](const TimeStepper&) {
+  run.to(0.24, [&] {
     largest_change =
         std::max(largest_change, std::abs(run.context().data.hub_coordinates.v[0] - before));
   });
@@ -178,7 +182,7 @@ TEST_CASE("generalized_alpha converges to rk4 with second order, rk4 with fourth
   const Rotor rotor = soft_rotor(true, ReferenceFrame::clamped);
   const auto end_of = [&](MakeMethod make, double step) -> Eigen::VectorXd {
     Run run(rotor, make(step), step);
-    run.to(0.24, [](const TimeStepper&) {});
+    run.to(0.24, [] {});
     return independent_coordinates(run.context());
   };
   const Eigen::VectorXd exact = end_of(rk4, 1e-5);

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "engine/hub.h"
 #include "engine/kinematics.h"
 #include "engine/step_graph_builder.h"
 #include "graph/executor.h"
@@ -103,14 +104,36 @@ Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout) {
   return values;
 }
 
+void start_clocks(const PassControl& control, StepData& data) {
+  for (Clock& clock : data.clocks) {
+    clock = make_start_clock();
+    clock.control = control;
+  }
+}
+
+namespace {
+
+/// Of the state evaluated last: no step has ended there.
+Twist hub_reaction(double t, const StepContext& context) {
+  if (context.data.is_coupled) return context.data.hub_solution.reaction;
+  const Hub& hub = context.system.hub;
+  Twist sum = Twist(hub.mass, hub.mass, hub.inertia)
+                  .cwiseProduct(calc_prescribed_motion(context.system, t).acceleration);
+  for (const SubsystemData& subsystem : context.data.subsystems) sum += calc_reaction(subsystem);
+  return sum;
+}
+
+}  // namespace
+
 Evaluation evaluate(double t, StepContext& context, bool implicit) {
   const graph::StepGraph graph = build_step_graph(context);
   StepData& data = context.data;
-  data.control = {t, PassControl::kEvaluateOnly, implicit};
-  if (std::holds_alternative<GeneralizedAlpha>(context.method))
+  start_clocks({t, PassControl::kEvaluateOnly, implicit ? 1.0 : 0.0}, data);
+  if (std::holds_alternative<GeneralizedAlpha>(context.integrator.method))
     for (SubsystemData& subsystem : data.subsystems)
       for (BodyData& body : subsystem.bodies) hold(body.coordinates);
   graph::make_executor(graph, graph::ExecutorKind::serial)->run();
+  impose_hub_motion(context.system, t, data.hub_coordinates);
   std::vector<double> accelerations(data.hub_coordinates.a, data.hub_coordinates.a + kTwist);
   std::vector<double> wrenches;
   for (const SubsystemData& subsystem : data.subsystems)
@@ -123,15 +146,14 @@ Evaluation evaluate(double t, StepContext& context, bool implicit) {
                       subsystem.wrenches[j].inboard.end());
     }
   return {Eigen::Map<Eigen::VectorXd>(accelerations.data(), accelerations.size()),
-          Eigen::Map<Eigen::VectorXd>(wrenches.data(), wrenches.size()),
-          data.hub_solution.reaction};
+          Eigen::Map<Eigen::VectorXd>(wrenches.data(), wrenches.size()), hub_reaction(t, context)};
 }
 
 void make_context(const Rotor& rotor, Formulation formulation, const Method& method,
                   StepContext& context) {
   context.system = make_system(rotor);
   context.formulation = formulation;
-  context.method = method;
+  context.integrator.method = method;
   allocate(context);
 }
 

@@ -30,6 +30,9 @@ Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random);
 /// motion.
 void randomize_state(std::mt19937& random, StepContext& context);
 
+/// Sets every clock to one pass with `control`.
+void start_clocks(const PassControl& control, StepData& data);
+
 /// All accelerations found by a pass that only evaluates: hub, then bodies; and all root-to-tip
 /// joint wrenches.
 struct Evaluation {

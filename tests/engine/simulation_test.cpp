@@ -22,7 +22,7 @@ TEST_CASE("a simulation tells its size") {
   CHECK(size.bodies == 12);
   CHECK(size.coordinates == 144);
   CHECK(size.joints == 12);
-  CHECK(size.graph_nodes == 54);
+  CHECK(size.graph_nodes == 61);
   CHECK(simulation.planned_steps() == 4000);
   CHECK(simulation.time() == 0.0);
   CHECK(simulation.evaluations() == 1);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "engine/pass_ends.h"
 #include "graph/declaration_check.h"
@@ -15,16 +14,20 @@ using namespace spoke::test;
 
 namespace {
 
-/// A rotor whose nodes depend on all they can: free hub off the axis, stiffening, loads in every
-/// frame, damping, gravity, and two blades that differ.
-Rotor demanding_rotor() {
+/// A rotor whose nodes depend on all they can: roots off the axis, stiffening, loads in every
+/// frame, damping, gravity, two blades that differ, and a hub that is free or driven.
+Rotor demanding_rotor(bool is_coupled) {
   Rotor rotor = make_rotor(wu_haug_blade(2, 3), 2);
   rotor.blades[1].reference_frame = ReferenceFrame::chord;
   rotor.blades[1].bodies = 3;
-  rotor.hub.support = HubSupport::free;
   rotor.hub.mass = 3.0;
+  rotor.hub.inertia = 2.0;
   rotor.hub.radius = 0.2;
-  rotor.hub.drive = TorqueDrive{Curve(2.0), 1.0};
+  rotor.hub.drive = SpinUp{4.0, 1.0};
+  if (is_coupled) {
+    rotor.hub.support = HubSupport::free;
+    rotor.hub.drive = TorqueDrive{Curve(2.0), 1.0};
+  }
   rotor.gravity = Position{0.5, -9.0};
   rotor.damping = {0.1, 1e-4};
   PointLoad load;
@@ -39,6 +42,7 @@ Rotor demanding_rotor() {
 }
 
 struct Case {
+  bool is_coupled;
   Formulation formulation;
   Method method;
   std::vector<PassControl> controls;
@@ -47,17 +51,35 @@ struct Case {
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
-    cases.push_back({formulation, Rk4{1e-5}, {{0.1, 1, false}, {0.1, 2, false}, {0.1, 0, false}}});
-    cases.push_back({formulation,
-                     make_generalized_alpha(0.8, 0.005),
-                     {{0.1, 0, true}, {0.1, 1, true}, {0.1, -1, false}}});
-  }
+       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+    for (const bool is_coupled : {true, false}) {
+      cases.push_back(
+          {is_coupled, formulation, Rk4{1e-5}, {{0.1, 1, 0.0}, {0.1, 2, 0.0}, {0.1, 0, 0.0}}});
+      cases.push_back({is_coupled,
+                       formulation,
+                       make_generalized_alpha(0.8, 0.005),
+                       {{0.1, 0, 1.0}, {0.1, 1, 1.0}, {0.1, -1, 0.0}}});
+    }
   return cases;
 }
 
+/// Sets every clock to a pass within step 20, after work was done, as wide as one step.
+void set_clocks(const PassControl& control, StepContext& context) {
+  start_clocks(control, context.data);
+  for (Clock& clock : context.data.clocks) {
+    clock.step = control.stage == PassControl::kEvaluateOnly ? 0.0 : 20.0;
+    clock.passes = 1.0;
+    clock.power = {3.0, 2.0};
+    clock.work = 0.3;
+    clock.dissipated = 0.2;
+  }
+  context.data.window = {20, 20, true};
+  // The second iteration completes its step.
+  context.integrator.limits.tolerance = control.stage == 1.0 ? 1e9 : 0.0;
+}
+
 void prepare(const Case& which, StepContext& context) {
-  make_context(demanding_rotor(), which.formulation, which.method, context);
+  make_context(demanding_rotor(which.is_coupled), which.formulation, which.method, context);
   std::mt19937 random(4);
   randomize_state(random, context);
   // Histories and accelerations as after some steps, so that every term of the integrator counts.
@@ -119,7 +141,7 @@ TEST_CASE("every node of every step graph declares what it reads and writes") {
       StepContext context;
       prepare(which, context);
       const graph::StepGraph graph = build_step_graph(context);
-      context.data.control = control;
+      set_clocks(control, context);
       for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
         FAIL_CHECK(fault.message);
       CHECK(graph::conflicts_are_ordered(graph));
@@ -139,9 +161,9 @@ TEST_CASE("a step graph with any one declaration removed is caught") {
         const graph::StepGraph damaged = rebuild_without(graph, n, part, is_read);
         return std::any_of(which.controls.begin(), which.controls.end(),
                            [&](const PassControl& control) {
-                             context.data.control = control;
                              snapshot.restore();
-                             return !graph::check_declarations(damaged).empty();
+                             set_clocks(control, context);
+                             return !graph::check_declaration(damaged, {n}).empty();
                            });
       };
       const auto check = [&](const std::vector<graph::PartId>& parts, bool is_read) {
@@ -162,37 +184,57 @@ TEST_CASE("a step graph with any one declaration removed is caught") {
   }
 }
 
-TEST_CASE("blades meet at the hub only") {
+TEST_CASE("a pass has its nodes by blade and body") {
   StepContext context;
   make_context(make_rotor(wu_haug_blade(), 3), Formulation::structured,
                make_generalized_alpha(0.8, 0.005), context);
   const graph::StepGraph graph = build_step_graph(context);
-  CHECK(graph.node_count() == 3 + 3 * (5 + 3 * 4));
+  CHECK(graph.node_count() == 1 + 3 * (8 + 3 * 4));
   std::map<std::string, int> count;
-  for (int n = 0; n < graph.node_count(); ++n) {
-    const graph::NodeLabel& label = graph.node({n}).label;
-    ++count[label.stage];
-    for (const graph::NodeId next : graph.successors({n})) {
-      const int to = graph.node(next).label.subsystem;
-      if (label.subsystem >= 0 && to >= 0) CHECK(label.subsystem == to);
-    }
-  }
+  for (const graph::Node& node : graph.nodes()) ++count[node.label.stage];
   CHECK(count["inverse"] == 12);
   CHECK(count["mass"] == 12);
   CHECK(count["effective"] == 3);
   CHECK(count["hub solve"] == 1);
 }
 
-TEST_CASE("with a prescribed hub no coordinate of the next pass waits for the hub's solution") {
-  // What a graph over several steps will build on: the solution yields the blades' reactions within
-  // the pass, and nothing outside reads it but the report.
+namespace {
+
+/// Edges from a node of one blade to a node of another, or of the system, but for the last node.
+int count_edges_between_blades(const Rotor& rotor, Formulation formulation, int passes) {
   StepContext context;
-  make_context(make_rotor(wu_haug_blade(2, 2), 2), Formulation::structured,
-               make_generalized_alpha(0.8, 0.005), context);
-  const graph::StepGraph graph = build_step_graph(context);
-  std::set<std::string> readers;
+  make_context(rotor, formulation, make_generalized_alpha(0.8, 0.005), context);
+  const graph::StepGraph graph = build_step_graph(context, passes);
+  CHECK(graph::conflicts_are_ordered(graph));
+  int count = 0;
   for (int n = 0; n < graph.node_count(); ++n)
-    for (const graph::PartId part : graph.node({n}).reads)
-      if (graph.part(part).name == "hub solution") readers.insert(graph.node({n}).label.stage);
-  CHECK(readers == std::set<std::string>{"multipliers", "finish"});
+    for (const graph::NodeId next : graph.successors({n}))
+      if (next.index + 1 < graph.node_count())
+        count += graph.node({n}).label.subsystem != graph.node(next).label.subsystem ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("where the hub is prescribed, blades meet at the end of the window only") {
+  const Rotor rotor = make_rotor(wu_haug_blade(2, 2), 3);
+  for (const int passes : {1, 2, 7}) {
+    CHECK(count_edges_between_blades(rotor, Formulation::structured, passes) == 0);
+    CHECK(count_edges_between_blades(rotor, Formulation::subsystem, passes) == 0);
+    CHECK(count_edges_between_blades(rotor, Formulation::augmented, passes) > 5 * passes);
+  }
+  StepContext context;
+  make_context(rotor, Formulation::structured, make_generalized_alpha(0.8, 0.005), context);
+  const graph::StepGraph graph = build_step_graph(context, 7);
+  const graph::NodeId last{graph.node_count() - 1};
+  CHECK(graph.name_of(last) == "hub solve");
+  CHECK(graph.predecessors(last).size() == 3);
+  CHECK(graph.name_of({5}).find("(pass 1)") != std::string::npos);
+}
+
+TEST_CASE("where the hub is not prescribed, the edges through it appear in every pass") {
+  Rotor rotor = make_rotor(wu_haug_blade(2, 2), 3);
+  rotor.hub.drive = FreeDrive{1.0};
+  for (const int passes : {1, 2, 7})
+    CHECK(count_edges_between_blades(rotor, Formulation::structured, passes) > 5 * passes);
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+// From the end of a pass to the start of the next: whether the step is complete, what the next pass
+// evaluates, and the work done on the way.
+
+#include "engine/clock.h"
+#include "engine/integrator/method.h"
+
+namespace spoke {
+
+/// What the integrator of generalized_alpha iterates to.
+struct IterationLimits {
+  double tolerance = 1e-10;  ///< of the last change of a coordinate [m, rad]
+  int fixed = 0;             ///< number of iterations; 0: to the tolerance
+  int most = 30;
+};
+
+/// A method, with its coefficients and step, and what it iterates to.
+struct Integrator {
+  Method method;
+  IterationLimits limits;
+};
+/// h [s]: step n ends at n h.
+double step_size(const Integrator& integrator);
+
+/// A clock that evaluates the accelerations at t = 0 and halts.
+Clock make_start_clock();
+
+/// Sets the clock to the first pass of step `step`.
+void begin_step(const Integrator& integrator, std::int64_t step, Clock& clock) noexcept;
+
+/// Takes the report of the pass that the clock stood at, and sets it to the next pass: of the same
+/// step, or the first one of the next, halting behind the last step of the window. Afterwards
+/// `clock.completed` tells the step that this pass completed, if any, and `record` (written only
+/// then, but for its reaction) what it did.
+void end_pass(const Integrator& integrator, const Window& window, const PassReport& report,
+              Clock& clock, StepRecord& record) noexcept;
+
+/// Passes that one step takes: those of rk4, or of a fixed number of iterations; of an iteration to
+/// a tolerance 2, which is what it takes mostly.
+int usual_passes(const Integrator& integrator);
+
+}  // namespace spoke
