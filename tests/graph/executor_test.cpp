@@ -7,67 +7,18 @@
 #include <thread>
 
 #include "tests/graph/arithmetic_graph.h"
+#include "tests/graph/recorded_graph.h"
 
 using namespace spoke::graph;
 using spoke::graph::testing::build_graph;
 using spoke::graph::testing::GraphPlan;
 using spoke::graph::testing::make_random_plan;
+using spoke::graph::testing::RecordedGraph;
 
 namespace {
 
-// Per node: how often it ran, and its place in the order of starts and ends of the last run.
-struct Record {
-  std::atomic<int> runs{0};
-  std::atomic<int> start{0};
-  std::atomic<int> end{0};
-};
-
-// A random graph whose nodes record when they run.
-class RecordedGraph {
- public:
-  RecordedGraph() : records_(60), graph_(build()) {}
-
-  const StepGraph& graph() const { return graph_; }
-
-  int count_nodes_not_run(int times) const {
-    int count = 0;
-    for (const Record& record : records_) count += record.runs != times ? 1 : 0;
-    return count;
-  }
-  int count_edges_out_of_order() const {
-    int count = 0;
-    for (int i = 0; i < graph_.node_count(); ++i) {
-      for (const NodeId before : graph_.predecessors({i})) {
-        const Record& first = records_[static_cast<std::size_t>(before.index)];
-        count += first.end >= records_[static_cast<std::size_t>(i)].start ? 1 : 0;
-      }
-    }
-    return count;
-  }
-
- private:
-  StepGraph build() {
-    const GraphPlan plan = make_random_plan(3, static_cast<int>(records_.size()), 25, 1);
-    StepGraphBuilder builder;
-    for (std::size_t i = 0; i < plan.memory.size(); ++i) builder.add_part("part", {});
-    for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
-      builder.add_node({"node"}, reads(plan.nodes[i].reads), writes(plan.nodes[i].writes),
-                       [this, i]() noexcept {
-                         records_[i].start = clock_++;
-                         ++records_[i].runs;
-                         records_[i].end = clock_++;
-                       });
-    }
-    return builder.build();
-  }
-
-  std::atomic<int> clock_{0};
-  std::vector<Record> records_;
-  StepGraph graph_;
-};
-
 void check_every_run(ExecutorKind kind, int threads) {
-  RecordedGraph recorded;
+  RecordedGraph recorded(make_random_plan(3, 60, 25, 1));
   const auto executor = make_executor(recorded.graph(), kind, threads);
   int faults = 0;
   for (int run = 1; run <= 1000; ++run) {
@@ -146,7 +97,7 @@ TEST_CASE("two executors run at once in two threads of the program") {
 }
 
 TEST_CASE("an executor made in one thread may run in another") {
-  RecordedGraph recorded;
+  RecordedGraph recorded(make_random_plan(3, 60, 25, 1));
   const auto executor = make_executor(recorded.graph(), ExecutorKind::flow_graph, 2);
   std::thread([&] { executor->run(); }).join();
   executor->run();
