@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
@@ -113,6 +114,30 @@ TEST_CASE("executors tell their name and threads, and refuse a negative number")
   CHECK(make_executor(graph, ExecutorKind::flow_graph)->threads() == Threads(available_threads()));
   CHECK(make_executor(graph, ExecutorKind::flow_graph)->name() == "flow_graph");
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, -1), std::invalid_argument);
+}
+
+TEST_CASE("kinds are found by name, and one that this build is without is refused, and why") {
+  const StepGraph graph = StepGraphBuilder().build();
+  const auto kinds = executor_kinds();
+  for (const ExecutorKind kind : kinds) CHECK(executor_kind(name_of(kind)) == kind);
+  CHECK_THROWS_WITH_AS(executor_kind("openmp"),
+                       doctest::Contains("no executor is named \"openmp\"; known here: flow_graph"),
+                       std::invalid_argument);
+  for (const ExecutorKind kind :
+       {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
+    const std::string why = std::string(name_of(kind)) +
+                            " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known "
+                            "here: flow_graph, serial";
+    CHECK_THROWS_WITH_AS(executor_kind(name_of(kind)), why.c_str(), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(make_executor(graph, kind), why.c_str(), std::invalid_argument);
+  }
+}
+
+TEST_CASE("executors of one layer of threads refuse nested teams") {
+  const StepGraph graph = StepGraphBuilder().build();
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, {3, 2}), std::invalid_argument);
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::serial, {1, 0}), std::invalid_argument);
 }
 
 TEST_CASE("the available threads are at least one and at most the processors") {
