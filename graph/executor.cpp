@@ -67,18 +67,6 @@ bool has_nested_teams(ExecutorKind kind) {
   return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
 }
 
-void check_threads(ExecutorKind kind, const Threads& threads) {
-  if (threads.outer < 0 || threads.inner < 1) {
-    throw std::invalid_argument("number of threads: expected 0 (all available) or more, got " +
-                                name_of(threads));
-  }
-  if (threads.inner != 1 && !has_nested_teams(kind)) {
-    throw std::invalid_argument(std::string(name_of(kind)) +
-                                " has one layer of threads, expected a number, got " +
-                                name_of(threads));
-  }
-}
-
 }  // namespace
 
 int available_threads() {
@@ -130,6 +118,18 @@ ExecutorKind executor_kind(std::string_view name) {
   }
   check_in_build(*kind);
   return *kind;
+}
+
+void check_threads(ExecutorKind kind, const Threads& threads) {
+  if (threads.outer < 0 || threads.inner < 1) {
+    throw std::invalid_argument("number of threads: expected 0 (all available) or more, got " +
+                                name_of(threads));
+  }
+  if (threads.inner != 1 && !has_nested_teams(kind)) {
+    throw std::invalid_argument(std::string(name_of(kind)) +
+                                " has one layer of threads, expected a number, got " +
+                                name_of(threads));
+  }
 }
 
 std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,

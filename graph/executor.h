@@ -58,10 +58,13 @@ std::string_view name_of(ExecutorKind kind);
 /// The kind of this name. Throws std::invalid_argument, with the names to choose from, if there is
 /// none or this build is without it.
 ExecutorKind executor_kind(std::string_view name);
+/// Throws std::invalid_argument if a number of threads is negative, or of nested teams that this
+/// kind does not have.
+void check_threads(ExecutorKind kind, const Threads& threads);
 
 /// Makes an executor with `threads` threads (0 = available_threads()). It refers to `graph`, which
 /// must outlive it and stay in place. Throws std::invalid_argument if this build is without the
-/// kind, or if a number of threads is negative, or of nested teams that this kind does not have.
+/// kind, and as check_threads().
 std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
                                         Threads threads = {});
 
