@@ -33,6 +33,40 @@ int processors_of_affinity() {
   return static_cast<int>(std::thread::hardware_concurrency());
 }
 
+#ifdef SPOKE_HAS_OPENMP
+constexpr bool kHasOpenMp = true;
+#else
+constexpr bool kHasOpenMp = false;
+#endif
+
+// Those that need OpenMP stand last.
+constexpr std::array kKinds{ExecutorKind::flow_graph, ExecutorKind::serial,
+                            ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2,
+                            ExecutorKind::openmp_levels};
+constexpr std::size_t kOpenMpKinds = 3;
+
+std::string known_names() {
+  std::string names;
+  for (const ExecutorKind kind : executor_kinds()) {
+    if (!names.empty()) names += ", ";
+    names += name_of(kind);
+  }
+  return names;
+}
+
+void check_in_build(ExecutorKind kind) {
+  const auto known = executor_kinds();
+  if (std::find(known.begin(), known.end(), kind) != known.end()) return;
+  throw std::invalid_argument(
+      std::string(name_of(kind)) +
+      " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known here: " +
+      known_names());
+}
+
+bool has_nested_teams(ExecutorKind kind) {
+  return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
+}
+
 }  // namespace
 
 int available_threads() {
@@ -56,8 +90,7 @@ void Executor::run_while(const std::function<bool()>& more) {
 }
 
 std::span<const ExecutorKind> executor_kinds() {
-  static constexpr std::array kinds{ExecutorKind::flow_graph, ExecutorKind::serial};
-  return kinds;
+  return std::span(kKinds).first(kHasOpenMp ? kKinds.size() : kKinds.size() - kOpenMpKinds);
 }
 
 std::string_view name_of(ExecutorKind kind) {
@@ -66,27 +99,60 @@ std::string_view name_of(ExecutorKind kind) {
       return "flow_graph";
     case ExecutorKind::serial:
       return "serial";
+    case ExecutorKind::openmp_scheme1:
+      return "openmp_scheme1";
+    case ExecutorKind::openmp_scheme2:
+      return "openmp_scheme2";
+    case ExecutorKind::openmp_levels:
+      return "openmp_levels";
   }
   return "unknown";
 }
 
-std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
-                                        Threads threads) {
+ExecutorKind executor_kind(std::string_view name) {
+  const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                 [name](ExecutorKind k) { return name_of(k) == name; });
+  if (kind == kKinds.end()) {
+    throw std::invalid_argument("no executor is named \"" + std::string(name) +
+                                "\"; known here: " + known_names());
+  }
+  check_in_build(*kind);
+  return *kind;
+}
+
+void check_threads(ExecutorKind kind, const Threads& threads) {
   if (threads.outer < 0 || threads.inner < 1) {
     throw std::invalid_argument("number of threads: expected 0 (all available) or more, got " +
                                 name_of(threads));
   }
-  if (threads.inner != 1) {
+  if (threads.inner != 1 && !has_nested_teams(kind)) {
     throw std::invalid_argument(std::string(name_of(kind)) +
                                 " has one layer of threads, expected a number, got " +
                                 name_of(threads));
   }
+}
+
+std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
+                                        Threads threads) {
+  check_in_build(kind);
+  check_threads(kind, threads);
   if (threads.outer == 0) threads.outer = available_threads();
   switch (kind) {
     case ExecutorKind::serial:
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph:
       return make_flow_graph_executor(graph, threads.outer);
+#ifdef SPOKE_HAS_OPENMP
+    case ExecutorKind::openmp_scheme1:
+      return make_openmp_scheme1_executor(graph, threads);
+    case ExecutorKind::openmp_scheme2:
+      return make_openmp_scheme2_executor(graph, threads);
+    case ExecutorKind::openmp_levels:
+      return make_openmp_levels_executor(graph, threads.outer);
+#else
+    default:
+      break;
+#endif
   }
   throw std::invalid_argument("unknown kind of executor");
 }

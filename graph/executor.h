@@ -44,18 +44,27 @@ class Executor {
 };
 
 enum class ExecutorKind {
-  flow_graph,  ///< a oneTBB flow graph in an arena of its own
-  serial,      ///< a loop on the calling thread; `threads` is ignored
+  flow_graph,      ///< a oneTBB flow graph in an arena of its own
+  serial,          ///< a loop on the calling thread; `threads` is ignored
+  openmp_scheme1,  ///< nested OpenMP teams that last for all passes of run_while()
+  openmp_scheme2,  ///< nested OpenMP teams that begin and end with every loop of a pass
+  openmp_levels,   ///< an OpenMP loop for each level of the graph
 };
 
-/// All kinds of this build.
+/// All kinds of this build. Without OpenMP there are none of the kinds "openmp_...".
 std::span<const ExecutorKind> executor_kinds();
-/// "flow_graph", "serial".
+/// "flow_graph", "serial" and so on, as above.
 std::string_view name_of(ExecutorKind kind);
+/// The kind of this name. Throws std::invalid_argument, with the names to choose from, if there is
+/// none or this build is without it.
+ExecutorKind executor_kind(std::string_view name);
+/// Throws std::invalid_argument if a number of threads is negative, or of nested teams that this
+/// kind does not have.
+void check_threads(ExecutorKind kind, const Threads& threads);
 
 /// Makes an executor with `threads` threads (0 = available_threads()). It refers to `graph`, which
-/// must outlive it and stay in place. Throws std::invalid_argument if a number of threads is
-/// negative, or of nested teams that this kind does not have.
+/// must outlive it and stay in place. Throws std::invalid_argument if this build is without the
+/// kind, and as check_threads().
 std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
                                         Threads threads = {});
 

@@ -11,4 +11,9 @@ namespace spoke::graph {
 std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph);
 std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, int threads);
 
+/// Of builds with OpenMP only.
+std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads);
+std::unique_ptr<Executor> make_openmp_scheme2_executor(const StepGraph& graph, Threads threads);
+std::unique_ptr<Executor> make_openmp_levels_executor(const StepGraph& graph, int threads);
+
 }  // namespace spoke::graph

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <charconv>
 #include <iostream>
+#include <stdexcept>
 #include <utility>
 
 #include "models/error.h"
@@ -119,6 +120,38 @@ graph::Threads parse_threads(const std::string& text) {
   return {outer, inner};
 }
 
+/// Like a choice, but a name may be one that this build is without, and the message then says so.
+void add_executor(CLI::App& run, Arguments& arguments) {
+  std::string names;
+  for (const ExecutorKind kind : graph::executor_kinds()) {
+    if (!names.empty()) names += ',';
+    names += name_of(kind);
+  }
+  const auto find_fault = [](const std::string& name) -> std::string {
+    try {
+      graph::executor_kind(name);
+      return {};
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  run.add_option_function<std::string>(
+         "--executor",
+         [&](const std::string& name) { arguments.options.executor = graph::executor_kind(name); },
+         "What runs the task graph of a step [flow_graph]")
+      ->check(CLI::Validator(find_fault, '{' + names + '}'))
+      ->type_name("NAME");
+}
+
+/// Whether the executor runs on such threads, of which one option says nothing of the other.
+void check_threads(const SimulationOptions& options) {
+  try {
+    graph::check_threads(options.executor, options.threads);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--threads", error.what());
+  }
+}
+
 void add_run(CLI::App& program, Arguments& arguments) {
   CLI::App& run = *program.add_subcommand("run", "Simulate a scenario and write its results");
   add_common(run, arguments);
@@ -132,9 +165,7 @@ void add_run(CLI::App& program, Arguments& arguments) {
                                 "Integration method\n[what the scenario says; generalized_alpha]",
                                 {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4},
                                 [&](IntegrationMethod method) { arguments.integrator = method; });
-  add_choice<ExecutorKind>(run, "--executor", "What runs the task graph of a step [flow_graph]",
-                           {ExecutorKind::flow_graph, ExecutorKind::serial},
-                           [&](ExecutorKind kind) { arguments.options.executor = kind; });
+  add_executor(run, arguments);
   run.add_option_function<std::string>(
          "--threads",
          [&](const std::string& text) { arguments.options.threads = parse_threads(text); },
@@ -142,7 +173,10 @@ void add_run(CLI::App& program, Arguments& arguments) {
       ->type_name("N|OxI");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
-  run.callback([&] { arguments.command = Arguments::Command::run; });
+  run.callback([&] {
+    arguments.command = Arguments::Command::run;
+    check_threads(arguments.options);
+  });
 }
 
 void add_check(CLI::App& program, Arguments& arguments) {

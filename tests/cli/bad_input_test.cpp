@@ -49,7 +49,9 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
   check_refused({"run", scenario, "--integrator", "euler"},
                 "--integrator: euler not in {generalized_alpha,rk4}");
   check_refused({"run", scenario, "--executor", "openmp"},
-                "--executor: openmp not in {flow_graph,serial}");
+                "--executor: no executor is named \"openmp\"; known here: flow_graph, serial");
+  check_refused({"run", scenario, "--executor", "serial", "--threads", "3x2"},
+                "--threads: serial has one layer of threads, expected a number, got 3x2");
   for (const std::string threads :
        {"two", "0", "-1", "100000", "3x", "x3", "3x0", "3x2x1", "64x64"})
     check_refused({"run", scenario, "--threads", threads},

@@ -8,21 +8,32 @@
 
 namespace spoke::graph::testing {
 
-/// What one node of a random graph really accesses (indices of parts), and what it declares.
+/// What one node of a graph really accesses (indices of parts), and what it declares.
 struct NodePlan {
+  NodeLabel label;
   std::vector<PartId> reads;
   std::vector<PartId> writes;
   std::vector<PartId> declared_reads;
   std::vector<PartId> declared_writes;
 };
 
-/// A random graph whose nodes do arithmetic on the parts of `memory`. Honest as planned.
+/// A graph whose nodes do arithmetic on the parts of `memory`. Honest as planned.
 struct GraphPlan {
   std::vector<std::vector<double>> memory;
   std::vector<NodePlan> nodes;
 };
 
 GraphPlan make_random_plan(std::uint32_t seed, int nodes, int parts, int part_size);
+
+/// The shape of a step: subsystems of bodies, several passes. Unless `with_hub`, subsystems have
+/// nothing to do with each other; with it they meet in a node of every pass.
+struct StepShape {
+  int subsystems;
+  int bodies;
+  int passes;
+  bool with_hub;
+};
+GraphPlan make_step_plan(const StepShape& shape);
 
 /// Builds the plan's graph; `plan` must outlive it. The bodies mix everything they read into
 /// everything they write; results depend on the order of conflicting nodes.

@@ -2,72 +2,24 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <thread>
 
 #include "tests/graph/arithmetic_graph.h"
+#include "tests/graph/recorded_graph.h"
 
 using namespace spoke::graph;
 using spoke::graph::testing::build_graph;
 using spoke::graph::testing::GraphPlan;
 using spoke::graph::testing::make_random_plan;
+using spoke::graph::testing::RecordedGraph;
 
 namespace {
 
-// Per node: how often it ran, and its place in the order of starts and ends of the last run.
-struct Record {
-  std::atomic<int> runs{0};
-  std::atomic<int> start{0};
-  std::atomic<int> end{0};
-};
-
-// A random graph whose nodes record when they run.
-class RecordedGraph {
- public:
-  RecordedGraph() : records_(60), graph_(build()) {}
-
-  const StepGraph& graph() const { return graph_; }
-
-  int count_nodes_not_run(int times) const {
-    int count = 0;
-    for (const Record& record : records_) count += record.runs != times ? 1 : 0;
-    return count;
-  }
-  int count_edges_out_of_order() const {
-    int count = 0;
-    for (int i = 0; i < graph_.node_count(); ++i) {
-      for (const NodeId before : graph_.predecessors({i})) {
-        const Record& first = records_[static_cast<std::size_t>(before.index)];
-        count += first.end >= records_[static_cast<std::size_t>(i)].start ? 1 : 0;
-      }
-    }
-    return count;
-  }
-
- private:
-  StepGraph build() {
-    const GraphPlan plan = make_random_plan(3, static_cast<int>(records_.size()), 25, 1);
-    StepGraphBuilder builder;
-    for (std::size_t i = 0; i < plan.memory.size(); ++i) builder.add_part("part", {});
-    for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
-      builder.add_node({"node"}, reads(plan.nodes[i].reads), writes(plan.nodes[i].writes),
-                       [this, i]() noexcept {
-                         records_[i].start = clock_++;
-                         ++records_[i].runs;
-                         records_[i].end = clock_++;
-                       });
-    }
-    return builder.build();
-  }
-
-  std::atomic<int> clock_{0};
-  std::vector<Record> records_;
-  StepGraph graph_;
-};
-
 void check_every_run(ExecutorKind kind, int threads) {
-  RecordedGraph recorded;
+  RecordedGraph recorded(make_random_plan(3, 60, 25, 1));
   const auto executor = make_executor(recorded.graph(), kind, threads);
   int faults = 0;
   for (int run = 1; run <= 1000; ++run) {
@@ -146,7 +98,7 @@ TEST_CASE("two executors run at once in two threads of the program") {
 }
 
 TEST_CASE("an executor made in one thread may run in another") {
-  RecordedGraph recorded;
+  RecordedGraph recorded(make_random_plan(3, 60, 25, 1));
   const auto executor = make_executor(recorded.graph(), ExecutorKind::flow_graph, 2);
   std::thread([&] { executor->run(); }).join();
   executor->run();
@@ -162,6 +114,30 @@ TEST_CASE("executors tell their name and threads, and refuse a negative number")
   CHECK(make_executor(graph, ExecutorKind::flow_graph)->threads() == Threads(available_threads()));
   CHECK(make_executor(graph, ExecutorKind::flow_graph)->name() == "flow_graph");
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, -1), std::invalid_argument);
+}
+
+TEST_CASE("kinds are found by name, and one that this build is without is refused, and why") {
+  const StepGraph graph = StepGraphBuilder().build();
+  const auto kinds = executor_kinds();
+  for (const ExecutorKind kind : kinds) CHECK(executor_kind(name_of(kind)) == kind);
+  CHECK_THROWS_WITH_AS(executor_kind("openmp"),
+                       doctest::Contains("no executor is named \"openmp\"; known here: flow_graph"),
+                       std::invalid_argument);
+  for (const ExecutorKind kind :
+       {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
+    const std::string why = std::string(name_of(kind)) +
+                            " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known "
+                            "here: flow_graph, serial";
+    CHECK_THROWS_WITH_AS(executor_kind(name_of(kind)), why.c_str(), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(make_executor(graph, kind), why.c_str(), std::invalid_argument);
+  }
+}
+
+TEST_CASE("executors of one layer of threads refuse nested teams") {
+  const StepGraph graph = StepGraphBuilder().build();
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, {3, 2}), std::invalid_argument);
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::serial, {1, 0}), std::invalid_argument);
 }
 
 TEST_CASE("the available threads are at least one and at most the processors") {

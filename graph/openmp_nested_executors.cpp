@@ -1,0 +1,201 @@
+#include <omp.h>
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "graph/executor_kinds.h"
+#include "graph/floating_point_environment.h"
+#include "graph/fork_join.h"
+#include "graph/nested_loops.h"
+#include "graph/pass_question.h"
+#include "graph/static_share.h"
+
+// The two schemes of parallel threads in two layers, subsystems and the bodies within them, of
+// Han, Song and Kim (2017), section 4: teams that last as long as the integration, and teams that
+// begin and end with every loop. The runtime may give fewer threads than are asked for; the work is
+// shared out among those it gives.
+
+namespace spoke::graph {
+namespace {
+
+void ask_for_nested_teams() {
+  constexpr int layers = 2;
+  omp_set_dynamic(0);  // the numbers of threads were asked for
+  const int levels = omp_get_active_level() + layers;
+  if (omp_get_max_active_levels() < levels) omp_set_max_active_levels(levels);
+}
+
+/// The work of both schemes; how its loops are shared out is theirs.
+class NestedExecutor : public Executor {
+ public:
+  NestedExecutor(const StepGraph& graph, Threads threads)
+      : graph_(graph), threads_(threads), loops_(derive_nested_loops(graph)) {}
+
+  Threads threads() const final { return threads_; }
+
+ protected:
+  void run_chain(const NodeChain& chain) const {
+    for (const NodeId node : chain) graph_.run_node(node);
+  }
+
+  /// One thread's share of a loop over bodies.
+  void run_share(const BodyLoop& loop, int thread, int threads) const {
+    const StaticShare share = static_share(loop.bodies.size(), thread, threads);
+    for (std::size_t k = share.begin; k < share.end; ++k) run_chain(loop.bodies[k]);
+  }
+
+  /// One team's share of a loop over subsystems; `run_bodies` shares out a loop over bodies.
+  template <class RunBodies>
+  void run_share(const SubsystemLoop& loop, int team, int teams, RunBodies run_bodies) const {
+    const StaticShare share = static_share(loop.subsystems.size(), team, teams);
+    for (std::size_t k = share.begin; k < share.end; ++k) {
+      for (const BodyLoop& body_loop : loop.subsystems[k]) {
+        run_chain(body_loop.alone);
+        run_bodies(body_loop);
+      }
+    }
+  }
+
+  const StepGraph& graph_;
+  const Threads threads_;
+  const std::vector<SubsystemLoop> loops_;
+};
+
+/// Both layers of threads are there from the first pass to the last. The first thread of each team
+/// hands work to the others through a ForkJoin: OpenMP's own barriers bind to the innermost team.
+class OpenMpScheme1Executor final : public NestedExecutor {
+ public:
+  OpenMpScheme1Executor(const StepGraph& graph, Threads threads)
+      : NestedExecutor(graph, threads),
+        spin_time_(threads.total() > available_threads() ? SpinTime::zero() : kSpinTime) {}
+
+  void run() override {
+    run_while([] { return false; });
+  }
+
+  void run_while(const std::function<bool()>& more) override {
+    ask_for_nested_teams();
+    const FloatingPointEnvironment environment;
+    PassQuestion question(more);
+    Subsystems subsystems;
+    subsystems.set_spin_time(spin_time_);
+    std::vector<Bodies> teams(static_cast<std::size_t>(threads_.outer));
+    for (Bodies& bodies : teams) bodies.set_spin_time(spin_time_);
+#pragma omp parallel num_threads(threads_.outer)
+    {
+      const Member team{omp_get_thread_num(), omp_get_num_threads()};
+      Bodies& bodies = teams[static_cast<std::size_t>(team.index)];
+#pragma omp parallel num_threads(threads_.inner)
+      {
+        environment.apply();
+        const Member thread{omp_get_thread_num(), omp_get_num_threads()};
+        if (thread.index == 0)
+          lead(team, thread.count, subsystems, bodies, question);
+        else
+          bodies.serve([&](const BodyLoop& loop) { run_share(loop, thread.index, thread.count); });
+      }
+    }
+    question.rethrow();
+  }
+
+  std::string_view name() const override { return name_of(ExecutorKind::openmp_scheme1); }
+
+ private:
+  using Subsystems = ForkJoin<SubsystemLoop>;
+  using Bodies = ForkJoin<BodyLoop>;
+  struct Member {
+    int index;
+    int count;
+  };
+
+  // Of the order of what it costs to park and to be woken, so that neither choice costs twice the
+  // other. With more threads than processors others need the processor: no spinning at all.
+  static constexpr SpinTime kSpinTime{50'000};
+
+  // For the first thread of each team, from the first pass to the last.
+  void lead(Member team, int threads, Subsystems& subsystems, Bodies& bodies,
+            PassQuestion& question) const {
+    bodies.set_workers(threads - 1);
+    if (team.index == 0) {
+      subsystems.set_workers(team.count - 1);
+      do run_pass(team, threads, subsystems, bodies);
+      while (question.ask());
+      subsystems.fork(nullptr);
+    } else {
+      subsystems.serve(
+          [&](const SubsystemLoop& loop) { run_subsystems(loop, team, threads, bodies); });
+    }
+    bodies.fork(nullptr);
+  }
+
+  void run_pass(Member team, int threads, Subsystems& subsystems, Bodies& bodies) const {
+    for (const SubsystemLoop& loop : loops_) {
+      run_chain(loop.alone);
+      if (loop.subsystems.empty()) continue;
+      subsystems.fork(&loop);
+      run_subsystems(loop, team, threads, bodies);
+      subsystems.join();
+    }
+  }
+
+  void run_subsystems(const SubsystemLoop& loop, Member team, int threads, Bodies& bodies) const {
+    run_share(loop, team.index, team.count, [&](const BodyLoop& body_loop) {
+      if (body_loop.bodies.size() < 2) return run_share(body_loop, 0, 1);
+      bodies.fork(&body_loop);
+      run_share(body_loop, 0, threads);
+      bodies.join();
+    });
+  }
+
+  const SpinTime spin_time_;
+};
+
+/// A loop over subsystems is a parallel region, and each loop over bodies one within it.
+class OpenMpScheme2Executor final : public NestedExecutor {
+ public:
+  using NestedExecutor::NestedExecutor;
+
+  void run() override {
+    ask_for_nested_teams();
+    const FloatingPointEnvironment environment;
+    for (const SubsystemLoop& loop : loops_) {
+      run_chain(loop.alone);
+      if (!loop.subsystems.empty()) run_subsystems(loop, environment);
+    }
+  }
+  std::string_view name() const override { return name_of(ExecutorKind::openmp_scheme2); }
+
+ private:
+  void run_subsystems(const SubsystemLoop& loop,
+                      const FloatingPointEnvironment& environment) const {
+#pragma omp parallel num_threads(threads_.outer)
+    {
+      environment.apply();
+      run_share(loop, omp_get_thread_num(), omp_get_num_threads(),
+                [&](const BodyLoop& body_loop) { run_bodies(body_loop, environment); });
+    }
+  }
+
+  void run_bodies(const BodyLoop& loop, const FloatingPointEnvironment& environment) const {
+    if (threads_.inner == 1 || loop.bodies.size() < 2) return run_share(loop, 0, 1);
+#pragma omp parallel num_threads(threads_.inner)
+    {
+      environment.apply();
+      run_share(loop, omp_get_thread_num(), omp_get_num_threads());
+    }
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads) {
+  return std::make_unique<OpenMpScheme1Executor>(graph, threads);
+}
+
+std::unique_ptr<Executor> make_openmp_scheme2_executor(const StepGraph& graph, Threads threads) {
+  return std::make_unique<OpenMpScheme2Executor>(graph, threads);
+}
+
+}  // namespace spoke::graph
