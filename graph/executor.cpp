@@ -86,7 +86,7 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
     case ExecutorKind::serial:
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph:
-      return make_flow_graph_executor(graph, threads.outer);
+      return make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads.outer);
   }
   throw std::invalid_argument("unknown kind of executor");
 }

@@ -3,12 +3,15 @@
 #include <memory>
 
 #include "graph/executor.h"
+#include "graph/plan.h"
 
 namespace spoke::graph {
 
 /// The makers behind make_executor(), one per source file, so that each runtime's headers stay in
 /// one place.
 std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph);
-std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, int threads);
+/// One node of the flow graph per cluster of `plan`, a plan of `graph`. A plan of one cluster is
+/// run on the calling thread and touches no runtime.
+std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads);
 
 }  // namespace spoke::graph
