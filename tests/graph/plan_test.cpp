@@ -3,31 +3,22 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <random>
 #include <vector>
 
 #include "graph/coarsening.h"
 #include "graph/executor_kinds.h"
 #include "tests/graph/arithmetic_graph.h"
+#include "tests/graph/shapes.h"
 
 using namespace spoke::graph;
 using spoke::graph::testing::build_graph;
+using spoke::graph::testing::equal_costs;
 using spoke::graph::testing::GraphPlan;
+using spoke::graph::testing::make_fan;
 using spoke::graph::testing::make_random_plan;
+using spoke::graph::testing::random_costs;
 
 namespace {
-
-constexpr auto nothing = []() noexcept {};
-
-// Costs of 0 to 20 us, some of them 0.
-std::vector<double> random_costs(std::uint32_t seed, int nodes) {
-  std::mt19937 random(seed + 1000);
-  std::vector<double> costs(static_cast<std::size_t>(nodes));
-  for (double& cost : costs) {
-    cost = random() % 5 == 0 ? 0.0 : 1e-6 * static_cast<double>(random() % 20000) / 1000.0;
-  }
-  return costs;
-}
 
 std::vector<int> sizes(const Plan& plan) {
   std::vector<int> list;
@@ -35,27 +26,6 @@ std::vector<int> sizes(const Plan& plan) {
     list.push_back(static_cast<int>(plan.nodes(c).size()));
   }
   return list;
-}
-
-// root -> `width` chains of `length` nodes -> join
-StepGraph make_fan(int width, int length) {
-  StepGraphBuilder builder;
-  const PartId root = builder.add_part("root", {});
-  builder.add_node({"root"}, {}, writes(root), nothing);
-  std::vector<PartId> ends;
-  for (int i = 0; i < width; ++i) {
-    const PartId part = builder.add_part("part", {});
-    for (int k = 0; k < length; ++k) {
-      builder.add_node({"link", i}, reads(root, part), writes(part), nothing);
-    }
-    ends.push_back(part);
-  }
-  builder.add_node({"join"}, reads(ends), {}, nothing);
-  return builder.build();
-}
-
-std::vector<double> equal_costs(const StepGraph& graph, double cost) {
-  return std::vector<double>(static_cast<std::size_t>(graph.node_count()), cost);
 }
 
 }  // namespace
@@ -129,7 +99,7 @@ TEST_CASE("coarsening: random graphs with random costs stay honoured") {
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     GraphPlan source = make_random_plan(seed, 90, 5 + static_cast<int>(seed % 40), 2);
     const StepGraph graph = build_graph(source);
-    const auto costs = random_costs(seed, graph.node_count());
+    const auto costs = random_costs(seed, graph);
     for (const CoarseningOptions& options : all) {
       CAPTURE(seed);
       CAPTURE(options.grain);
@@ -144,7 +114,7 @@ TEST_CASE("flow graph of a plan: results equal the serial ones") {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     GraphPlan source = make_random_plan(seed, 90, 40, 4);
     const StepGraph graph = build_graph(source);
-    const auto costs = random_costs(seed, graph.node_count());
+    const auto costs = random_costs(seed, graph);
     const auto results = [&](Plan plan, int threads) {
       reset_memory(source);
       const auto executor = make_flow_graph_executor(graph, std::move(plan), threads);
