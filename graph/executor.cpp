@@ -55,13 +55,21 @@ void Executor::run_while(const std::function<bool()>& more) {
   while (more());
 }
 
+std::string Executor::describe() const {
+  const Threads count = threads();
+  return std::string(name()) + " on " + name_of(count) + (count == 1 ? " thread" : " threads");
+}
+
 std::span<const ExecutorKind> executor_kinds() {
-  static constexpr std::array kinds{ExecutorKind::flow_graph, ExecutorKind::serial};
+  static constexpr std::array kinds{ExecutorKind::automatic, ExecutorKind::flow_graph,
+                                    ExecutorKind::serial};
   return kinds;
 }
 
 std::string_view name_of(ExecutorKind kind) {
   switch (kind) {
+    case ExecutorKind::automatic:
+      return "auto";
     case ExecutorKind::flow_graph:
       return "flow_graph";
     case ExecutorKind::serial:
@@ -83,6 +91,8 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
   }
   if (threads.outer == 0) threads.outer = available_threads();
   switch (kind) {
+    case ExecutorKind::automatic:
+      return make_auto_executor(graph, threads.outer);
     case ExecutorKind::serial:
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph:

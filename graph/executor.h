@@ -41,16 +41,25 @@ class Executor {
   virtual std::string_view name() const = 0;
   /// The threads that may work on a run.
   virtual Threads threads() const = 0;
+  /// In one line what runs how, for reports; an executor that chooses tells what it chose and why.
+  /// May allocate. Not during a run.
+  virtual std::string describe() const;
+  /// Whether it still tries alternatives, so that the time of a run tells little.
+  virtual bool tuning() const { return false; }
 };
 
 enum class ExecutorKind {
+  /// Measures the nodes on the first runs, lets the most promising plans and a serial loop take
+  /// turns on the next ones, then keeps to the fastest for good; serial unless another is 5 %
+  /// faster. Uses at most the available threads. With one thread serial from the start.
+  automatic,
   flow_graph,  ///< a oneTBB flow graph in an arena of its own
   serial,      ///< a loop on the calling thread; `threads` is ignored
 };
 
 /// All kinds of this build.
 std::span<const ExecutorKind> executor_kinds();
-/// "flow_graph", "serial".
+/// "auto", "flow_graph", "serial".
 std::string_view name_of(ExecutorKind kind);
 
 /// Makes an executor with `threads` threads (0 = available_threads()). It refers to `graph`, which

@@ -13,5 +13,8 @@ std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph);
 /// One node of the flow graph per cluster of `plan`, a plan of `graph`. A plan of one cluster is
 /// run on the calling thread and touches no runtime.
 std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads);
+/// Finds the best plan for the graph on its first runs, then keeps to it; see "auto" in
+/// ExecutorKind.
+std::unique_ptr<Executor> make_auto_executor(const StepGraph& graph, int threads);
 
 }  // namespace spoke::graph
