@@ -32,9 +32,12 @@ class FlowGraphExecutor final : public Executor {
  public:
   FlowGraphExecutor(const StepGraph& graph, Plan plan, int threads)
       : graph_(graph), plan_(std::move(plan)), threads_(threads) {
-    if (plan_.cluster_count() <= 1) return;  // no threads for what one thread does
-    raise_thread_limit(threads, thread_limit_);
-    arena_.initialize(threads);
+    const int width = level_width(plan_);
+    if (width <= 1) return;  // no threads for what one thread does
+    // Threads beyond those that find work would only wake and search for it.
+    const int working = std::min(threads, width);
+    raise_thread_limit(working, thread_limit_);
+    arena_.initialize(working);
     // A flow graph belongs to the arena it is made in.
     arena_.execute([this] { make_flow(); });
   }
@@ -48,7 +51,7 @@ class FlowGraphExecutor final : public Executor {
 
   void run() override {
     if (!flow_) {
-      if (plan_.cluster_count() == 1) run_cluster(0);
+      for (int c = 0; c < plan_.cluster_count(); ++c) run_cluster(c);
       return;
     }
     arena_.execute([this] {

@@ -1,5 +1,6 @@
 #include "graph/plan.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -95,6 +96,21 @@ std::vector<double> cluster_costs(const Plan& plan, std::span<const double> node
       costs[static_cast<std::size_t>(c)] += node_costs[at(node)];
   }
   return costs;
+}
+
+int level_width(const Plan& plan) {
+  std::vector<std::size_t> depth(static_cast<std::size_t>(plan.cluster_count()), 0);
+  std::vector<int> width;
+  for (int c = 0; c < plan.cluster_count(); ++c) {
+    std::size_t level = 0;
+    for (const int before : plan.predecessors(c)) {
+      level = std::max(level, depth[static_cast<std::size_t>(before)] + 1);
+    }
+    depth[static_cast<std::size_t>(c)] = level;
+    width.resize(std::max(width.size(), level + 1), 0);
+    ++width[level];
+  }
+  return width.empty() ? 0 : *std::max_element(width.begin(), width.end());
 }
 
 std::string find_fault(const Plan& plan, const StepGraph& graph) {

@@ -48,6 +48,10 @@ Plan serial_plan(const StepGraph& graph);
 /// The sums of the nodes' costs per cluster [s].
 std::vector<double> cluster_costs(const Plan& plan, std::span<const double> node_costs);
 
+/// The most clusters that lie equally deep, in clusters from the start: about as many as can run at
+/// once. 1 if the plan is a chain.
+int level_width(const Plan& plan);
+
 /// What is wrong with a plan of `graph`, in words, or nothing: a node missing or twice, an edge of
 /// the graph that neither a cluster's order nor a path of clusters honours, an edge that leads
 /// back. Quadratic in the number of clusters.

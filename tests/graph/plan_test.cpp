@@ -72,6 +72,13 @@ TEST_CASE("plans: faults are found") {
   CHECK(fault({{0, 1, 2}}, true) == "number of nodes");
 }
 
+TEST_CASE("plans: the level width") {
+  CHECK(level_width(plan_of_single_nodes(make_fan(6, 3))) == 6);
+  CHECK(level_width(plan_of_single_nodes(make_fan(1, 3))) == 1);
+  CHECK(level_width(serial_plan(make_fan(6, 3))) == 1);
+  CHECK(level_width(Plan()) == 0);
+}
+
 TEST_CASE("coarsening: chains become one cluster, siblings of little cost too") {
   const StepGraph graph = make_fan(6, 3);
   const auto costs = equal_costs(graph, 1e-6);
