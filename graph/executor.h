@@ -44,14 +44,15 @@ class Executor {
   /// In one line what runs how, for reports; an executor that chooses tells what it chose and why.
   /// May allocate. Not during a run.
   virtual std::string describe() const;
-  /// Whether it still tries alternatives, so that the time of a run tells little.
+  /// Whether it tries alternatives at present, so that the time of a run tells little.
   virtual bool tuning() const { return false; }
 };
 
 enum class ExecutorKind {
   /// Measures the nodes on the first runs, lets the most promising plans and a serial loop take
-  /// turns on the next ones, then keeps to the fastest for good; serial unless another is 5 %
-  /// faster. Uses at most the available threads. With one thread serial from the start.
+  /// turns on the next ones, then keeps to the fastest; serial unless another is 5 % faster. Tunes
+  /// again only if serial won although a clear gain was foreseen, after 20 times as many runs. Uses
+  /// at most the available threads. With one thread serial from the start.
   automatic,
   flow_graph,  ///< a oneTBB flow graph in an arena of its own
   serial,      ///< a loop on the calling thread; `threads` is ignored

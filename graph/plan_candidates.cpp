@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -59,15 +58,25 @@ class Selection {
       std::stable_sort(
           candidates.begin(), candidates.end(),
           [](const Candidate& a, const Candidate& b) { return a.makespan < b.makespan; });
-      const std::size_t count = std::min(per_ordering, candidates.size());
-      std::move(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(count),
-                std::back_inserter(best));
+      take_different(candidates, per_ordering, best);
     }
     return best;
   }
   int tried() const { return tried_; }
 
  private:
+  // Plans of equal numbers of clusters and edges are as good as equal.
+  static void take_different(std::vector<Candidate>& sorted, std::size_t most,
+                             std::vector<Candidate>& taken) {
+    std::set<std::pair<int, int>> sizes;
+    for (Candidate& candidate : sorted) {
+      if (sizes.size() == most) break;
+      const Plan& plan = candidate.plan;
+      if (!sizes.insert({plan.cluster_count(), plan.edge_count()}).second) continue;
+      taken.push_back(std::move(candidate));
+    }
+  }
+
   void score(Plan plan, Ordering ordering) {
     if (plan.cluster_count() <= 1) return;
     ++tried_;
