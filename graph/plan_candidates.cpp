@@ -20,7 +20,7 @@ std::vector<CoarseningOptions> option_grid(double work, int processors,
                                            const Overheads& overheads) {
   const double unit = overheads.per_cluster + overheads.handover;
   const double share = work / processors;
-  std::vector<CoarseningOptions> grid;
+  std::vector<CoarseningOptions> grid{{}};  // chains only, for nodes or processors in plenty
   for (const double factor : {1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
     const double grain = factor * unit;
     if (grain > share && factor > 1.0) break;
@@ -78,7 +78,7 @@ class Selection {
   }
 
   void score(Plan plan, Ordering ordering) {
-    if (plan.cluster_count() <= 1) return;
+    if (level_width(plan) <= 1) return;
     ++tried_;
     const double makespan = simulate_list_schedule(plan, costs_, processors_, overheads_).makespan;
     by_ordering_[static_cast<std::size_t>(ordering)].push_back(

@@ -24,8 +24,9 @@ struct Candidate {
 };
 
 /// Plans worth trying on `processors`, the best of each ordering first: at most `per_ordering` of
-/// each, from a grid of coarsening options, scored by the schedule simulator. Plans of one cluster
-/// are not among them. `tried`, if given, receives the number of plans that were scored.
+/// each, from a grid of coarsening options, scored by the schedule simulator. Plans that one thread
+/// would run, of one cluster or a chain of clusters, are not among them. `tried`, if given,
+/// receives the number of plans that were scored.
 std::vector<Candidate> find_candidates(const StepGraph& graph, std::span<const double> node_costs,
                                        int processors, const Overheads& overheads,
                                        std::size_t per_ordering, int* tried = nullptr);
