@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -35,6 +36,18 @@ struct Alternative {
   int clusters = 1;
   Samples samples;  // s per run
 };
+
+// The speedup from which a plan beats the serial loop. A run of few handovers' length loses most
+// when other programs take a processor, so it must promise more.
+double least_gain(double seconds_per_run) {
+  return 1.05 + 2.0 * flow_graph_overheads().handover / std::max(seconds_per_run, 1e-7);
+}
+
+double median(Samples samples) {
+  const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
+  std::nth_element(samples.begin(), middle, samples.end());
+  return *middle;
+}
 
 // How much time the alternatives get to take turns.
 struct Effort {
@@ -162,11 +175,9 @@ class AutoExecutor final : public Executor {
 
   void settle() {
     std::vector<Samples> samples;
-    for (Alternative& alternative : alternatives_) samples.push_back(alternative.samples);
-    const Choice choice = choose_plan(samples);
-    Samples& serial = samples[0];
-    std::nth_element(serial.begin(), serial.begin() + serial.size() / 2, serial.end());
-    const double seconds = serial[serial.size() / 2];
+    for (const Alternative& alternative : alternatives_) samples.push_back(alternative.samples);
+    const double seconds = median(samples[0]);
+    const Choice choice = choose_plan(samples, least_gain(seconds));
     if (choice.index == 0) {
       doubt_serial(choice.speedup);
       description_ = text_of("serial: 1 run takes %s, the best of %d plans was %.2g x",
