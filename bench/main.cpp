@@ -26,7 +26,9 @@ constexpr std::array kQuestions{
     Question{"formulations", "what one evaluation of the accelerations costs",
              measure_formulations},
     Question{"time_to_solution", "how long the 20 s spin-up takes at 0.1 % accuracy",
-             measure_time_to_solution}};
+             measure_time_to_solution},
+    Question{"step_graphs", "what two threads gain on graphs shaped like a step",
+             measure_step_graphs}};
 
 struct Arguments {
   std::string filter;
@@ -46,7 +48,7 @@ std::string help_footer() {
   for (const Question& question : kQuestions)
     text += fmt::format("  {:<18}{}\n", question.name, question.text);
   return text +
-         "\nA whole run takes one to three minutes, on one thread; leave the machine alone "
+         "\nA whole run takes two to five minutes, on up to two threads; leave the machine alone "
          "meanwhile.\n\nExit status: 0 done, whether targets were reached or missed; 1 the "
          "alternatives disagree;\n2 bad command line\n";
 }

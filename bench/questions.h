@@ -14,4 +14,7 @@ void measure_formulations(const QuestionOptions& options, Report& report);
 /// How long does the 20 s spin-up take at 0.1 % accuracy, Spoke's way and the paper's way?
 void measure_time_to_solution(const QuestionOptions& options, Report& report);
 
+/// What do two threads gain on graphs shaped like a step, by executor, size and cost of a node?
+void measure_step_graphs(const QuestionOptions& options, Report& report);
+
 }  // namespace spoke::bench

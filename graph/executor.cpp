@@ -40,9 +40,9 @@ constexpr bool kHasOpenMp = false;
 #endif
 
 // Those that need OpenMP stand last.
-constexpr std::array kKinds{ExecutorKind::flow_graph, ExecutorKind::serial,
-                            ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2,
-                            ExecutorKind::openmp_levels};
+constexpr std::array kKinds{ExecutorKind::automatic,      ExecutorKind::flow_graph,
+                            ExecutorKind::serial,         ExecutorKind::openmp_scheme1,
+                            ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels};
 constexpr std::size_t kOpenMpKinds = 3;
 
 std::string known_names() {
@@ -89,12 +89,19 @@ void Executor::run_while(const std::function<bool()>& more) {
   while (more());
 }
 
+std::string Executor::describe() const {
+  const Threads count = threads();
+  return std::string(name()) + " on " + name_of(count) + (count == 1 ? " thread" : " threads");
+}
+
 std::span<const ExecutorKind> executor_kinds() {
   return std::span(kKinds).first(kHasOpenMp ? kKinds.size() : kKinds.size() - kOpenMpKinds);
 }
 
 std::string_view name_of(ExecutorKind kind) {
   switch (kind) {
+    case ExecutorKind::automatic:
+      return "auto";
     case ExecutorKind::flow_graph:
       return "flow_graph";
     case ExecutorKind::serial:
@@ -138,10 +145,12 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
   check_threads(kind, threads);
   if (threads.outer == 0) threads.outer = available_threads();
   switch (kind) {
+    case ExecutorKind::automatic:
+      return make_auto_executor(graph, threads.outer);
     case ExecutorKind::serial:
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph:
-      return make_flow_graph_executor(graph, threads.outer);
+      return make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads.outer);
 #ifdef SPOKE_HAS_OPENMP
     case ExecutorKind::openmp_scheme1:
       return make_openmp_scheme1_executor(graph, threads);

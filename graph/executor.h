@@ -41,9 +41,21 @@ class Executor {
   virtual std::string_view name() const = 0;
   /// The threads that may work on a run.
   virtual Threads threads() const = 0;
+  /// In one line what runs how, for reports; an executor that chooses tells what it chose and why.
+  /// May allocate. Not during a run.
+  virtual std::string describe() const;
+  /// Whether it tries alternatives at present, so that the time of a run tells little.
+  virtual bool tuning() const { return false; }
 };
 
 enum class ExecutorKind {
+  /// Measures the nodes on the first runs, lets the most promising plans and a serial loop take
+  /// turns on the next ones, then keeps to the fastest; serial unless another is 5 % faster, or
+  /// more
+  /// where runs are as short as some handovers between threads. Tunes again only if serial won
+  /// although a clear gain was foreseen, after 20 times as many runs. Uses at most the available
+  /// threads. With one thread serial from the start.
+  automatic,
   flow_graph,      ///< a oneTBB flow graph in an arena of its own
   serial,          ///< a loop on the calling thread; `threads` is ignored
   openmp_scheme1,  ///< nested OpenMP teams that last for all passes of run_while()
@@ -53,7 +65,7 @@ enum class ExecutorKind {
 
 /// All kinds of this build. Without OpenMP there are none of the kinds "openmp_...".
 std::span<const ExecutorKind> executor_kinds();
-/// "flow_graph", "serial" and so on, as above.
+/// "auto", "flow_graph", "serial" and so on, as above.
 std::string_view name_of(ExecutorKind kind);
 /// The kind of this name. Throws std::invalid_argument, with the names to choose from, if there is
 /// none or this build is without it.

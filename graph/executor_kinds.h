@@ -3,13 +3,19 @@
 #include <memory>
 
 #include "graph/executor.h"
+#include "graph/plan.h"
 
 namespace spoke::graph {
 
 /// The makers behind make_executor(), one per source file, so that each runtime's headers stay in
 /// one place.
 std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph);
-std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, int threads);
+/// One node of the flow graph per cluster of `plan`, a plan of `graph`. A plan of one cluster is
+/// run on the calling thread and touches no runtime.
+std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads);
+/// Finds the best plan for the graph on its first runs, then keeps to it; see "auto" in
+/// ExecutorKind.
+std::unique_ptr<Executor> make_auto_executor(const StepGraph& graph, int threads);
 
 /// Of builds with OpenMP only.
 std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "graph/executor_kinds.h"
 
@@ -29,13 +30,19 @@ void raise_thread_limit(int threads, std::optional<global_control>& control) {
 
 class FlowGraphExecutor final : public Executor {
  public:
-  FlowGraphExecutor(const StepGraph& graph, int threads) : threads_(threads) {
-    raise_thread_limit(threads, thread_limit_);
-    arena_.initialize(threads);
+  FlowGraphExecutor(const StepGraph& graph, Plan plan, int threads)
+      : graph_(graph), plan_(std::move(plan)), threads_(threads) {
+    const int width = level_width(plan_);
+    if (width <= 1) return;  // no threads for what one thread does
+    // Threads beyond those that find work would only wake and search for it.
+    const int working = std::min(threads, width);
+    raise_thread_limit(working, thread_limit_);
+    arena_.initialize(working);
     // A flow graph belongs to the arena it is made in.
-    arena_.execute([&] { make_flow(graph); });
+    arena_.execute([this] { make_flow(); });
   }
   ~FlowGraphExecutor() override {
+    if (!flow_) return;
     arena_.execute([this] {
       nodes_.clear();
       flow_.reset();
@@ -43,6 +50,10 @@ class FlowGraphExecutor final : public Executor {
   }
 
   void run() override {
+    if (!flow_) {
+      for (int c = 0; c < plan_.cluster_count(); ++c) run_cluster(c);
+      return;
+    }
     arena_.execute([this] {
       for (FlowNode* root : roots_) root->try_put(flow::continue_msg());
       flow_->wait_for_all();
@@ -54,21 +65,27 @@ class FlowGraphExecutor final : public Executor {
  private:
   using FlowNode = flow::continue_node<flow::continue_msg>;
 
-  void make_flow(const StepGraph& graph) {
+  void run_cluster(int cluster) const noexcept {
+    for (const NodeId node : plan_.nodes(cluster)) graph_.run_node(node);
+  }
+
+  void make_flow() {
     flow_.emplace();
-    for (int i = 0; i < graph.node_count(); ++i) {
-      const auto body = [&graph, i](flow::continue_msg) noexcept { graph.run_node({i}); };
+    for (int c = 0; c < plan_.cluster_count(); ++c) {
+      const auto body = [this, c](flow::continue_msg) noexcept { run_cluster(c); };
       nodes_.emplace_back(*flow_, body);
-      if (graph.predecessors({i}).empty()) roots_.push_back(&nodes_.back());
+      if (plan_.predecessors(c).empty()) roots_.push_back(&nodes_.back());
     }
-    for (int i = 0; i < graph.node_count(); ++i) {
-      for (const NodeId successor : graph.successors({i})) {
-        flow::make_edge(nodes_[static_cast<std::size_t>(i)],
-                        nodes_[static_cast<std::size_t>(successor.index)]);
+    for (int c = 0; c < plan_.cluster_count(); ++c) {
+      for (const int next : plan_.successors(c)) {
+        flow::make_edge(nodes_[static_cast<std::size_t>(c)],
+                        nodes_[static_cast<std::size_t>(next)]);
       }
     }
   }
 
+  const StepGraph& graph_;
+  const Plan plan_;
   int threads_;
   std::optional<global_control> thread_limit_;
   oneapi::tbb::task_arena arena_;
@@ -79,8 +96,8 @@ class FlowGraphExecutor final : public Executor {
 
 }  // namespace
 
-std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, int threads) {
-  return std::make_unique<FlowGraphExecutor>(graph, threads);
+std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads) {
+  return std::make_unique<FlowGraphExecutor>(graph, std::move(plan), threads);
 }
 
 }  // namespace spoke::graph

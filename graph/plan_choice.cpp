@@ -1,0 +1,36 @@
+#include "graph/plan_choice.h"
+
+#include <algorithm>
+
+namespace spoke::graph {
+namespace {
+
+// The lower one of an even number.
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double speedup_of(const Samples& serial, const Samples& other) {
+  std::vector<double> ratios;
+  for (std::size_t round = 0; round < std::min(serial.size(), other.size()); ++round) {
+    ratios.push_back(serial[round] / other[round]);
+  }
+  return median(std::move(ratios));
+}
+
+}  // namespace
+
+Choice choose_plan(std::span<const Samples> samples, double least_gain) {
+  Choice best{0, 0.0};
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const double speedup = speedup_of(samples[0], samples[k]);
+    if (speedup > best.speedup) best = {k, speedup};
+  }
+  if (best.speedup < least_gain) best.index = 0;
+  return best;
+}
+
+}  // namespace spoke::graph

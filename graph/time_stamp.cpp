@@ -1,0 +1,71 @@
+#include "graph/time_stamp.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#if defined(__x86_64__) || defined(__i386__)
+#include <cpuid.h>
+#include <x86intrin.h>
+#define SPOKE_HAS_TIME_STAMP_COUNTER 1
+#else
+#define SPOKE_HAS_TIME_STAMP_COUNTER 0
+#endif
+
+namespace spoke::graph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::uint64_t steady_ticks() noexcept {
+  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
+}
+
+#if SPOKE_HAS_TIME_STAMP_COUNTER
+// "Invariant TSC": constant rate in all states of frequency and sleep.
+bool counter_is_steady() noexcept {
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  return __get_cpuid(0x80000007U, &a, &b, &c, &d) != 0 && (d & (1U << 8U)) != 0;
+}
+const bool use_counter = counter_is_steady();
+#endif
+
+double measure_seconds_per_tick() {
+  const auto begin = Clock::now();
+  const std::uint64_t first = time_stamp();
+  auto end = begin;
+  while (end - begin < std::chrono::milliseconds(2)) end = Clock::now();
+  const std::uint64_t ticks = time_stamp() - first;
+  return std::chrono::duration<double>(end - begin).count() / static_cast<double>(ticks);
+}
+
+double measure_cost_in_ticks() {
+  std::array<std::uint64_t, 101> costs;
+  for (std::uint64_t& cost : costs) {
+    const std::uint64_t first = time_stamp();
+    cost = time_stamp() - first;
+  }
+  std::nth_element(costs.begin(), costs.begin() + costs.size() / 2, costs.end());
+  return static_cast<double>(costs[costs.size() / 2]);
+}
+
+TimeStampScale measure_scale() {
+  const double seconds = measure_seconds_per_tick();
+  return {seconds, seconds * measure_cost_in_ticks()};
+}
+
+}  // namespace
+
+std::uint64_t time_stamp() noexcept {
+#if SPOKE_HAS_TIME_STAMP_COUNTER
+  if (use_counter) return __rdtsc();
+#endif
+  return steady_ticks();
+}
+
+const TimeStampScale& time_stamp_scale() {
+  static const TimeStampScale scale = measure_scale();
+  return scale;
+}
+
+}  // namespace spoke::graph

@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "graph/executor.h"
+#include "graph/plan_choice.h"
+#include "tests/graph/arithmetic_graph.h"
+#include "tests/graph/shapes.h"
+
+using namespace spoke::graph;
+using namespace spoke::graph::testing;
+
+namespace {
+
+// Runs until the executor has settled; the number of runs, or `limit`.
+int settle(Executor& executor, int limit = 200000) {
+  int runs = 0;
+  while (executor.tuning() && runs < limit) {
+    executor.run();
+    ++runs;
+  }
+  return runs;
+}
+
+// Two of them side by side are worth a thread.
+GraphPlan costly_plan() { return make_random_plan(11, 300, 120, 60); }
+
+}  // namespace
+
+TEST_CASE("auto: results equal the serial ones at every stage of tuning") {
+  GraphPlan plan = costly_plan();
+  GraphPlan serial_memory = costly_plan();
+  const StepGraph graph = build_graph(plan);
+  const StepGraph serial_graph = build_graph(serial_memory);
+  const auto serial = make_executor(serial_graph, ExecutorKind::serial);
+  for (const int threads : {1, 2, 3, 6, 12}) {
+    CAPTURE(threads);
+    const auto executor = make_executor(graph, ExecutorKind::automatic, threads);
+    CHECK(executor->threads() == Threads(threads));
+    CHECK(executor->name() == "auto");
+    reset_memory(plan);
+    reset_memory(serial_memory);
+    int differing = 0;
+    int after = 0;
+    for (int run = 0; run < 10000 && after < 10; ++run) {
+      if (!executor->tuning()) ++after;
+      executor->run();
+      serial->run();
+      differing += plan.memory == serial_memory.memory ? 0 : 1;
+    }
+    CHECK(differing == 0);
+    CHECK(after == 10);
+  }
+}
+
+TEST_CASE("auto: empty nodes are run serially") {
+  const StepGraph graph = make_fan(24, 10);
+  const auto executor = make_executor(graph, ExecutorKind::automatic, 2);
+  settle(*executor);
+  CHECK_FALSE(executor->tuning());
+  CHECK(executor->describe().rfind("serial: ", 0) == 0);
+}
+
+TEST_CASE("auto: one thread is serial at once") {
+  const StepGraph graph = make_fan(4, 3);
+  const auto executor = make_executor(graph, ExecutorKind::automatic, 1);
+  CHECK_FALSE(executor->tuning());
+  CHECK(executor->describe() == "serial: one thread");
+}
+
+TEST_CASE("auto: an empty graph runs") {
+  const StepGraph graph = StepGraphBuilder().build();
+  const auto executor = make_executor(graph, ExecutorKind::automatic, 2);
+  CHECK(settle(*executor) == 0);
+  executor->run();
+}
+
+TEST_CASE("executors describe themselves") {
+  const StepGraph graph = make_fan(2, 1);
+  CHECK(make_executor(graph, ExecutorKind::serial)->describe() == "serial on 1 thread");
+  CHECK(make_executor(graph, ExecutorKind::flow_graph, 3)->describe() == "flow_graph on 3 threads");
+}
+
+TEST_CASE("choice: the largest median of ratios wins, if the gain is 5 %") {
+  const std::vector<Samples> samples{{10, 10, 10}, {9, 9, 9}, {6, 5, 5}};
+  const Choice choice = choose_plan(samples);
+  CHECK(choice.index == 2);
+  CHECK(choice.speedup == doctest::Approx(2.0));
+}
+
+TEST_CASE("choice: serial wins against small gains, and alone") {
+  const Choice small = choose_plan(std::vector<Samples>{{10, 10, 10}, {9.6, 9.6, 9.6}});
+  CHECK(small.index == 0);
+  CHECK(small.speedup == doctest::Approx(10 / 9.6));
+  CHECK(choose_plan(std::vector<Samples>{{10, 10, 10}}).index == 0);
+}
+
+TEST_CASE("choice: a disturbance that meets whole rounds cancels, a single one does not count") {
+  const std::vector<Samples> rounds{{10, 50, 11, 10, 10}, {8, 40, 9, 8, 8}};
+  CHECK(choose_plan(rounds).speedup == doctest::Approx(1.25));
+  const std::vector<Samples> single{{10, 10, 500, 10, 10}, {10, 10, 10, 10, 10}};
+  CHECK(choose_plan(single).index == 0);
+}

@@ -1,0 +1,80 @@
+#include "graph/plan_candidates.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "graph/executor_kinds.h"
+#include "tests/graph/arithmetic_graph.h"
+#include "tests/graph/shapes.h"
+
+using namespace spoke::graph;
+using namespace spoke::graph::testing;
+
+namespace {
+
+constexpr Overheads kSome{2e-9, 100e-9, 1e-6};
+
+double best_speedup(const StepGraph& graph, const std::vector<double>& costs, int processors) {
+  double best = 0.0;
+  for (const Candidate& candidate : find_candidates(graph, costs, processors, kSome, 1))
+    best = std::max(best, work_of(costs) / candidate.makespan);
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("candidates: all honour the graph and have several clusters") {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    GraphPlan source = make_random_plan(seed, 90, 10 + 3 * static_cast<int>(seed), 2);
+    const StepGraph graph = build_graph(source);
+    const auto costs = random_costs(seed, graph);
+    for (const int processors : {2, 5}) {
+      CAPTURE(seed);
+      CAPTURE(processors);
+      int tried = 0;
+      const auto candidates = find_candidates(graph, costs, processors, kSome, 2, &tried);
+      CHECK(candidates.size() <= 2 * kOrderings);
+      CHECK(tried >= static_cast<int>(candidates.size()));
+      for (const Candidate& candidate : candidates) {
+        CHECK(find_fault(candidate.plan, graph) == "");
+        CHECK(candidate.plan.cluster_count() > 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("candidates: their results equal the serial ones on any number of threads") {
+  GraphPlan source = make_random_plan(5, 120, 60, 4);
+  const StepGraph graph = build_graph(source);
+  const auto costs = random_costs(5, graph);
+  const auto results = [&](Plan plan, int threads) {
+    reset_memory(source);
+    const auto executor = make_flow_graph_executor(graph, std::move(plan), threads);
+    for (int run = 0; run < 20; ++run) executor->run();
+    return source.memory;
+  };
+  const auto serial = results(serial_plan(graph), 1);
+  for (const Candidate& candidate : find_candidates(graph, costs, 2, kSome, 2)) {
+    for (const int threads : {1, 2, 3, 6, 12}) {
+      CAPTURE(threads);
+      CHECK(results(candidate.plan, threads) == serial);
+    }
+  }
+}
+
+TEST_CASE("candidates: chains that do not divide by the processors are shared equally") {
+  for (const int chains : {2, 3, 5}) {
+    CAPTURE(chains);
+    const StepGraph graph = make_window(40, chains, 4);
+    CHECK(best_speedup(graph, equal_costs(graph, 0.2e-6), 2) > 1.85);
+  }
+}
+
+TEST_CASE("candidates: nodes without cost, and a chain, leave nothing to share") {
+  const StepGraph fan = make_fan(24, 10);
+  CHECK(best_speedup(fan, equal_costs(fan, 0.0), 2) == 0.0);
+  const StepGraph chain = make_fan(1, 50);
+  CHECK(find_candidates(chain, equal_costs(chain, 1e-6), 2, kSome, 2).empty());
+}

@@ -1,0 +1,59 @@
+#include "tests/graph/shapes.h"
+
+#include <random>
+
+namespace spoke::graph::testing {
+namespace {
+
+constexpr auto nothing = []() noexcept {};
+
+}  // namespace
+
+StepGraph make_fan(int width, int length) {
+  StepGraphBuilder builder;
+  const PartId root = builder.add_part("root", {});
+  builder.add_node({"root"}, {}, writes(root), nothing);
+  std::vector<PartId> ends;
+  for (int i = 0; i < width; ++i) {
+    const PartId part = builder.add_part("part", {});
+    for (int k = 0; k < length; ++k) {
+      builder.add_node({"link", i}, reads(root, part), writes(part), nothing);
+    }
+    ends.push_back(part);
+  }
+  builder.add_node({"join"}, reads(ends), {}, nothing);
+  return builder.build();
+}
+
+StepGraph make_window(int steps, int blades, int bodies) {
+  StepGraphBuilder builder;
+  for (int i = 0; i < blades; ++i) {
+    const PartId blade = builder.add_part("blade", {});
+    std::vector<PartId> parts;
+    for (int j = 0; j < bodies; ++j) parts.push_back(builder.add_part("body", {}));
+    for (int step = 0; step < steps; ++step) {
+      builder.add_node({"begin", i, -1, step}, reads(parts, blade), writes(blade), nothing);
+      for (int j = 0; j < bodies; ++j) {
+        const PartId part = parts[static_cast<std::size_t>(j)];
+        builder.add_node({"body", i, j, step}, reads(blade), writes(part), nothing);
+      }
+      builder.add_node({"end", i, -1, step}, reads(parts, blade), writes(blade), nothing);
+    }
+  }
+  return builder.build();
+}
+
+std::vector<double> equal_costs(const StepGraph& graph, double cost) {
+  return std::vector<double>(static_cast<std::size_t>(graph.node_count()), cost);
+}
+
+std::vector<double> random_costs(std::uint32_t seed, const StepGraph& graph) {
+  std::mt19937 random(seed + 1000);
+  std::vector<double> costs = equal_costs(graph, 0.0);
+  for (double& cost : costs) {
+    if (random() % 5 != 0) cost = 1e-9 * static_cast<double>(random() % 20000);
+  }
+  return costs;
+}
+
+}  // namespace spoke::graph::testing

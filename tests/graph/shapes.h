@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "graph/step_graph.h"
+
+namespace spoke::graph::testing {
+
+/// A graph of empty nodes: root -> `width` chains of `length` nodes -> join.
+StepGraph make_fan(int width, int length);
+
+/// A window of `steps` steps of `blades` independent chains: per step and chain a node, a layer of
+/// `bodies` nodes, and a node that joins them. Empty nodes, no root, no end.
+StepGraph make_window(int steps, int blades, int bodies);
+
+/// `cost` for every node [s].
+std::vector<double> equal_costs(const StepGraph& graph, double cost);
+
+/// Costs of 0 to 20 us, a fifth of them 0 [s].
+std::vector<double> random_costs(std::uint32_t seed, const StepGraph& graph);
+
+}  // namespace spoke::graph::testing
