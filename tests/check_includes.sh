@@ -40,6 +40,7 @@ layers=(
   'sensors diagnosis'
   'simulation'
   'results machine'
+  'compare/'
   'cli/'
 )
 later=''

@@ -1,0 +1,181 @@
+#include "engine/compare/conclusion.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace spoke::compare {
+namespace {
+
+/// A difference from serial below this share is none worth a choice.
+constexpr double kNoDifference = 0.03;
+/// A time below this share of the bound by work and span is an error of measurement.
+constexpr double kPossible = 0.93;
+constexpr double kBusy = 0.5;  // load average from which a machine is not idle
+
+bool is_serial(const Result& result) {
+  return result.measurement.configuration.executor == ExecutorKind::serial;
+}
+
+bool belongs_to(const Result& result, Formulation formulation) {
+  return result.measurement.configuration.formulation == formulation;
+}
+
+/// The fastest of those that are not serial; none if nothing of them was measured.
+const Result* fastest(const Comparison& comparison, Formulation formulation) {
+  const Result* best = nullptr;
+  for (const Result& result : comparison.results) {
+    if (!belongs_to(result, formulation) || is_serial(result)) continue;
+    if (!result.figures || !result.hash_equal) continue;
+    if (best == nullptr || result.figures->speedup > best->figures->speedup) best = &result;
+  }
+  return best;
+}
+
+std::string speedup_text(const Result& result) {
+  return fmt::format("{:.2f} times serial's speed (quartiles {:.2f} to {:.2f})",
+                     result.figures->speedup, result.figures->speedup_low,
+                     result.figures->speedup_high);
+}
+
+/// The other ones whose quartiles reach into the best one's: not to be told from it.
+std::string describe_equals(const Comparison& comparison, const Result& best) {
+  std::vector<std::string> names;
+  for (const Result& result : comparison.results) {
+    const bool other = &result != &best && !is_serial(result);
+    if (!other || !result.figures || !result.hash_equal) continue;
+    if (!belongs_to(result, best.measurement.configuration.formulation)) continue;
+    if (result.figures->speedup_high >= best.figures->speedup_low)
+      names.push_back(name_of(result.measurement.configuration));
+  }
+  if (names.empty()) return "";
+  constexpr std::size_t kMost = 3;
+  const std::size_t more = names.size() - std::min(kMost, names.size());
+  names.resize(names.size() - more);
+  return fmt::format("; within its quartiles, so not told from it: {}{}", fmt::join(names, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+/// What to say of the fastest one but serial.
+std::string describe_rival(const Comparison& comparison, const Model& model, const Result& rival) {
+  const std::string name(name_of(model.formulation));
+  const std::string serial = duration_text(model.serial_step) + " a step";
+  const std::string rival_name = name_of(rival.measurement.configuration);
+  const Figures& figures = *rival.figures;
+  if (figures.ratio_to_bound < kPossible)
+    return fmt::format(
+        "{}: no verdict; {} seems to have {}, which is more than work and span allow, so the "
+        "measurement was disturbed. ",
+        name, rival_name, speedup_text(rival));
+  if (figures.speedup < 1.0 - kNoDifference)
+    return fmt::format("{}: serial wins with {}; the next, {}, has {}. ", name, serial, rival_name,
+                       speedup_text(rival));
+  if (figures.speedup_low <= 1.0 + kNoDifference)
+    return fmt::format(
+        "{}: nothing is clearly faster than serial with {}; the nearest, {}, has {}. ", name,
+        serial, rival_name, speedup_text(rival));
+  return fmt::format("{}: {} is best with {} a step, {}, {:.2f} of the bound by work and span{}. ",
+                     name, rival_name, duration_text(figures.median), speedup_text(rival),
+                     figures.ratio_to_bound, describe_equals(comparison, rival));
+}
+
+std::string describe_formulation(const Comparison& comparison, const Model& model) {
+  const std::string name(name_of(model.formulation));
+  if (!(model.serial_step > 0.0))
+    return name + ": serial gave no time, so there is no comparison. ";
+  if (const Result* rival = fastest(comparison, model.formulation))
+    return describe_rival(comparison, model, *rival);
+  return fmt::format("{}: serial takes {} a step; nothing else was measured. ", name,
+                     duration_text(model.serial_step));
+}
+
+/// The least time per step of all formulations.
+std::string describe_overall(const Comparison& comparison) {
+  if (comparison.models.size() < 2) return "";
+  const Result* best = nullptr;
+  for (const Result& result : comparison.results)
+    if (result.figures && result.hash_equal &&
+        (best == nullptr || result.figures->median < best->figures->median))
+      best = &result;
+  if (best == nullptr) return "";
+  return fmt::format("The least time of all: {}, {}, {} a step. ",
+                     name_of(best->measurement.configuration.formulation),
+                     name_of(best->measurement.configuration),
+                     duration_text(best->figures->median));
+}
+
+long count(const Comparison& comparison, const std::function<bool(const Result&)>& has) {
+  return std::count_if(comparison.results.begin(), comparison.results.end(), has);
+}
+
+std::string describe_faults(const Comparison& comparison) {
+  const auto status = [&](Status wanted) {
+    return count(comparison,
+                 [&](const Result& result) { return result.measurement.status == wanted; });
+  };
+  const auto total = comparison.results.size();
+  const long unequal = count(comparison, [](const Result& result) {
+    return !result.measurement.hashes.empty() && !result.hash_equal;
+  });
+  std::string text;
+  if (unequal > 0)
+    text += fmt::format("{} of {} ended in bits other than serial's: do not use them. ", unequal,
+                        total);
+  if (const long silent = status(Status::no_answer))
+    text += fmt::format("{} of {} gave no answer in time and were ended. ", silent, total);
+  if (const long failed = status(Status::failed))
+    text += fmt::format("{} of {} failed. ", failed, total);
+  if (const long slow = status(Status::slow))
+    text += fmt::format("{} of {} were so slow that they did fewer rounds. ", slow, total);
+  if (text.empty()) text = "All ended in the same bits as serial. ";
+  return text;
+}
+
+std::string describe_oversubscribed(const Comparison& comparison) {
+  const long many = count(comparison, [](const Result& result) { return result.oversubscribed; });
+  if (many == 0) return "";
+  return fmt::format(
+      "{} of {} have more threads than processors: they show what oversubscription costs here, not "
+      "what so many processors would give. ",
+      many, comparison.results.size());
+}
+
+/// What comes first if it makes all the rest doubtful.
+std::string describe_disturbance(const Comparison& comparison) {
+  if (comparison.loads.before < kBusy) return "";
+  return fmt::format(
+      "Other work was running (load average {:.2f} at the start): times are too long, ratios may "
+      "be "
+      "too low or too high, and none of what follows is certain until it is repeated on an idle "
+      "machine. ",
+      comparison.loads.before);
+}
+
+std::string describe_machine(const Comparison& comparison) {
+  const Machine& machine = comparison.machine;
+  std::string text = fmt::format("Measured on {}, {} processor{} available",
+                                 machine.cpu.empty() ? "an unknown processor" : machine.cpu,
+                                 machine.cores, machine.cores == 1 ? "" : "s");
+  if (comparison.loads.before < 0.0) return text + "; its load is not known.";
+  text += fmt::format(", load average {:.2f} before and {:.2f} after", comparison.loads.before,
+                      comparison.loads.after);
+  return text + " (this comparison included).";
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
+  if (seconds < 1.0) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} s", seconds);
+}
+
+std::string make_conclusion(const Comparison& comparison) {
+  std::string text = describe_disturbance(comparison);
+  for (const Model& model : comparison.models) text += describe_formulation(comparison, model);
+  text += describe_overall(comparison) + describe_faults(comparison);
+  return text + describe_oversubscribed(comparison) + describe_machine(comparison);
+}
+
+}  // namespace spoke::compare
