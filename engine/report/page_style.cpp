@@ -1,11 +1,11 @@
 #include "engine/report/page_style.h"
 
 namespace spoke::report {
+namespace {
 
 // The colours of series are those of Okabe and Ito, which differ for the colour-blind, darkened or
 // lightened to stand out from the background by a contrast of 3 or more. Print is always light.
-std::string_view page_style() {
-  return R"(
+constexpr std::string_view kStyle = R"(
 :root {
   color-scheme: light dark;
   --paper: #ffffff; --panel: #f7f8fa; --ink: #1a1d21; --soft: #5b6470; --rule: #dfe3e8;
@@ -77,6 +77,9 @@ svg.chart .point { fill: var(--c); stroke: var(--paper); stroke-width: 1.25; }
   .scroll { overflow: visible; } td { white-space: normal; } svg.chart { min-width: 0; }
 }
 )";
-}
+
+}  // namespace
+
+std::string_view page_style() { return kStyle; }
 
 }  // namespace spoke::report
