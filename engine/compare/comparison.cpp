@@ -43,6 +43,17 @@ Result evaluate(Measurement measurement, const Measurement& serial, const Model&
   return result;
 }
 
+/// None if nothing but serial was measured, or nothing else had its bits.
+const Result* fastest_rival(const Comparison& comparison, Formulation formulation) {
+  const Result* best = nullptr;
+  for (const Result& result : comparison.results) {
+    if (!belongs_to(result, formulation) || is_serial(result.measurement)) continue;
+    if (!result.figures || !result.hash_equal) continue;
+    if (best == nullptr || result.figures->speedup > best->figures->speedup) best = &result;
+  }
+  return best;
+}
+
 }  // namespace
 
 const Model& model_of(const Comparison& comparison, Formulation formulation) {
@@ -71,14 +82,30 @@ void evaluate(Comparison& comparison, std::vector<Measurement> measurements) {
   }
 }
 
-const Result* best_of(const Comparison& comparison, Formulation formulation) {
-  const Result* best = nullptr;
-  for (const Result& result : comparison.results) {
-    if (result.measurement.configuration.formulation != formulation) continue;
-    if (!result.figures || !result.hash_equal) continue;
-    if (best == nullptr || result.figures->speedup > best->figures->speedup) best = &result;
-  }
-  return best;
+bool is_serial(const Result& result) { return is_serial(result.measurement); }
+
+bool belongs_to(const Result& result, Formulation formulation) {
+  return result.measurement.configuration.formulation == formulation;
+}
+
+bool Verdict::is_winner(const Result& result) const {
+  if (kind == Kind::rival_wins) return &result == rival;
+  return kind == Kind::serial_wins && is_serial(result) &&
+         belongs_to(result, rival->measurement.configuration.formulation);
+}
+
+Verdict judge(const Comparison& comparison, Formulation formulation) {
+  using Kind = Verdict::Kind;
+  constexpr double kTrifle = 0.03;
+  constexpr double kPossible = 0.93;  // of the bound; a lower time is an error of measurement
+  if (!(model_of(comparison, formulation).serial_step > 0.0)) return {};
+  const Result* rival = fastest_rival(comparison, formulation);
+  if (rival == nullptr) return {Kind::no_rival, nullptr};
+  const Figures& figures = *rival->figures;
+  if (figures.ratio_to_bound < kPossible) return {Kind::disturbed, rival};
+  if (figures.speedup_low > 1.0 + kTrifle) return {Kind::rival_wins, rival};
+  if (figures.speedup_high < 1.0 - kTrifle) return {Kind::serial_wins, rival};
+  return {Kind::undecided, rival};
 }
 
 }  // namespace spoke::compare

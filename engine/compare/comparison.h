@@ -61,8 +61,25 @@ const Model& model_of(const Comparison& comparison, Formulation formulation);
 /// measurements as by measure().
 void evaluate(Comparison& comparison, std::vector<Measurement> measurements);
 
-/// The result with the highest speedup of a formulation among those of equal hash, serial included;
-/// none if nothing was measured.
-const Result* best_of(const Comparison& comparison, Formulation formulation);
+bool is_serial(const Result& result);
+bool belongs_to(const Result& result, Formulation formulation);
+
+/// What can be said of a formulation: serial against its fastest rival with serial's bits.
+struct Verdict {
+  enum class Kind {
+    no_reference,  ///< serial gave no time
+    no_rival,      ///< nothing else did
+    disturbed,     ///< the rival seems faster than work and span allow
+    serial_wins,   ///< three quarters of the rounds are slower than serial, by more than a trifle
+    undecided,
+    rival_wins,  ///< three quarters of the rounds are faster than serial, by more than a trifle
+  };
+  Kind kind = Kind::no_reference;
+  const Result* rival = nullptr;  ///< of `comparison`; none of the first two kinds
+
+  /// Whether this is the result that wins.
+  bool is_winner(const Result& result) const;
+};
+Verdict judge(const Comparison& comparison, Formulation formulation);
 
 }  // namespace spoke::compare

@@ -8,30 +8,7 @@
 namespace spoke::compare {
 namespace {
 
-/// A difference from serial below this share is none worth a choice.
-constexpr double kNoDifference = 0.03;
-/// A time below this share of the bound by work and span is an error of measurement.
-constexpr double kPossible = 0.93;
 constexpr double kBusy = 0.5;  // load average from which a machine is not idle
-
-bool is_serial(const Result& result) {
-  return result.measurement.configuration.executor == ExecutorKind::serial;
-}
-
-bool belongs_to(const Result& result, Formulation formulation) {
-  return result.measurement.configuration.formulation == formulation;
-}
-
-/// The fastest of those that are not serial; none if nothing of them was measured.
-const Result* fastest(const Comparison& comparison, Formulation formulation) {
-  const Result* best = nullptr;
-  for (const Result& result : comparison.results) {
-    if (!belongs_to(result, formulation) || is_serial(result)) continue;
-    if (!result.figures || !result.hash_equal) continue;
-    if (best == nullptr || result.figures->speedup > best->figures->speedup) best = &result;
-  }
-  return best;
-}
 
 std::string speedup_text(const Result& result) {
   return fmt::format("{:.2f} times serial's speed (quartiles {:.2f} to {:.2f})",
@@ -57,37 +34,32 @@ std::string describe_equals(const Comparison& comparison, const Result& best) {
                      more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
-/// What to say of the fastest one but serial.
-std::string describe_rival(const Comparison& comparison, const Model& model, const Result& rival) {
-  const std::string name(name_of(model.formulation));
+std::string describe_verdict(const Comparison& comparison, const Model& model) {
+  using Kind = Verdict::Kind;
+  const Verdict verdict = judge(comparison, model.formulation);
   const std::string serial = duration_text(model.serial_step) + " a step";
-  const std::string rival_name = name_of(rival.measurement.configuration);
-  const Figures& figures = *rival.figures;
-  if (figures.ratio_to_bound < kPossible)
-    return fmt::format(
-        "{}: no verdict; {} seems to have {}, which is more than work and span allow, so the "
-        "measurement was disturbed. ",
-        name, rival_name, speedup_text(rival));
-  if (figures.speedup < 1.0 - kNoDifference)
-    return fmt::format("{}: serial wins with {}; the next, {}, has {}. ", name, serial, rival_name,
-                       speedup_text(rival));
-  if (figures.speedup_low <= 1.0 + kNoDifference)
-    return fmt::format(
-        "{}: nothing is clearly faster than serial with {}; the nearest, {}, has {}. ", name,
-        serial, rival_name, speedup_text(rival));
-  return fmt::format("{}: {} is best with {} a step, {}, {:.2f} of the bound by work and span{}. ",
-                     name, rival_name, duration_text(figures.median), speedup_text(rival),
-                     figures.ratio_to_bound, describe_equals(comparison, rival));
-}
-
-std::string describe_formulation(const Comparison& comparison, const Model& model) {
-  const std::string name(name_of(model.formulation));
-  if (!(model.serial_step > 0.0))
-    return name + ": serial gave no time, so there is no comparison. ";
-  if (const Result* rival = fastest(comparison, model.formulation))
-    return describe_rival(comparison, model, *rival);
-  return fmt::format("{}: serial takes {} a step; nothing else was measured. ", name,
-                     duration_text(model.serial_step));
+  if (verdict.kind == Kind::no_reference) return "serial gave no time, so there is no comparison.";
+  if (verdict.kind == Kind::no_rival)
+    return "serial takes " + serial + "; nothing else was measured with its bits.";
+  const Result& rival = *verdict.rival;
+  const std::string name = name_of(rival.measurement.configuration);
+  switch (verdict.kind) {
+    case Kind::disturbed:
+      return fmt::format(
+          "no verdict; {} seems to have {}, which is more than work and span allow, so the "
+          "measurement was disturbed.",
+          name, speedup_text(rival));
+    case Kind::serial_wins:
+      return fmt::format("serial wins with {}; the next, {}, has {}.", serial, name,
+                         speedup_text(rival));
+    case Kind::rival_wins:
+      return fmt::format("{} is best with {} a step, {}, {:.2f} of the bound by work and span{}.",
+                         name, duration_text(rival.figures->median), speedup_text(rival),
+                         rival.figures->ratio_to_bound, describe_equals(comparison, rival));
+    default:
+      return fmt::format("nothing is clearly faster than serial with {}; the nearest, {}, has {}.",
+                         serial, name, speedup_text(rival));
+  }
 }
 
 /// The least time per step of all formulations.
@@ -99,7 +71,7 @@ std::string describe_overall(const Comparison& comparison) {
         (best == nullptr || result.figures->median < best->figures->median))
       best = &result;
   if (best == nullptr) return "";
-  return fmt::format("The least time of all: {}, {}, {} a step. ",
+  return fmt::format("The least time of all: {}, {}, {} a step.",
                      name_of(best->measurement.configuration.formulation),
                      name_of(best->measurement.configuration),
                      duration_text(best->figures->median));
@@ -120,15 +92,15 @@ std::string describe_faults(const Comparison& comparison) {
   });
   std::string text;
   if (unequal > 0)
-    text += fmt::format("{} of {} ended in bits other than serial's: do not use them. ", unequal,
-                        total);
+    text +=
+        fmt::format("{} of {} ended in bits other than serial's: do not use them.", unequal, total);
   if (const long silent = status(Status::no_answer))
-    text += fmt::format("{} of {} gave no answer in time and were ended. ", silent, total);
+    text += fmt::format("{} of {} gave no answer in time and were ended.", silent, total);
   if (const long failed = status(Status::failed))
-    text += fmt::format("{} of {} failed. ", failed, total);
+    text += fmt::format("{} of {} failed.", failed, total);
   if (const long slow = status(Status::slow))
-    text += fmt::format("{} of {} were so slow that they did fewer rounds. ", slow, total);
-  if (text.empty()) text = "All ended in the same bits as serial. ";
+    text += fmt::format("{} of {} were so slow that they did fewer rounds.", slow, total);
+  if (text.empty()) text = "All ended in the same bits as serial.";
   return text;
 }
 
@@ -137,7 +109,7 @@ std::string describe_oversubscribed(const Comparison& comparison) {
   if (many == 0) return "";
   return fmt::format(
       "{} of {} have more threads than processors: they show what oversubscription costs here, not "
-      "what so many processors would give. ",
+      "what so many processors would give.",
       many, comparison.results.size());
 }
 
@@ -148,7 +120,7 @@ std::string describe_disturbance(const Comparison& comparison) {
       "Other work was running (load average {:.2f} at the start): times are too long, ratios may "
       "be "
       "too low or too high, and none of what follows is certain until it is repeated on an idle "
-      "machine. ",
+      "machine.",
       comparison.loads.before);
 }
 
@@ -171,11 +143,22 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.3g} s", seconds);
 }
 
+std::vector<std::string> make_conclusions(const Comparison& comparison) {
+  std::vector<std::string> parts;
+  for (const Model& model : comparison.models)
+    parts.push_back(std::string(name_of(model.formulation)) + ": " +
+                    describe_verdict(comparison, model));
+  parts.insert(parts.begin(), describe_disturbance(comparison));
+  parts.push_back(describe_overall(comparison));
+  parts.push_back(describe_faults(comparison));
+  parts.push_back(describe_oversubscribed(comparison));
+  parts.push_back(describe_machine(comparison));
+  std::erase(parts, "");
+  return parts;
+}
+
 std::string make_conclusion(const Comparison& comparison) {
-  std::string text = describe_disturbance(comparison);
-  for (const Model& model : comparison.models) text += describe_formulation(comparison, model);
-  text += describe_overall(comparison) + describe_faults(comparison);
-  return text + describe_oversubscribed(comparison) + describe_machine(comparison);
+  return fmt::format("{}", fmt::join(make_conclusions(comparison), " "));
 }
 
 }  // namespace spoke::compare

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/compare/comparison.h"
 
@@ -9,8 +10,11 @@ namespace spoke::compare {
 /// A time for people: "13.1 us", "2.04 ms".
 std::string duration_text(double seconds);
 
-/// One paragraph in plain words: per formulation which configuration is best and by how much, or
-/// that serial is; what was not measured or differed; the machine, its load, and what to distrust.
+/// What is to be said in plain words, a part for each matter: what makes the rest doubtful; per
+/// formulation which configuration is best and by how much, or that serial is; what was not
+/// measured or differed; the machine and its load.
+std::vector<std::string> make_conclusions(const Comparison& comparison);
+/// The same as one paragraph.
 std::string make_conclusion(const Comparison& comparison);
 
 }  // namespace spoke::compare

@@ -11,10 +11,6 @@
 namespace spoke::compare {
 namespace {
 
-bool belongs_to(const Result& result, const Model& model) {
-  return result.measurement.configuration.formulation == model.formulation;
-}
-
 report::BarChart speedup_chart(const Comparison& comparison, const Model& model) {
   report::BarChart chart{
       .title = fmt::format("Speedup over serial, {}", name_of(model.formulation)),
@@ -22,7 +18,7 @@ report::BarChart speedup_chart(const Comparison& comparison, const Model& model)
   report::BarSeries speedups{"median of rounds, whiskers: quartiles"};
   report::BarMarks bounds{"bound T1 / max(T1/P, Tinf)"};
   for (const Result& result : comparison.results) {
-    if (!belongs_to(result, model) || !result.figures) continue;
+    if (!belongs_to(result, model.formulation) || !result.figures) continue;
     const Figures& figures = *result.figures;
     chart.groups.push_back(name_of(result.measurement.configuration));
     speedups.bars.push_back(
@@ -52,7 +48,7 @@ report::BarChart time_chart(const Comparison& comparison) {
     report::BarSeries series{std::string(name_of(model.formulation))};
     series.bars.resize(chart.groups.size());
     for (const Result& result : comparison.results)
-      if (belongs_to(result, model) && result.figures)
+      if (belongs_to(result, model.formulation) && result.figures)
         series.bars[places.at(name_of(result.measurement.configuration))] =
             report::Bar{.value = 1e6 * result.figures->median,
                         .text = fmt::format("{:.3g}", 1e6 * result.figures->median)};
@@ -72,7 +68,7 @@ report::LineChart scaling_chart(const Comparison& comparison, const Model& model
     const bool plain = configuration.executor != ExecutorKind::serial &&
                        configuration.threads.inner == 1 && !configuration.bind &&
                        configuration.wait == Wait::runtime_default;
-    if (!belongs_to(result, model) || !result.figures || !plain) continue;
+    if (!belongs_to(result, model.formulation) || !result.figures || !plain) continue;
     const std::string name(name_of(configuration.executor));
     auto series = std::find_if(chart.series.begin(), chart.series.end(),
                                [&](const report::LineSeries& s) { return s.name == name; });
@@ -130,7 +126,7 @@ std::string make_html(const Comparison& comparison) {
       comparison.scenario.title.empty() ? comparison.scenario.name : comparison.scenario.title,
       fmt::format("{} ways to run a step, compared in {} rounds", comparison.results.size(),
                   comparison.rounds));
-  page.add_note(make_conclusion(comparison));
+  page.add_notes(make_conclusions(comparison));
   add_facts(page, comparison);
   for (const Model& model : comparison.models) {
     page.add_heading(fmt::format("Formulation {}", name_of(model.formulation)));

@@ -28,8 +28,8 @@ std::string bits_of(const Result& result) {
   return result.hash_equal ? "equal" : "DIFFER";
 }
 
-report::Tone tone_of(const Result& result, const Result* best) {
-  if (&result == best) return report::Tone::good;
+report::Tone tone_of(const Result& result, const Verdict& verdict) {
+  if (verdict.is_winner(result)) return report::Tone::good;
   const Status status = result.measurement.status;
   if (status == Status::no_answer || status == Status::failed || !result.hash_equal)
     return report::Tone::bad;
@@ -55,9 +55,9 @@ report::Table make_table(const Comparison& comparison, const Model& model) {
        {"to bound", Align::number},
        {"bits"},
        {"remarks"}}};
-  const Result* best = best_of(comparison, model.formulation);
+  const Verdict verdict = judge(comparison, model.formulation);
   for (const Result& result : comparison.results) {
-    if (result.measurement.configuration.formulation != model.formulation) continue;
+    if (!belongs_to(result, model.formulation)) continue;
     std::vector<std::string> cells{name_of(result.measurement.configuration)};
     if (const auto& f = result.figures) {
       const std::vector<std::string> figures{
@@ -73,7 +73,7 @@ report::Table make_table(const Comparison& comparison, const Model& model) {
     }
     cells.push_back(bits_of(result));
     cells.push_back(remarks_on(comparison, result));
-    table.rows.push_back({std::move(cells), tone_of(result, best)});
+    table.rows.push_back({std::move(cells), tone_of(result, verdict)});
   }
   return table;
 }

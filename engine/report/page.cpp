@@ -66,10 +66,14 @@ void Page::add_heading(std::string_view text) { body_ += element("h2", text) + '
 
 void Page::add_paragraph(std::string_view text) { body_ += element("p", text) + '\n'; }
 
-void Page::add_note(std::string_view text, Tone tone) {
+void Page::add_note(std::string_view text, Tone tone) { add_notes({std::string(text)}, tone); }
+
+void Page::add_notes(const std::vector<std::string>& paragraphs, Tone tone) {
   std::string css = "note";
-  if (tone != Tone::plain) css += ' ' + std::string(name_of(tone));
-  body_ += element("p", text, css) + '\n';
+  if (tone != Tone::plain) css.append(" ").append(name_of(tone));
+  body_ += "<div" + attribute("class", css) + ">\n";
+  for (const std::string& paragraph : paragraphs) body_ += element("p", paragraph) + '\n';
+  body_ += "</div>\n";
 }
 
 void Page::add_facts(const std::vector<Fact>& facts) {

@@ -44,8 +44,9 @@ class Page {
 
   void add_heading(std::string_view text);
   void add_paragraph(std::string_view text);
-  /// A paragraph set apart in a frame.
+  /// A paragraph set apart in a frame, or several in one frame.
   void add_note(std::string_view text, Tone tone = Tone::plain);
+  void add_notes(const std::vector<std::string>& paragraphs, Tone tone = Tone::plain);
   void add_facts(const std::vector<Fact>& facts);
   /// A table without rows says so.
   void add_table(const Table& table);

@@ -34,8 +34,9 @@ h2 { font-size: 1.25rem; line-height: 1.3; letter-spacing: -0.01em; margin: 2.75
 p { margin: 0.75rem 0; max-width: 46rem; overflow-wrap: anywhere; }
 .note {
   border-left: 4px solid var(--tone, var(--s0)); background: var(--panel);
-  border-radius: 0 6px 6px 0; padding: 0.8rem 1.1rem; margin: 1.25rem 0; max-width: none;
+  border-radius: 0 6px 6px 0; padding: 0.5rem 1.2rem; margin: 1.25rem 0;
 }
+.note p { margin: 0.45rem 0; max-width: none; }
 .good { --tone: var(--good); } .warning { --tone: var(--warning); }
 .bad { --tone: var(--bad); } .muted { --tone: var(--soft); }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.25rem 1.5rem; margin: 1rem 0; }

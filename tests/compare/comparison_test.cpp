@@ -45,7 +45,10 @@ TEST_CASE("figures follow from the rounds") {
   CHECK(comparison.results[2].figures->bound == doctest::Approx(4e-6));  // 2 processors
   CHECK(comparison.results[2].figures->speedup == doctest::Approx(0.1));
   CHECK_FALSE(comparison.results[3].figures);
-  CHECK(best_of(comparison, Formulation::structured) == &comparison.results[1]);
+  const Verdict verdict = judge(comparison, Formulation::structured);
+  CHECK(verdict.kind == Verdict::Kind::rival_wins);
+  CHECK(verdict.is_winner(comparison.results[1]));
+  CHECK_FALSE(verdict.is_winner(comparison.results[0]));
 }
 
 TEST_CASE("bits are equal only if every hash is, and of what was run") {
@@ -59,7 +62,10 @@ TEST_CASE("bits are equal only if every hash is, and of what was run") {
   CHECK_FALSE(comparison.results[1].hash_equal);
   CHECK_FALSE(comparison.results[2].hash_equal);
   CHECK(comparison.results[3].hash_equal);
-  CHECK(best_of(comparison, Formulation::structured) == &comparison.results[0]);
+  const Verdict verdict = judge(comparison, Formulation::structured);
+  CHECK(verdict.kind == Verdict::Kind::serial_wins);
+  CHECK(verdict.rival == &comparison.results[3]);
+  CHECK(verdict.is_winner(comparison.results[0]));
 }
 
 TEST_CASE("the files hold what was found") {

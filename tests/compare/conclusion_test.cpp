@@ -40,7 +40,8 @@ TEST_CASE("where serial wins or nothing is told, it says so") {
              {"structured: serial wins with 10 us a step; the next, flow_graph 2, has 0.50 times"});
   check_says(comparison_of({kTen, measurement_of(kFlow, 2, {9.9e-6, 9.8e-6})}),
              {"nothing is clearly faster than serial"});
-  check_says(comparison_of({kTen}), {"serial takes 10 us a step; nothing else was measured"});
+  check_says(comparison_of({kTen}),
+             {"serial takes 10 us a step; nothing else was measured with its bits"});
 }
 
 TEST_CASE("what cannot be is no verdict") {

@@ -22,6 +22,7 @@ TEST_CASE("a page escapes every text") {
   page.add_heading("<h>");
   page.add_paragraph("1 < 2");
   page.add_note("\"x\"", Tone::bad);
+  page.add_notes({"first", "<second>"});
   page.add_facts({{"<label>", "<text>"}});
   page.add_table({"<caption>", {{"<column>"}}, {{{"<cell>"}}}});
   page.add_figure("<svg></svg>", "<figure>");
@@ -30,7 +31,7 @@ TEST_CASE("a page escapes every text") {
   CHECK(html.find("<title>&lt;Title&gt; &amp; co</title>") != std::string::npos);
   for (const char* text : {"&lt;h&gt;", "1 &lt; 2", "&quot;x&quot;", "&lt;label&gt;",
                            "&lt;text&gt;", "&lt;caption&gt;", "&lt;column&gt;", "&lt;cell&gt;",
-                           "&lt;figure&gt;", "a&lt;b", "<svg></svg>"}) {
+                           "&lt;figure&gt;", "&lt;second&gt;", "a&lt;b", "<svg></svg>"}) {
     CAPTURE(text);
     CHECK(html.find(text) != std::string::npos);
   }
