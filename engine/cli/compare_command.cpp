@@ -153,7 +153,7 @@ int compare(const Arguments& arguments) {
   const ChildTask task{arguments.scenario, arguments.overrides, comparison.scenario.integration};
   const compare::Effort effort{
       .rounds = comparison.rounds,
-      .most_seconds = std::max(3.0, 8.0 * kSampleSeconds * comparison.rounds)};
+      .most_seconds = std::max(1.5, 4.0 * kSampleSeconds * comparison.rounds)};
   auto measurements = compare::measure(
       configurations,
       [&](const compare::Configuration& configuration) {

@@ -81,27 +81,27 @@ long count(const Comparison& comparison, const std::function<bool(const Result&)
   return std::count_if(comparison.results.begin(), comparison.results.end(), has);
 }
 
-std::string describe_faults(const Comparison& comparison) {
-  const auto status = [&](Status wanted) {
-    return count(comparison,
-                 [&](const Result& result) { return result.measurement.status == wanted; });
-  };
-  const auto total = comparison.results.size();
+std::string describe_bits(const Comparison& comparison) {
   const long unequal = count(comparison, [](const Result& result) {
     return !result.measurement.hashes.empty() && !result.hash_equal;
   });
-  std::string text;
-  if (unequal > 0)
-    text +=
-        fmt::format("{} of {} ended in bits other than serial's: do not use them.", unequal, total);
-  if (const long silent = status(Status::no_answer))
-    text += fmt::format("{} of {} gave no answer in time and were ended.", silent, total);
-  if (const long failed = status(Status::failed))
-    text += fmt::format("{} of {} failed.", failed, total);
-  if (const long slow = status(Status::slow))
-    text += fmt::format("{} of {} were so slow that they did fewer rounds.", slow, total);
-  if (text.empty()) text = "All ended in the same bits as serial.";
-  return text;
+  if (unequal == 0) return "All that were measured have the same bits as serial.";
+  return fmt::format("{} of {} ended in bits other than serial's: do not use them.", unequal,
+                     comparison.results.size());
+}
+
+std::string describe_faults(const Comparison& comparison) {
+  std::vector<std::string> parts;
+  const auto add = [&](Status status, const char* what) {
+    const long number = count(
+        comparison, [&](const Result& result) { return result.measurement.status == status; });
+    if (number > 0)
+      parts.push_back(fmt::format("{} of {} {}", number, comparison.results.size(), what));
+  };
+  add(Status::no_answer, "gave no answer in time and were ended.");
+  add(Status::failed, "failed.");
+  add(Status::slow, "were so slow that they did fewer rounds.");
+  return fmt::format("{}", fmt::join(parts, " "));
 }
 
 std::string describe_oversubscribed(const Comparison& comparison) {
@@ -150,6 +150,7 @@ std::vector<std::string> make_conclusions(const Comparison& comparison) {
                     describe_verdict(comparison, model));
   parts.insert(parts.begin(), describe_disturbance(comparison));
   parts.push_back(describe_overall(comparison));
+  parts.push_back(describe_bits(comparison));
   parts.push_back(describe_faults(comparison));
   parts.push_back(describe_oversubscribed(comparison));
   parts.push_back(describe_machine(comparison));

@@ -25,7 +25,8 @@ report::BarChart speedup_chart(const Comparison& comparison, const Model& model)
         report::Bar{figures.speedup, figures.speedup_low, figures.speedup_high,
                     fmt::format("{:.2f}", figures.speedup),
                     fmt::format("{} a step, {} rounds", duration_text(figures.median),
-                                result.measurement.step_times.size())});
+                                result.measurement.step_times.size()),
+                    result.oversubscribed});
     bounds.values.push_back(model.serial_step / figures.bound);
   }
   chart.series = {std::move(speedups)};
@@ -130,7 +131,8 @@ std::string make_html(const Comparison& comparison) {
   add_facts(page, comparison);
   for (const Model& model : comparison.models) {
     page.add_heading(fmt::format("Formulation {}", name_of(model.formulation)));
-    page.add_figure(render(speedup_chart(comparison, model)));
+    page.add_figure(render(speedup_chart(comparison, model)),
+                    "Pale bars have more threads than processors.");
     const report::LineChart scaling = scaling_chart(comparison, model);
     if (scaling.x.ticks.size() > 2) page.add_figure(render(scaling));
     page.add_table(make_table(comparison, model));

@@ -97,7 +97,8 @@ void draw_bar(Svg& svg, const Scale& scale, const Bar& bar, double top) {
   const double base = base_of(scale);
   const double end = scale.place(bar.value);
   const double middle = top + 0.5 * kBarHeight;
-  svg.box({std::min(base, end), top + 1.0, std::abs(end - base), kBarHeight - 2.0}, "bar");
+  svg.box({std::min(base, end), top + 1.0, std::abs(end - base), kBarHeight - 2.0},
+          bar.faint ? "bar faint" : "bar");
   draw_error_bar(svg, scale, bar, middle);
   // In a column of their own, numbers cross neither error bars nor reference lines.
   svg.text({kChartWidth, middle + 4.0}, text_of(bar), "value end");

@@ -23,6 +23,7 @@ struct Bar {
   std::optional<double> high = {};  ///< ends of an error bar
   std::string text = {};            ///< beside it; empty: the value in three digits
   std::string tooltip = {};         ///< appended to group, series and value
+  bool faint = false;               ///< drawn paler: worth less attention than others
 };
 
 /// One bar in each group; none where there is nothing to show.

@@ -26,7 +26,7 @@ body {
   margin: 0; background: var(--paper); color: var(--ink);
   font: 16px/1.55 system-ui, -apple-system, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif;
 }
-main { max-width: 62rem; margin: 0 auto; padding: 3rem 1.5rem 4rem; }
+main { max-width: 66rem; margin: 0 auto; padding: 3rem 1.5rem 4rem; }
 header { border-bottom: 1px solid var(--rule); margin-bottom: 2rem; padding-bottom: 1.25rem; }
 h1 { font-size: 1.9rem; line-height: 1.2; letter-spacing: -0.015em; margin: 0; }
 header p { color: var(--soft); font-size: 1.05rem; margin: 0.5rem 0 0; }
@@ -48,6 +48,7 @@ th, td { text-align: left; padding: 0.38rem 0.75rem; vertical-align: baseline; }
 th:first-child, td:first-child { padding-left: 0.4rem; }
 th { font-weight: 600; vertical-align: bottom; border-bottom: 2px solid var(--rule); }
 td { border-bottom: 1px solid var(--rule); white-space: nowrap; }
+td:last-child:not(.number) { white-space: normal; min-width: 8rem; }
 .number { text-align: right; font-variant-numeric: tabular-nums; }
 tr[class] td { color: var(--tone); } tr.good td { font-weight: 600; }
 tbody tr:hover td { background: var(--panel); }
@@ -65,7 +66,7 @@ svg.chart .base { stroke: var(--soft); stroke-width: 1; }
 svg.chart .error { stroke: var(--ink); stroke-width: 1.25; fill: none; opacity: 0.75; }
 svg.chart .reference { stroke: var(--ink); stroke-width: 1.25; stroke-dasharray: 5 4; opacity: 0.7; }
 svg.chart .mark { stroke: var(--ink); stroke-width: 2.5; }
-svg.chart .bar { fill: var(--c); } svg.chart .bar:hover { opacity: 0.8; }
+svg.chart .bar { fill: var(--c); } svg.chart .faint { opacity: 0.45; } svg.chart .bar:hover { opacity: 0.8; }
 svg.chart .line { stroke: var(--c); stroke-width: 2; fill: none; stroke-linejoin: round; }
 svg.chart .dashed { stroke-dasharray: 7 5; }
 svg.chart .band { fill: var(--c); opacity: 0.16; }

@@ -77,7 +77,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, bytes)) + "\u2026";
 }
 
-double width_of(std::string_view text) { return 7.0 * static_cast<double>(characters_of(text)); }
+double width_of(std::string_view text) { return 7.7 * static_cast<double>(characters_of(text)); }
 
 std::string command(char letter, Place at) {
   std::string text(1, letter);

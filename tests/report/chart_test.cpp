@@ -15,7 +15,7 @@ BarChart bars() {
           {.title = "speedup"},
           {"one & all", "two"},
           {{"structured", {Bar{1.5, 1.4, 1.6, "", "20 rounds"}, std::nullopt}},
-           {"subsystem", {Bar{0.5}, Bar{1.9}}}},
+           {"subsystem", {Bar{0.5}, Bar{.value = 1.9, .faint = true}}}},
           {{"bound", {1.7, std::nullopt}}},
           {{"serial", 1.0}}};
 }
@@ -34,10 +34,11 @@ LineChart lines() {
 TEST_CASE("a bar chart is well-formed and has a bar for each value") {
   const std::string svg = render(bars());
   CHECK(xml_fault(svg) == "");
-  CHECK(count_of(svg, "class=\"bar\"") == 3 + 2);  // and two in the legend
+  CHECK(count_of(svg, "class=\"bar\"") == 2 + 2);  // and two in the legend
   CHECK(count_of(svg, "class=\"error\"") == 3);
   CHECK(count_of(svg, "class=\"mark\"") == 1 + 1);
   CHECK(count_of(svg, "class=\"reference\"") == 1 + 1);
+  CHECK(count_of(svg, "class=\"bar faint\"") == 1);
   CHECK(svg.find("<title>one &amp; all, structured: 1.500\n20 rounds</title>") !=
         std::string::npos);
   CHECK(svg.find("Speedup &lt;over&gt; serial") != std::string::npos);
