@@ -190,6 +190,8 @@ ModelSize Simulation::size() const {
   return size;
 }
 
+const graph::StepGraph& Simulation::step_graph() const { return impl_->graph; }
+
 LinearProperties Simulation::linear_properties() const {
   const FrequencyRange range = calc_frequency_range(impl_->scenario.rotor);
   return {range.lowest, range.highest, calc_rk4_largest_step(range)};

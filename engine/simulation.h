@@ -80,6 +80,8 @@ class Simulation {
   const Scenario& scenario() const;
   const SimulationOptions& options() const;
   ModelSize size() const;
+  /// The graph that the executor runs; valid while this lives.
+  const graph::StepGraph& step_graph() const;
   LinearProperties linear_properties() const;
   std::string_view executor_name() const;
   graph::Threads threads() const;  ///< in use by the executor

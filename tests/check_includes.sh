@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Checks who includes whom:
 #   examples, bench, tests -> engine -> models, graph     (models and graph do not know each other)
-# and inside engine: kernels below formulations, these below the step graph, integration, simulation,
-# cli. Threads (oneTBB, OpenMP) are seen in graph/*.cpp only.
+# and inside engine: report knows nothing of it; kernels below formulations, these below the step
+# graph, integration, simulation, cli. Threads (oneTBB, OpenMP) are seen in graph/*.cpp only.
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failures=0
@@ -29,6 +29,7 @@ refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of 
 
 # Layers of the engine, lowest first: no file includes a header of a later layer.
 layers=(
+  'report/'
   'lanes elastic_block clock step_data'
   'kinematics body_terms hub natural_frequencies'
   'formulation/'
@@ -39,6 +40,7 @@ layers=(
   'sensors diagnosis'
   'simulation'
   'results machine'
+  'compare/'
   'cli/'
 )
 later=''

@@ -3,17 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
 
+#include "engine/cli/compare_arguments.h"
+#include "engine/cli/threads_option.h"
 #include "models/error.h"
 
 namespace spoke::cli {
 namespace {
-
-constexpr int kMostThreads = 1024;
 
 constexpr const char* kStatusText = R"(Exit status:
   0  done
@@ -41,11 +40,25 @@ Example:
   spoke check models/wu_haug_rotor.toml --set blade.elements=8
 )";
 
+constexpr const char* kCompareText =
+    R"(Measures all combinations in interleaved rounds, each in a process of its own, and compares times
+per step and bits with those of the executor serial. Takes a minute or so.
+
+Output files, in the folder of --out:
+  compare.html  conclusion, charts and tables
+  compare.csv   a row of figures per combination
+  compare.json  everything, all samples included
+
+Example:
+  spoke compare models/wu_haug_rotor.toml --threads 1,2 --formulations subsystem
+)";
+
 constexpr const char* kProgramText = R"(Examples:
   spoke run models/wu_haug_rotor.toml
   spoke check models/wu_haug_rotor.toml
+  spoke compare models/wu_haug_rotor.toml
 
-"spoke run --help" and "spoke check --help" explain their options and output.
+"spoke run --help" and so on explain options and output of the commands.
 )";
 
 /// The names of all values of an enumeration and back.
@@ -99,27 +112,6 @@ void add_common(CLI::App& command, Arguments& arguments) {
   command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");
 }
 
-/// "2", or "3x2" of nested teams.
-graph::Threads parse_threads(const std::string& text) {
-  const auto fail = [&] {
-    return CLI::ValidationError("--threads", "expected a number from 1 to " +
-                                                 std::to_string(kMostThreads) +
-                                                 ", or two as in 3x2, got " + text);
-  };
-  const auto number = [&](std::string_view digits) {
-    int value = 0;
-    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (fault != std::errc{} || end != digits.data() + digits.size() || value < 1) throw fail();
-    return value;
-  };
-  const auto cross = text.find('x');
-  const int outer = number(std::string_view(text).substr(0, cross));
-  const int inner =
-      cross == std::string::npos ? 1 : number(std::string_view(text).substr(cross + 1));
-  if (outer > kMostThreads || inner > kMostThreads / outer) throw fail();
-  return {outer, inner};
-}
-
 /// Like a choice, but a name may be one that this build is without, and the message then says so.
 void add_executor(CLI::App& run, Arguments& arguments) {
   std::string names;
@@ -168,7 +160,7 @@ void add_run(CLI::App& program, Arguments& arguments) {
   add_executor(run, arguments);
   run.add_option_function<std::string>(
          "--threads",
-         [&](const std::string& text) { arguments.options.threads = parse_threads(text); },
+         [&](const std::string& text) { arguments.options.threads = parse_threads_option(text); },
          "Threads of the executor, or OUTERxINNER of nested teams\n[the cores available]")
       ->type_name("N|OxI");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
@@ -184,6 +176,23 @@ void add_check(CLI::App& program, Arguments& arguments) {
   add_common(check, arguments);
   check.footer(std::string(kCheckText) + '\n' + kStatusText);
   check.callback([&] { arguments.command = Arguments::Command::check; });
+}
+
+void add_compare(CLI::App& program, Arguments& arguments) {
+  CLI::App& compare = *program.add_subcommand(
+      "compare", "Measure which executor and number of threads is fastest here");
+  add_common(compare, arguments);
+  compare
+      .add_option("--out", arguments.out,
+                  "Folder of the results [results/<name of the scenario>/compare]")
+      ->type_name("DIR");
+  add_compare_options(compare, arguments.compare);
+  add_choice<IntegrationMethod>(compare, "--integrator",
+                                "Integration method\n[what the scenario says; generalized_alpha]",
+                                {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4},
+                                [&](IntegrationMethod method) { arguments.integrator = method; });
+  compare.footer(std::string(kCompareText) + '\n' + kStatusText);
+  compare.callback([&] { arguments.command = Arguments::Command::compare; });
 }
 
 /// Whether an argument is another KEY=VALUE behind --set, rather than an option or a file.
@@ -210,13 +219,13 @@ std::vector<std::string> repeat_set(const std::vector<std::string>& arguments) {
 /// Refuses what is neither a command nor an option of the program. The name for messages.
 std::string check_first(const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
-    throw InputError("spoke: no command, expected run or check (see spoke --help)");
+    throw InputError("spoke: no command, expected run, check or compare (see spoke --help)");
   }
   const std::string& first = arguments[0];
-  if (first == "run" || first == "check") return "spoke " + first;
+  if (first == "run" || first == "check" || first == "compare") return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first +
-                   "\", expected run or check (see spoke --help)");
+                   "\", expected run, check or compare (see spoke --help)");
 }
 
 }  // namespace
@@ -230,6 +239,7 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   program.require_subcommand(1);
   add_run(program, result);
   add_check(program, result);
+  add_compare(program, result);
 
   const std::string name = check_first(arguments);
   std::vector<std::string> reversed = repeat_set(arguments);

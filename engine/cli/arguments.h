@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cli/compare_arguments.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
 
@@ -15,6 +16,7 @@ struct Arguments {
     none,  ///< nothing: help or version was asked for and has been printed
     run,
     check,
+    compare,
   };
   Command command = Command::none;
   std::string scenario;  ///< file
@@ -24,6 +26,7 @@ struct Arguments {
   SimulationOptions options;
   bool quiet = false;
   int verbosity = 0;  ///< number of -v
+  CompareArguments compare;
 };
 
 /// Parses the arguments behind the program's name. Throws InputError.

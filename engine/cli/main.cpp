@@ -9,6 +9,8 @@
 
 #include "engine/cli/arguments.h"
 #include "engine/cli/check_command.h"
+#include "engine/cli/compare_command.h"
+#include "engine/cli/measure_child_command.h"
 #include "engine/cli/report.h"
 #include "engine/cli/run_command.h"
 #include "models/error.h"
@@ -31,6 +33,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::run(arguments);
     case cli::Arguments::Command::check:
       return cli::check(arguments);
+    case cli::Arguments::Command::compare:
+      return cli::compare(arguments);
     case cli::Arguments::Command::none:
       break;
   }
@@ -47,7 +51,10 @@ int complain(const std::string& message, int status) {
 
 int main(int argc, char** argv) {
   try {
-    const cli::Arguments arguments = cli::parse_arguments({argv + 1, argv + argc});
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    // What `compare` starts; no command for people, so it is in no help.
+    if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
+    const cli::Arguments arguments = cli::parse_arguments(words);
     start_logging(arguments);
     return execute(arguments);
   } catch (const InputError& error) {

@@ -30,7 +30,8 @@ TEST_CASE("--help names commands and exit statuses and examples") {
   const Ended ended = run_spoke({"--help"}, folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  check_contains(ended.out, {"run", "check", "--version", "Exit status:", "spoke run models/"});
+  check_contains(ended.out,
+                 {"run", "check", "compare", "--version", "Exit status:", "spoke run models/"});
 }
 
 TEST_CASE("run --help names every option and what is written") {

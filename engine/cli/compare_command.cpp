@@ -1,0 +1,171 @@
+#include "engine/cli/compare_command.h"
+
+#include <spdlog/fmt/fmt.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/cli/measure_child_command.h"
+#include "engine/cli/report.h"
+#include "engine/compare/conclusion.h"
+#include "engine/compare/files.h"
+#include "engine/compare/probe.h"
+#include "engine/compare/table.h"
+#include "engine/results.h"
+#include "models/error.h"
+
+namespace spoke::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSampleSeconds = 0.03;
+constexpr std::size_t kMostConfigurations = 400;  // a process, a socket and some threads each
+
+/// Throws unless the folder can be made, without making it: nothing is left behind by a comparison
+/// that fails.
+void demand_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::path existing = fs::absolute(folder, error);
+  while (!error && !fs::exists(existing, error) && existing.has_relative_path())
+    existing = existing.parent_path();
+  std::string reason;
+  if (error) {
+    reason = error.message();
+  } else if (!fs::is_directory(existing)) {
+    reason = existing.string() + " is no folder";
+  } else if (access(existing.c_str(), W_OK | X_OK) != 0) {
+    reason = existing.string() + " is not writable";
+  }
+  if (!reason.empty())
+    throw InputError(folder.string() + ": cannot be the folder of results: " + reason);
+}
+
+double load_average() {
+  double load = -1.0;
+  return getloadavg(&load, 1) == 1 ? load : -1.0;
+}
+
+void show_progress(const std::string& text) {
+  static const bool shown = isatty(STDERR_FILENO) == 1;
+  if (!shown) return;
+  fmt::print(stderr, "\r{}\033[K", text);
+  std::fflush(stderr);
+}
+
+std::vector<compare::Configuration> choose_configurations(const Arguments& arguments,
+                                                          const Scenario& scenario, int cores) {
+  auto list = compare::make_configurations(arguments.compare.axes,
+                                           static_cast<int>(scenario.rotor.blades.size()), cores);
+  if (list.size() > kMostConfigurations)
+    throw InputError(
+        fmt::format("{} configurations, expected at most {}: choose fewer executors, "
+                    "numbers of threads or formulations",
+                    list.size(), kMostConfigurations));
+  return list;
+}
+
+/// All processes live at once, each with the whole model.
+void demand_memory(const compare::Comparison& comparison,
+                   const std::vector<compare::Configuration>& configurations) {
+  constexpr double kProcess = 2e7;  // of a process besides its model [bytes]
+  double needed = 0.0;
+  for (const auto& configuration : configurations)
+    needed += kProcess + static_cast<double>(
+                             model_of(comparison, configuration.formulation).size.memory_bytes);
+  const auto available = static_cast<double>(comparison.machine.memory);
+  if (available > 0.0 && needed > 0.8 * available)
+    throw InputError(
+        fmt::format("{} processes at once need {:.1f} GB of memory, this machine has "
+                    "{:.1f} GB: compare fewer configurations",
+                    configurations.size(), needed / 1e9, available / 1e9));
+}
+
+void probe_models(compare::Comparison& comparison, const compare::Axes& axes) {
+  for (const Formulation formulation : axes.formulations) {
+    show_progress("probing: " + std::string(name_of(formulation)));
+    comparison.models.push_back(compare::probe(comparison.scenario, formulation, kSampleSeconds));
+  }
+  const Simulation simulation(
+      comparison.scenario,
+      {.formulation = axes.formulations.front(), .executor = ExecutorKind::serial, .threads = 1});
+  comparison.step_size = simulation.step_size();
+  std::int64_t longest = 0;
+  for (const compare::Model& model : comparison.models) longest = std::max(longest, model.batch);
+  const std::int64_t batches = compare::kWarmUpBatches + comparison.rounds;
+  comparison.scenario = compare::with_steps(simulation, longest * batches);
+}
+
+void print_table(const report::Table& table) {
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    widths.push_back(table.columns[c].title.size());
+    for (const report::Row& row : table.rows) widths[c] = std::max(widths[c], row.cells[c].size());
+  }
+  const auto print_row = [&](const auto& text_of) {
+    std::string line;
+    for (std::size_t c = 0; c < widths.size(); ++c)
+      line += table.columns[c].align == report::Align::number
+                  ? fmt::format("  {:>{}}", text_of(c), widths[c])
+                  : fmt::format("  {:<{}}", text_of(c), widths[c]);
+    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  };
+  fmt::print("\n{}\n", table.caption);
+  print_row([&](std::size_t c) { return table.columns[c].title; });
+  for (const report::Row& row : table.rows) print_row([&](std::size_t c) { return row.cells[c]; });
+}
+
+void print(const compare::Comparison& comparison, const fs::path& folder) {
+  fmt::print("{}\n", one_line(comparison.scenario.title));
+  for (const compare::Model& model : comparison.models)
+    print_table(compare::make_table(comparison, model));
+  fmt::print("\n{}\n", compare::make_conclusion(comparison));
+  print_line("written", (folder / "compare.html").string() + ", compare.json, compare.csv");
+}
+
+void write(const compare::Comparison& comparison, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string() + ": cannot be the folder of results: " + error.message());
+  write_file(folder / "compare.json", compare::make_json(comparison));
+  write_file(folder / "compare.csv", compare::make_csv(comparison));
+  write_file(folder / "compare.html", compare::make_html(comparison));
+}
+
+}  // namespace
+
+int compare(const Arguments& arguments) {
+  Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  if (arguments.integrator) scenario.integration.method = *arguments.integrator;
+  const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "compare"
+                                                : fs::path(arguments.out);
+  compare::Comparison comparison{.scenario = scenario, .rounds = arguments.compare.rounds};
+  comparison.machine = this_machine();
+  const auto configurations = choose_configurations(arguments, scenario, comparison.machine.cores);
+  demand_folder(folder);
+  comparison.loads.before = load_average();
+  probe_models(comparison, arguments.compare.axes);
+  demand_memory(comparison, configurations);
+  const ChildTask task{arguments.scenario, arguments.overrides, comparison.scenario.integration};
+  const compare::Effort effort{
+      .rounds = comparison.rounds,
+      .most_seconds = std::max(1.5, 4.0 * kSampleSeconds * comparison.rounds)};
+  auto measurements = compare::measure(
+      configurations,
+      [&](const compare::Configuration& configuration) {
+        return make_child_command(task, configuration);
+      },
+      [&](Formulation formulation) { return model_of(comparison, formulation).batch; }, effort,
+      show_progress);
+  comparison.loads.after = load_average();
+  compare::evaluate(comparison, std::move(measurements));
+  write(comparison, folder);
+  print(comparison, folder);
+  return 0;
+}
+
+}  // namespace spoke::cli

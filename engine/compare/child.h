@@ -1,0 +1,57 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace spoke::compare {
+
+/// A program to start.
+struct Command {
+  std::string program;                   ///< path of the executable file
+  std::vector<std::string> arguments;    ///< behind the program's name
+  std::vector<std::string> environment;  ///< all of it, as "NAME=value"
+};
+
+/// What came from a child.
+struct Answer {
+  enum class Kind {
+    line,
+    late,   ///< nothing within the time allowed
+    ended,  ///< the child has ended, or closed its output
+  };
+  Kind kind = Kind::ended;
+  std::string text;  ///< the line without its end
+};
+
+/// A process that is asked by lines on its standard input and answers by lines on its standard
+/// output; what it writes to standard error is dropped. It never outlives this process.
+class Child {
+ public:
+  /// Throws std::system_error if no process can be made. If the program cannot be run, the child
+  /// ends at once.
+  explicit Child(const Command& command);
+  /// Kills it if it still runs.
+  ~Child();
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Does nothing if the child has ended; receive() tells.
+  void send(const std::string& line);
+  Answer receive(double seconds_allowed);
+
+  /// Halts all its threads wherever they are, so that those which spin leave the processors to
+  /// others; and lets them go on.
+  void halt();
+  void go_on();
+
+ private:
+  void reap(int options);
+
+  pid_t process_ = -1;  ///< -1 once it has ended
+  int socket_ = -1;
+  std::string received_;  ///< beginning of the next line
+};
+
+}  // namespace spoke::compare

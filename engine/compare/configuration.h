@@ -1,0 +1,58 @@
+#pragma once
+
+// What is compared: one way to run a scenario's step, and the matrix of all of them.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/simulation.h"
+
+namespace spoke::compare {
+
+/// How idle threads of an OpenMP runtime wait; read when the runtime starts.
+enum class Wait {
+  runtime_default,  ///< as the runtime does unless told
+  passive,          ///< asleep
+  active,           ///< spinning
+};
+/// "default", "passive", "active".
+std::string_view name_of(Wait wait);
+
+struct Configuration {
+  Formulation formulation = Formulation::structured;
+  ExecutorKind executor = ExecutorKind::serial;
+  graph::Threads threads = 1;
+  Wait wait = Wait::runtime_default;  ///< of OpenMP executors
+  bool bind = false;                  ///< OpenMP threads to processors
+};
+
+/// Executors differ by name only as far as this library can tell: those of OpenMP begin with
+/// "openmp", those with nested teams with "openmp_scheme".
+bool is_openmp(ExecutorKind kind);
+bool has_two_layers(ExecutorKind kind);
+
+/// "flow_graph 2", "openmp_scheme2 3x2 active bound": all but the formulation.
+std::string name_of(const Configuration& configuration);
+
+/// The whole environment for a process that measures the configuration, as "NAME=value": that of
+/// this process without the variables of OpenMP runtimes, and with those the configuration needs.
+std::vector<std::string> environment_of(const Configuration& configuration);
+
+/// The values along each axis of the matrix.
+struct Axes {
+  std::vector<Formulation> formulations{Formulation::structured, Formulation::subsystem};
+  std::vector<ExecutorKind> executors{graph::executor_kinds().begin(),
+                                      graph::executor_kinds().end()};
+  std::vector<graph::Threads> threads;  ///< empty: what suits executor, model and machine
+  std::vector<Wait> waits{Wait::runtime_default, Wait::passive, Wait::active};
+  std::vector<bool> binds{false};
+};
+
+/// All configurations by formulation, in each the serial one first, as the reference (also if it is
+/// not among the executors). Nested threads go to executors that know them; waiting and binding are
+/// varied where an OpenMP executor has more than one thread. Throws InputError if a nested number
+/// of threads suits none of the executors.
+std::vector<Configuration> make_configurations(const Axes& axes, int subsystems, int available);
+
+}  // namespace spoke::compare

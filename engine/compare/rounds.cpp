@@ -1,0 +1,149 @@
+#include "engine/compare/rounds.h"
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+
+#include "models/error.h"
+
+namespace spoke::compare {
+namespace {
+
+/// One configuration and its process while it is measured.
+struct Contender {
+  Measurement measurement;
+  std::unique_ptr<Child> child;  ///< none once it has left
+  std::int64_t batch = 1;
+  double spent = 0.0;  ///< in timed batches [s]
+
+  bool takes_part() const { return child != nullptr; }
+};
+
+std::string seconds_text(double seconds) {
+  std::ostringstream text;
+  text << seconds << " s";
+  return text.str();
+}
+
+void leave(Contender& contender, Status status, std::string message) {
+  contender.child.reset();
+  contender.measurement.status = status;
+  contender.measurement.message = std::move(message);
+}
+
+/// The next answer, which begins with `expected`; what follows it. Empty, and the contender has
+/// left, if something else came.
+bool expect(Contender& contender, const std::string& expected, double seconds, std::string& rest) {
+  const Answer answer = contender.child->receive(seconds);
+  if (answer.kind == Answer::Kind::late) {
+    leave(contender, Status::no_answer, "no answer within " + seconds_text(seconds));
+    return false;
+  }
+  if (answer.kind == Answer::Kind::ended) {
+    leave(contender, Status::failed, "its process ended unexpectedly");
+    return false;
+  }
+  const auto space = std::min(answer.text.find(' '), answer.text.size());
+  const std::string word = answer.text.substr(0, space);
+  rest = answer.text.substr(std::min(space + 1, answer.text.size()));
+  if (word == "diverged") throw DivergenceError(rest);
+  if (word == expected) return true;
+  leave(contender, Status::failed, word == "failed" ? rest : "its process answered nonsense");
+  return false;
+}
+
+/// One batch. Its time [s]; negative if the contender has left.
+double run_batch(Contender& contender, double seconds_allowed) {
+  contender.child->go_on();
+  contender.child->send("run " + std::to_string(contender.batch));
+  std::string rest;
+  if (!expect(contender, "done", seconds_allowed, rest)) return -1.0;
+  contender.child->halt();
+  std::istringstream words(rest);
+  double seconds = -1.0;
+  std::uint64_t hash = 0;
+  if (!(words >> seconds >> hash) || !(seconds > 0.0)) {
+    leave(contender, Status::failed, "its process answered nonsense");
+    return -1.0;
+  }
+  contender.measurement.hashes.push_back(hash);
+  return seconds;
+}
+
+void start(Contender& contender, const Command& command, const Effort& effort) {
+  contender.child = std::make_unique<Child>(command);
+  std::string rest;
+  if (!expect(contender, "ready", effort.start_seconds, rest)) return;
+  for (int k = 0; k < kWarmUpBatches && contender.takes_part(); ++k)
+    run_batch(contender, effort.answer_seconds);
+}
+
+void take_turn(Contender& contender, int round, const Effort& effort) {
+  constexpr int kLeastRounds = 2;
+  const bool is_serial = contender.measurement.configuration.executor == ExecutorKind::serial;
+  if (!is_serial && round >= kLeastRounds && contender.spent > effort.most_seconds) {
+    leave(contender, Status::slow, "");
+    return;
+  }
+  const double seconds = run_batch(contender, effort.answer_seconds);
+  if (seconds < 0.0) return;
+  contender.spent += seconds;
+  contender.measurement.step_times.push_back(seconds / static_cast<double>(contender.batch));
+}
+
+std::string full_name(const Configuration& configuration) {
+  return std::string(name_of(configuration.formulation)) + ", " + name_of(configuration);
+}
+
+std::vector<Contender> start_all(const std::vector<Configuration>& configurations,
+                                 const MakeCommand& make_command, const BatchSize& batch_size,
+                                 const Effort& effort, const Progress& progress) {
+  std::vector<Contender> contenders;
+  for (const Configuration& configuration : configurations) {
+    progress("warming up: " + full_name(configuration));
+    Contender& contender = contenders.emplace_back();
+    contender.measurement.configuration = configuration;
+    contender.batch = batch_size(configuration.formulation);
+    start(contender, make_command(configuration), effort);
+  }
+  return contenders;
+}
+
+}  // namespace
+
+std::string_view name_of(Status status) {
+  switch (status) {
+    case Status::measured:
+      return "measured";
+    case Status::slow:
+      return "slow";
+    case Status::no_answer:
+      return "no_answer";
+    case Status::failed:
+      break;
+  }
+  return "failed";
+}
+
+std::vector<Measurement> measure(const std::vector<Configuration>& configurations,
+                                 const MakeCommand& make_command, const BatchSize& batch_size,
+                                 const Effort& effort, const Progress& progress) {
+  std::vector<Contender> contenders =
+      start_all(configurations, make_command, batch_size, effort, progress);
+  for (int round = 0; round < effort.rounds; ++round)
+    for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
+      // The first to take a turn moves on with the rounds.
+      Contender& contender =
+          contenders[(turn + static_cast<std::size_t>(round)) % contenders.size()];
+      if (!contender.takes_part()) continue;
+      progress("round " + std::to_string(round + 1) + " of " + std::to_string(effort.rounds) +
+               ": " + full_name(contender.measurement.configuration));
+      take_turn(contender, round, effort);
+    }
+  progress("");
+  std::vector<Measurement> measurements;
+  for (Contender& contender : contenders) measurements.push_back(std::move(contender.measurement));
+  return measurements;
+}
+
+}  // namespace spoke::compare

@@ -1,0 +1,59 @@
+#pragma once
+
+// Measures configurations in turns, each in a process of its own: all processes are made first and
+// halted, then every round lets each go on for one batch of steps.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/compare/child.h"
+#include "engine/compare/configuration.h"
+
+namespace spoke::compare {
+
+enum class Status {
+  measured,
+  slow,       ///< in fewer rounds than planned, to save time
+  no_answer,  ///< the process did not answer in time and was killed
+  failed,     ///< the process could not simulate, or ended by itself
+};
+/// "measured", "slow", "no_answer", "failed".
+std::string_view name_of(Status status);
+
+struct Measurement {
+  Configuration configuration;
+  Status status = Status::measured;
+  std::string message = {};                ///< of no_answer and failed: what happened, for people
+  std::vector<double> step_times = {};     ///< by round: time per step [s]
+  std::vector<std::uint64_t> hashes = {};  ///< of the state after each batch, warm-ups included
+};
+
+/// Untimed batches before the first round: memory is touched, and an executor that tunes itself has
+/// done so.
+constexpr int kWarmUpBatches = 2;
+
+struct Effort {
+  int rounds = 20;
+  double most_seconds = 6.0;     ///< per configuration, after which it leaves the rounds; two at
+                                 ///< least are done, and all of the serial one's
+  double start_seconds = 120.0;  ///< allowed for a process to build its simulation
+  double answer_seconds = 60.0;  ///< allowed for a batch
+};
+
+/// Makes the command that measures a configuration. The process answers "ready" when it is, "done
+/// SECONDS HASH" to each "run STEPS", or "diverged MESSAGE" or "failed MESSAGE" in place of either.
+using MakeCommand = std::function<Command(const Configuration&)>;
+/// Steps in one batch of a formulation.
+using BatchSize = std::function<std::int64_t(Formulation)>;
+/// Says what is being done.
+using Progress = std::function<void(const std::string&)>;
+
+/// Precondition: configurations as by make_configurations(). Throws DivergenceError if a
+/// process says that the scenario diverged.
+std::vector<Measurement> measure(const std::vector<Configuration>& configurations,
+                                 const MakeCommand& make_command, const BatchSize& batch_size,
+                                 const Effort& effort, const Progress& progress);
+
+}  // namespace spoke::compare

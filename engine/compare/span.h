@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "graph/step_graph.h"
+
+namespace spoke::compare {
+
+/// What the graph's nodes cost in all, and along the costliest path: no number of threads is faster
+/// than that.
+struct WorkAndSpan {
+  double work = 0.0;
+  double span = 0.0;
+};
+
+/// Precondition: a cost for each node.
+WorkAndSpan calc_work_and_span(const graph::StepGraph& graph, std::span<const double> costs);
+
+/// The time of each node on the calling thread: the median over passes over the graph [s]. It runs
+/// the nodes on the data as they are, so that the graph's simulation is of no use afterwards.
+std::vector<double> measure_node_costs(const graph::StepGraph& graph, int passes);
+
+}  // namespace spoke::compare

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/compare/comparison.h"
+#include "engine/report/page.h"
+
+namespace spoke::compare {
+
+/// The results of one formulation as a table for people, the best row marked as good.
+report::Table make_table(const Comparison& comparison, const Model& model);
+
+}  // namespace spoke::compare

@@ -1,0 +1,20 @@
+#pragma once
+
+// The letters of HTML and SVG: text made safe, and numbers as people read them.
+
+#include <string>
+#include <string_view>
+
+namespace spoke::report {
+
+/// The text as content or attribute value of HTML and of XML: & < > " ' are escaped, control
+/// characters other than line feeds and tabs become spaces.
+std::string escape(std::string_view text);
+
+/// A coordinate or length of a drawing: two decimals at most, no exponent, no "-0".
+std::string coordinate(double value);
+
+/// A number for people in `digits` significant digits: "1.84", "0.0213", "12300", "4.1e-07".
+std::string figure(double value, int digits = 3);
+
+}  // namespace spoke::report

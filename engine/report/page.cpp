@@ -1,0 +1,115 @@
+#include "engine/report/page.h"
+
+#include <utility>
+
+#include "engine/report/markup.h"
+#include "engine/report/page_style.h"
+
+namespace spoke::report {
+namespace {
+
+std::string_view name_of(Tone tone) {
+  switch (tone) {
+    case Tone::good:
+      return "good";
+    case Tone::warning:
+      return "warning";
+    case Tone::bad:
+      return "bad";
+    case Tone::muted:
+      return "muted";
+    case Tone::plain:
+      break;
+  }
+  return "";
+}
+
+std::string_view css_of(Align align) { return align == Align::number ? "number" : ""; }
+
+/// `attribute="value"` behind a space; nothing without a value.
+std::string attribute(std::string_view name, std::string_view value) {
+  std::string markup;
+  if (!value.empty()) markup.append(" ").append(name).append("=\"").append(value).append("\"");
+  return markup;
+}
+
+std::string element(std::string_view name, std::string_view text, std::string_view css = {}) {
+  std::string markup;
+  markup.append("<").append(name).append(attribute("class", css)).append(">");
+  return markup.append(escape(text)).append("</").append(name).append(">");
+}
+
+std::string table_head(const Table& table) {
+  std::string head = "<thead><tr>";
+  for (const Column& column : table.columns) {
+    head += "<th scope=\"col\"" + attribute("class", css_of(column.align)) + '>';
+    head += escape(column.title) + "</th>";
+  }
+  return head + "</tr></thead>\n";
+}
+
+std::string table_row(const Table& table, const Row& row) {
+  std::string markup = "<tr" + attribute("class", name_of(row.tone)) + '>';
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const std::string_view text = c < row.cells.size() ? std::string_view(row.cells[c]) : "";
+    markup += element("td", text, css_of(table.columns[c].align));
+  }
+  return markup + "</tr>\n";
+}
+
+}  // namespace
+
+Page::Page(std::string title, std::string subtitle)
+    : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
+
+void Page::add_heading(std::string_view text) { body_ += element("h2", text) + '\n'; }
+
+void Page::add_paragraph(std::string_view text) { body_ += element("p", text) + '\n'; }
+
+void Page::add_note(std::string_view text, Tone tone) { add_notes({std::string(text)}, tone); }
+
+void Page::add_notes(const std::vector<std::string>& paragraphs, Tone tone) {
+  std::string css = "note";
+  if (tone != Tone::plain) css.append(" ").append(name_of(tone));
+  body_ += "<div" + attribute("class", css) + ">\n";
+  for (const std::string& paragraph : paragraphs) body_ += element("p", paragraph) + '\n';
+  body_ += "</div>\n";
+}
+
+void Page::add_facts(const std::vector<Fact>& facts) {
+  if (facts.empty()) return;
+  body_ += "<dl>\n";
+  for (const auto& [label, text] : facts)
+    body_ += element("dt", label) + element("dd", text) + '\n';
+  body_ += "</dl>\n";
+}
+
+void Page::add_table(const Table& table) {
+  body_ += "<div class=\"scroll\"><table>\n";
+  if (!table.caption.empty()) body_ += element("caption", table.caption) + '\n';
+  body_ += table_head(table) + "<tbody>\n";
+  for (const Row& row : table.rows) body_ += table_row(table, row);
+  if (table.rows.empty()) {
+    body_ += "<tr class=\"muted\"><td colspan=\"" + std::to_string(table.columns.size()) +
+             "\">no rows</td></tr>\n";
+  }
+  body_ += "</tbody></table></div>\n";
+}
+
+void Page::add_figure(std::string_view svg, std::string_view caption) {
+  body_ += "<figure><div class=\"scroll\">" + std::string(svg) + "</div>\n";
+  if (!caption.empty()) body_ += element("figcaption", caption) + '\n';
+  body_ += "</figure>\n";
+}
+
+std::string Page::html() const {
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  text += element("title", title_) + "\n<style>" + std::string(page_style()) + "</style>\n";
+  text += "</head>\n<body>\n<main>\n<header>" + element("h1", title_);
+  if (!subtitle_.empty()) text += element("p", subtitle_);
+  return text + "</header>\n" + body_ + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace spoke::report

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace spoke::report {
+
+/// The style sheet of every page, and of the drawings in it.
+std::string_view page_style();
+
+}  // namespace spoke::report

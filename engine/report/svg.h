@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace spoke::report {
+
+struct Place {
+  double x = 0.0, y = 0.0;  ///< to the right, and down
+};
+
+struct Box {
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+};
+
+/// Collects the elements of one inline SVG drawing, which scales to the width of its page. `css`
+/// are names of classes of report/page_style.h; texts are escaped here.
+class Svg {
+ public:
+  /// `label` is what a screen reader says.
+  Svg(double width, double height, std::string_view label);
+
+  void line(Place from, Place to, std::string_view css);
+  void box(const Box& box, std::string_view css);
+  void path(std::string_view commands, std::string_view css);
+  void text(Place at, std::string_view text, std::string_view css);
+  /// Text that reads upwards.
+  void upward_text(Place at, std::string_view text, std::string_view css);
+  /// Elements up to end_group() share the classes and show the tooltip, if there is one.
+  void begin_group(std::string_view css, std::string_view tooltip = {});
+  void end_group();
+
+  /// The markup. Precondition: all groups are ended.
+  std::string markup() const { return text_ + "</svg>\n"; }
+
+ private:
+  std::string text_;
+};
+
+/// A text cut to the number of characters, the last one then an ellipsis.
+std::string shortened(std::string_view text, std::size_t most);
+/// About how wide a text of a chart is.
+double width_of(std::string_view text);
+
+/// One command of a path: a letter such as M (move there) or L (a line to there), and the place.
+std::string command(char letter, Place at);
+/// Path commands of a marker of the k-th shape, to tell series apart without colour.
+std::string marker(Place at, std::size_t shape);
+
+}  // namespace spoke::report

@@ -1,0 +1,92 @@
+#include "engine/compare/comparison.h"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "engine/compare/files.h"
+#include "tests/compare/samples.h"
+
+using namespace spoke;
+using namespace spoke::compare;
+
+namespace {
+
+const auto kSerial = ExecutorKind::serial;
+const auto kFlow = ExecutorKind::flow_graph;
+
+Comparison sample() {
+  Measurement failed = measurement_of(kFlow, 3, {});
+  failed.hashes.clear();
+  failed.status = Status::failed;
+  failed.message = "no luck";
+  return comparison_of({measurement_of(kSerial, 1, {8e-6, 8e-6, 10e-6, 8e-6}),
+                        measurement_of(kFlow, 2, {5e-6, 4e-6, 5e-6, 4e-6}),
+                        measurement_of(kFlow, 8, {80e-6, 80e-6}), failed});
+}
+
+}  // namespace
+
+TEST_CASE("figures follow from the rounds") {
+  const Comparison comparison = sample();
+  CHECK(comparison.models[0].serial_step == 8e-6);
+  CHECK(comparison.models[0].span_step == doctest::Approx(2e-6));
+  REQUIRE(comparison.results.size() == 4);
+  const Figures& two = *comparison.results[1].figures;
+  CHECK(two.mean == doctest::Approx(4.5e-6));
+  CHECK(two.median == doctest::Approx(4.5e-6));
+  CHECK(two.speedup == doctest::Approx(2.0));
+  CHECK(two.speedup_low == doctest::Approx(1.9));
+  CHECK(two.bound == doctest::Approx(4e-6));
+  CHECK(two.ratio_to_bound == doctest::Approx(1.125));
+  CHECK_FALSE(comparison.results[1].oversubscribed);
+  CHECK(comparison.results[2].oversubscribed);
+  CHECK(comparison.results[2].figures->bound == doctest::Approx(4e-6));  // 2 processors
+  CHECK(comparison.results[2].figures->speedup == doctest::Approx(0.1));
+  CHECK_FALSE(comparison.results[3].figures);
+  const Verdict verdict = judge(comparison, Formulation::structured);
+  CHECK(verdict.kind == Verdict::Kind::rival_wins);
+  CHECK(verdict.is_winner(comparison.results[1]));
+  CHECK_FALSE(verdict.is_winner(comparison.results[0]));
+}
+
+TEST_CASE("bits are equal only if every hash is, and of what was run") {
+  Measurement other = measurement_of(kFlow, 2, {1e-6});
+  other.hashes.back() = 99;
+  Measurement none = measurement_of(kFlow, 1, {});
+  none.hashes.clear();
+  const Comparison comparison = comparison_of(
+      {measurement_of(kSerial, 1, {2e-6, 2e-6}), other, none, measurement_of(kFlow, 3, {3e-6})});
+  CHECK(comparison.results[0].hash_equal);
+  CHECK_FALSE(comparison.results[1].hash_equal);
+  CHECK_FALSE(comparison.results[2].hash_equal);
+  CHECK(comparison.results[3].hash_equal);
+  const Verdict verdict = judge(comparison, Formulation::structured);
+  CHECK(verdict.kind == Verdict::Kind::serial_wins);
+  CHECK(verdict.rival == &comparison.results[3]);
+  CHECK(verdict.is_winner(comparison.results[0]));
+}
+
+TEST_CASE("the files hold what was found") {
+  const Comparison comparison = sample();
+  const auto json = nlohmann::json::parse(make_json(comparison));
+  REQUIRE(json["configurations"].size() == 4);
+  CHECK(json["configurations"][1]["figures"]["speedup"].get<double>() == doctest::Approx(2.0));
+  CHECK(json["configurations"][1]["step_times_s"].size() == 4);
+  CHECK(json["configurations"][3]["figures"].is_null());
+  CHECK(json["configurations"][3]["message"] == "no luck");
+  CHECK(json["models"][0]["serial_step_s"] == 8e-6);
+  CHECK(json["load_average"]["before"] == 0.1);
+
+  std::istringstream lines(make_csv(comparison));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    CHECK(std::count(line.begin(), line.end(), ',') == 17);
+  CHECK(count == 5);
+
+  const std::string html = make_html(comparison);
+  CHECK(html.find("Rotor &lt;1&gt;") != std::string::npos);
+  CHECK(html.find("flow_graph 8") != std::string::npos);
+  CHECK(html.find("no luck, oversubscribed") != std::string::npos);
+}

@@ -1,0 +1,64 @@
+#include "engine/compare/rounds.h"
+
+#include <doctest/doctest.h>
+
+#include "models/error.h"
+
+using namespace spoke;
+using namespace spoke::compare;
+
+namespace {
+
+constexpr const char* kObedient =
+    "echo ready; h=0; while read w; do h=$((h+1)); echo done 0.5 $h; done";
+
+std::vector<Measurement> measure_scripts(const std::vector<std::string>& scripts,
+                                         const Effort& effort) {
+  std::vector<Configuration> configurations(scripts.size());
+  for (std::size_t k = 1; k < scripts.size(); ++k) {
+    configurations[k].executor = ExecutorKind::flow_graph;
+    configurations[k].threads = static_cast<int>(k);
+  }
+  const auto make_command = [&](const Configuration& configuration) {
+    const bool serial = configuration.executor == ExecutorKind::serial;
+    const auto k = serial ? 0u : static_cast<std::size_t>(configuration.threads.outer);
+    return Command{"/bin/sh", {"-c", scripts[k]}, {}};
+  };
+  return measure(
+      configurations, make_command, [](Formulation) { return 10; }, effort,
+      [](const std::string&) {});
+}
+
+}  // namespace
+
+TEST_CASE("every process does its rounds; times are per step, hashes by batch") {
+  const auto measurements = measure_scripts({kObedient, kObedient}, {.rounds = 3});
+  REQUIRE(measurements.size() == 2);
+  for (const Measurement& measurement : measurements) {
+    CHECK(measurement.status == Status::measured);
+    CHECK(measurement.step_times == std::vector<double>{0.05, 0.05, 0.05});
+    CHECK(measurement.hashes == std::vector<std::uint64_t>{1, 2, 3, 4, 5});
+  }
+}
+
+TEST_CASE("the slow leave after two rounds, the silent and the failed at once") {
+  const auto measurements =
+      measure_scripts({kObedient, kObedient, "echo ready; sleep 100", "echo failed no luck",
+                       "exit 1", "echo ready; read w; echo done x y"},
+                      {.rounds = 4, .most_seconds = 0.9, .answer_seconds = 0.5});
+  CHECK(measurements[0].step_times.size() == 4);
+  CHECK(measurements[1].status == Status::slow);
+  CHECK(measurements[1].step_times.size() == 2);
+  CHECK(measurements[2].status == Status::no_answer);
+  CHECK(measurements[2].message == "no answer within 0.5 s");
+  CHECK(measurements[3].status == Status::failed);
+  CHECK(measurements[3].message == "no luck");
+  CHECK(measurements[4].message == "its process ended unexpectedly");
+  CHECK(measurements[5].message == "its process answered nonsense");
+}
+
+TEST_CASE("divergence ends it all") {
+  CHECK_THROWS_WITH_AS(
+      measure_scripts({kObedient, "echo ready; read w; echo diverged at t = 3 s"}, {}),
+      "at t = 3 s", DivergenceError);
+}

@@ -1,0 +1,36 @@
+#include "engine/report/markup.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace spoke::report;
+
+TEST_CASE("escape() makes text safe in content and attributes") {
+  CHECK(escape("a < b & \"c\" > 'd'") == "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39;");
+  CHECK(escape("</title><script>") == "&lt;/title&gt;&lt;script&gt;");
+  CHECK(escape(std::string("a\0b\x1b[1m\x7f", 8)) == "a b [1m ");
+  CHECK(escape("line\n\tline") == "line\n\tline");
+  CHECK(escape("µs, blåd") == "µs, blåd");
+  CHECK(escape("").empty());
+}
+
+TEST_CASE("coordinates are short and never in exponents") {
+  CHECK(coordinate(12.0) == "12");
+  CHECK(coordinate(12.345) == "12.35");
+  CHECK(coordinate(-0.001) == "0");
+  CHECK(coordinate(1e-7) == "0");
+  CHECK(coordinate(100.0) == "100");
+}
+
+TEST_CASE("figures have three significant digits") {
+  CHECK(figure(1.8449) == "1.84");
+  CHECK(figure(0.021349) == "0.0213");
+  CHECK(figure(12345.0) == "12345");
+  CHECK(figure(0.0) == "0");
+  CHECK(figure(-2.5) == "-2.50");
+  CHECK(figure(4.1e-7) == "4.1e-07");
+  CHECK(figure(1.23456, 5) == "1.2346");
+  CHECK(figure(std::nan("")) == "-");
+  CHECK(figure(INFINITY) == "inf");
+}
