@@ -29,7 +29,7 @@ refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of 
 
 # Layers of the engine, lowest first: no file includes a header of a later layer.
 layers=(
-  'lanes elastic_block step_data'
+  'lanes elastic_block step_data memory'
   'kinematics body_terms hub natural_frequencies'
   'formulation/'
   'integrator/generalized_alpha integrator/rk4 integrator/method'
