@@ -91,9 +91,16 @@ TEST_CASE("a bad override is refused and nothing is written") {
 }
 
 TEST_CASE("a model that exhausts memory is refused before anything is written") {
-  check_refused({"run", shipped("wu_haug_rotor"), "--formulation", "augmented", "--set",
-                 "blade.count=1000", "--set", "blade.bodies=1000"},
-                "memory");
+  const std::string scenario = shipped("wu_haug_rotor");
+  const std::vector<std::string> large = {"--set", "blade.count=1000", "--set",
+                                          "blade.bodies=1000"};
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& formulation) {
+    arguments.insert(arguments.end(), large.begin(), large.end());
+    check_refused(arguments, scenario + ": the model in the formulation " + formulation + " needs");
+    check_refused(arguments, " GB of memory, expected at most ");
+  };
+  refused({"run", scenario, "--formulation", "augmented"}, "augmented");
+  refused({"check", scenario}, "structured");
 }
 
 TEST_CASE("output that cannot be written is refused in one line") {
