@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "graph/executor_kinds.h"
+#include "graph/thread_sanitizer.h"
 
 namespace spoke::graph {
 namespace {
@@ -29,7 +30,7 @@ void raise_thread_limit(int threads, std::optional<global_control>& control) {
 
 class FlowGraphExecutor final : public Executor {
  public:
-  FlowGraphExecutor(const StepGraph& graph, int threads) : threads_(threads) {
+  FlowGraphExecutor(const StepGraph& graph, int threads) : graph_(graph), threads_(threads) {
     raise_thread_limit(threads, thread_limit_);
     arena_.initialize(threads);
     // A flow graph belongs to the arena it is made in.
@@ -43,10 +44,12 @@ class FlowGraphExecutor final : public Executor {
   }
 
   void run() override {
+    tell_start(graph_);
     arena_.execute([this] {
       for (FlowNode* root : roots_) root->try_put(flow::continue_msg());
       flow_->wait_for_all();
     });
+    tell_end(graph_);
   }
   std::string_view name() const override { return name_of(ExecutorKind::flow_graph); }
   Threads threads() const override { return threads_; }
@@ -57,7 +60,7 @@ class FlowGraphExecutor final : public Executor {
   void make_flow(const StepGraph& graph) {
     flow_.emplace();
     for (int i = 0; i < graph.node_count(); ++i) {
-      const auto body = [&graph, i](flow::continue_msg) noexcept { graph.run_node({i}); };
+      const auto body = [&graph, i](flow::continue_msg) noexcept { run_told(graph, {i}); };
       nodes_.emplace_back(*flow_, body);
       if (graph.predecessors({i}).empty()) roots_.push_back(&nodes_.back());
     }
@@ -69,6 +72,7 @@ class FlowGraphExecutor final : public Executor {
     }
   }
 
+  const StepGraph& graph_;
   int threads_;
   std::optional<global_control> thread_limit_;
   oneapi::tbb::task_arena arena_;
