@@ -58,7 +58,8 @@ void calc_velocities(const Subsystem& subsystem, SubsystemData& data) noexcept {
     const BodyData& member = data.bodies[j];
     const double* v = member.coordinates.v;
     Twist twist = data.rotations[j].inverse() * bracket;
-    twist[kRotation] -= v[member.inboard_at[kRotation]];
+    if (member.model->body->inboard.coordinate[kRotation] >= 0)
+      twist[kRotation] -= v[member.inboard_at[kRotation]];
     data.twists[j] = twist;
     if (j + 1 == data.bodies.size()) break;
     const double w = twist[kRotation];

@@ -9,9 +9,10 @@ namespace spoke {
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
 
 namespace detail {
-using PairInMemory = double __attribute__((vector_size(2 * sizeof(double)), may_alias));
-using PairAnywhere =
-    double __attribute__((vector_size(2 * sizeof(double)), may_alias, aligned(sizeof(double))));
+// Of an alias, clang takes alignment from behind its name only.
+using PairInMemory __attribute__((may_alias)) = Pair;
+using PairAnywhere __attribute__((may_alias, aligned(sizeof(double)))) = Pair;
+static_assert(alignof(PairAnywhere) == sizeof(double));
 }  // namespace detail
 
 inline Pair both(double value) { return Pair{value, value}; }

@@ -1,11 +1,11 @@
 #include "engine/machine.h"
 
 #include <sys/utsname.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <string_view>
 
+#include "engine/memory.h"
 #include "graph/executor.h"
 
 namespace spoke {
@@ -44,10 +44,8 @@ std::string compiler() {
 }  // namespace
 
 Machine this_machine() {
-  const std::int64_t pages = sysconf(_SC_PHYS_PAGES);
-  const std::int64_t page_size = sysconf(_SC_PAGE_SIZE);
   return {value_in_file("/proc/cpuinfo", "model name", ':'), graph::available_threads(),
-          pages > 0 && page_size > 0 ? pages * page_size : 0, operating_system(), compiler()};
+          physical_memory(), operating_system(), compiler()};
 }
 
 }  // namespace spoke

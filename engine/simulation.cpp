@@ -1,14 +1,14 @@
 #include "engine/simulation.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "engine/diagnosis.h"
 #include "engine/integrator/time_stepper.h"
 #include "engine/kinematics.h"
+#include "engine/memory.h"
 #include "engine/natural_frequencies.h"
 #include "engine/sensors.h"
 #include "engine/step_graph_builder.h"
@@ -40,16 +40,17 @@ double estimate_graph_memory(const System& system) {
 
 void demand_memory(const System& system, Formulation formulation) {
   const double needed = estimate_memory(system, formulation) + estimate_graph_memory(system);
-  const double available =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  if (needed < 0.8 * available) return;
+  const double most = 0.8 * available_memory();
+  if (needed < most) return;
   const auto gigabytes = [](double bytes) {
-    return std::to_string(static_cast<long long>(std::ceil(bytes / 1e9))) + " GB";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f GB", bytes / 1e9);
+    return std::string(text);
   };
   const bool is_dense = formulation != Formulation::structured;
   throw InputError("the model in the formulation " + std::string(name_of(formulation)) + " needs " +
-                   gigabytes(needed) + " of memory, this machine has " + gigabytes(available) +
-                   ": use fewer blades, bodies or elements" +
+                   gigabytes(needed) + " of memory, expected at most " + gigabytes(most) +
+                   " on this machine: use fewer blades, bodies or elements" +
                    (is_dense ? ", or the formulation structured" : ""));
 }
 
@@ -190,7 +191,7 @@ ModelSize Simulation::size() const {
   return size;
 }
 
-const graph::StepGraph& Simulation::step_graph() const { return impl_->graph; }
+const graph::StepGraph& Simulation::step_graph() const { return impl_->single->graph; }
 
 LinearProperties Simulation::linear_properties() const {
   const FrequencyRange range = calc_frequency_range(impl_->scenario.rotor);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "graph/executor_kinds.h"
+#include "graph/thread_sanitizer.h"
 
 namespace spoke::graph {
 namespace {
@@ -54,10 +55,12 @@ class FlowGraphExecutor final : public Executor {
       for (int c = 0; c < plan_.cluster_count(); ++c) run_cluster(c);
       return;
     }
+    tell_start(graph_);
     arena_.execute([this] {
       for (FlowNode* root : roots_) root->try_put(flow::continue_msg());
       flow_->wait_for_all();
     });
+    tell_end(graph_);
   }
   std::string_view name() const override { return name_of(ExecutorKind::flow_graph); }
   Threads threads() const override { return threads_; }
@@ -66,7 +69,7 @@ class FlowGraphExecutor final : public Executor {
   using FlowNode = flow::continue_node<flow::continue_msg>;
 
   void run_cluster(int cluster) const noexcept {
-    for (const NodeId node : plan_.nodes(cluster)) graph_.run_node(node);
+    for (const NodeId node : plan_.nodes(cluster)) run_told(graph_, node);
   }
 
   void make_flow() {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "engine/cli/build_simulation.h"
 #include "engine/cli/report.h"
 
 namespace spoke::cli {
@@ -19,7 +20,8 @@ std::string describe_frequency(double frequency) {
 int check(const Arguments& arguments) {
   SimulationOptions options = arguments.options;
   options.executor = ExecutorKind::serial;
-  const Simulation simulation(read_scenario(arguments.scenario, arguments.overrides), options);
+  const Simulation simulation = build_simulation(
+      arguments.scenario, read_scenario(arguments.scenario, arguments.overrides), options);
   const Integration& integration = simulation.scenario().integration;
   const LinearProperties properties = simulation.linear_properties();
   print_model(simulation);

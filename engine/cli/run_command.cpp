@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "engine/cli/build_simulation.h"
 #include "engine/cli/progress_bar.h"
 #include "engine/cli/report.h"
 #include "engine/cli/tip_deflections.h"
@@ -141,7 +142,7 @@ int run(const Arguments& arguments) {
   const fs::path folder =
       arguments.out.empty() ? fs::path("results") / scenario.name : fs::path(arguments.out);
   const auto start = Clock::now();
-  Simulation simulation(scenario, arguments.options);
+  Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
   prepare_folder(folder);

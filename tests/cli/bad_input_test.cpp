@@ -50,7 +50,7 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
   check_refused({"run", scenario, "--integrator", "euler"},
                 "--integrator: euler not in {generalized_alpha,rk4}");
   check_refused({"run", scenario, "--executor", "openmp"},
-                "--executor: no executor is named \"openmp\"; known here: flow_graph, serial");
+                "--executor: no executor is named \"openmp\"; known here: auto, flow_graph, serial");
   check_refused({"run", scenario, "--executor", "serial", "--threads", "3x2"},
                 "--threads: serial has one layer of threads, expected a number, got 3x2");
   for (const std::string threads :
@@ -94,9 +94,16 @@ TEST_CASE("a bad override is refused and nothing is written") {
 }
 
 TEST_CASE("a model that exhausts memory is refused before anything is written") {
-  check_refused({"run", shipped("wu_haug_rotor"), "--formulation", "augmented", "--set",
-                 "blade.count=1000", "--set", "blade.bodies=1000"},
-                "memory");
+  const std::string scenario = shipped("wu_haug_rotor");
+  const std::vector<std::string> large = {"--set", "blade.count=1000", "--set",
+                                          "blade.bodies=1000"};
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& formulation) {
+    arguments.insert(arguments.end(), large.begin(), large.end());
+    check_refused(arguments, scenario + ": the model in the formulation " + formulation + " needs");
+    check_refused(arguments, " GB of memory, expected at most ");
+  };
+  refused({"run", scenario, "--formulation", "augmented"}, "augmented");
+  refused({"check", scenario}, "structured");
 }
 
 TEST_CASE("output that cannot be written is refused in one line") {

@@ -13,10 +13,11 @@
 #include <vector>
 
 #include "engine/machine.h"
-#include "models/error.h"
+#include "tests/message_of.h"
 
 namespace fs = std::filesystem;
 using namespace spoke;
+using spoke::test::message_of;
 
 namespace {
 
@@ -39,16 +40,6 @@ class TemporaryFolder {
 std::string read_file(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-template <class Function>
-std::string message_of(const Function& function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// The steps, of 0 to `count` of size `step`, that are output.

@@ -121,14 +121,14 @@ TEST_CASE("kinds are found by name, and one that this build is without is refuse
   const auto kinds = executor_kinds();
   for (const ExecutorKind kind : kinds) CHECK(executor_kind(name_of(kind)) == kind);
   CHECK_THROWS_WITH_AS(executor_kind("openmp"),
-                       doctest::Contains("no executor is named \"openmp\"; known here: flow_graph"),
+                       doctest::Contains("no executor is named \"openmp\"; known here: auto, flow_graph"),
                        std::invalid_argument);
   for (const ExecutorKind kind :
        {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
     const std::string why = std::string(name_of(kind)) +
                             " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known "
-                            "here: flow_graph, serial";
+                            "here: auto, flow_graph, serial";
     CHECK_THROWS_WITH_AS(executor_kind(name_of(kind)), why.c_str(), std::invalid_argument);
     CHECK_THROWS_WITH_AS(make_executor(graph, kind), why.c_str(), std::invalid_argument);
   }

@@ -25,7 +25,9 @@ std::string text_of(const std::filesystem::path& file) {
 
 /// Checks that the documentation names every key of `json`: a value as `key`, a table as [key].
 void check_documented(const nlohmann::json& json, const std::string& documentation) {
-  for (const auto& [key, value] : json.items()) {
+  for (const auto& item : json.items()) {
+    const std::string& key = item.key();
+    const nlohmann::json& value = item.value();
     CAPTURE(key);
     const bool named = documentation.find('`' + key + '`') != std::string::npos ||
                        documentation.find(key + ']') != std::string::npos;

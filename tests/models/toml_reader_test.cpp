@@ -6,25 +6,13 @@
 #include "models/error.h"
 #include "models/toml_document.h"
 #include "models/toml_section.h"
+#include "tests/message_of.h"
 
 using spoke::InputError;
 using spoke::Quantity;
 using spoke::TomlDocument;
 using spoke::TomlSection;
-
-namespace {
-
-template <class Function>
-std::string message_of(const Function& function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-}  // namespace
+using spoke::test::message_of;
 
 TEST_CASE("numbers are read with integers accepted for floats") {
   const TomlDocument document("a = 3\nb = 2.5\nc = [1, 2.5]", "f.toml");

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "engine/simulation.h"
+
+namespace spoke::cli {
+
+/// Builds the simulation of a scenario that was read from `file`. Throws InputError, its text
+/// beginning with the file.
+Simulation build_simulation(const std::string& file, const Scenario& scenario,
+                            const SimulationOptions& options);
+
+}  // namespace spoke::cli
