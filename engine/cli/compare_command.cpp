@@ -95,8 +95,8 @@ void probe_models(compare::Comparison& comparison, const compare::Axes& axes) {
   comparison.step_size = simulation.step_size();
   std::int64_t longest = 0;
   for (const compare::Model& model : comparison.models) longest = std::max(longest, model.batch);
-  const std::int64_t batches = compare::kWarmUpBatches + comparison.rounds;
-  comparison.scenario = compare::with_steps(simulation, longest * batches);
+  comparison.scenario =
+      compare::with_steps(simulation, compare::steps_of(longest, comparison.rounds));
 }
 
 void print_table(const report::Table& table) {

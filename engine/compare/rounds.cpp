@@ -52,10 +52,12 @@ bool expect(Contender& contender, const std::string& expected, double seconds, s
   return false;
 }
 
-/// One batch. Its time [s]; negative if the contender has left.
-double run_batch(Contender& contender, double seconds_allowed) {
+std::int64_t trial_of(std::int64_t batch) { return std::max<std::int64_t>(1, batch / 4); }
+
+/// Runs steps. The time per step [s]; negative if the contender has left.
+double run_steps(Contender& contender, std::int64_t steps, double seconds_allowed) {
   contender.child->go_on();
-  contender.child->send("run " + std::to_string(contender.batch));
+  contender.child->send("run " + std::to_string(steps));
   std::string rest;
   if (!expect(contender, "done", seconds_allowed, rest)) return -1.0;
   contender.child->halt();
@@ -67,28 +69,39 @@ double run_batch(Contender& contender, double seconds_allowed) {
     return -1.0;
   }
   contender.measurement.hashes.push_back(hash);
-  return seconds;
+  return seconds / static_cast<double>(steps);
+}
+
+bool is_serial(const Contender& contender) {
+  return contender.measurement.configuration.executor == ExecutorKind::serial;
 }
 
 void start(Contender& contender, const Command& command, const Effort& effort) {
   contender.child = std::make_unique<Child>(command);
   std::string rest;
   if (!expect(contender, "ready", effort.start_seconds, rest)) return;
+  double step = 0.0;
+  for (int k = 0; k < kTrials && contender.takes_part(); ++k)
+    step = run_steps(contender, trial_of(contender.batch), effort.answer_seconds);
+  const double batch_seconds = step * static_cast<double>(contender.batch);
+  if (!is_serial(contender) && batch_seconds > 0.5 * effort.most_seconds) {
+    contender.measurement.step_times.push_back(step);
+    leave(contender, Status::slow, "");
+  }
   for (int k = 0; k < kWarmUpBatches && contender.takes_part(); ++k)
-    run_batch(contender, effort.answer_seconds);
+    run_steps(contender, contender.batch, effort.answer_seconds);
 }
 
 void take_turn(Contender& contender, int round, const Effort& effort) {
   constexpr int kLeastRounds = 2;
-  const bool is_serial = contender.measurement.configuration.executor == ExecutorKind::serial;
-  if (!is_serial && round >= kLeastRounds && contender.spent > effort.most_seconds) {
+  if (!is_serial(contender) && round >= kLeastRounds && contender.spent > effort.most_seconds) {
     leave(contender, Status::slow, "");
     return;
   }
-  const double seconds = run_batch(contender, effort.answer_seconds);
-  if (seconds < 0.0) return;
-  contender.spent += seconds;
-  contender.measurement.step_times.push_back(seconds / static_cast<double>(contender.batch));
+  const double step = run_steps(contender, contender.batch, effort.answer_seconds);
+  if (step < 0.0) return;
+  contender.spent += step * static_cast<double>(contender.batch);
+  contender.measurement.step_times.push_back(step);
 }
 
 std::string full_name(const Configuration& configuration) {
@@ -123,6 +136,10 @@ std::string_view name_of(Status status) {
       break;
   }
   return "failed";
+}
+
+std::int64_t steps_of(std::int64_t batch, int rounds) {
+  return kTrials * trial_of(batch) + (kWarmUpBatches + rounds) * batch;
 }
 
 std::vector<Measurement> measure(const std::vector<Configuration>& configurations,

@@ -30,14 +30,20 @@ struct Measurement {
   std::vector<std::uint64_t> hashes = {};  ///< of the state after each batch, warm-ups included
 };
 
+/// Quarters of a batch at the very start: the last one tells what is too slow to go on with.
+constexpr int kTrials = 2;
 /// Untimed batches before the first round: memory is touched, and an executor that tunes itself has
 /// done so.
 constexpr int kWarmUpBatches = 2;
+/// All steps of a process, trials and warm-ups included.
+std::int64_t steps_of(std::int64_t batch, int rounds);
 
 struct Effort {
   int rounds = 20;
-  double most_seconds = 6.0;     ///< per configuration, after which it leaves the rounds; two at
-                                 ///< least are done, and all of the serial one's
+  /// Of a configuration, after which it leaves the rounds, two of which it does. If a batch takes
+  /// more than half of that, it leaves before the first, and the trial is its only sample. The
+  /// serial one never leaves.
+  double most_seconds = 6.0;
   double start_seconds = 120.0;  ///< allowed for a process to build its simulation
   double answer_seconds = 60.0;  ///< allowed for a batch
 };

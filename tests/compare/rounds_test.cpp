@@ -12,6 +12,12 @@ namespace {
 constexpr const char* kObedient =
     "echo ready; h=0; while read w; do h=$((h+1)); echo done 0.5 $h; done";
 
+/// Slow once its trials are over.
+constexpr const char* kTiring =
+    "echo ready; s=0.01; h=0; while read w; do h=$((h+1)); test $h -gt 2 && s=0.5; echo done $s "
+    "$h; "
+    "done";
+
 std::vector<Measurement> measure_scripts(const std::vector<std::string>& scripts,
                                          const Effort& effort) {
   std::vector<Configuration> configurations(scripts.size());
@@ -37,14 +43,14 @@ TEST_CASE("every process does its rounds; times are per step, hashes by batch") 
   for (const Measurement& measurement : measurements) {
     CHECK(measurement.status == Status::measured);
     CHECK(measurement.step_times == std::vector<double>{0.05, 0.05, 0.05});
-    CHECK(measurement.hashes == std::vector<std::uint64_t>{1, 2, 3, 4, 5});
+    CHECK(measurement.hashes == std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7});
   }
 }
 
-TEST_CASE("the slow leave after two rounds, the silent and the failed at once") {
+TEST_CASE("the slow leave after two rounds or the trial, the silent and the failed at once") {
   const auto measurements =
-      measure_scripts({kObedient, kObedient, "echo ready; sleep 100", "echo failed no luck",
-                       "exit 1", "echo ready; read w; echo done x y"},
+      measure_scripts({kObedient, kTiring, "echo ready; sleep 100", "echo failed no luck", "exit 1",
+                       "echo ready; read w; echo done x y", kObedient},
                       {.rounds = 4, .most_seconds = 0.9, .answer_seconds = 0.5});
   CHECK(measurements[0].step_times.size() == 4);
   CHECK(measurements[1].status == Status::slow);
@@ -55,6 +61,9 @@ TEST_CASE("the slow leave after two rounds, the silent and the failed at once") 
   CHECK(measurements[3].message == "no luck");
   CHECK(measurements[4].message == "its process ended unexpectedly");
   CHECK(measurements[5].message == "its process answered nonsense");
+  CHECK(measurements[6].status == Status::slow);
+  CHECK(measurements[6].step_times == std::vector<double>{0.25});
+  CHECK(measurements[6].hashes == std::vector<std::uint64_t>{1, 2});
 }
 
 TEST_CASE("divergence ends it all") {
