@@ -6,12 +6,11 @@
 #include <stdexcept>
 
 #include "engine/diagnosis.h"
-#include "engine/integrator/time_stepper.h"
 #include "engine/kinematics.h"
 #include "engine/memory.h"
 #include "engine/natural_frequencies.h"
 #include "engine/sensors.h"
-#include "engine/step_graph_builder.h"
+#include "engine/step_runner.h"
 #include "graph/declaration_check.h"
 #include "models/error.h"
 
@@ -69,29 +68,18 @@ std::vector<double> unpadded(const double* flex, const FlexLayout& layout) {
 
 }  // namespace
 
-/// A graph of some passes and what runs it.
-struct Runner {
-  Runner(StepContext& context, int passes, const SimulationOptions& options)
-      : graph(build_step_graph(context, passes)),
-        executor(graph::make_executor(graph, options.executor, options.threads)) {}
-
-  graph::StepGraph graph;
-  std::unique_ptr<graph::Executor> executor;
-};
-
 struct Simulation::Impl {
   Impl(const Scenario& given, const SimulationOptions& chosen);
 
-  void advance(std::int64_t target, graph::Executor& executor, const StepObserver& observe);
+  void step();
+  void run_to(std::int64_t target, const StepObserver& observe);
 
   Scenario scenario;
   SimulationOptions options;
   std::int64_t planned_steps;
   double step_size;
   StepContext context;
-  std::unique_ptr<Runner> single;  ///< of one pass
-  std::unique_ptr<Runner> window;  ///< of the passes of a window of steps, if there is one
-  std::unique_ptr<TimeStepper> stepper;
+  std::unique_ptr<StepRunner> runner;
   std::int64_t evaluations = 0;
   WorkDone work;
   Sensors sensors;
@@ -103,6 +91,7 @@ struct Simulation::Impl {
   void prepare();
   void demand_kept_declarations();
   void complete_step(std::int64_t step, const StepObserver& observe);
+  void demand_done(StepOutcome outcome);
   [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
 };
 
@@ -112,7 +101,7 @@ Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
       sensors((prepare(), context.system)) {
-  const StepOutcome outcome = stepper->start();
+  const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   sensors.start(context.system, context.data);
   complete_step(0, {});
@@ -125,14 +114,9 @@ void Simulation::Impl::prepare() {
                         {scenario.integration.tolerance, scenario.integration.iterations,
                          scenario.integration.max_iterations}};
   demand_memory(context.system, context.formulation);
-  const int window_steps = std::max(options.window, 1);
-  // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
-  allocate(context, window_steps > 1 ? 2 * window_steps : 1);
-  single = std::make_unique<Runner>(context, 1, options);
-  if (window_steps > 1 && !context.data.is_coupled)
-    window =
-        std::make_unique<Runner>(context, window_steps * usual_passes(context.integrator), options);
-  stepper = std::make_unique<TimeStepper>(context, single->graph);
+  const RunnerOptions how{options.executor, options.threads, options.window, planned_steps};
+  allocate(context, window_records(how, context.system));
+  runner = std::make_unique<StepRunner>(context, how);
 #ifndef NDEBUG
   demand_kept_declarations();
 #endif
@@ -141,17 +125,24 @@ void Simulation::Impl::prepare() {
 /// Debug builds run every node once on its declared data alone.
 [[maybe_unused]] void Simulation::Impl::demand_kept_declarations() {
   constexpr int kLargest = 500;  // nodes: the check costs their number times the memory
-  if (single->graph.node_count() > kLargest) return;
-  for (const graph::DeclarationFault& fault : graph::check_declarations(single->graph))
+  if (runner->step_graph().node_count() > kLargest) return;
+  for (const graph::DeclarationFault& fault : graph::check_declarations(runner->step_graph()))
     throw std::logic_error(fault.message);
 }
 
-void Simulation::Impl::advance(std::int64_t target, graph::Executor& executor,
-                               const StepObserver& observe) {
+void Simulation::Impl::step() {
+  if (runner->steps() >= planned_steps) return;
+  demand_done(runner->advance_one([this](std::int64_t step) { complete_step(step, {}); }));
+}
+
+void Simulation::Impl::run_to(std::int64_t target, const StepObserver& observe) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
-  const StepOutcome outcome = stepper->advance(std::min(target, planned_steps), executor,
-                                               static_cast<bool>(observe), completed);
-  if (outcome != StepOutcome::done) throw_failure(outcome, stepper->steps() + 1);
+  demand_done(
+      runner->advance_to(std::min(target, planned_steps), static_cast<bool>(observe), completed));
+}
+
+void Simulation::Impl::demand_done(StepOutcome outcome) {
+  if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps() + 1);
 }
 
 void Simulation::Impl::complete_step(std::int64_t step, const StepObserver& observe) {
@@ -185,13 +176,13 @@ ModelSize Simulation::size() const {
   size.coordinates = system.deformation_count();
   for (int c = 0; c < kTwist; ++c) size.coordinates += !is_prescribed(system.hub, c);
   size.joints = size.bodies;
-  size.graph_nodes = impl_->single->graph.node_count();
-  size.graph_edges = impl_->single->graph.edge_count();
+  size.graph_nodes = impl_->runner->step_graph().node_count();
+  size.graph_edges = impl_->runner->step_graph().edge_count();
   size.memory_bytes = static_cast<std::size_t>(estimate_memory(system, impl_->context.formulation));
   return size;
 }
 
-const graph::StepGraph& Simulation::step_graph() const { return impl_->single->graph; }
+const graph::StepGraph& Simulation::step_graph() const { return impl_->runner->step_graph(); }
 
 LinearProperties Simulation::linear_properties() const {
   const FrequencyRange range = calc_frequency_range(impl_->scenario.rotor);
@@ -199,22 +190,22 @@ LinearProperties Simulation::linear_properties() const {
 }
 
 std::string_view Simulation::executor_name() const { return name_of(impl_->options.executor); }
-graph::Threads Simulation::threads() const { return impl_->single->executor->threads(); }
+std::string Simulation::executor_description() const { return impl_->runner->describe(); }
+graph::Threads Simulation::threads() const { return impl_->runner->threads(); }
 double Simulation::time() const { return static_cast<double>(steps()) * impl_->step_size; }
 double Simulation::step_size() const { return impl_->step_size; }
-std::int64_t Simulation::steps() const { return impl_->stepper->steps(); }
+std::int64_t Simulation::steps() const { return impl_->runner->steps(); }
 std::int64_t Simulation::planned_steps() const { return impl_->planned_steps; }
 std::int64_t Simulation::evaluations() const { return impl_->evaluations; }
 
-void Simulation::step() { impl_->advance(steps() + 1, *impl_->single->executor, {}); }
+void Simulation::step() { impl_->step(); }
 
 void Simulation::run_until(double t, const StepObserver& observe) {
   const double steps_to_t = std::ceil(t / impl_->step_size - 0.5);
   if (!(steps_to_t > 0.0)) return;
-  const auto target =
-      static_cast<std::int64_t>(std::min(steps_to_t, static_cast<double>(impl_->planned_steps)));
-  const Runner& runner = impl_->window ? *impl_->window : *impl_->single;
-  impl_->advance(target, *runner.executor, observe);
+  impl_->run_to(
+      static_cast<std::int64_t>(std::min(steps_to_t, static_cast<double>(impl_->planned_steps))),
+      observe);
 }
 
 const std::vector<std::string>& Simulation::sensor_names() const { return impl_->sensors.names(); }

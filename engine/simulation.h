@@ -23,7 +23,7 @@ using graph::name_of;
 
 struct SimulationOptions {
   Formulation formulation = Formulation::structured;
-  ExecutorKind executor = ExecutorKind::flow_graph;
+  ExecutorKind executor = ExecutorKind::automatic;
   graph::Threads threads;  ///< unless set: the cores available to the process
   /// Steps that one run of the executor may make where the hub's whole motion is prescribed; there
   /// blades need not wait for one another between steps. 0: as the executor chooses.
@@ -84,6 +84,8 @@ class Simulation {
   const graph::StepGraph& step_graph() const;
   LinearProperties linear_properties() const;
   std::string_view executor_name() const;
+  /// In one line what runs the steps; of "auto" what it chose so far, and why.
+  std::string executor_description() const;
   graph::Threads threads() const;  ///< in use by the executor
 
   double time() const;         ///< [s]

@@ -37,6 +37,7 @@ layers=(
   'step_context state_copy pass_ends samples'
   'step_parts step_graph_builder'
   'integrator/time_stepper'
+  'step_runner'
   'sensors diagnosis'
   'simulation'
   'results machine'

@@ -130,7 +130,7 @@ void add_executor(CLI::App& run, Arguments& arguments) {
   run.add_option_function<std::string>(
          "--executor",
          [&](const std::string& name) { arguments.options.executor = graph::executor_kind(name); },
-         "What runs the task graph of a step [flow_graph]")
+         "What runs the task graph of a step [auto]")
       ->check(CLI::Validator(find_fault, '{' + names + '}'))
       ->type_name("NAME");
 }

@@ -123,6 +123,8 @@ void print_result(const Simulation& simulation, const Recording& recording,
       "took",
       fmt::format("{:.3g} s, {:.3g} s simulated a second, {} evaluations", outcome.wall_time,
                   recording.statistics.last_time() / outcome.wall_time, simulation.evaluations()));
+  const bool is_chosen = simulation.options().executor == ExecutorKind::automatic;
+  print_line("executor", (is_chosen ? "auto, " : "") + simulation.executor_description());
   const std::vector<std::string> tips = recording.tips.describe();
   for (std::size_t i = 0; i < std::min(tips.size(), kMostTipLines); ++i) {
     print_line(i == 0 ? "tip deflection" : "", tips[i]);

@@ -1,0 +1,153 @@
+#include "engine/step_runner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+#include "engine/step_graph_builder.h"
+
+namespace spoke {
+namespace {
+
+using graph::ExecutorKind;
+
+// Planning takes some 50 ms; a run shorter than this would not win that back.
+constexpr double kWorthPlanning = 0.25;  // s
+// A window's run: long against the microseconds that handing work to threads takes.
+constexpr double kRunLength = 500e-6;  // s
+// A graph is built in about 2 us a node, and searched for plans in about 10.
+constexpr int kMostNodes = 6000;
+// Below this, a step by itself is no longer than handing its parts to threads.
+constexpr double kLongStep = 40e-6;  // s
+
+constexpr int kBatch = 8;                 // steps that are timed together
+constexpr double kTimingLength = 400e-6;  // s
+
+graph::Threads resolved(graph::Threads threads) {
+  if (threads.outer == 0) threads.outer = graph::available_threads();
+  return threads;
+}
+
+ExecutorKind single_kind(ExecutorKind kind) {
+  return kind == ExecutorKind::automatic ? ExecutorKind::serial : kind;
+}
+
+}  // namespace
+
+int window_records(const RunnerOptions& options, const System& system) {
+  // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
+  if (options.window > 0) return options.window > 1 ? 2 * options.window : 1;
+  if (options.executor != ExecutorKind::automatic || resolved(options.threads).total() == 1)
+    return 1;
+  constexpr double most_bytes = 4e6;
+  const double bytes = sizeof(SystemRecord) + static_cast<double>(system.subsystems.size()) *
+                                                  (sizeof(StepRecord) + sizeof(SubsystemSample));
+  return static_cast<int>(std::clamp(most_bytes / bytes, 4.0, 1024.0));
+}
+
+StepRunner::Runner::Runner(StepContext& context, int passes, ExecutorKind kind,
+                           graph::Threads threads)
+    : graph(build_step_graph(context, passes)),
+      executor(graph::make_executor(graph, kind, threads)) {}
+
+StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
+    : context_(context),
+      options_(options),
+      threads_(resolved(options.threads)),
+      single_(context, 1, single_kind(options.executor), threads_),
+      stepper_(context, single_.graph) {
+  if (!is_automatic()) threads_ = single_.executor->threads();
+  if (is_automatic() && threads_.total() == 1) reason_ = "serial: one thread";
+  if (options.window > 1 && reason_.empty())
+    add_window(options.window * usual_passes(context.integrator));
+}
+
+StepRunner::~StepRunner() = default;
+
+void StepRunner::add_window(int passes) {
+  window_ = std::make_unique<Runner>(context_, passes, options_.executor, threads_);
+  window_->steps = std::max(1, passes / usual_passes(context_.integrator));
+}
+
+StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
+                                   const TimeStepper::Completed& completed) {
+  while (is_automatic() && !window_ && reason_.empty() && steps() < target) {
+    if (has_timed()) {
+      choose_window(target - steps());
+      break;
+    }
+    const StepOutcome outcome =
+        advance_timed(std::min(target, steps() + kBatch), observed, completed);
+    if (outcome != StepOutcome::done) return outcome;
+  }
+  // A window much longer than what is asked for would mostly be idle.
+  const bool fits = window_ && 2 * (target - steps()) >= window_->steps;
+  graph::Executor& executor = fits ? *window_->executor : *single_.executor;
+  return stepper_.advance(target, executor, observed, completed);
+}
+
+StepOutcome StepRunner::advance_one(const TimeStepper::Completed& completed) {
+  if (stepping_) return stepper_.advance(steps() + 1, *stepping_->executor, false, completed);
+  if (!is_automatic() || threads_.total() == 1 || has_timed())
+    return stepper_.advance(steps() + 1, *single_.executor, false, completed);
+  const StepOutcome outcome = advance_timed(steps() + 1, false, completed);
+  if (outcome == StepOutcome::done && has_timed()) choose_stepping();
+  return outcome;
+}
+
+bool StepRunner::has_timed() const {
+  return timed_steps_ >= 2 * kBatch && seconds_ >= kTimingLength;
+}
+
+double StepRunner::remaining_seconds() const {
+  return static_cast<double>(options_.planned_steps - steps()) * fastest_;
+}
+
+StepOutcome StepRunner::advance_timed(std::int64_t target, bool observed,
+                                      const TimeStepper::Completed& completed) {
+  using Timer = std::chrono::steady_clock;
+  const auto count = static_cast<int>(target - steps());
+  const auto begin = Timer::now();
+  const StepOutcome outcome = stepper_.advance(target, *single_.executor, observed, completed);
+  const double seconds = std::chrono::duration<double>(Timer::now() - begin).count();
+  seconds_ += seconds;
+  fastest_ = timed_steps_ == 0 ? seconds / count : std::min(fastest_, seconds / count);
+  timed_steps_ += count;
+  return outcome;
+}
+
+void StepRunner::choose_window(std::int64_t steps_asked) {
+  if (remaining_seconds() < kWorthPlanning) {
+    std::ostringstream text;
+    text.precision(2);
+    text << "serial: what is left takes " << remaining_seconds() << " s, too short to plan for";
+    reason_ = text.str();
+    return;
+  }
+  const int usual = usual_passes(context_.integrator);
+  const double pass = fastest_ / usual;
+  const int affordable = std::max(1, kMostNodes / single_.graph.node_count());
+  const double records = static_cast<double>(context_.data.records.size()) / 2.0;
+  const double most = std::min(
+      {static_cast<double>(affordable), records * usual, static_cast<double>(steps_asked) * usual});
+  add_window(static_cast<int>(std::clamp(std::ceil(kRunLength / pass), 1.0, std::max(most, 1.0))));
+}
+
+void StepRunner::choose_stepping() {
+  if (remaining_seconds() < kWorthPlanning || fastest_ < kLongStep) return;
+  stepping_ = std::make_unique<Runner>(context_, 1, ExecutorKind::automatic, threads_);
+}
+
+std::string StepRunner::describe() const {
+  if (window_) {
+    const std::string how = window_->executor->describe();
+    if (window_->steps == 1) return how;
+    return "windows of " + std::to_string(window_->steps) + " steps, " + how;
+  }
+  if (stepping_) return stepping_->executor->describe();
+  if (!is_automatic()) return single_.executor->describe();
+  return reason_.empty() ? "serial: not timed yet" : reason_;
+}
+
+}  // namespace spoke

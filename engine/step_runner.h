@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "engine/integrator/time_stepper.h"
+#include "engine/step_context.h"
+#include "graph/executor.h"
+
+namespace spoke {
+
+/// How steps are to be run.
+struct RunnerOptions {
+  graph::ExecutorKind executor = graph::ExecutorKind::automatic;
+  graph::Threads threads;          ///< unset: the available ones
+  int window = 0;                  ///< steps; 0: as the executor chooses
+  std::int64_t planned_steps = 0;  ///< of the simulation
+};
+
+/// Records that the table of a system needs for these options, see TableOptions::window_steps.
+int window_records(const RunnerOptions& options, const System& system);
+
+/// Step graphs of a context, and the executors that run them: one graph of a single pass, and, if
+/// it pays, one of the passes of a window of steps.
+///
+/// The executor `automatic` begins with serial steps and times them. Only if what is left of the
+/// simulation takes long enough to win back the planning, it builds the graph of a window that
+/// takes some tenths of a millisecond, and leaves it to graph::ExecutorKind::automatic to find a
+/// plan while the steps go on. Callers of advance_one() get no window; then long steps only are
+/// planned.
+class StepRunner {
+ public:
+  /// `context` must be allocated with window_records() and outlive this.
+  StepRunner(StepContext& context, const RunnerOptions& options);
+  ~StepRunner();
+
+  /// See TimeStepper.
+  StepOutcome start() { return stepper_.start(); }
+  StepOutcome advance_to(std::int64_t target, bool observed,
+                         const TimeStepper::Completed& completed);
+  StepOutcome advance_one(const TimeStepper::Completed& completed);
+  std::int64_t steps() const { return stepper_.steps(); }
+
+  /// Of one pass.
+  const graph::StepGraph& step_graph() const { return single_.graph; }
+  graph::Threads threads() const { return threads_; }
+  /// In one line what runs the steps, and if it was chosen, why.
+  std::string describe() const;
+
+ private:
+  /// A graph and what runs it.
+  struct Runner {
+    Runner(StepContext& context, int passes, graph::ExecutorKind kind, graph::Threads threads);
+    graph::StepGraph graph;
+    std::unique_ptr<graph::Executor> executor;
+    int steps = 1;  ///< that a run makes, about
+  };
+
+  bool is_automatic() const { return options_.executor == graph::ExecutorKind::automatic; }
+  bool has_timed() const;
+  double remaining_seconds() const;
+  StepOutcome advance_timed(std::int64_t target, bool observed,
+                            const TimeStepper::Completed& completed);
+  void choose_window(std::int64_t steps);
+  void choose_stepping();
+  void add_window(int passes);
+
+  StepContext& context_;
+  RunnerOptions options_;
+  graph::Threads threads_;
+  Runner single_;
+  std::unique_ptr<Runner> window_;
+  std::unique_ptr<Runner> stepping_;  ///< of automatic, for steps one by one
+  TimeStepper stepper_;
+  double seconds_ = 0.0;  ///< that the timed steps took
+  double fastest_ = 0.0;  ///< of the timed batches [s per step]
+  int timed_steps_ = 0;
+  std::string reason_;  ///< for having no window
+};
+
+}  // namespace spoke
