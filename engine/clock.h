@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "engine/apart.h"
 #include "models/space.h"
 
 namespace spoke {
@@ -45,7 +46,7 @@ struct PassReport {
 
 /// A clock and what it needs to turn the end of a pass into the start of the next (see
 /// integrator/step_control.h). Part of the table: doubles only.
-struct Clock {
+struct alignas(kApart) Clock {
   PassControl control;      ///< of the next pass
   double step = 0.0;        ///< number of the step that this pass belongs to; 0: the start
   double halted = 0.0;      ///< 1: nothing to do, at the end of the window or after a failure

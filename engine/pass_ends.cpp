@@ -151,6 +151,7 @@ void finish_system(const Integrator& integrator, StepData& data) noexcept {
 void record_reactions(const System& system, const Integrator& integrator, StepData& data) noexcept {
   const double h = step_size(integrator);
   const std::int64_t last = std::min(last_complete_step(data), data.window.last);
+  const bool has_gravity = system.gravity != Position::Zero();
   CoordinateBlock& hub = data.hub_coordinates;
   for (std::int64_t step = data.window.first; step <= last; ++step) {
     SystemRecord record;
@@ -163,7 +164,8 @@ void record_reactions(const System& system, const Integrator& integrator, StepDa
     const double speed = hub.v[kRotation];
     if (step > 0)
       record.step.work = 0.5 * system.hub.inertia * (speed * speed - speed_before * speed_before);
-    const Twist a = calc_prescribed_motion(system, t).acceleration;
+    const Rotation R = has_gravity ? Rotation::from_angle(hub.q[kRotation]) : Rotation{};
+    const Twist a = calc_prescribed_acceleration(system, R, hub.a[kRotation]);
     record.step.reaction =
         Twist(system.hub.mass, system.hub.mass, system.hub.inertia).cwiseProduct(a);
     for (const SubsystemData& subsystem : data.subsystems)

@@ -8,8 +8,7 @@ StateCopy::StateCopy(StepData& data) {
   state_.push_back(doubles(data.hub_storage[0], data.hub_storage.size()));
   state_.push_back(doubles(data.clocks[0], data.clocks.size()));
   for (SubsystemData& subsystem : data.subsystems) {
-    state_.emplace_back(subsystem.storage.data(),
-                        static_cast<std::size_t>(subsystem.storage.size()));
+    state_.emplace_back(subsystem.storage.data(), subsystem.storage.size());
     state_.push_back(doubles(subsystem.prescribed));
   }
   std::size_t count = 0;

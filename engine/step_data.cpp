@@ -9,12 +9,13 @@ constexpr int kFlexVectors = 6;  // q, v, a, c_theta, Q_f, a_found
 
 void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
   const std::size_t count = subsystem.bodies.size();
-  data.bodies.resize(count);
-  data.rotations.resize(count);
-  data.poses.resize(count);
-  data.twists.assign(count, Twist::Zero());
-  data.wrenches.assign(count, {Twist::Zero(), Twist::Zero()});
-  Eigen::Index total = 0;
+  Arena& arena = *data.arena;
+  data.bodies = ArenaVector<BodyData>(count, arena);
+  data.rotations = ArenaVector<Rotation>(count, arena);
+  data.poses = ArenaVector<Pose>(count, arena);
+  data.twists = ArenaVector<Twist>(count, Twist::Zero(), arena);
+  data.wrenches = ArenaVector<HandleWrenches>(count, {Twist::Zero(), Twist::Zero()}, arena);
+  std::size_t total = 0;
   for (std::size_t j = 0; j < count; ++j) {
     const FlexibleBody& body = *subsystem.bodies[j].body;
     data.bodies[j].model = &subsystem.bodies[j];
@@ -23,9 +24,9 @@ void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
       data.bodies[j].inboard_at[c] = data.bodies[j].layout.place(body.inboard.coordinate[c]);
       data.bodies[j].outboard_at[c] = data.bodies[j].layout.place(body.outboard.coordinate[c]);
     }
-    total += Eigen::Index{data.bodies[j].layout.size()} * (kFlexVectors + history);
+    total += static_cast<std::size_t>(data.bodies[j].layout.size() * (kFlexVectors + history));
   }
-  data.storage = Eigen::VectorXd::Zero(total);
+  data.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = data.storage.data();
   for (BodyData& body : data.bodies) {
     const auto take = [&] { return std::exchange(next, next + body.layout.size()); };
@@ -67,13 +68,16 @@ void allocate(const System& system, const TableOptions& options, StepData& data)
   data.window = {};
   data.clocks.assign(options.is_coupled ? 1 : system.subsystems.size(), Clock{});
   data.records.assign(static_cast<std::size_t>(options.window_steps), {});
-  data.subsystems.resize(system.subsystems.size());
+  data.subsystems = std::vector<SubsystemData>(system.subsystems.size());
+  data.arenas.clear();
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
     SubsystemData& subsystem = data.subsystems[i];
+    subsystem.arena = data.arenas.emplace_back(std::make_unique<Arena>()).get();
     allocate(system.subsystems[i], options.history, subsystem);
     follow_clock(i, data, subsystem);
-    subsystem.samples.assign(data.records.size(), {});
-    if (!options.is_coupled) subsystem.records.assign(data.records.size(), {});
+    subsystem.samples = ArenaVector<SubsystemSample>(data.records.size(), *subsystem.arena);
+    if (!options.is_coupled)
+      subsystem.records = ArenaVector<StepRecord>(data.records.size(), *subsystem.arena);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -157,15 +158,16 @@ struct BodyData {
 };
 
 /// One subsystem's share of the table; vectors by body, root to tip.
-struct SubsystemData {
-  std::vector<BodyData> bodies;
+struct alignas(kApart) SubsystemData {
+  Arena* arena = nullptr;  ///< of its arrays
+  ArenaVector<BodyData> bodies;
   /// R_PB: from the body frame to the parent's body frame (of the first body: to the hub frame).
-  std::vector<Rotation> rotations;
-  std::vector<Twist> twists;  ///< of the body frames, in the body frames
+  ArenaVector<Rotation> rotations;
+  ArenaVector<Twist> twists;  ///< of the body frames, in the body frames
   EffectiveInertia effective;
-  std::vector<HandleWrenches> wrenches;
-  std::vector<Pose> poses;  ///< in the hub frame; for sensors, no part of a step
-  Eigen::VectorXd storage;  ///< of all flex vectors
+  ArenaVector<HandleWrenches> wrenches;
+  ArenaVector<Pose> poses;      ///< in the hub frame; for sensors, no part of a step
+  ArenaVector<double> storage;  ///< of all flex vectors
 
   // What the subsystem's nodes follow: the system's if it is coupled, else its own.
   Clock* clock = nullptr;
@@ -173,8 +175,8 @@ struct SubsystemData {
   const Twist* hub_acceleration = nullptr;  ///< hub frame, less gravity
 
   PrescribedHub prescribed;              ///< if not coupled
-  std::vector<StepRecord> records;       ///< ring by step, if not coupled
-  std::vector<SubsystemSample> samples;  ///< ring by step
+  ArenaVector<StepRecord> records;       ///< ring by step, if not coupled
+  ArenaVector<SubsystemSample> samples;  ///< ring by step
 };
 
 struct StepData {
@@ -186,7 +188,8 @@ struct StepData {
   HubState hub;
   HubSolution hub_solution;
   CoordinateBlock hub_coordinates;
-  std::array<Twist, 7> hub_storage;  ///< of hub_coordinates
+  std::array<Twist, 7> hub_storage;            ///< of hub_coordinates
+  std::vector<std::unique_ptr<Arena>> arenas;  ///< by subsystem; they outlive what lies in them
   std::vector<SubsystemData> subsystems;
   std::vector<SystemRecord> records;  ///< ring by step
 };

@@ -14,8 +14,8 @@ void add_flex(Memory& memory, double* flex, const FlexLayout& layout) {
   memory.emplace_back(flex + layout.v(), layout.bending);
 }
 
-template <class Record>
-std::span<double> ring(std::vector<Record>& records) {
+template <class Ring>
+std::span<double> ring(Ring& records) {
   return doubles(records[0], records.size());
 }
 

@@ -12,12 +12,12 @@ namespace {
 
 using graph::ExecutorKind;
 
-// Planning takes some 50 ms; a run shorter than this would not win that back.
-constexpr double kWorthPlanning = 0.25;  // s
+// Planning takes some 100 ms; a run shorter than this would not win that back.
+constexpr double kWorthPlanning = 0.4;  // s
 // A window's run: long against the microseconds that handing work to threads takes.
-constexpr double kRunLength = 500e-6;  // s
+constexpr double kRunLength = 600e-6;  // s
 // A graph is built in about 2 us a node, and searched for plans in about 10.
-constexpr int kMostNodes = 6000;
+constexpr int kMostNodes = 12000;
 // Below this, a step by itself is no longer than handing its parts to threads.
 constexpr double kLongStep = 40e-6;  // s
 

@@ -30,7 +30,7 @@ refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of 
 # Layers of the engine, lowest first: no file includes a header of a later layer.
 layers=(
   'report/'
-  'lanes elastic_block clock step_data memory'
+  'apart lanes elastic_block clock step_data memory'
   'kinematics body_terms hub natural_frequencies'
   'formulation/'
   'integrator/generalized_alpha integrator/rk4 integrator/method integrator/step_control'

@@ -105,15 +105,16 @@ void turn_inboard(const ElasticBlock& block, double bias, const Twist& X_free, T
 }  // namespace
 
 void allocate(const SubsystemData& data, SubsystemWork& work) {
-  work.bodies.resize(data.bodies.size());
-  Eigen::Index flex_total = 0;
+  Arena& arena = *data.arena;
+  work.bodies = ArenaVector<BodyWork>(data.bodies.size(), arena);
+  std::size_t flex_total = 0;
   std::size_t scratch_total = 0;
   for (const BodyData& body : data.bodies) {
-    flex_total += 2 * body.layout.size();
+    flex_total += static_cast<std::size_t>(2 * body.layout.size());
     scratch_total += body.layout.axial + body.layout.bending;
   }
-  work.storage = Eigen::VectorXd::Zero(flex_total);
-  work.scratch.assign(scratch_total, Pair{});
+  work.storage = ArenaVector<double>(flex_total, 0.0, arena);
+  work.scratch = ArenaVector<Pair>(scratch_total, Pair{}, arena);
   double* next = work.storage.data();
   Pair* next_scratch = work.scratch.data();
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {

@@ -32,11 +32,11 @@ struct RootInertia {
 };
 
 /// Per subsystem.
-struct SubsystemWork {
-  std::vector<BodyWork> bodies;
+struct alignas(kApart) SubsystemWork {
+  ArenaVector<BodyWork> bodies;
   RootInertia root;
-  Eigen::VectorXd storage;    ///< of all flex vectors
-  std::vector<Pair> scratch;  ///< 3E pairs per body
+  ArenaVector<double> storage;  ///< of all flex vectors
+  ArenaVector<Pair> scratch;    ///< 3E pairs per body
 };
 
 void allocate(const SubsystemData& data, SubsystemWork& work);

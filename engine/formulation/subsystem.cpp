@@ -44,7 +44,7 @@ void assemble(const Subsystem& subsystem, const HubState& hub, const SubsystemDa
 
 void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic,
               SubsystemWork& work) {
-  work.bodies.resize(data.bodies.size());
+  work.bodies = ArenaVector<BodyWork>(data.bodies.size(), *data.arena);
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     BodyWork& body = work.bodies[j];
     const int n = dense_size(*data.bodies[j].model->body);

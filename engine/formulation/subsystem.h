@@ -28,8 +28,8 @@ struct BodyWork {
   Twist bias_out;                   ///< acceleration of the outboard handle at zero accelerations
 };
 
-struct SubsystemWork {
-  std::vector<BodyWork> bodies;
+struct alignas(kApart) SubsystemWork {
+  ArenaVector<BodyWork> bodies;
   Eigen::MatrixXd D;  ///< Phi M^-1 Phi^T, C1 x C1
   Eigen::LLT<Eigen::MatrixXd> factor;
   Eigen::MatrixXd solution;     ///< D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1)

@@ -33,7 +33,7 @@ TEST_CASE("run prints what it does and writes rows and a summary to a folder of 
   CHECK(ended.err.empty());
   for (const char* part :
        {"Wu & Haug 1988 rotor", "144 coordinates", " nodes, ",
-        "structured, generalized_alpha, 200 steps of 0.005 s, flow_graph on 2 "
+        "structured, generalized_alpha, 200 steps of 0.005 s, auto on 2 "
         "threads",
         "m at 1 s (blades 1-3)", "residual", "results/wu_haug_rotor/sensors.csv, summary.json"}) {
     CAPTURE(part);
