@@ -49,8 +49,9 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
                 "--formulation: dense not in {structured,subsystem,augmented}");
   check_refused({"run", scenario, "--integrator", "euler"},
                 "--integrator: euler not in {generalized_alpha,rk4}");
-  check_refused({"run", scenario, "--executor", "openmp"},
-                "--executor: no executor is named \"openmp\"; known here: auto, flow_graph, serial");
+  check_refused(
+      {"run", scenario, "--executor", "openmp"},
+      "--executor: no executor is named \"openmp\"; known here: auto, flow_graph, serial");
   check_refused({"run", scenario, "--executor", "serial", "--threads", "3x2"},
                 "--threads: serial has one layer of threads, expected a number, got 3x2");
   for (const std::string threads :
