@@ -13,6 +13,7 @@
 #include "engine/cli/results_folder.h"
 #include "engine/compare/probe.h"
 #include "engine/reproduce/files.h"
+#include "engine/reproduce/inverse_part.h"
 #include "engine/reproduce/tables.h"
 #include "engine/results.h"
 #include "models/paper_rotor.h"
@@ -84,6 +85,8 @@ void measure(Work work, const Integration& integration, const compare::BatchSize
 void measure_all(const Effort& effort, Reproduction& all) {
   const Integration& integration = all.scenario.integration;
   const compare::BatchSize batches = probe_batches(all, effort);
+  show_progress("timing the nodes of a step");
+  all.inverse_share = reproduce::measure_inverse_share(all.scenario, Formulation::subsystem);
   measure(Work::steps, integration, batches, effort, all);
   measure(Work::inverse, integration, batches, effort, all);
   Integration implicit = paper_rotor().integration;

@@ -24,8 +24,8 @@ struct Deflection {
     double t = 0.0, y = 0.0;  ///< [s, m]
   };
   std::vector<Point> points = {};  ///< every 0.05 s
-  double lag = 0.0;           ///< the value furthest below zero, over all steps [m]
-  double lag_time = 0.0;      ///< [s]
+  double lag = 0.0;                ///< the value furthest below zero, over all steps [m]
+  double lag_time = 0.0;           ///< [s]
   /// Largest |tip.y| from the end of the ramp on [m].
   double residual = 0.0;
 };

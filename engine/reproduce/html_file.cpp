@@ -81,7 +81,9 @@ void add_method_of_measurement(Page& page) {
   page.add_paragraph(
       "Every configuration runs in a process of its own. After two untimed batches come rounds; in "
       "each, every process runs one batch of steps while all others are halted. Times are medians "
-      "over the rounds, speedups and ratios are medians of ratios within a round. The thread "
+      "over the rounds, speedups and ratios are medians of ratios within a round, so that a "
+      "quotient of "
+      "two medians may differ from them. The thread "
       "figures use the formulation subsystem, whose dense blocks are the paper's. The paper does "
       "not print its integrator or its step; an explicit one is what its small steps suggest, here "
       "rk4 with four evaluations a step, so compare ratios, not milliseconds.");
@@ -98,7 +100,7 @@ std::string make_html(const Reproduction& all) {
             "Han, Song and Kim 2017: three blades of four bodies of four elements");
   if (all.is_quick)
     page.add_note("A quick run: few rounds, so times are rough.", report::Tone::warning);
-  if (all.loads.before > 0.5 * all.machine.cores)
+  if (is_disturbed(all))
     page.add_note("The machine was busy with other things: times are disturbed.",
                   report::Tone::warning);
   add_facts(page, all);

@@ -1,10 +1,18 @@
 #include "engine/reproduce/inverse_part.h"
 
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
+
 #include "engine/integrator/time_stepper.h"
 #include "engine/step_graph_builder.h"
+#include "graph/node_costs.h"
 
 namespace spoke::reproduce {
 namespace {
+
+constexpr std::string_view kStage = "inverse";
 
 /// The nodes of one stage, with the parts they declare.
 graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) {
@@ -18,6 +26,13 @@ graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) 
                        [&whole, id]() noexcept { whole.run_node(id); });
   }
   return builder.build();
+}
+
+/// After the evaluation at t = 0 clocks wait for a window, and nodes for them. Here they may go on
+/// and on.
+void free_clocks(StepContext& context) {
+  context.data.window.last = std::numeric_limits<std::int32_t>::max();
+  for (Clock& clock : context.data.clocks) clock.halted = 0.0;
 }
 
 std::unique_ptr<StepContext> make_context(const Scenario& scenario, Formulation formulation) {
@@ -35,11 +50,10 @@ struct InversePart::Impl {
   Impl(const Scenario& scenario, const SimulationOptions& options)
       : context(make_context(scenario, options.formulation)),
         whole(build_step_graph(*context)),
-        part(extract(whole, "inverse")),
+        part(extract(whole, kStage)),
         executor(graph::make_executor(part, options.executor, options.threads)) {
     TimeStepper(*context, whole).start();
-    // After the evaluation at t = 0 the clocks wait for a window, and the nodes with them.
-    for (Clock& clock : context->data.clocks) clock.halted = 0.0;
+    free_clocks(*context);
   }
 
   std::unique_ptr<StepContext> context;
@@ -58,5 +72,25 @@ void InversePart::run(std::int64_t steps) {
 }
 
 int InversePart::nodes() const { return impl_->part.node_count(); }
+
+double measure_inverse_share(const Scenario& scenario, Formulation formulation) {
+  constexpr int kWarmUpPasses = 40, kPasses = 800;
+  const auto context = make_context(scenario, formulation);
+  const graph::StepGraph whole = build_step_graph(*context);
+  TimeStepper(*context, whole).start();
+  free_clocks(*context);
+  for (int pass = 0; pass < kWarmUpPasses; ++pass)
+    for (const graph::NodeId node : whole.serial_order()) whole.run_node(node);
+  graph::NodeCosts costs(whole);
+  while (costs.runs() < kPasses) costs.run();
+  const std::vector<double> seconds = costs.costs();
+  double inverse = 0.0, all = 0.0;
+  for (int k = 0; k < whole.node_count(); ++k) {
+    const double cost = seconds[static_cast<std::size_t>(k)];
+    all += cost;
+    if (whole.node({k}).label.stage == kStage) inverse += cost;
+  }
+  return inverse / all;
+}
 
 }  // namespace spoke::reproduce

@@ -24,4 +24,8 @@ class InversePart {
   std::unique_ptr<Impl> impl_;
 };
 
+/// The share of a step's work that is the nodes "inverse", on one thread: from the costs of all
+/// nodes, timed one by one in the same runs.
+double measure_inverse_share(const Scenario& scenario, Formulation formulation);
+
 }  // namespace spoke::reproduce

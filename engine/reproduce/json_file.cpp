@@ -165,7 +165,7 @@ std::string make_json(const Reproduction& all) {
       {"fig_9", describe_deflections(all)},
       {"fig_10", {{"remark", remark_on_subsystem_threads(all)}}},
       {"fig_11", {{"remark", remark_on_layers(all)}}},
-      {"fig_12", {{"remark", remark_on_inverse(all)}}},
+      {"fig_12", {{"remark", remark_on_inverse(all)}, {"inverse_share_serial", all.inverse_share}}},
       {"table_3", describe_methods(all)},
       {"timings",
        {{"steps", describe_timings(all, Work::steps)},

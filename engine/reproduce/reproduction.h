@@ -25,7 +25,13 @@ struct Reproduction {
   Deflection stiffened = {};  ///< the same with
   Deflection finest = {};     ///< our finest stiffened model
   ImplicitRun implicit = {};
+  double inverse_share = 0.0;  ///< of a serial step's work, formulation subsystem
   Timings timings = {};
 };
+
+/// Whether other programs took the processors, so that small differences mean nothing.
+inline bool is_disturbed(const Reproduction& all) {
+  return all.loads.before > 0.5 * all.machine.cores;
+}
 
 }  // namespace spoke::reproduce

@@ -19,7 +19,7 @@ report::Table layered_table(const Reproduction& reproduction, Work work);
 /// One line of Table 3 and Fig. 13, the paper's or Spoke's own.
 struct MethodTime {
   std::string name = {};
-  std::string how = {};                      ///< formulation, executor
+  std::string how = {};                 ///< formulation, executor
   std::optional<double> paper_ms = {};  ///< per step
   std::optional<double> paper_ratio = {};
   std::optional<double> seconds = {};  ///< per step, here

@@ -26,6 +26,10 @@ double seconds_of(const Scenario& scenario, std::int64_t steps) {
 TEST_CASE("the inverse part has a node for each body and its nodes work") {
   const InversePart part(paper_rotor(), {Formulation::subsystem, ExecutorKind::serial, 1});
   CHECK(part.nodes() == 12);
+  const double share =
+      measure_inverse_share(paper_rotor({"integration.step=8e-5"}), Formulation::subsystem);
+  CHECK(share > 0.4);
+  CHECK(share < 1.0);
   // Nodes that had nothing to do would take as long whatever the size of their blocks.
   CHECK(seconds_of(paper_rotor({"blade.elements=32"}), 20) > 5.0 * seconds_of(paper_rotor(), 20));
 }
