@@ -58,8 +58,10 @@ void simulate(Reproduction& all) {
 /// Steps in a batch of each formulation, which all rounds together have enough of.
 compare::BatchSize probe_batches(const Reproduction& all, const Effort& effort) {
   std::map<Formulation, std::int64_t> batches;
-  const double steps = all.scenario.integration.duration / all.scenario.integration.step;
-  const auto most = static_cast<std::int64_t>(steps) / (effort.rounds + compare::kWarmUpBatches);
+  const auto steps =
+      std::llround(all.scenario.integration.duration / all.scenario.integration.step);
+  constexpr std::int64_t kUnit = 1000;  // to ask what rounds need in batches
+  const std::int64_t most = kUnit * steps / compare::steps_of(kUnit, effort.rounds);
   for (const Formulation formulation :
        {Formulation::augmented, Formulation::subsystem, Formulation::structured}) {
     show_progress("probing: " + std::string(name_of(formulation)));
