@@ -42,6 +42,7 @@ layers=(
   'simulation'
   'results machine'
   'compare/'
+  'reproduce/'
   'cli/'
 )
 later=''

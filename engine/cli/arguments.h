@@ -17,6 +17,7 @@ struct Arguments {
     run,
     check,
     compare,
+    reproduce,
   };
   Command command = Command::none;
   std::string scenario;  ///< file
@@ -27,6 +28,7 @@ struct Arguments {
   bool quiet = false;
   int verbosity = 0;  ///< number of -v
   CompareArguments compare;
+  bool quick = false;  ///< of reproduce: few rounds
 };
 
 /// Parses the arguments behind the program's name. Throws InputError.

@@ -70,11 +70,21 @@ void add_list(CLI::App& command, const std::string& option, const std::string& t
 template <class Value>
 void add_choices(CLI::App& command, const std::string& option, const std::string& text,
                  std::vector<Value>& list, const std::vector<Choice<Value>>& choices) {
-  std::string known;
-  for (const auto& choice : choices) known += (known.empty() ? "" : ", ") + choice.name;
-  add_list<Value>(
-      command, option, text + "\nof " + known, list,
-      [option, choices](const std::string& word) { return choose(option, word, choices); });
+  constexpr std::size_t kWidth = 64;  // of the column that help explains options in
+  std::string known = "\nof ", separator;
+  std::size_t line = 0;  // where the last one begins
+  for (const auto& choice : choices) {
+    known += separator;
+    if (known.size() - line + choice.name.size() > kWidth) {
+      line = known.size();
+      known.back() = '\n';
+    }
+    known += choice.name;
+    separator = ", ";
+  }
+  add_list<Value>(command, option, text + known, list, [option, choices](const std::string& word) {
+    return choose(option, word, choices);
+  });
 }
 
 template <class Value>

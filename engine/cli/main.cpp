@@ -12,6 +12,7 @@
 #include "engine/cli/compare_command.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/report.h"
+#include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
 #include "models/error.h"
 
@@ -35,6 +36,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::check(arguments);
     case cli::Arguments::Command::compare:
       return cli::compare(arguments);
+    case cli::Arguments::Command::reproduce:
+      return cli::reproduce(arguments);
     case cli::Arguments::Command::none:
       break;
   }
@@ -52,7 +55,7 @@ int complain(const std::string& message, int status) {
 int main(int argc, char** argv) {
   try {
     const std::vector<std::string> words(argv + 1, argv + argc);
-    // What `compare` starts; no command for people, so it is in no help.
+    // What `compare` and `reproduce` start; no command for people, so it is in no help.
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
     start_logging(arguments);

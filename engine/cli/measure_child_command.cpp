@@ -5,17 +5,24 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 #include "engine/cli/report.h"
 #include "engine/cli/threads_option.h"
+#include "engine/reproduce/inverse_part.h"
 #include "models/error.h"
+#include "models/paper_rotor.h"
 
 namespace spoke::cli {
 namespace {
 
-constexpr std::size_t kFixedWords = 8;  // before the overrides
+constexpr std::size_t kFixedWords = 9;  // before the overrides
+
+using Clock = std::chrono::steady_clock;
+using reproduce::Work;
 
 template <class Value>
 Value value_of(std::string_view name, const std::vector<Value>& values) {
@@ -25,21 +32,23 @@ Value value_of(std::string_view name, const std::vector<Value>& values) {
   return *found;
 }
 
-Simulation make_simulation(const std::vector<std::string>& words) {
-  if (words.size() < kFixedWords) throw InputError("is started by the command compare only");
-  Scenario scenario = read_scenario(
-      words[1], {words.begin() + static_cast<std::ptrdiff_t>(kFixedWords), words.end()});
-  const auto kinds = graph::executor_kinds();
-  const SimulationOptions options{
-      .formulation = value_of<Formulation>(
-          words[2], {Formulation::structured, Formulation::subsystem, Formulation::augmented}),
-      .executor = value_of<ExecutorKind>(words[3], {kinds.begin(), kinds.end()}),
-      .threads = parse_threads(words[4])};
+Scenario make_scenario(const std::vector<std::string>& words) {
+  const Overrides overrides(words.begin() + static_cast<std::ptrdiff_t>(kFixedWords), words.end());
+  Scenario scenario =
+      words[1].empty() ? paper_rotor(overrides) : read_scenario(words[1], overrides);
   scenario.integration.method = value_of<IntegrationMethod>(
       words[5], {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4});
   scenario.integration.step = std::stod(words[6]);
   scenario.integration.duration = std::stod(words[7]);
-  return Simulation(scenario, options);
+  return scenario;
+}
+
+SimulationOptions make_options(const std::vector<std::string>& words) {
+  const auto kinds = graph::executor_kinds();
+  return {.formulation = value_of<Formulation>(
+              words[2], {Formulation::structured, Formulation::subsystem, Formulation::augmented}),
+          .executor = value_of<ExecutorKind>(words[3], {kinds.begin(), kinds.end()}),
+          .threads = parse_threads(words[4])};
 }
 
 void answer(const std::string& line) {
@@ -47,25 +56,61 @@ void answer(const std::string& line) {
   std::fflush(stdout);
 }
 
-void run_batch(Simulation& simulation, std::int64_t steps) {
-  using Clock = std::chrono::steady_clock;
-  const std::int64_t before = simulation.steps();
-  const double end = simulation.time() + static_cast<double>(steps) * simulation.step_size();
+struct Timed {
+  double seconds = 0.0;
+  std::uint64_t hash = 0;
+};
+/// Runs so many steps.
+using Batch = std::function<Timed(std::int64_t steps)>;
+
+template <class Run>
+double time_of(Run run) {
   const auto begin = Clock::now();
-  simulation.run_until(end);
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  if (simulation.steps() - before != steps) throw InputError("the steps ran out");
-  answer(fmt::format("done {} {}", seconds, simulation.state_hash()));
+  run();
+  return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void serve(Simulation& simulation) {
+Timed run_steps(Simulation& simulation, std::int64_t steps) {
+  const std::int64_t before = simulation.steps();
+  const double end = simulation.time() + static_cast<double>(steps) * simulation.step_size();
+  const double seconds = time_of([&] { simulation.run_until(end); });
+  if (simulation.steps() - before != steps) throw InputError("the steps ran out");
+  return {seconds, simulation.state_hash()};
+}
+
+Batch make_batch(const std::vector<std::string>& words) {
+  if (words.size() < kFixedWords)
+    throw InputError("is started by the commands compare and reproduce only");
+  const Scenario scenario = make_scenario(words);
+  const SimulationOptions options = make_options(words);
+  switch (value_of<Work>(words[8], {Work::steps, Work::inverse, Work::run})) {
+    case Work::inverse:
+      return
+          [part = std::make_shared<reproduce::InversePart>(scenario, options)](std::int64_t steps) {
+            return Timed{time_of([&] { part->run(steps); }), 0};
+          };
+    case Work::run:
+      return [=](std::int64_t steps) {
+        Simulation simulation(scenario, options);
+        return run_steps(simulation, steps);
+      };
+    case Work::steps:
+      break;
+  }
+  return [simulation = std::make_shared<Simulation>(scenario, options)](std::int64_t steps) {
+    return run_steps(*simulation, steps);
+  };
+}
+
+void serve(const Batch& batch) {
   for (std::string line; std::getline(std::cin, line);) {
     std::istringstream words(line);
     std::string word;
     std::int64_t steps = 0;
     if (!(words >> word >> steps) || word != "run" || steps < 1)
       throw InputError("expected run STEPS, got " + line);
-    run_batch(simulation, steps);
+    const Timed timed = batch(steps);
+    answer(fmt::format("done {} {}", timed.seconds, timed.hash));
   }
 }
 
@@ -78,7 +123,7 @@ compare::Command make_child_command(const ChildTask& task,
       {std::string(kMeasureChild), task.scenario, std::string(name_of(configuration.formulation)),
        std::string(name_of(configuration.executor)), graph::name_of(configuration.threads),
        std::string(name_of(task.integration.method)), fmt::format("{}", task.integration.step),
-       fmt::format("{}", task.integration.duration)},
+       fmt::format("{}", task.integration.duration), std::string(name_of(task.work))},
       compare::environment_of(configuration)};
   command.arguments.insert(command.arguments.end(), task.overrides.begin(), task.overrides.end());
   return command;
@@ -86,9 +131,9 @@ compare::Command make_child_command(const ChildTask& task,
 
 int measure_child(const std::vector<std::string>& words) {
   try {
-    Simulation simulation = make_simulation(words);
+    const Batch batch = make_batch(words);
     answer("ready");
-    serve(simulation);
+    serve(batch);
     return 0;
   } catch (const DivergenceError& error) {
     answer(std::string("diverged ") + error.what());

@@ -6,6 +6,7 @@
 
 #include "engine/compare/child.h"
 #include "engine/compare/configuration.h"
+#include "engine/reproduce/timings.h"
 #include "models/scenario.h"
 
 namespace spoke::cli {
@@ -15,16 +16,19 @@ inline constexpr std::string_view kMeasureChild = "measure-child";
 
 /// What a child simulates.
 struct ChildTask {
-  std::string scenario;  ///< file
+  std::string scenario;  ///< file; empty: the paper's rotor, which is built in
   Overrides overrides;
   Integration integration;  ///< its method, step and duration replace those of the scenario
+  reproduce::Work work = reproduce::Work::steps;  ///< what a batch of steps is of
 };
 
 /// The command that starts this program as a child that measures a configuration.
 compare::Command make_child_command(const ChildTask& task,
                                     const compare::Configuration& configuration);
 
-/// Builds the simulation and runs steps as it is told on standard input, see compare/rounds.h.
+/// Runs batches of steps as it is told on standard input, see compare/rounds.h. A batch of
+/// Work::run begins anew at t = 0, before its time counts; one of Work::inverse has no state, and
+/// its hash is 0.
 /// Ends with its input. The exit status.
 int measure_child(const std::vector<std::string>& words);
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/report/page.h"
 #include "engine/simulation.h"
 
 namespace spoke::cli {
@@ -15,5 +16,8 @@ std::string one_line(std::string text);
 
 /// Prints title, sizes of the model and of its step graph.
 void print_model(const Simulation& simulation);
+
+/// Prints a table in columns, its caption above it. Precondition: rows have a cell for each column.
+void print_table(const report::Table& table);
 
 }  // namespace spoke::cli

@@ -34,9 +34,10 @@ void check_refused(const std::vector<std::string>& arguments, const std::string&
 
 TEST_CASE("a bad command line is refused in one line and nothing is written") {
   const std::string scenario = shipped("wu_haug_rotor");
-  check_refused({}, "spoke: no command, expected run, check or compare (see spoke --help)");
+  check_refused({},
+                "spoke: no command, expected run, check, compare or reproduce (see spoke --help)");
   check_refused({"rnu", scenario},
-                "spoke: unknown command \"rnu\", expected run, check or compare");
+                "spoke: unknown command \"rnu\", expected run, check, compare or reproduce");
   check_refused({"--quiet"}, "spoke: unknown command \"--quiet\"");
   check_refused({""}, "spoke: unknown command \"\"");
   check_refused({"run"}, "spoke run: SCENARIO is required (see spoke run --help)");
@@ -49,8 +50,9 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
                 "--formulation: dense not in {structured,subsystem,augmented}");
   check_refused({"run", scenario, "--integrator", "euler"},
                 "--integrator: euler not in {generalized_alpha,rk4}");
-  check_refused({"run", scenario, "--executor", "openmp"},
-                "--executor: no executor is named \"openmp\"; known here: auto, flow_graph, serial");
+  check_refused(
+      {"run", scenario, "--executor", "openmp"},
+      "--executor: no executor is named \"openmp\"; known here: auto, flow_graph, serial");
   check_refused({"run", scenario, "--executor", "serial", "--threads", "3x2"},
                 "--threads: serial has one layer of threads, expected a number, got 3x2");
   for (const std::string threads :

@@ -1,0 +1,114 @@
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/reproduce/charts.h"
+#include "engine/reproduce/files.h"
+#include "engine/reproduce/paper.h"
+#include "engine/reproduce/remarks.h"
+#include "engine/reproduce/tables.h"
+
+namespace spoke::reproduce {
+namespace {
+
+using report::Page;
+
+void add_facts(Page& page, const Reproduction& all) {
+  const Machine& machine = all.machine;
+  const Integration& integration = all.scenario.integration;
+  page.add_facts(
+      {{"processor", machine.cpu},
+       {"processors available", std::to_string(machine.cores)},
+       {"load average", all.loads.before < 0.0 ? "not known"
+                                               : fmt::format("{:.2f} before, {:.2f} after",
+                                                             all.loads.before, all.loads.after)},
+       {"system", machine.os},
+       {"compiler", machine.compiler},
+       {"steps timed", fmt::format("{}, step {:.6g} s, from t = 0", name_of(integration.method),
+                                   integration.step)},
+       {"rounds", std::to_string(all.rounds)},
+       {"the paper's machine", std::string(paper::kMachine)},
+       {"spoke", SPOKE_VERSION}});
+}
+
+void add_model(Page& page, const Reproduction& all) {
+  page.add_heading("Table 2: operation counts");
+  page.add_paragraph(remark_on_counts());
+  page.add_table(paper_counts());
+  page.add_table(our_counts());
+  page.add_heading("Fig. 8: motion of the hub");
+  page.add_paragraph(remark_on_drive(all));
+  page.add_figure(render(speed_chart(all)));
+  page.add_figure(render(angle_chart(all)));
+  page.add_figure(render(acceleration_chart(all)));
+  page.add_heading("Fig. 9: deflection of the tip");
+  page.add_paragraph(remark_on_deflection(all));
+  page.add_figure(render(deflection_chart(all)));
+  page.add_table(deflection_table(all));
+}
+
+void add_threads(Page& page, const Reproduction& all) {
+  page.add_heading("Fig. 10: threads for the subsystems");
+  page.add_paragraph(remark_on_subsystem_threads(all));
+  if (has_schemes()) {
+    page.add_figure(render(subsystem_chart(all)), "Bands: quartiles of the rounds.");
+    page.add_table(subsystem_table(all));
+  }
+  page.add_heading("Fig. 11: two layers of threads, the whole step");
+  page.add_paragraph(remark_on_layers(all));
+  if (has_schemes()) {
+    page.add_figure(render(layered_chart(all, Work::steps)),
+                    "The axis is logarithmic. Whiskers: quartiles of the rounds.");
+    page.add_table(layered_table(all, Work::steps));
+  }
+  page.add_heading("Fig. 12: two layers of threads, the inverse part");
+  page.add_paragraph(remark_on_inverse(all));
+  if (has_schemes()) {
+    page.add_figure(render(layered_chart(all, Work::inverse)), "The axis is logarithmic.");
+    page.add_table(layered_table(all, Work::inverse));
+  }
+}
+
+void add_methods(Page& page, const Reproduction& all) {
+  page.add_heading("Fig. 13 and Table 3: the methods");
+  page.add_paragraph(remark_on_methods(all));
+  page.add_figure(render(method_chart(all)),
+                  "The axis is logarithmic: compare ends, not lengths. The implicit step is of "
+                  "another size than the others.");
+  page.add_table(method_table(all));
+}
+
+void add_method_of_measurement(Page& page) {
+  page.add_heading("How this was measured");
+  page.add_paragraph(
+      "Every configuration runs in a process of its own. After two untimed batches come rounds; in "
+      "each, every process runs one batch of steps while all others are halted. Times are medians "
+      "over the rounds, speedups and ratios are medians of ratios within a round, so that a "
+      "quotient of "
+      "two medians may differ from them. The thread "
+      "figures use the formulation subsystem, whose dense blocks are the paper's. The paper does "
+      "not print its integrator or its step; an explicit one is what its small steps suggest, here "
+      "rk4 with four evaluations a step, so compare ratios, not milliseconds.");
+  page.add_paragraph(
+      "The paper: J.-B. Han, H. Song and S.-S. Kim, Study on Parallel Processing for Efficient "
+      "Flexible Multibody Analysis based on Subsystem Synthesis Method, Trans. Korean Soc. Mech. "
+      "Eng. A 41(6), 2017, 507-515, doi 10.3795/KSME-A.2017.41.6.507.");
+}
+
+}  // namespace
+
+std::string make_html(const Reproduction& all) {
+  Page page("The paper's evaluation, on this machine",
+            "Han, Song and Kim 2017: three blades of four bodies of four elements");
+  if (all.is_quick)
+    page.add_note("A quick run: few rounds, so times are rough.", report::Tone::warning);
+  if (is_disturbed(all))
+    page.add_note("The machine was busy with other things: times are disturbed.",
+                  report::Tone::warning);
+  add_facts(page, all);
+  add_model(page, all);
+  add_threads(page, all);
+  add_methods(page, all);
+  add_method_of_measurement(page);
+  return page.html();
+}
+
+}  // namespace spoke::reproduce

@@ -1,0 +1,19 @@
+#pragma once
+
+// One paragraph for each table and figure: what agrees with the paper, what differs, and why.
+
+#include <string>
+
+#include "engine/reproduce/reproduction.h"
+
+namespace spoke::reproduce {
+
+std::string remark_on_counts();
+std::string remark_on_drive(const Reproduction& reproduction);
+std::string remark_on_deflection(const Reproduction& reproduction);
+std::string remark_on_subsystem_threads(const Reproduction& reproduction);
+std::string remark_on_layers(const Reproduction& reproduction);
+std::string remark_on_inverse(const Reproduction& reproduction);
+std::string remark_on_methods(const Reproduction& reproduction);
+
+}  // namespace spoke::reproduce

@@ -1,0 +1,94 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+void check_refused(const std::vector<std::string>& options, const std::string& message) {
+  const WorkFolder folder;
+  std::vector<std::string> arguments{"reproduce"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Ended ended = run_spoke(arguments, folder);
+  CAPTURE(message);
+  CAPTURE(ended.err);
+  CHECK(ended.status == 2);
+  CHECK(ended.out.empty());
+  CHECK(lines_of(ended.err).size() == 1);
+  CHECK(ended.err.find(message) != std::string::npos);
+  CHECK(folder.entries() == 0);
+}
+
+/// Every timing has samples, and those of steps a median.
+void check_timings(const json& timings) {
+  for (const char* work : {"steps", "inverse", "implicit_run"}) {
+    CAPTURE(work);
+    REQUIRE_FALSE(timings[work].empty());
+    for (const json& timing : timings[work]) {
+      CAPTURE(timing.dump());
+      CHECK((timing["status"] == "measured" || timing["status"] == "slow"));
+      CHECK(timing["median_s"].get<double>() > 0.0);
+      CHECK(timing["step_times_s"].size() == timing["rounds"].get<std::size_t>());
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("reproduce --quick writes a page and a file of everything, from any folder") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"reproduce", "--quick"}, folder);
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* part :
+       {"conventional", "layered parallel", "Spoke, implicit", "reproduce.html"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  const fs::path results = folder.path() / "results" / "reproduce";
+  const json all = json::parse(read_file(results / "reproduce.json"));
+  for (const char* key : {"version", "machine", "load_average", "rounds", "scenario", "openmp"})
+    CHECK(all.contains(key));
+  CHECK(all["kind"] == "reproduce");
+  CHECK(all["quick"] == true);
+  for (const char* part : {"table_2", "fig_8", "fig_9", "fig_10", "fig_11", "fig_12", "table_3"}) {
+    CAPTURE(part);
+    CHECK(all[part]["remark"].get<std::string>().size() > 20);
+  }
+  CHECK(all["table_2"]["paper_total"] == 7790118);
+  CHECK(all["fig_9"]["models"].size() == 3);
+  CHECK(all["table_3"]["methods"].size() == 7);
+  check_timings(all["timings"]);
+  const std::string page = read_file(results / "reproduce.html");
+  CHECK(page.starts_with("<!DOCTYPE html>"));
+  CHECK(page.find("</html>") != std::string::npos);
+  for (const char* heading :
+       {"Table 2", "Fig. 8", "Fig. 9", "Fig. 10", "Fig. 11", "Fig. 12", "Fig. 13"})
+    CHECK(page.find(heading) != std::string::npos);
+  for (const char* wrong : {"nan", "inf<", "{:"}) {
+    CAPTURE(wrong);
+    CHECK(page.find(wrong) == std::string::npos);
+  }
+}
+
+TEST_CASE("reproduce refuses a bad command line in one line and writes nothing") {
+  check_refused({"--quickly"}, "unexpected argument --quickly");
+  check_refused({"models/paper_rotor.toml"}, "unexpected argument");
+  check_refused({"--out"}, "--out");
+  check_refused({"--out", "/dev/null/x"}, "/dev/null/x: cannot be the folder of results");
+}
+
+TEST_CASE("reproduce --help explains") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"reproduce", "--help"}, folder);
+  CHECK(ended.status == 0);
+  for (const char* part : {"--out", "--quick", "reproduce.html", "reproduce.json", "Exit status:"})
+    CHECK(ended.out.find(part) != std::string::npos);
+}
