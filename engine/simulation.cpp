@@ -13,6 +13,7 @@
 #include "engine/sensors.h"
 #include "engine/step_graph_builder.h"
 #include "graph/declaration_check.h"
+#include "graph/measuring_executor.h"
 #include "models/error.h"
 
 namespace spoke {
@@ -82,6 +83,7 @@ struct Runner {
 struct Simulation::Impl {
   Impl(const Scenario& given, const SimulationOptions& chosen);
 
+  const Runner& runner() const { return window ? *window : *single; }
   void advance(std::int64_t target, graph::Executor& executor, const StepObserver& observe);
 
   Scenario scenario;
@@ -193,6 +195,8 @@ ModelSize Simulation::size() const {
 
 const graph::StepGraph& Simulation::step_graph() const { return impl_->single->graph; }
 
+const graph::StepGraph& Simulation::run_graph() const { return impl_->runner().graph; }
+
 LinearProperties Simulation::linear_properties() const {
   const FrequencyRange range = calc_frequency_range(impl_->scenario.rotor);
   return {range.lowest, range.highest, calc_rk4_largest_step(range)};
@@ -213,8 +217,14 @@ void Simulation::run_until(double t, const StepObserver& observe) {
   if (!(steps_to_t > 0.0)) return;
   const auto target =
       static_cast<std::int64_t>(std::min(steps_to_t, static_cast<double>(impl_->planned_steps)));
-  const Runner& runner = impl_->window ? *impl_->window : *impl_->single;
-  impl_->advance(target, *runner.executor, observe);
+  impl_->advance(target, *impl_->runner().executor, observe);
+}
+
+NodeMeasurement Simulation::measure_nodes(std::int64_t step_count) {
+  graph::MeasuringExecutor executor(run_graph());
+  impl_->advance(steps() + step_count, executor, {});
+  return {executor.node_costs(), executor.run_times(), executor.between_runs(),
+          static_cast<double>(executor.runs()) / static_cast<double>(step_count)};
 }
 
 const std::vector<std::string>& Simulation::sensor_names() const { return impl_->sensors.names(); }
