@@ -2,6 +2,7 @@
 
 #include <sys/utsname.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <string_view>
 
@@ -46,6 +47,11 @@ std::string compiler() {
 Machine this_machine() {
   return {value_in_file("/proc/cpuinfo", "model name", ':'), graph::available_threads(),
           physical_memory(), operating_system(), compiler()};
+}
+
+double load_average() {
+  double load = -1.0;
+  return getloadavg(&load, 1) == 1 ? load : -1.0;
 }
 
 }  // namespace spoke

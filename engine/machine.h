@@ -17,4 +17,7 @@ struct Machine {
 /// What is not known is empty or 0.
 Machine this_machine();
 
+/// Runnable processes, mean over the last minute; -1 if not known.
+double load_average();
+
 }  // namespace spoke

@@ -41,6 +41,7 @@ layers=(
   'simulation'
   'results machine'
   'compare/'
+  'predict/'
   'cli/'
 )
 later=''

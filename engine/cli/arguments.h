@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/cli/compare_arguments.h"
+#include "engine/cli/predict_arguments.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
 
@@ -17,6 +18,7 @@ struct Arguments {
     run,
     check,
     compare,
+    predict,
   };
   Command command = Command::none;
   std::string scenario;  ///< file
@@ -27,6 +29,7 @@ struct Arguments {
   bool quiet = false;
   int verbosity = 0;  ///< number of -v
   CompareArguments compare;
+  PredictArguments predict;
 };
 
 /// Parses the arguments behind the program's name. Throws InputError.

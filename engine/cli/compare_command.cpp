@@ -1,19 +1,18 @@
 #include "engine/cli/compare_command.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/report.h"
+#include "engine/cli/results_folder.h"
 #include "engine/compare/conclusion.h"
 #include "engine/compare/files.h"
 #include "engine/compare/probe.h"
 #include "engine/compare/table.h"
+#include "engine/machine.h"
 #include "engine/results.h"
 #include "models/error.h"
 
@@ -24,37 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr double kSampleSeconds = 0.03;
 constexpr std::size_t kMostConfigurations = 400;  // a process, a socket and some threads each
-
-/// Throws unless the folder can be made, without making it: nothing is left behind by a comparison
-/// that fails.
-void demand_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::path existing = fs::absolute(folder, error);
-  while (!error && !fs::exists(existing, error) && existing.has_relative_path())
-    existing = existing.parent_path();
-  std::string reason;
-  if (error) {
-    reason = error.message();
-  } else if (!fs::is_directory(existing)) {
-    reason = existing.string() + " is no folder";
-  } else if (access(existing.c_str(), W_OK | X_OK) != 0) {
-    reason = existing.string() + " is not writable";
-  }
-  if (!reason.empty())
-    throw InputError(folder.string() + ": cannot be the folder of results: " + reason);
-}
-
-double load_average() {
-  double load = -1.0;
-  return getloadavg(&load, 1) == 1 ? load : -1.0;
-}
-
-void show_progress(const std::string& text) {
-  static const bool shown = isatty(STDERR_FILENO) == 1;
-  if (!shown) return;
-  fmt::print(stderr, "\r{}\033[K", text);
-  std::fflush(stderr);
-}
 
 std::vector<compare::Configuration> choose_configurations(const Arguments& arguments,
                                                           const Scenario& scenario, int cores) {
@@ -99,25 +67,6 @@ void probe_models(compare::Comparison& comparison, const compare::Axes& axes) {
       compare::with_steps(simulation, compare::steps_of(longest, comparison.rounds));
 }
 
-void print_table(const report::Table& table) {
-  std::vector<std::size_t> widths;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    widths.push_back(table.columns[c].title.size());
-    for (const report::Row& row : table.rows) widths[c] = std::max(widths[c], row.cells[c].size());
-  }
-  const auto print_row = [&](const auto& text_of) {
-    std::string line;
-    for (std::size_t c = 0; c < widths.size(); ++c)
-      line += table.columns[c].align == report::Align::number
-                  ? fmt::format("  {:>{}}", text_of(c), widths[c])
-                  : fmt::format("  {:<{}}", text_of(c), widths[c]);
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
-  };
-  fmt::print("\n{}\n", table.caption);
-  print_row([&](std::size_t c) { return table.columns[c].title; });
-  for (const report::Row& row : table.rows) print_row([&](std::size_t c) { return row.cells[c]; });
-}
-
 void print(const compare::Comparison& comparison, const fs::path& folder) {
   fmt::print("{}\n", one_line(comparison.scenario.title));
   for (const compare::Model& model : comparison.models)
@@ -127,10 +76,7 @@ void print(const compare::Comparison& comparison, const fs::path& folder) {
 }
 
 void write(const compare::Comparison& comparison, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw InputError(folder.string() + ": cannot be the folder of results: " + error.message());
+  make_folder(folder);
   write_file(folder / "compare.json", compare::make_json(comparison));
   write_file(folder / "compare.csv", compare::make_csv(comparison));
   write_file(folder / "compare.html", compare::make_html(comparison));

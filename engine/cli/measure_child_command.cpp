@@ -15,7 +15,7 @@
 namespace spoke::cli {
 namespace {
 
-constexpr std::size_t kFixedWords = 8;  // before the overrides
+constexpr std::size_t kFixedWords = 9;  // before the overrides
 
 template <class Value>
 Value value_of(std::string_view name, const std::vector<Value>& values) {
@@ -34,7 +34,8 @@ Simulation make_simulation(const std::vector<std::string>& words) {
       .formulation = value_of<Formulation>(
           words[2], {Formulation::structured, Formulation::subsystem, Formulation::augmented}),
       .executor = value_of<ExecutorKind>(words[3], {kinds.begin(), kinds.end()}),
-      .threads = parse_threads(words[4])};
+      .threads = parse_threads(words[4]),
+      .window = std::stoi(words[8])};
   scenario.integration.method = value_of<IntegrationMethod>(
       words[5], {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4});
   scenario.integration.step = std::stod(words[6]);
@@ -78,7 +79,7 @@ compare::Command make_child_command(const ChildTask& task,
       {std::string(kMeasureChild), task.scenario, std::string(name_of(configuration.formulation)),
        std::string(name_of(configuration.executor)), graph::name_of(configuration.threads),
        std::string(name_of(task.integration.method)), fmt::format("{}", task.integration.step),
-       fmt::format("{}", task.integration.duration)},
+       fmt::format("{}", task.integration.duration), fmt::format("{}", task.window)},
       compare::environment_of(configuration)};
   command.arguments.insert(command.arguments.end(), task.overrides.begin(), task.overrides.end());
   return command;

@@ -18,6 +18,7 @@ struct ChildTask {
   std::string scenario;  ///< file
   Overrides overrides;
   Integration integration;  ///< its method, step and duration replace those of the scenario
+  int window = 0;           ///< as SimulationOptions::window
 };
 
 /// The command that starts this program as a child that measures a configuration.

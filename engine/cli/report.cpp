@@ -1,8 +1,11 @@
 #include "engine/cli/report.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <vector>
 
 namespace spoke::cli {
 namespace {
@@ -32,6 +35,32 @@ void print_model(const Simulation& simulation) {
                           count(size.joints, "joint", "joints"));
   print_line("step graph", count(size.graph_nodes, "node", "nodes") + ", " +
                                count(size.graph_edges, "edge", "edges"));
+}
+
+void print_table(const report::Table& table) {
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    widths.push_back(table.columns[c].title.size());
+    for (const report::Row& row : table.rows) widths[c] = std::max(widths[c], row.cells[c].size());
+  }
+  const auto print_row = [&](const auto& text_of) {
+    std::string line;
+    for (std::size_t c = 0; c < widths.size(); ++c)
+      line += table.columns[c].align == report::Align::number
+                  ? fmt::format("  {:>{}}", text_of(c), widths[c])
+                  : fmt::format("  {:<{}}", text_of(c), widths[c]);
+    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+  };
+  fmt::print("\n{}\n", table.caption);
+  print_row([&](std::size_t c) { return table.columns[c].title; });
+  for (const report::Row& row : table.rows) print_row([&](std::size_t c) { return row.cells[c]; });
+}
+
+void show_progress(const std::string& text) {
+  static const bool shown = isatty(STDERR_FILENO) == 1;
+  if (!shown) return;
+  fmt::print(stderr, "\r{}\033[K", text);
+  std::fflush(stderr);
 }
 
 }  // namespace spoke::cli

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/report/page.h"
 #include "engine/simulation.h"
 
 namespace spoke::cli {
@@ -15,5 +16,11 @@ std::string one_line(std::string text);
 
 /// Prints title, sizes of the model and of its step graph.
 void print_model(const Simulation& simulation);
+
+/// Prints a table in columns as wide as their widest cell, after an empty line.
+void print_table(const report::Table& table);
+
+/// Says on stderr what is being done, in place of what was said before. Only on a terminal.
+void show_progress(const std::string& text);
 
 }  // namespace spoke::cli

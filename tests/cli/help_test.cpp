@@ -30,8 +30,8 @@ TEST_CASE("--help names commands and exit statuses and examples") {
   const Ended ended = run_spoke({"--help"}, folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  check_contains(ended.out,
-                 {"run", "check", "compare", "--version", "Exit status:", "spoke run models/"});
+  check_contains(ended.out, {"run", "check", "compare", "predict", "--version",
+                             "Exit status:", "spoke run models/"});
 }
 
 TEST_CASE("run --help names every option and what is written") {
@@ -56,8 +56,10 @@ TEST_CASE("check --help names its options and output") {
 
 TEST_CASE("no line of help is wider than 100 columns") {
   const WorkFolder folder;
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--help"}, {"run", "--help"}, {"check", "--help"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"run", "--help"},
+                                                    {"check", "--help"},
+                                                    {"predict", "--help"}}) {
     for (const std::string& line : lines_of(run_spoke(arguments, folder).out)) {
       CAPTURE(line);
       CHECK(line.size() <= 100);

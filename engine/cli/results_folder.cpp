@@ -1,0 +1,38 @@
+#include "engine/cli/results_folder.h"
+
+#include <unistd.h>
+
+#include <string>
+#include <system_error>
+
+#include "models/error.h"
+
+namespace spoke::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& reason) {
+  throw InputError(folder.string() + ": cannot be the folder of results: " + reason);
+}
+
+}  // namespace
+
+void demand_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::path existing = fs::absolute(folder, error);
+  while (!error && !fs::exists(existing, error) && existing.has_relative_path())
+    existing = existing.parent_path();
+  if (error) refuse(folder, error.message());
+  if (!fs::is_directory(existing)) refuse(folder, existing.string() + " is no folder");
+  if (access(existing.c_str(), W_OK | X_OK) != 0)
+    refuse(folder, existing.string() + " is not writable");
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) refuse(folder, error.message());
+}
+
+}  // namespace spoke::cli
