@@ -21,6 +21,18 @@ report::LineSeries predicted_line(const Prediction& prediction, const Series& se
   return line;
 }
 
+/// Points in the colour of the predicted line, the s-th of the chart.
+report::LineSeries measured_points(const Series& series, std::size_t s) {
+  report::LineSeries points{.name = fmt::format("{}, measured", graph::name_of(series.executor)),
+                            .joined = false,
+                            .color_of = s};
+  for (const Point& point : series.points)
+    if (point.measured)
+      points.points.push_back({1.0 * point.threads, point.measured->speedup.median,
+                               fmt::format("{:+.1f} % off", 100.0 * *point.error())});
+  return points;
+}
+
 /// Lines that no executor crosses, at each of the numbers of threads.
 template <class Speedup>
 report::LineSeries bound_line(const char* name, const Prediction& prediction, Speedup speedup) {
@@ -36,12 +48,27 @@ std::vector<double> thread_counts(const Prediction& prediction) {
   return counts;
 }
 
+/// Speedups from a quarter on; what is slower ends at the axis.
+report::Axis speedup_axis(const std::vector<double>& counts) {
+  report::Axis axis{.title = "speedup",
+                    .kind = report::ScaleKind::log,
+                    .low = 0.25,
+                    .high = std::max(2.0, counts.back()),
+                    .ticks = {0.25, 0.5, 1.0}};
+  for (double tick = 2.0; tick <= *axis.high; tick *= 2.0) axis.ticks.push_back(tick);
+  return axis;
+}
+
 report::LineChart speedup_chart(const Prediction& prediction) {
   const std::vector<double> counts = thread_counts(prediction);
   report::LineChart chart{
       .title = "Speedup over serial, by threads",
       .x = {.title = "threads", .kind = report::ScaleKind::log, .ticks = counts},
-      .y = {.title = "speedup", .kind = report::ScaleKind::log, .ticks = counts}};
+      .y = speedup_axis(counts)};
+  if (counts.size() > 1) {
+    chart.x.low = counts.front();
+    chart.x.high = counts.back();
+  }
   for (const Series& series : prediction.series)
     chart.series.push_back(predicted_line(prediction, series));
   chart.series.push_back(
@@ -49,6 +76,10 @@ report::LineChart speedup_chart(const Prediction& prediction) {
   chart.series.push_back(bound_line("T1 / max(T1/P, Tinf)", prediction, [&](double threads) {
     return std::min(threads, prediction.parallelism());
   }));
+  for (std::size_t s = 0; s < prediction.series.size(); ++s) {
+    report::LineSeries measured = measured_points(prediction.series[s], s);
+    if (!measured.points.empty()) chart.series.push_back(std::move(measured));
+  }
   return chart;
 }
 
@@ -114,7 +145,7 @@ std::string make_html(const Prediction& prediction) {
   page.add_notes(make_conclusions(prediction));
   page.add_figure(render(speedup_chart(prediction)),
                   "Both axes are logarithmic. Bands: half to twice the runtimes' costs, and the "
-                  "spread of the nodes' costs. Dashed: bounds.");
+                  "spread of the nodes' costs. Dashed: bounds. Points: measured here.");
   if (prediction.rounds > 0) page.add_figure(render(check_chart(prediction)));
   add_facts(page, prediction);
   page.add_table(make_table(prediction));
