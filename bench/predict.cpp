@@ -85,8 +85,9 @@ class Steps final : public Subject {
         window_(window) {
     scenario_.integration.duration = 1e6 * scenario_.integration.step;
     simulation_ = make(ExecutorKind::serial, 1);
-    const NodeMeasurement first = simulation_->measure_nodes(4L * window);
-    const double seconds = graph::work_of(first.costs) * first.runs_per_step;
+    simulation_->measure_nodes(16L * window);  // memory is touched
+    const NodeMeasurement warm = simulation_->measure_nodes(16L * window);
+    const double seconds = graph::work_of(warm.costs) * warm.runs_per_step;
     steps_ = window * std::max(1L, std::lround(kBatch / (seconds * window)));
   }
 
