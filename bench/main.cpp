@@ -28,7 +28,8 @@ constexpr std::array kQuestions{
     Question{"time_to_solution", "how long the 20 s spin-up takes at 0.1 % accuracy",
              measure_time_to_solution},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",
-             measure_step_graphs}};
+             measure_step_graphs},
+    Question{"predict", "how far predicted times are from measured ones", measure_predict}};
 
 struct Arguments {
   std::string filter;

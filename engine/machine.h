@@ -17,7 +17,7 @@ struct Machine {
 /// What is not known is empty or 0.
 Machine this_machine();
 
-/// Runnable processes, mean of the last minute; -1: not known.
+/// Runnable processes, mean over the last minute; -1 if not known.
 double load_average();
 
 }  // namespace spoke

@@ -12,6 +12,7 @@
 #include "engine/sensors.h"
 #include "engine/step_runner.h"
 #include "graph/declaration_check.h"
+#include "graph/measuring_executor.h"
 #include "models/error.h"
 
 namespace spoke {
@@ -73,6 +74,7 @@ struct Simulation::Impl {
 
   void step();
   void run_to(std::int64_t target, const StepObserver& observe);
+  void measure(std::int64_t target, graph::Executor& executor);
 
   Scenario scenario;
   SimulationOptions options;
@@ -141,6 +143,11 @@ void Simulation::Impl::run_to(std::int64_t target, const StepObserver& observe) 
       runner->advance_to(std::min(target, planned_steps), static_cast<bool>(observe), completed));
 }
 
+void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
+  demand_done(runner->advance_by(executor, std::min(target, planned_steps),
+                                 [this](std::int64_t step) { complete_step(step, {}); }));
+}
+
 void Simulation::Impl::demand_done(StepOutcome outcome) {
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps() + 1);
 }
@@ -184,6 +191,8 @@ ModelSize Simulation::size() const {
 
 const graph::StepGraph& Simulation::step_graph() const { return impl_->runner->step_graph(); }
 
+const graph::StepGraph& Simulation::run_graph() const { return impl_->runner->run_graph(); }
+
 LinearProperties Simulation::linear_properties() const {
   const FrequencyRange range = calc_frequency_range(impl_->scenario.rotor);
   return {range.lowest, range.highest, calc_rk4_largest_step(range)};
@@ -206,6 +215,13 @@ void Simulation::run_until(double t, const StepObserver& observe) {
   impl_->run_to(
       static_cast<std::int64_t>(std::min(steps_to_t, static_cast<double>(impl_->planned_steps))),
       observe);
+}
+
+NodeMeasurement Simulation::measure_nodes(std::int64_t step_count) {
+  graph::MeasuringExecutor executor(run_graph());
+  impl_->measure(steps() + step_count, executor);
+  return {executor.node_costs(), executor.run_times(), executor.between_runs(),
+          static_cast<double>(executor.runs()) / static_cast<double>(step_count)};
 }
 
 const std::vector<std::string>& Simulation::sensor_names() const { return impl_->sensors.names(); }

@@ -67,6 +67,14 @@ struct HubMotion {
 /// Simulation::sensor_names(), valid during the call.
 using StepObserver = std::function<void(double t, std::span<const double> sensors)>;
 
+/// What the nodes of a step cost on one thread, from steps that were made.
+struct NodeMeasurement {
+  std::vector<double> costs;      ///< of run_graph(), by index of the node, mean per run [s]
+  std::vector<double> run_times;  ///< of all nodes, in the runs without time stamps [s]
+  double between_runs = 0.0;      ///< from the end of a run to the start of the next [s]
+  double runs_per_step = 0.0;
+};
+
 /// Simulates one system. Not copyable; different Simulations may run in different threads.
 class Simulation {
  public:
@@ -82,6 +90,9 @@ class Simulation {
   ModelSize size() const;
   /// The graph that the executor runs; valid while this lives.
   const graph::StepGraph& step_graph() const;
+  /// The graph that run_until() runs: of one pass, or of the passes of a window of steps. Valid
+  /// while this lives.
+  const graph::StepGraph& run_graph() const;
   LinearProperties linear_properties() const;
   std::string_view executor_name() const;
   /// In one line what runs the steps; of "auto" what it chose so far, and why.
@@ -103,6 +114,10 @@ class Simulation {
   /// Throws DivergenceError like step(), after the observer was told of all complete steps; what
   /// the observer throws ends the simulation likewise.
   void run_until(double t, const StepObserver& observe = {});
+  /// Makes `steps` steps as run_until() does, to the same bits, but serially and in half of the
+  /// runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws DivergenceError.
+  /// Precondition: 2 windows <= steps <= planned_steps() - steps().
+  NodeMeasurement measure_nodes(std::int64_t steps);
 
   /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual".
   const std::vector<std::string>& sensor_names() const;

@@ -40,10 +40,17 @@ class StepRunner {
   StepOutcome advance_to(std::int64_t target, bool observed,
                          const TimeStepper::Completed& completed);
   StepOutcome advance_one(const TimeStepper::Completed& completed);
+  /// By an executor of the caller's that runs run_graph().
+  StepOutcome advance_by(graph::Executor& executor, std::int64_t target,
+                         const TimeStepper::Completed& completed) {
+    return stepper_.advance(target, executor, false, completed);
+  }
   std::int64_t steps() const { return stepper_.steps(); }
 
   /// Of one pass.
   const graph::StepGraph& step_graph() const { return single_.graph; }
+  /// Of a window, if there is one, else of one pass.
+  const graph::StepGraph& run_graph() const { return window_ ? window_->graph : single_.graph; }
   graph::Threads threads() const { return threads_; }
   /// In one line what runs the steps, and if it was chosen, why.
   std::string describe() const;

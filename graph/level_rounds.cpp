@@ -53,4 +53,10 @@ std::vector<Round> derive_level_rounds(const StepGraph& graph, int threads) {
   return rounds;
 }
 
+bool ends_alone(const std::vector<Round>& rounds) {
+  if (rounds.size() < 2) return false;  // no barrier
+  const Round& last = rounds.back();
+  return std::all_of(last.begin() + 1, last.end(), [](const auto& nodes) { return nodes.empty(); });
+}
+
 }  // namespace spoke::graph

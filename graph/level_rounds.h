@@ -14,4 +14,7 @@ using Round = std::vector<std::vector<NodeId>>;
 /// levels unless all edges since the last one stay within a thread.
 std::vector<Round> derive_level_rounds(const StepGraph& graph, int threads);
 
+/// Whether only the first thread works in the last of several rounds.
+bool ends_alone(const std::vector<Round>& rounds);
+
 }  // namespace spoke::graph

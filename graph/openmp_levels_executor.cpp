@@ -1,6 +1,5 @@
 #include <omp.h>
 
-#include <algorithm>
 #include <memory>
 #include <string_view>
 
@@ -11,13 +10,6 @@
 
 namespace spoke::graph {
 namespace {
-
-// Whether behind the last barrier of a pass only the first thread works.
-bool ends_alone(const std::vector<Round>& rounds) {
-  if (rounds.size() < 2) return false;  // no barrier
-  const Round& last = rounds.back();
-  return std::all_of(last.begin() + 1, last.end(), [](const auto& nodes) { return nodes.empty(); });
-}
 
 class OpenMpLevelsExecutor final : public Executor {
  public:

@@ -43,6 +43,7 @@ layers=(
   'results machine'
   'compare/'
   'reproduce/'
+  'predict/'
   'cli/'
 )
 later=''

@@ -14,7 +14,7 @@
 namespace spoke::cli {
 namespace {
 
-constexpr const char* kCommands = "run, check, compare or reproduce";
+constexpr const char* kCommands = "run, check, compare, predict or reproduce";
 
 constexpr const char* kStatusText = R"(Exit status:
   0  done
@@ -55,6 +55,19 @@ Example:
   spoke compare models/wu_haug_rotor.toml --threads 1,2 --formulations subsystem
 )";
 
+constexpr const char* kPredictText =
+    R"(Times the nodes of a step one by one on one thread and simulates what executors make of them on
+other numbers of threads; measures those that this machine has processors for beside it.
+
+Output files, in the folder of --out:
+  predict.html  conclusion, charts and table
+  predict.csv   a row per executor and number of threads
+  predict.json  everything, the costs of all nodes included
+
+Example:
+  spoke predict models/wu_haug_rotor.toml --formulation subsystem --window 8
+)";
+
 constexpr const char* kReproduceText =
     R"(Tables and figures of Han, Song and Kim (2017), computed and measured on this machine, beside the
 paper's own numbers: operation counts, drive, deflection, two schemes of nested threads, methods.
@@ -72,6 +85,7 @@ constexpr const char* kProgramText = R"(Examples:
   spoke run models/wu_haug_rotor.toml
   spoke check models/wu_haug_rotor.toml
   spoke compare models/wu_haug_rotor.toml
+  spoke predict models/wu_haug_rotor.toml
   spoke reproduce
 
 "spoke run --help" and so on explain options and output of the commands.
@@ -128,6 +142,20 @@ void add_common(CLI::App& command, Arguments& arguments) {
   command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");
 }
 
+void add_formulation(CLI::App& command, Arguments& arguments) {
+  add_choice<Formulation>(
+      command, "--formulation", "How accelerations are computed [structured]",
+      {Formulation::structured, Formulation::subsystem, Formulation::augmented},
+      [&](Formulation formulation) { arguments.options.formulation = formulation; });
+}
+
+void add_integrator(CLI::App& command, Arguments& arguments) {
+  add_choice<IntegrationMethod>(command, "--integrator",
+                                "Integration method\n[what the scenario says; generalized_alpha]",
+                                {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4},
+                                [&](IntegrationMethod method) { arguments.integrator = method; });
+}
+
 /// Like a choice, but a name may be one that this build is without, and the message then says so.
 void add_executor(CLI::App& run, Arguments& arguments) {
   std::string names;
@@ -165,14 +193,8 @@ void add_run(CLI::App& program, Arguments& arguments) {
   add_common(run, arguments);
   run.add_option("--out", arguments.out, "Folder of the results [results/<name of the scenario>]")
       ->type_name("DIR");
-  add_choice<Formulation>(
-      run, "--formulation", "How accelerations are computed [structured]",
-      {Formulation::structured, Formulation::subsystem, Formulation::augmented},
-      [&](Formulation formulation) { arguments.options.formulation = formulation; });
-  add_choice<IntegrationMethod>(run, "--integrator",
-                                "Integration method\n[what the scenario says; generalized_alpha]",
-                                {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4},
-                                [&](IntegrationMethod method) { arguments.integrator = method; });
+  add_formulation(run, arguments);
+  add_integrator(run, arguments);
   add_executor(run, arguments);
   run.add_option_function<std::string>(
          "--threads",
@@ -203,12 +225,24 @@ void add_compare(CLI::App& program, Arguments& arguments) {
                   "Folder of the results [results/<name of the scenario>/compare]")
       ->type_name("DIR");
   add_compare_options(compare, arguments.compare);
-  add_choice<IntegrationMethod>(compare, "--integrator",
-                                "Integration method\n[what the scenario says; generalized_alpha]",
-                                {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4},
-                                [&](IntegrationMethod method) { arguments.integrator = method; });
+  add_integrator(compare, arguments);
   compare.footer(std::string(kCompareText) + '\n' + kStatusText);
   compare.callback([&] { arguments.command = Arguments::Command::compare; });
+}
+
+void add_predict(CLI::App& program, Arguments& arguments) {
+  CLI::App& predict = *program.add_subcommand(
+      "predict", "Predict how fast a step is on more threads than there are");
+  add_common(predict, arguments);
+  predict
+      .add_option("--out", arguments.out,
+                  "Folder of the results [results/<name of the scenario>/predict]")
+      ->type_name("DIR");
+  add_predict_options(predict, arguments.predict);
+  add_formulation(predict, arguments);
+  add_integrator(predict, arguments);
+  predict.footer(std::string(kPredictText) + '\n' + kStatusText);
+  predict.callback([&] { arguments.command = Arguments::Command::predict; });
 }
 
 void add_reproduce(CLI::App& program, Arguments& arguments) {
@@ -249,7 +283,8 @@ std::string check_first(const std::vector<std::string>& arguments) {
                      " (see spoke --help)");
   }
   const std::string& first = arguments[0];
-  if (first == "run" || first == "check" || first == "compare" || first == "reproduce")
+  if (first == "run" || first == "check" || first == "compare" || first == "predict" ||
+      first == "reproduce")
     return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + std::string(kCommands) +
@@ -268,6 +303,7 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   add_run(program, result);
   add_check(program, result);
   add_compare(program, result);
+  add_predict(program, result);
   add_reproduce(program, result);
 
   const std::string name = check_first(arguments);

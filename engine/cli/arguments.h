@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/cli/compare_arguments.h"
+#include "engine/cli/predict_arguments.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
 
@@ -17,6 +18,7 @@ struct Arguments {
     run,
     check,
     compare,
+    predict,
     reproduce,
   };
   Command command = Command::none;
@@ -28,6 +30,7 @@ struct Arguments {
   bool quiet = false;
   int verbosity = 0;  ///< number of -v
   CompareArguments compare;
+  PredictArguments predict;
   bool quick = false;  ///< of reproduce: few rounds
 };
 

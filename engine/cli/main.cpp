@@ -11,6 +11,7 @@
 #include "engine/cli/check_command.h"
 #include "engine/cli/compare_command.h"
 #include "engine/cli/measure_child_command.h"
+#include "engine/cli/predict_command.h"
 #include "engine/cli/report.h"
 #include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
@@ -36,6 +37,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::check(arguments);
     case cli::Arguments::Command::compare:
       return cli::compare(arguments);
+    case cli::Arguments::Command::predict:
+      return cli::predict(arguments);
     case cli::Arguments::Command::reproduce:
       return cli::reproduce(arguments);
     case cli::Arguments::Command::none:

@@ -19,7 +19,7 @@
 namespace spoke::cli {
 namespace {
 
-constexpr std::size_t kFixedWords = 9;  // before the overrides
+constexpr std::size_t kFixedWords = 10;  // before the overrides
 
 using Clock = std::chrono::steady_clock;
 using reproduce::Work;
@@ -48,7 +48,8 @@ SimulationOptions make_options(const std::vector<std::string>& words) {
   return {.formulation = value_of<Formulation>(
               words[2], {Formulation::structured, Formulation::subsystem, Formulation::augmented}),
           .executor = value_of<ExecutorKind>(words[3], {kinds.begin(), kinds.end()}),
-          .threads = parse_threads(words[4])};
+          .threads = parse_threads(words[4]),
+          .window = std::stoi(words[8])};
 }
 
 void answer(const std::string& line) {
@@ -80,10 +81,10 @@ Timed run_steps(Simulation& simulation, std::int64_t steps) {
 
 Batch make_batch(const std::vector<std::string>& words) {
   if (words.size() < kFixedWords)
-    throw InputError("is started by the commands compare and reproduce only");
+    throw InputError("is started by the commands compare, predict and reproduce only");
   const Scenario scenario = make_scenario(words);
   const SimulationOptions options = make_options(words);
-  switch (value_of<Work>(words[8], {Work::steps, Work::inverse, Work::run})) {
+  switch (value_of<Work>(words[9], {Work::steps, Work::inverse, Work::run})) {
     case Work::inverse:
       return
           [part = std::make_shared<reproduce::InversePart>(scenario, options)](std::int64_t steps) {
@@ -123,7 +124,8 @@ compare::Command make_child_command(const ChildTask& task,
       {std::string(kMeasureChild), task.scenario, std::string(name_of(configuration.formulation)),
        std::string(name_of(configuration.executor)), graph::name_of(configuration.threads),
        std::string(name_of(task.integration.method)), fmt::format("{}", task.integration.step),
-       fmt::format("{}", task.integration.duration), std::string(name_of(task.work))},
+       fmt::format("{}", task.integration.duration), fmt::format("{}", task.window),
+       std::string(name_of(task.work))},
       compare::environment_of(configuration)};
   command.arguments.insert(command.arguments.end(), task.overrides.begin(), task.overrides.end());
   return command;

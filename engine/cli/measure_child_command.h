@@ -19,6 +19,7 @@ struct ChildTask {
   std::string scenario;  ///< file; empty: the paper's rotor, which is built in
   Overrides overrides;
   Integration integration;  ///< its method, step and duration replace those of the scenario
+  int window = 0;           ///< as SimulationOptions::window
   reproduce::Work work = reproduce::Work::steps;  ///< what a batch of steps is of
 };
 

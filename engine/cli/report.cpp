@@ -1,8 +1,11 @@
 #include "engine/cli/report.h"
 
 #include <spdlog/fmt/fmt.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <vector>
 
 namespace spoke::cli {
 namespace {

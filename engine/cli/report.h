@@ -17,7 +17,7 @@ std::string one_line(std::string text);
 /// Prints title, sizes of the model and of its step graph.
 void print_model(const Simulation& simulation);
 
-/// Prints a table in columns, its caption above it. Precondition: rows have a cell for each column.
+/// Prints a table in columns as wide as their widest cell, after an empty line.
 void print_table(const report::Table& table);
 
 }  // namespace spoke::cli

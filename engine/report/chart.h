@@ -65,6 +65,8 @@ struct LineSeries {
   std::vector<BandPoint> band = {};  ///< shaded behind the line, in order of x
   bool markers = true;
   bool dashed = false;
+  bool joined = true;                        ///< by a line; otherwise points alone
+  std::optional<std::size_t> color_of = {};  ///< the series whose colour and marker it shares
 };
 
 struct LineChart {

@@ -25,6 +25,8 @@ void draw_sample(Svg& svg, const LegendEntry& entry, Place at) {
       svg.path(command('M', {at.x, y}) + "h20",
                entry.sample == LegendEntry::Sample::line ? "line" : "line dashed");
       break;
+    case LegendEntry::Sample::points:
+      break;  // the marker alone
     case LegendEntry::Sample::reference:
       svg.line({at.x, y}, {at.x + 20.0, y}, "reference");
       break;

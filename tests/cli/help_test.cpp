@@ -30,7 +30,7 @@ TEST_CASE("--help names commands and exit statuses and examples") {
   const Ended ended = run_spoke({"--help"}, folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  check_contains(ended.out, {"run", "check", "compare", "reproduce", "--version",
+  check_contains(ended.out, {"run", "check", "compare", "predict", "reproduce", "--version",
                              "Exit status:", "spoke run models/"});
 }
 
@@ -59,6 +59,8 @@ TEST_CASE("no line of help is wider than 100 columns") {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"run", "--help"},
                                                     {"check", "--help"},
+                                                    {"predict", "--help"},
+
                                                     {"reproduce", "--help"}}) {
     for (const std::string& line : lines_of(run_spoke(arguments, folder).out)) {
       CAPTURE(line);

@@ -1,0 +1,50 @@
+#include "engine/cli/predict_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+
+#include "engine/cli/threads_option.h"
+
+namespace spoke::cli {
+namespace {
+
+constexpr int kMostWindow = 1000;
+
+/// "1,2,4" in ascending order, each once.
+std::vector<int> parse_counts(const std::string& list) {
+  std::vector<int> counts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const graph::Threads threads = parse_threads_option(list.substr(begin, end - begin));
+    if (threads.inner > 1)
+      throw CLI::ValidationError("--threads",
+                                 "executors with nested teams are not predicted, "
+                                 "expected numbers, got " +
+                                     graph::name_of(threads));
+    counts.push_back(threads.outer);
+    begin = end + 1;
+  }
+  std::sort(counts.begin(), counts.end());
+  counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+  return counts;
+}
+
+}  // namespace
+
+void add_predict_options(CLI::App& command, PredictArguments& arguments) {
+  command
+      .add_option_function<std::string>(
+          "--threads", [&](const std::string& list) { arguments.threads = parse_counts(list); },
+          "Numbers of threads to predict for [1,2,4,8,16,32,64];\n"
+          "those that this machine has processors for are measured, too")
+      ->type_name("N,N,...");
+  command
+      .add_option("--window", arguments.window,
+                  "Steps that one run of the graph may make, where the motion\n"
+                  "of the hub is prescribed [1]")
+      ->check(CLI::Range(1, kMostWindow))
+      ->type_name("STEPS");
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace spoke::cli {
+
+/// What only the command predict asks for.
+struct PredictArguments {
+  std::vector<int> threads{1, 2, 4, 8, 16, 32, 64};  ///< ascending
+  int window = 1;                                    ///< steps
+};
+
+/// Adds --threads and --window to the command.
+void add_predict_options(CLI::App& command, PredictArguments& arguments);
+
+}  // namespace spoke::cli

@@ -1,0 +1,134 @@
+#include "engine/predict/conclusion.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/compare/conclusion.h"
+
+namespace spoke::predict {
+namespace {
+
+constexpr double kBusy = 0.5;    // load average from which a machine is not idle
+constexpr double kEqual = 1.03;  // ratio of times up to which two executors are equally good
+constexpr double kPays = 1.05;   // gain below which more threads do not pay
+
+using compare::duration_text;
+
+const Series* find_series(const Prediction& prediction, ExecutorKind kind) {
+  const auto found = std::find_if(prediction.series.begin(), prediction.series.end(),
+                                  [kind](const Series& series) { return series.executor == kind; });
+  return found == prediction.series.end() ? nullptr : &*found;
+}
+
+/// The fewest threads from which no more gain a twentieth.
+const Point& last_that_pays(const Series& series) {
+  double least = series.points.front().step.expected;
+  for (const Point& point : series.points) least = std::min(least, point.step.expected);
+  return *std::find_if(series.points.begin(), series.points.end(), [least](const Point& point) {
+    return point.step.expected <= kPays * least;
+  });
+}
+
+std::string threads_text(int threads) {
+  return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
+}
+
+std::string describe_disturbance(const Prediction& prediction) {
+  if (prediction.load_before < kBusy) return "";
+  return fmt::format(
+      "Other work was running (load average {:.2f} at the start): costs of nodes and runtimes are "
+      "too high, measured times too long, and none of what follows is certain until it is repeated "
+      "on an idle machine.",
+      prediction.load_before);
+}
+
+std::string describe_bound(const Prediction& prediction) {
+  return fmt::format(
+      "A step is {} of work, {} of it on the costliest path: whatever the number of threads, no "
+      "executor is more than {:.1f} times as fast as one thread.",
+      duration_text(prediction.work), duration_text(prediction.span), prediction.parallelism());
+}
+
+std::string describe_limit(const Prediction& prediction) {
+  const Series* const series = find_series(prediction, ExecutorKind::automatic);
+  if (series == nullptr) return "";
+  const Point& last = last_that_pays(*series);
+  const Point& most = series->points.back();
+  if (prediction.speedup(last) < kPays)
+    return fmt::format(
+        "More threads do not pay: auto runs serially, or gains less than a "
+        "twentieth, on up to {}.",
+        threads_text(most.threads));
+  const std::string gain = fmt::format("auto, {:.2f} times serial's speed on {} ({:.2f} to {:.2f})",
+                                       prediction.speedup(last), threads_text(last.threads),
+                                       prediction.serial.step.expected / last.step.pessimistic,
+                                       prediction.serial.step.expected / last.step.optimistic);
+  if (&last == &most)
+    return fmt::format("More threads pay up to the {} looked at: {}.", most.threads, gain);
+  return fmt::format("More threads stop paying at {}: {}; {} give {:.2f}.", last.threads, gain,
+                     most.threads, prediction.speedup(most));
+}
+
+/// Where levels and where the graph are better, by the numbers of threads.
+std::string describe_levels(const Prediction& prediction) {
+  const Series* const levels = find_series(prediction, ExecutorKind::openmp_levels);
+  const Series* const graph = find_series(prediction, ExecutorKind::automatic);
+  if (levels == nullptr || graph == nullptr) return "";
+  std::vector<int> as_good;
+  const Point* worst = nullptr;
+  double gain = kEqual;  // of the graph, where it is largest
+  for (std::size_t k = 0; k < levels->points.size(); ++k) {
+    const Point& point = levels->points[k];
+    if (point.threads == 1) continue;
+    const double ratio = point.step.expected / graph->points[k].step.expected;
+    if (ratio <= kEqual) as_good.push_back(point.threads);
+    if (ratio <= gain) continue;
+    gain = ratio;
+    worst = &point;
+  }
+  const std::string most = worst == nullptr
+                               ? ""
+                               : fmt::format("auto is up to {:.2f} times as fast (on {})", gain,
+                                             threads_text(worst->threads));
+  if (as_good.empty()) return worst == nullptr ? "" : "Against openmp_levels, " + most + ".";
+  return fmt::format(
+      "Level by level (openmp_levels) is as good as the graph or better on {} threads{}.",
+      fmt::join(as_good, ", "), worst == nullptr ? "" : "; elsewhere " + most);
+}
+
+std::string describe_errors(const Prediction& prediction) {
+  double largest = 0.0;
+  int points = 0;
+  const auto add = [&](const Point& point) {
+    if (!point.error()) return;
+    ++points;
+    if (std::abs(*point.error()) > std::abs(largest)) largest = *point.error();
+  };
+  add(prediction.serial);
+  for (const Series& series : prediction.series)
+    for (const Point& point : series.points) add(point);
+  if (points == 0) return "Nothing was measured to check the predictions.";
+  return fmt::format(
+      "Of {} predictions that were checked on this machine the worst is {:+.1f} % off; those for "
+      "more threads than it has processors ({}) are extrapolations, to processors equal to this "
+      "one that do not compete for caches and memory.",
+      points, 100.0 * largest, prediction.machine.cores);
+}
+
+}  // namespace
+
+std::vector<std::string> make_conclusions(const Prediction& prediction) {
+  std::vector<std::string> parts{describe_disturbance(prediction), describe_bound(prediction),
+                                 describe_limit(prediction), describe_levels(prediction),
+                                 describe_errors(prediction)};
+  std::erase(parts, "");
+  return parts;
+}
+
+std::string make_conclusion(const Prediction& prediction) {
+  return fmt::format("{}", fmt::join(make_conclusions(prediction), " "));
+}
+
+}  // namespace spoke::predict

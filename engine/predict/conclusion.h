@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/predict/prediction.h"
+
+namespace spoke::predict {
+
+/// What is to be said in plain words: what makes the rest doubtful; what work and span allow; where
+/// more threads stop paying; where openmp_levels is as good as the graph; how far predictions were
+/// from what was measured.
+std::vector<std::string> make_conclusions(const Prediction& prediction);
+/// The same as one paragraph.
+std::string make_conclusion(const Prediction& prediction);
+
+}  // namespace spoke::predict

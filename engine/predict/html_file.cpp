@@ -1,0 +1,157 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+
+#include "engine/predict/conclusion.h"
+#include "engine/predict/files.h"
+#include "engine/predict/table.h"
+#include "engine/report/chart.h"
+
+namespace spoke::predict {
+namespace {
+
+report::LineSeries predicted_line(const Prediction& prediction, const Series& series) {
+  report::LineSeries line{.name = std::string(graph::name_of(series.executor)), .markers = false};
+  const double serial = prediction.serial.step.expected;
+  for (const Point& point : series.points) {
+    const double threads = point.threads;
+    line.points.push_back({threads, prediction.speedup(point)});
+    line.band.push_back({threads, serial / point.step.pessimistic, serial / point.step.optimistic});
+  }
+  return line;
+}
+
+/// Points in the colour of the predicted line, the s-th of the chart.
+report::LineSeries measured_points(const Series& series, std::size_t s) {
+  report::LineSeries points{.name = fmt::format("{}, measured", graph::name_of(series.executor)),
+                            .joined = false,
+                            .color_of = s};
+  for (const Point& point : series.points)
+    if (point.measured)
+      points.points.push_back({1.0 * point.threads, point.measured->speedup.median,
+                               fmt::format("{:+.1f} % off", 100.0 * *point.error())});
+  return points;
+}
+
+/// Lines that no executor crosses, at each of the numbers of threads.
+template <class Speedup>
+report::LineSeries bound_line(const char* name, const Prediction& prediction, Speedup speedup) {
+  report::LineSeries line{.name = name, .markers = false, .dashed = true};
+  for (const Point& point : prediction.series.front().points)
+    line.points.push_back({1.0 * point.threads, speedup(1.0 * point.threads)});
+  return line;
+}
+
+std::vector<double> thread_counts(const Prediction& prediction) {
+  std::vector<double> counts;
+  for (const Point& point : prediction.series.front().points) counts.push_back(point.threads);
+  return counts;
+}
+
+/// Speedups from a quarter on; what is slower ends at the axis.
+report::Axis speedup_axis(const std::vector<double>& counts) {
+  report::Axis axis{.title = "speedup",
+                    .kind = report::ScaleKind::log,
+                    .low = 0.25,
+                    .high = std::max(2.0, counts.back()),
+                    .ticks = {0.25, 0.5, 1.0}};
+  for (double tick = 2.0; tick <= *axis.high; tick *= 2.0) axis.ticks.push_back(tick);
+  return axis;
+}
+
+report::LineChart speedup_chart(const Prediction& prediction) {
+  const std::vector<double> counts = thread_counts(prediction);
+  report::LineChart chart{
+      .title = "Speedup over serial, by threads",
+      .x = {.title = "threads", .kind = report::ScaleKind::log, .ticks = counts},
+      .y = speedup_axis(counts)};
+  if (counts.size() > 1) {
+    chart.x.low = counts.front();
+    chart.x.high = counts.back();
+  }
+  for (const Series& series : prediction.series)
+    chart.series.push_back(predicted_line(prediction, series));
+  chart.series.push_back(
+      bound_line("as many as threads", prediction, [](double threads) { return threads; }));
+  chart.series.push_back(bound_line("T1 / max(T1/P, Tinf)", prediction, [&](double threads) {
+    return std::min(threads, prediction.parallelism());
+  }));
+  for (std::size_t s = 0; s < prediction.series.size(); ++s) {
+    report::LineSeries measured = measured_points(prediction.series[s], s);
+    if (!measured.points.empty()) chart.series.push_back(std::move(measured));
+  }
+  return chart;
+}
+
+/// Measured beside predicted, for each point that was measured.
+report::BarChart check_chart(const Prediction& prediction) {
+  report::BarChart chart{.title = "Predicted and measured time per step",
+                         .value = {.title = "time per step", .unit = "us"}};
+  report::BarSeries predicted{"predicted, whiskers: band"},
+      measured{"measured, whiskers: quartiles"};
+  const auto add = [&](ExecutorKind executor, const Point& point) {
+    if (!point.measured) return;
+    const auto bar = [](double value, double low, double high) {
+      return report::Bar{.value = 1e6 * value, .low = 1e6 * low, .high = 1e6 * high};
+    };
+    const Quartiles& step = point.measured->step;
+    chart.groups.push_back(fmt::format("{} {}", graph::name_of(executor), point.threads));
+    predicted.bars.emplace_back(
+        bar(point.step.expected, point.step.optimistic, point.step.pessimistic));
+    measured.bars.emplace_back(bar(step.median, step.low, step.high));
+  };
+  add(ExecutorKind::serial, prediction.serial);
+  for (const Series& series : prediction.series)
+    for (const Point& point : series.points) add(series.executor, point);
+  chart.series = {std::move(predicted), std::move(measured)};
+  return chart;
+}
+
+void add_facts(report::Page& page, const Prediction& prediction) {
+  std::vector<report::Fact> facts = make_facts(prediction);
+  const Machine& machine = prediction.machine;
+  const std::string load = prediction.load_before < 0.0
+                               ? "not known"
+                               : fmt::format("{:.2f} before, {:.2f} after", prediction.load_before,
+                                             prediction.load_after);
+  facts.insert(facts.end(), {{"processor", machine.cpu},
+                             {"processors available", std::to_string(machine.cores)},
+                             {"load average", load},
+                             {"system", machine.os},
+                             {"compiler", machine.compiler},
+                             {"spoke", SPOKE_VERSION}});
+  page.add_facts(facts);
+}
+
+constexpr const char* kMethod =
+    "The nodes of the step graph were timed one by one on one thread while it made real steps, "
+    "half "
+    "of them before the measured rounds and half after. A simulator then runs the graph on any "
+    "number of processors equal to this one: flow_graph and auto by list scheduling, largest "
+    "remaining path first, with the calibrated costs of starting a cluster and of handing it to "
+    "another processor; openmp_levels level by level, the costliest thread of each and a barrier. "
+    "The band is that of half these costs with nodes at their cheapest, and of twice these costs "
+    "with nodes at their dearest; a barrier is taken to grow as the logarithm of the threads, in "
+    "the band not at all and in proportion. That processors share caches, memory and power is not "
+    "modelled.";
+
+}  // namespace
+
+std::string make_html(const Prediction& prediction) {
+  const Scenario& scenario = prediction.scenario;
+  report::Page page(scenario.title.empty() ? scenario.name : scenario.title,
+                    fmt::format("What more threads would give, predicted from one thread{}",
+                                prediction.rounds > 0 ? " and checked on this machine" : ""));
+  page.add_notes(make_conclusions(prediction));
+  page.add_figure(render(speedup_chart(prediction)),
+                  "Both axes are logarithmic. Bands: half to twice the runtimes' costs, and the "
+                  "spread of the nodes' costs. Dashed: bounds. Points: measured here.");
+  if (prediction.rounds > 0) page.add_figure(render(check_chart(prediction)));
+  add_facts(page, prediction);
+  page.add_table(make_table(prediction));
+  page.add_heading("How this was predicted");
+  page.add_paragraph(kMethod);
+  return page.html();
+}
+
+}  // namespace spoke::predict

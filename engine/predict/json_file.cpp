@@ -1,0 +1,96 @@
+#include <spdlog/fmt/fmt.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/predict/conclusion.h"
+#include "engine/predict/files.h"
+
+namespace spoke::predict {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json describe_machine(const Machine& machine) {
+  return {{"cpu", machine.cpu},
+          {"cores", machine.cores},
+          {"memory_bytes", machine.memory},
+          {"os", machine.os},
+          {"compiler", machine.compiler}};
+}
+
+Json load_or_null(double load) { return load < 0.0 ? Json() : Json(load); }
+
+Json describe(const Quartiles& quartiles) {
+  return {quartiles.low, quartiles.median, quartiles.high};
+}
+
+Json describe_runtime(const graph::RuntimeCosts& runtime) {
+  return {{"flow_graph_per_node_s", runtime.flow_graph.per_node},
+          {"flow_graph_per_cluster_s", runtime.flow_graph.per_cluster},
+          {"flow_graph_handover_s", runtime.flow_graph.handover},
+          {"flow_graph_run_s", runtime.flow_graph_run},
+          {"openmp_barrier_s", runtime.barrier > 0.0 ? Json(runtime.barrier) : Json()}};
+}
+
+Json describe_model(const Prediction& prediction) {
+  return {{"formulation", name_of(prediction.formulation)},
+          {"integrator", name_of(prediction.scenario.integration.method)},
+          {"step_size_s", prediction.step_size},
+          {"window_steps", prediction.window},
+          {"subsystems", prediction.size.subsystems},
+          {"bodies", prediction.size.bodies},
+          {"coordinates", prediction.size.coordinates},
+          {"run_nodes", prediction.run_nodes},
+          {"run_edges", prediction.run_edges},
+          {"memory_bytes", prediction.size.memory_bytes}};
+}
+
+Json describe_nodes(const Nodes& nodes) {
+  return {{"steps", nodes.steps},
+          {"runs_per_step", nodes.mean.runs_per_step},
+          {"between_runs_s", nodes.mean.between_runs},
+          {"spread", {nodes.spread.low, nodes.spread.high}},
+          {"costs_s", nodes.mean.costs}};
+}
+
+Json describe_point(const Prediction& prediction, ExecutorKind executor, const Point& point) {
+  Json json{
+      {"executor", graph::name_of(executor)},    {"threads", point.threads},
+      {"predicted_s", point.step.expected},      {"optimistic_s", point.step.optimistic},
+      {"pessimistic_s", point.step.pessimistic}, {"predicted_speedup", prediction.speedup(point)},
+      {"clusters", point.step.clusters},         {"measured", nullptr}};
+  if (point.measured)
+    json["measured"] = {{"step_quartiles_s", describe(point.measured->step)},
+                        {"speedup_quartiles", describe(point.measured->speedup)},
+                        {"error", *point.error()}};
+  return json;
+}
+
+}  // namespace
+
+std::string make_json(const Prediction& prediction) {
+  Json points = Json::array();
+  points.push_back(describe_point(prediction, ExecutorKind::serial, prediction.serial));
+  for (const Series& series : prediction.series)
+    for (const Point& point : series.points)
+      points.push_back(describe_point(prediction, series.executor, point));
+  const Json json{{"version", SPOKE_VERSION},
+                  {"kind", "predict"},
+                  {"conclusion", make_conclusion(prediction)},
+                  {"scenario", Json::parse(prediction.scenario.to_json())},
+                  {"machine", describe_machine(prediction.machine)},
+                  {"load_average",
+                   {{"before", load_or_null(prediction.load_before)},
+                    {"after", load_or_null(prediction.load_after)}}},
+                  {"model", describe_model(prediction)},
+                  {"runtime_costs", describe_runtime(prediction.runtime)},
+                  {"nodes", describe_nodes(prediction.nodes)},
+                  {"work_s", prediction.work},
+                  {"span_s", prediction.span},
+                  {"parallelism", prediction.parallelism()},
+                  {"rounds", prediction.rounds},
+                  {"points", points}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace spoke::predict

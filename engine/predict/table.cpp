@@ -1,0 +1,79 @@
+#include "engine/predict/table.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/compare/conclusion.h"
+
+namespace spoke::predict {
+namespace {
+
+using compare::duration_text;
+
+std::string microseconds(double seconds) { return fmt::format("{:.4g}", seconds * 1e6); }
+
+report::Row row_of(const Prediction& prediction, ExecutorKind executor, const Point& point) {
+  std::vector<std::string> cells{
+      std::string(graph::name_of(executor)),
+      std::to_string(point.threads),
+      microseconds(point.step.expected),
+      microseconds(point.step.optimistic) + "-" + microseconds(point.step.pessimistic),
+      fmt::format("{:.2f}", prediction.speedup(point)),
+      point.step.clusters > 0 ? std::to_string(point.step.clusters) : "-"};
+  if (point.measured) {
+    cells.push_back(microseconds(point.measured->step.median));
+    cells.push_back(fmt::format("{:.2f}", point.measured->speedup.median));
+    cells.push_back(fmt::format("{:+.1f} %", 100.0 * *point.error()));
+  } else {
+    cells.insert(cells.end(), 3, "");
+  }
+  return {std::move(cells)};
+}
+
+}  // namespace
+
+report::Table make_table(const Prediction& prediction) {
+  using report::Align;
+  report::Table table{"Predicted and measured time per step",
+                      {{"executor"},
+                       {"threads", Align::number},
+                       {"predicted [us]", Align::number},
+                       {"band [us]", Align::number},
+                       {"speedup", Align::number},
+                       {"clusters", Align::number},
+                       {"measured [us]", Align::number},
+                       {"speedup", Align::number},
+                       {"error", Align::number}}};
+  table.rows.push_back(row_of(prediction, ExecutorKind::serial, prediction.serial));
+  for (const Series& series : prediction.series)
+    for (const Point& point : series.points)
+      table.rows.push_back(row_of(prediction, series.executor, point));
+  return table;
+}
+
+std::vector<report::Fact> make_facts(const Prediction& prediction) {
+  const NodeMeasurement& nodes = prediction.nodes.mean;
+  const graph::RuntimeCosts& runtime = prediction.runtime;
+  const auto& flow_graph = runtime.flow_graph;
+  std::vector<report::Fact> facts{
+      {"solved by",
+       fmt::format("{}, {}, step {:.6g} s", name_of(prediction.formulation),
+                   name_of(prediction.scenario.integration.method), prediction.step_size)},
+      {"graph of a run",
+       fmt::format("{} nodes, {} edges, {}", prediction.run_nodes, prediction.run_edges,
+                   prediction.window > 1 ? fmt::format("window of {} steps", prediction.window)
+                                         : std::string("one pass"))},
+      {"a step", fmt::format("{:.4g} runs; T1 = {}, Tinf = {}, T1 / Tinf = {:.2f}",
+                             nodes.runs_per_step, duration_text(prediction.work),
+                             duration_text(prediction.span), prediction.parallelism())},
+      {"nodes", fmt::format("timed in {} steps, spread {:.3f} to {:.3f}, {} between two runs",
+                            prediction.nodes.steps, prediction.nodes.spread.low,
+                            prediction.nodes.spread.high, duration_text(nodes.between_runs))},
+      {"flow graph",
+       fmt::format("{} a cluster, {} a handover, {} a run", duration_text(flow_graph.per_cluster),
+                   duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run))}};
+  if (runtime.barrier > 0.0)
+    facts.emplace_back("OpenMP", duration_text(runtime.barrier) + " a barrier of two threads");
+  return facts;
+}
+
+}  // namespace spoke::predict

@@ -1,0 +1,145 @@
+#include "graph/run_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "graph/level_rounds.h"
+#include "graph/plan_candidates.h"
+
+namespace spoke::graph {
+namespace {
+
+std::vector<double> times(std::vector<double> costs, double factor) {
+  for (double& cost : costs) cost *= factor;
+  return costs;
+}
+
+// Between one pass and the next: the thread that asks whether to go on, and the others.
+double barriers_of(const std::vector<Round>& rounds) {
+  return static_cast<double>(rounds.size()) - 1.0 + (ends_alone(rounds) ? 1.0 : 2.0);
+}
+
+// Per round the costliest thread [s].
+double critical_shares(const std::vector<Round>& rounds, const std::vector<double>& costs) {
+  double seconds = 0.0;
+  for (const Round& round : rounds) {
+    double most = 0.0;
+    for (const auto& nodes : round) {
+      double share = 0.0;
+      for (const NodeId node : nodes) share += costs[static_cast<std::size_t>(node.index)];
+      most = std::max(most, share);
+    }
+    seconds += most;
+  }
+  return seconds;
+}
+
+}  // namespace
+
+/// One set of costs, and how a barrier of two threads grows with their number.
+struct RunPredictor::Assumptions {
+  std::vector<double> costs;
+  RuntimeCosts runtime;
+  double (*barrier_growth)(int threads);
+};
+
+RunPredictor::RunPredictor(const StepGraph& graph, std::vector<double> node_costs,
+                           const RuntimeCosts& runtime, CostSpread spread)
+    : graph_(graph),
+      node_costs_(std::move(node_costs)),
+      runtime_(runtime),
+      spread_(spread),
+      single_nodes_(plan_of_single_nodes(graph)) {}
+
+double RunPredictor::work() const { return work_of(node_costs_); }
+double RunPredictor::span() const { return span_of(single_nodes_, node_costs_); }
+
+// Threads that meet in a tree; all at one counter, one after the other; at no more cost than two.
+RunPredictor::Assumptions RunPredictor::expected() const {
+  return {node_costs_, runtime_, [](int threads) { return std::log2(threads); }};
+}
+RunPredictor::Assumptions RunPredictor::optimistic() const {
+  return {times(node_costs_, spread_.low), scaled(runtime_, 0.5),
+          [](int threads) { return threads > 1 ? 1.0 : 0.0; }};
+}
+RunPredictor::Assumptions RunPredictor::pessimistic() const {
+  return {times(node_costs_, spread_.high), scaled(runtime_, 2.0),
+          [](int threads) { return threads > 1 ? 0.5 * threads : 0.0; }};
+}
+
+bool RunPredictor::can_predict(ExecutorKind kind) const {
+  if (kind == ExecutorKind::openmp_levels) return runtime_.barrier > 0.0;
+  return kind == ExecutorKind::serial || kind == ExecutorKind::flow_graph ||
+         kind == ExecutorKind::automatic;
+}
+
+PredictedRun RunPredictor::predict(ExecutorKind kind, int threads) const {
+  switch (kind) {
+    case ExecutorKind::serial:
+      return predict_serial();
+    case ExecutorKind::flow_graph:
+      return predict_plan(single_nodes_, threads);
+    case ExecutorKind::automatic:
+      return predict_auto(threads);
+    case ExecutorKind::openmp_levels:
+      return predict_levels(threads);
+    default:
+      throw std::invalid_argument("no prediction of " + std::string(name_of(kind)));
+  }
+}
+
+PredictedRun RunPredictor::predict_serial() const {
+  const double seconds = work();
+  return {seconds, spread_.low * seconds, spread_.high * seconds, 1};
+}
+
+double RunPredictor::flow_graph_seconds(const Plan& plan, int threads,
+                                        const Assumptions& assumed) const {
+  const int width = level_width(plan);
+  if (width <= 1) return work_of(assumed.costs);  // the executor then does without a flow graph
+  return assumed.runtime.flow_graph_run + simulate_list_schedule(plan, assumed.costs,
+                                                                 std::min(threads, width),
+                                                                 assumed.runtime.flow_graph)
+                                              .makespan;
+}
+
+// The band holds the expected time even where dearer nodes happen to make a better schedule.
+template <class Seconds>
+PredictedRun RunPredictor::in_band(Seconds seconds, int clusters) const {
+  const double time = seconds(expected());
+  return {time, std::min(time, seconds(optimistic())), std::max(time, seconds(pessimistic())),
+          clusters};
+}
+
+PredictedRun RunPredictor::predict_plan(const Plan& plan, int threads) const {
+  return in_band(
+      [&](const Assumptions& assumed) { return flow_graph_seconds(plan, threads, assumed); },
+      plan.cluster_count());
+}
+
+PredictedRun RunPredictor::predict_auto(int threads) const {
+  const PredictedRun serial = predict_serial();
+  if (threads == 1) return serial;
+  PredictedRun best = serial;
+  for (const Candidate& candidate :
+       find_candidates(graph_, node_costs_, threads, runtime_.flow_graph, 1)) {
+    const PredictedRun run = predict_plan(candidate.plan, threads);
+    if (run.expected < best.expected) best = run;
+  }
+  best.pessimistic = std::min(best.pessimistic, serial.pessimistic);  // it would notice
+  return best;
+}
+
+PredictedRun RunPredictor::predict_levels(int threads) const {
+  const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
+  return in_band(
+      [&](const Assumptions& assumed) {
+        return critical_shares(rounds, assumed.costs) +
+               barriers_of(rounds) * assumed.runtime.barrier * assumed.barrier_growth(threads);
+      },
+      0);
+}
+
+}  // namespace spoke::graph
