@@ -142,6 +142,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"formulation", name_of(simulation.options().formulation)},
                   {"integrator", name_of(scenario.integration.method)},
                   {"executor", name_of(simulation.options().executor)},
+                  {"executor_choice", simulation.executor_description()},
                   {"threads", simulation.threads().total()},
                   {"step_size_s", simulation.step_size()},
                   {"steps", simulation.steps()},

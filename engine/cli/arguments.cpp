@@ -14,6 +14,7 @@
 namespace spoke::cli {
 namespace {
 
+constexpr int kMostWindow = 1000;
 constexpr const char* kCommands = "run, check, compare, predict or reproduce";
 
 constexpr const char* kStatusText = R"(Exit status:
@@ -201,6 +202,11 @@ void add_run(CLI::App& program, Arguments& arguments) {
          [&](const std::string& text) { arguments.options.threads = parse_threads_option(text); },
          "Threads of the executor, or OUTERxINNER of nested teams\n[the cores available]")
       ->type_name("N|OxI");
+  run.add_option("--window", arguments.options.window,
+                 "Steps of one run of the executor, where the hub is prescribed\n"
+                 "[auto chooses; the others take 1]")
+      ->check(CLI::Range(1, kMostWindow))
+      ->type_name("STEPS");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] {

@@ -49,9 +49,10 @@ Model probe(const Scenario& scenario, Formulation formulation, double sample_sec
   const double step = time_step(simulation);
   Model model{.formulation = formulation, .size = simulation.size()};
   model.batch = std::llround(std::clamp(sample_seconds / step, 1.0, kMostSteps));
-  const int passes = static_cast<int>(std::clamp(kCostSeconds / step, 5.0, 201.0));
-  const graph::StepGraph& graph = simulation.step_graph();
-  model.pass = calc_work_and_span(graph, measure_node_costs(graph, passes));
+  const auto steps = static_cast<std::int64_t>(std::clamp(kCostSeconds / step, 5.0, 201.0));
+  if (simulation.steps() + steps > simulation.planned_steps())
+    simulation = Simulation(with_steps(simulation, steps), options);
+  model.pass = calc_work_and_span(simulation.run_graph(), simulation.measure_nodes(steps).costs);
   return model;
 }
 

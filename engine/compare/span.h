@@ -17,8 +17,4 @@ struct WorkAndSpan {
 /// Precondition: a cost for each node.
 WorkAndSpan calc_work_and_span(const graph::StepGraph& graph, std::span<const double> costs);
 
-/// The time of each node on the calling thread: the median over passes over the graph [s]. It runs
-/// the nodes on the data as they are, so that the graph's simulation is of no use afterwards.
-std::vector<double> measure_node_costs(const graph::StepGraph& graph, int passes);
-
 }  // namespace spoke::compare

@@ -42,7 +42,7 @@ TEST_CASE("run --help names every option and what is written") {
       ended.out,
       {"SCENARIO", "--out", "--set", "--formulation", "structured,subsystem,augmented",
        "--integrator", "generalized_alpha,rk4", "--executor", "flow_graph,serial", "--threads",
-       "--quiet", "-v", "sensors.csv", "summary.json", "Exit status:", "Example:"});
+       "--window", "--quiet", "-v", "sensors.csv", "summary.json", "Exit status:", "Example:"});
   CHECK(folder.entries() == 0);
 }
 

@@ -37,12 +37,3 @@ TEST_CASE("work is the sum, span the costliest path") {
   CHECK(result.work == 11.0);
   CHECK(result.span == 9.0);
 }
-
-TEST_CASE("measuring costs runs every node once a pass") {
-  std::vector<double> data;
-  const graph::StepGraph graph = diamond(data);
-  const std::vector<double> costs = compare::measure_node_costs(graph, 7);
-  REQUIRE(costs.size() == 4);
-  for (const double cost : costs) CHECK(cost >= 0.0);
-  for (const double value : data) CHECK(value == 7.0);
-}

@@ -179,6 +179,7 @@ TEST_CASE("the summary of a run holds what the documentation says") {
   CHECK(summary["formulation"] == "structured");
   CHECK(summary["integrator"] == "generalized_alpha");
   CHECK(summary["executor"] == "serial");
+  CHECK(summary["executor_choice"] == "serial on 1 thread");
   CHECK(summary["threads"] == 1);
   CHECK(summary["step_size_s"].get<double>() == doctest::Approx(0.01));
   CHECK(summary["steps"] == 10);

@@ -213,3 +213,21 @@ TEST_CASE("random graphs: every removal of one declared write is caught and name
     }
   }
 }
+
+TEST_CASE("the check of one node finds what the check of all finds there, and leaves the rest") {
+  const GraphPlan honest = make_random_plan(2, 25, 8, 3);
+  for (std::size_t i = 0; i < honest.nodes.size(); ++i) {
+    if (honest.nodes[i].reads.empty()) continue;
+    CAPTURE(i);
+    GraphPlan plan = honest;
+    erase(plan.nodes[i].declared_reads, plan.nodes[i].reads.front());
+    const StepGraph graph = build_graph(plan);
+    const NodeId faulty{static_cast<int>(i)};
+    const NodeId other{static_cast<int>((i + 1) % honest.nodes.size())};
+    CHECK(check_declaration(graph, other).empty());
+    reset_memory(plan);
+    REQUIRE(check_declaration(graph, faulty).size() == 1);
+    reset_memory(plan);
+    CHECK(check_declaration(graph, faulty)[0].kind == FaultKind::undeclared_read);
+  }
+}

@@ -1,0 +1,136 @@
+#include "engine/integrator/step_control.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace spoke;
+
+namespace {
+
+constexpr double kStep = 0.1;
+
+Integrator implicit_integrator(IterationLimits limits) {
+  return {make_generalized_alpha(0.8, kStep), limits};
+}
+
+PassReport report_of(double change, double power = 0.0) {
+  PassReport report;
+  report.change = change;
+  report.power = {power, 0.5 * power};
+  return report;
+}
+
+/// A clock at the first pass of step 1, where the power was `power`.
+Clock clock_at_first_step(const Integrator& integrator, double power = 0.0) {
+  Clock clock = make_start_clock();
+  StepRecord record;
+  end_pass(integrator, {0, 100, false}, report_of(0.0, power), clock, record);
+  REQUIRE(clock.completed == 0.0);
+  REQUIRE(clock.step == 1.0);
+  return clock;
+}
+
+}  // namespace
+
+TEST_CASE("the start is one pass that only evaluates") {
+  const Integrator integrator = implicit_integrator({});
+  Clock clock = make_start_clock();
+  CHECK(clock.control.stage == PassControl::kEvaluateOnly);
+  CHECK_FALSE(clock.is_halted());
+  StepRecord record;
+  end_pass(integrator, {0, 0, false}, report_of(0.0, 3.0), clock, record);
+  CHECK(record.passes == 1.0);
+  CHECK(record.work == 0.0);
+  CHECK(clock.power.applied == 3.0);
+  CHECK(clock.is_halted());  // at the end of the window
+}
+
+TEST_CASE("rk4 goes through its stages, at their times, and adds up the work by their weights") {
+  const Integrator integrator{Rk4{kStep}, {}};
+  Clock clock = clock_at_first_step(integrator, 6.0);
+  StepRecord record;
+  const std::vector<double> stages{1, 2, 3, 0}, times{0.05, 0.05, 0.1, 0.1}, powers{12, 18, 24, 99};
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    CHECK(clock.control.stage == stages[k]);
+    CHECK(clock.control.time == doctest::Approx(times[k]));
+    CHECK_FALSE(clock.control.is_implicit());
+    CHECK(clock.completed != 1.0);
+    end_pass(integrator, {1, 100, false}, report_of(0.0, powers[k]), clock, record);
+  }
+  CHECK(clock.completed == 1.0);
+  CHECK(clock.step == 2.0);
+  CHECK(clock.control.stage == 1.0);
+  CHECK(record.passes == 4.0);
+  CHECK(record.work == doctest::Approx(kStep * (6.0 / 6 + 12.0 / 3 + 18.0 / 3 + 24.0 / 6)));
+  CHECK(record.dissipated == doctest::Approx(0.5 * record.work));
+  CHECK(usual_passes(integrator) == 4);
+}
+
+TEST_CASE("an iteration ends when the last change is within the tolerance") {
+  const Integrator integrator = implicit_integrator({1e-6, 0, 30});
+  Clock clock = clock_at_first_step(integrator, 2.0);
+  StepRecord record;
+  for (const double change : {1.0, 1e-3, 1.1e-6}) {
+    end_pass(integrator, {1, 100, false}, report_of(change, 4.0), clock, record);
+    CHECK(clock.completed == -1.0);
+    CHECK(clock.step == 1.0);
+    CHECK(clock.control.time == kStep);
+    CHECK(clock.control.is_implicit());
+  }
+  CHECK(clock.control.stage == 3.0);
+  end_pass(integrator, {1, 100, false}, report_of(1e-6, 4.0), clock, record);
+  CHECK(clock.completed == 1.0);
+  CHECK(clock.control.stage == 0.0);
+  CHECK(clock.control.time == 2.0 * kStep);
+  CHECK(record.passes == 4.0);
+  CHECK(record.work == doctest::Approx(0.5 * kStep * (2.0 + 4.0)));
+}
+
+TEST_CASE("a fixed number of iterations is kept, whatever the change") {
+  const Integrator integrator = implicit_integrator({1e-6, 2, 30});
+  Clock clock = clock_at_first_step(integrator);
+  StepRecord record;
+  end_pass(integrator, {1, 100, false}, report_of(0.0), clock, record);
+  CHECK(clock.completed == -1.0);
+  end_pass(integrator, {1, 100, false}, report_of(1.0), clock, record);
+  CHECK(clock.completed == 1.0);
+  CHECK(usual_passes(integrator) == 2);
+}
+
+TEST_CASE("an iteration that does not end halts the clock at its step") {
+  const Integrator integrator = implicit_integrator({1e-6, 0, 3});
+  Clock clock = clock_at_first_step(integrator);
+  StepRecord record;
+  for (int k = 0; k < 3; ++k) end_pass(integrator, {1, 100, false}, report_of(0.5), clock, record);
+  CHECK(clock.ended() == StepOutcome::not_converged);
+  CHECK(clock.is_halted());
+  CHECK(clock.step == 1.0);
+  CHECK(clock.change == 0.5);
+}
+
+TEST_CASE("a state beyond its limits halts the clock at its step") {
+  const Integrator integrator{Rk4{kStep}, {}};
+  Clock clock = clock_at_first_step(integrator);
+  StepRecord record;
+  PassReport report;
+  report.failed = 1.0;
+  end_pass(integrator, {1, 100, false}, report, clock, record);
+  CHECK(clock.ended() == StepOutcome::left_limits);
+  CHECK(clock.is_halted());
+  CHECK(clock.completed == -1.0);
+}
+
+TEST_CASE("a clock halts behind the last step of its window") {
+  const Integrator integrator = implicit_integrator({1e-6, 1, 30});
+  Clock clock = clock_at_first_step(integrator);
+  StepRecord record;
+  const Window window{1, 3, false};
+  for (const double step : {1.0, 2.0, 3.0}) {
+    CHECK_FALSE(clock.is_halted());
+    end_pass(integrator, window, report_of(0.0), clock, record);
+    CHECK(clock.completed == step);
+  }
+  CHECK(clock.is_halted());
+  CHECK(clock.ended() == StepOutcome::done);
+}
