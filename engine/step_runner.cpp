@@ -81,6 +81,10 @@ StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
         advance_timed(std::min(target, steps() + kBatch), observed, completed);
     if (outcome != StepOutcome::done) return outcome;
   }
+  if (window_ && options_.window == 0 && window_->executor->settled_on_serial()) {
+    reason_ = window_->executor->describe();
+    window_.reset();  // a graph of one pass stays in cache
+  }
   // A window much longer than what is asked for would mostly be idle.
   const bool fits = window_ && 2 * (target - steps()) >= window_->steps;
   graph::Executor& executor = fits ? *window_->executor : *single_.executor;

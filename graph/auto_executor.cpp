@@ -112,6 +112,7 @@ class AutoExecutor final : public Executor {
     return chosen_ ? description_ : "still tuning on " + name_of(threads()) + " threads";
   }
   bool tuning() const override { return !chosen_; }
+  bool settled_on_serial() const override { return chosen_ && is_serial_ && next_tuning_ <= runs_; }
 
  private:
   void tune_again() {
@@ -121,6 +122,7 @@ class AutoExecutor final : public Executor {
 
   void settle_serial(std::string description) {
     chosen_ = make_serial_executor(graph_);
+    is_serial_ = true;
     description_ = std::move(description);
   }
 
@@ -189,6 +191,7 @@ class AutoExecutor final : public Executor {
                              choice.speedup);
     }
     chosen_ = std::move(alternatives_[choice.index].executor);
+    is_serial_ = choice.index == 0;
     alternatives_.clear();
     round_ = 0;
   }
@@ -205,6 +208,7 @@ class AutoExecutor final : public Executor {
   int threads_;
   int processors_ = 1;
   std::unique_ptr<Executor> chosen_;  // none while tuning
+  bool is_serial_ = false;            // what is chosen
   std::string description_;
   std::uint64_t runs_ = 0;
   std::uint64_t next_tuning_ = 0;  // in runs_, 0 = never

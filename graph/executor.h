@@ -46,6 +46,8 @@ class Executor {
   virtual std::string describe() const;
   /// Whether it tries alternatives at present, so that the time of a run tells little.
   virtual bool tuning() const { return false; }
+  /// Whether it has found, for good, that a loop on the calling thread is fastest.
+  virtual bool settled_on_serial() const { return false; }
 };
 
 enum class ExecutorKind {

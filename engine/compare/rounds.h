@@ -34,7 +34,7 @@ struct Measurement {
 constexpr int kTrials = 2;
 /// Untimed batches before the first round: memory is touched, and an executor that tunes itself has
 /// done so.
-constexpr int kWarmUpBatches = 2;
+constexpr int kWarmUpBatches = 12;
 /// All steps of a process, trials and warm-ups included.
 std::int64_t steps_of(std::int64_t batch, int rounds);
 

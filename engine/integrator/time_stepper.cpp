@@ -8,8 +8,8 @@
 namespace spoke {
 namespace {
 
-/// Runs between two copies of the state: what a failure costs to repeat, against what copies cost.
-constexpr int kRunsPerCopy = 32;
+/// Steps between two copies of the state: what a failure costs to repeat, against what copies cost.
+constexpr std::int64_t kStepsPerCopy = 256;
 
 bool is_any_failed(const StepData& data) {
   return std::any_of(data.clocks.begin(), data.clocks.end(),
@@ -57,9 +57,9 @@ void let_go(std::int64_t last, StepData& data) {
 struct TimeStepper::Advance {
   std::int64_t target;
   const Completed& completed;
-  bool is_wide;  ///< clocks may part
-  int runs_since_copy = kRunsPerCopy;
-  std::exception_ptr thrown;  ///< by `completed`; no exception may cross an executor
+  bool is_wide;                ///< clocks may part
+  std::int64_t next_copy = 0;  ///< at which step
+  std::exception_ptr thrown;   ///< by `completed`; no exception may cross an executor
 };
 
 TimeStepper::TimeStepper(StepContext& context, const graph::StepGraph& graph)
@@ -92,7 +92,7 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
   StepData& data = context_.data;
   if (steps_ >= target) return StepOutcome::done;
   const bool is_wide = data.records.size() > 1 && target > steps_ + 1;
-  Advance advance{target, completed, is_wide, kRunsPerCopy, nullptr};
+  Advance advance{target, completed, is_wide, steps_, nullptr};
   data.window.observed = observed;
   open_window(advance);
   executor.run_while([this, &advance] { return continues(advance); });
@@ -106,11 +106,11 @@ void TimeStepper::open_window(Advance& advance) {
   std::int64_t last =
       std::min(advance.target,
                steps_ + (advance.is_wide ? static_cast<std::int64_t>(data.records.size()) : 1));
-  if (advance.is_wide && ++advance.runs_since_copy > kRunsPerCopy) {
+  if (advance.is_wide && steps_ >= advance.next_copy) {
     if (are_together(data)) {
       saved_.save();
       saved_steps_ = steps_;
-      advance.runs_since_copy = 0;
+      advance.next_copy = steps_ + kStepsPerCopy;
     } else {
       last = static_cast<std::int64_t>(furthest_step(data));  // wait for one another
     }
