@@ -28,7 +28,8 @@ constexpr std::array kQuestions{
     Question{"time_to_solution", "how long the 20 s spin-up takes at 0.1 % accuracy",
              measure_time_to_solution},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",
-             measure_step_graphs}};
+             measure_step_graphs},
+    Question{"executors", "what two threads gain on rotors, by executor", measure_executors}};
 
 struct Arguments {
   std::string filter;
@@ -48,7 +49,7 @@ std::string help_footer() {
   for (const Question& question : kQuestions)
     text += fmt::format("  {:<18}{}\n", question.name, question.text);
   return text +
-         "\nA whole run takes two to five minutes, on up to two threads; leave the machine alone "
+         "\nA whole run takes four to eight minutes, on up to two threads; leave the machine alone "
          "meanwhile.\n\nExit status: 0 done, whether targets were reached or missed; 1 the "
          "alternatives disagree;\n2 bad command line\n";
 }
@@ -66,7 +67,7 @@ void add_options(CLI::App& program, Arguments& arguments) {
         return std::ofstream(file, std::ios::app) ? std::string() : "cannot write " + file;
       });
   program.add_flag("--quick", arguments.options.quick,
-                   "A smoke run of seconds: few rounds, slow alternatives left out");
+                   "A smoke run of less than a minute: few rounds, slow alternatives left out");
   program.footer(help_footer());
 }
 

@@ -17,4 +17,7 @@ void measure_time_to_solution(const QuestionOptions& options, Report& report);
 /// What do two threads gain on graphs shaped like a step, by executor, size and cost of a node?
 void measure_step_graphs(const QuestionOptions& options, Report& report);
 
+/// What do two threads gain on whole steps of rotors, by executor?
+void measure_executors(const QuestionOptions& options, Report& report);
+
 }  // namespace spoke::bench
