@@ -29,7 +29,8 @@ constexpr std::array kQuestions{
              measure_time_to_solution},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",
              measure_step_graphs},
-    Question{"predict", "how far predicted times are from measured ones", measure_predict}};
+    Question{"predict", "how far predicted times are from measured ones", measure_predict},
+    Question{"executors", "what two threads gain on rotors, by executor", measure_executors}};
 
 struct Arguments {
   std::string filter;
@@ -49,7 +50,7 @@ std::string help_footer() {
   for (const Question& question : kQuestions)
     text += fmt::format("  {:<18}{}\n", question.name, question.text);
   return text +
-         "\nA whole run takes two to five minutes, on up to two threads; leave the machine alone "
+         "\nA whole run takes four to eight minutes, on up to two threads; leave the machine alone "
          "meanwhile.\n\nExit status: 0 done, whether targets were reached or missed; 1 the "
          "alternatives disagree;\n2 bad command line\n";
 }
@@ -67,7 +68,7 @@ void add_options(CLI::App& program, Arguments& arguments) {
         return std::ofstream(file, std::ios::app) ? std::string() : "cannot write " + file;
       });
   program.add_flag("--quick", arguments.options.quick,
-                   "A smoke run of seconds: few rounds, slow alternatives left out");
+                   "A smoke run of less than a minute: few rounds, slow alternatives left out");
   program.footer(help_footer());
 }
 
