@@ -449,14 +449,15 @@ graph::StepGraph build_step_graph(StepContext& c, int passes) {
   StepGraphBuilder builder("blade");
   const StepParts parts = add_parts(c, builder);
   const int blades = static_cast<int>(parts.subsystems.size());
-  Assembly g{c, parts, builder};
-  for (int pass = 0; pass < passes; ++pass) {
-    if (passes > 1) g.pass = pass;
-    if (c.data.is_coupled)
-      add_coupled_pass(g, blades);
-    else
-      for (int i = 0; i < blades; ++i) add_pass_of_blade(g, i);
-  }
+  Assembly g{c, parts, builder, passes > 1 ? 0 : -1};
+  if (c.data.is_coupled)
+    add_coupled_pass(g, blades);
+  else
+    for (int i = 0; i < blades; ++i) add_pass_of_blade(g, i);
+  // Clocks tell the nodes what to do: those of all passes are the same.
+  const int nodes = builder.node_count();
+  for (int pass = 1; pass < passes; ++pass)
+    for (int n = 0; n < nodes; ++n) builder.repeat_node({n}, pass);
   if (!c.data.is_coupled) add_prescribed_hub_solve(g);
   return builder.build();
 }

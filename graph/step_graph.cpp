@@ -161,7 +161,16 @@ NodeId StepGraphBuilder::add_declared_node(Node node, std::function<void()> body
     }
   }
   nodes_.push_back(std::move(node));
+  body_of_.push_back(static_cast<std::uint32_t>(bodies_.size()));
   bodies_.push_back(std::move(body));
+  return {static_cast<int>(nodes_.size()) - 1};
+}
+
+NodeId StepGraphBuilder::repeat_node(NodeId node, int pass) {
+  Node copy = nodes_.at(at(node));
+  copy.label.pass = pass;
+  nodes_.push_back(std::move(copy));
+  body_of_.push_back(body_of_[at(node)]);
   return {static_cast<int>(nodes_.size()) - 1};
 }
 
@@ -176,6 +185,7 @@ StepGraph StepGraphBuilder::build() {
   graph.nodes_ = std::exchange(nodes_, {});
   graph.parts_ = std::exchange(parts_, {});
   graph.bodies_ = std::exchange(bodies_, {});
+  graph.body_of_ = std::exchange(body_of_, {});
   graph.subsystem_word_ = subsystem_word_;
   assert(conflicts_are_ordered(graph));
   return graph;

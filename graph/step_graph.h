@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -92,13 +93,17 @@ class StepGraph {
   const std::string& subsystem_word() const { return subsystem_word_; }
 
   /// Runs the body of one node, whose predecessors must have run.
-  void run_node(NodeId node) const noexcept { bodies_[static_cast<std::size_t>(node.index)](); }
+  void run_node(NodeId node) const noexcept {
+    bodies_[body_of_[static_cast<std::size_t>(node.index)]]();
+  }
 
  private:
   friend class StepGraphBuilder;
   StepGraph() = default;
 
+  // Nodes that repeat another share its body: a graph of many passes stays small in cache.
   std::vector<std::function<void()>> bodies_;
+  std::vector<std::uint32_t> body_of_;  // per node, its place in bodies_
   Adjacency successors_;
   Adjacency predecessors_;
   std::vector<NodeId> serial_order_;
@@ -127,6 +132,12 @@ class StepGraphBuilder {
                              std::forward<Body>(body));
   }
 
+  /// Adds a node that does in pass `pass` what `node` does: with its body and declaration, and its
+  /// label but for the pass.
+  NodeId repeat_node(NodeId node, int pass);
+
+  int node_count() const { return static_cast<int>(nodes_.size()); }
+
   /// Builds the graph of everything added; the builder is empty afterwards.
   StepGraph build();
 
@@ -137,6 +148,7 @@ class StepGraphBuilder {
   std::vector<Part> parts_;
   std::vector<Node> nodes_;
   std::vector<std::function<void()>> bodies_;
+  std::vector<std::uint32_t> body_of_;
 };
 
 /// Whether of every two nodes that access one part, one of them writing, the one added first comes

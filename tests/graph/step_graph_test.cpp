@@ -236,3 +236,25 @@ TEST_CASE("large graphs lose the edges that others imply") {
   // Of the edges from the root only those to the first layer are not implied.
   CHECK(graph.edge_count() == 300 + 10 * 300 + 9 * 300);
 }
+
+TEST_CASE("a repeated node does the same again, after what it conflicts with, in its own pass") {
+  double sum = 1.0, other = 0.0;
+  StepGraphBuilder builder("blade");
+  const PartId a = builder.add_part("a", {{&sum, 1}});
+  const PartId b = builder.add_part("b", {{&other, 1}});
+  const NodeId twice =
+      builder.add_node({"twice", 0, -1, 0}, reads(a), writes(a), [&sum]() noexcept { sum *= 2.0; });
+  const NodeId copy = builder.add_node({"copy", 1, -1, 0}, reads(a), writes(b),
+                                       [&sum, &other]() noexcept { other = sum; });
+  CHECK(builder.node_count() == 2);
+  const NodeId again = builder.repeat_node(twice, 1);
+  const StepGraph graph = builder.build();
+  CHECK(graph.node_count() == 3);
+  CHECK(graph.name_of(again) == "blade 1 / twice (pass 2)");
+  REQUIRE(graph.predecessors(again).size() == 1);
+  CHECK(graph.predecessors(again)[0] == copy);
+  CHECK(conflicts_are_ordered(graph));
+  for (const NodeId node : graph.serial_order()) graph.run_node(node);
+  CHECK(sum == 4.0);
+  CHECK(other == 2.0);
+}
