@@ -18,9 +18,6 @@ constexpr double kWorthPlanning = 0.4;  // s
 constexpr double kRunLength = 600e-6;  // s
 // A graph is built in about 2 us a node, and searched for plans in about 10.
 constexpr int kMostNodes = 12000;
-// From here on windows of twice the size are worth their planning: 1.8 times serial instead
-// of 1.65.
-constexpr double kLongSimulation = 2.0;  // s
 // Below this, a step by itself is no longer than handing its parts to threads.
 constexpr double kLongStep = 40e-6;  // s
 
@@ -134,13 +131,11 @@ void StepRunner::choose_window(std::int64_t steps_asked) {
   }
   const int usual = usual_passes(context_.integrator);
   const double pass = fastest_ / usual;
-  const int scale = remaining_seconds() >= kLongSimulation ? 2 : 1;
-  const int affordable = std::max(1, scale * kMostNodes / single_.graph.node_count());
+  const int affordable = std::max(1, kMostNodes / single_.graph.node_count());
   const double records = static_cast<double>(context_.data.records.size()) / 2.0;
   const double most = std::min(
       {static_cast<double>(affordable), records * usual, static_cast<double>(steps_asked) * usual});
-  add_window(
-      static_cast<int>(std::clamp(std::ceil(scale * kRunLength / pass), 1.0, std::max(most, 1.0))));
+  add_window(static_cast<int>(std::clamp(std::ceil(kRunLength / pass), 1.0, std::max(most, 1.0))));
 }
 
 void StepRunner::choose_stepping() {
