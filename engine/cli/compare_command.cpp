@@ -23,6 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSampleSeconds = 0.03;
+// Steps that are planned for each that is made: auto plans only for a simulation of some length.
+constexpr std::int64_t kPlanned = 4;
 constexpr std::size_t kMostConfigurations = 400;  // a process, a socket and some threads each
 
 std::vector<compare::Configuration> choose_configurations(const Arguments& arguments,
@@ -65,7 +67,7 @@ void probe_models(compare::Comparison& comparison, const compare::Axes& axes) {
   std::int64_t longest = 0;
   for (const compare::Model& model : comparison.models) longest = std::max(longest, model.batch);
   comparison.scenario =
-      compare::with_steps(simulation, compare::steps_of(longest, comparison.rounds));
+      compare::with_steps(simulation, kPlanned * compare::steps_of(longest, comparison.rounds));
 }
 
 void print(const compare::Comparison& comparison, const fs::path& folder) {
