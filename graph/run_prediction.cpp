@@ -22,13 +22,17 @@ double barriers_of(const std::vector<Round>& rounds) {
 }
 
 // Per round the costliest thread [s].
-double critical_shares(const std::vector<Round>& rounds, const std::vector<double>& costs) {
+double critical_shares(const std::vector<Round>& rounds, const std::vector<double>& costs,
+                       DataTraffic& traffic) {
   double seconds = 0.0;
   for (const Round& round : rounds) {
     double most = 0.0;
-    for (const auto& nodes : round) {
+    for (std::size_t thread = 0; thread < round.size(); ++thread) {
       double share = 0.0;
-      for (const NodeId node : nodes) share += costs[static_cast<std::size_t>(node.index)];
+      for (const NodeId node : round[thread]) {
+        share += costs[static_cast<std::size_t>(node.index)] +
+                 traffic.run(node, static_cast<int>(thread));
+      }
       most = std::max(most, share);
     }
     seconds += most;
@@ -102,10 +106,14 @@ double RunPredictor::flow_graph_seconds(const Plan& plan, int threads,
                                         const Assumptions& assumed) const {
   const int width = level_width(plan);
   if (width <= 1) return work_of(assumed.costs);  // the executor then does without a flow graph
-  return assumed.runtime.flow_graph_run + simulate_work_stealing(plan, assumed.costs,
-                                                                 std::min(threads, width),
-                                                                 assumed.runtime.flow_graph)
-                                              .makespan;
+  DataTraffic traffic(graph_, assumed.runtime.per_byte);
+  const auto makespan = [&] {
+    return simulate_work_stealing(plan, assumed.costs, std::min(threads, width),
+                                  assumed.runtime.flow_graph, &traffic)
+        .makespan;
+  };
+  makespan();  // leaves the data where a run finds them
+  return assumed.runtime.flow_graph_run + makespan();
 }
 
 // The band holds the expected time even where dearer nodes happen to make a better schedule.
@@ -139,7 +147,9 @@ PredictedRun RunPredictor::predict_levels(int threads) const {
   const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
   return in_band(
       [&](const Assumptions& assumed) {
-        return critical_shares(rounds, assumed.costs) +
+        DataTraffic traffic(graph_, assumed.runtime.per_byte);
+        critical_shares(rounds, assumed.costs, traffic);  // leaves the data where a run finds them
+        return critical_shares(rounds, assumed.costs, traffic) +
                barriers_of(rounds) * assumed.barrier(threads);
       },
       0);

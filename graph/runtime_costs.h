@@ -10,6 +10,7 @@ struct RuntimeCosts {
   double flow_graph_run = 0.0;  ///< starting a run of the flow graph and waiting for its end
   double barrier = 0.0;         ///< an OpenMP barrier of two threads; 0: no OpenMP, not known
   double barrier_alone = 0.0;   ///< of a team of one thread
+  double per_byte = 0.0;        ///< bringing data from another processor's caches [s/byte]
 };
 
 /// Measured once per process on graphs of empty nodes and of nodes of 20 us, none of them a

@@ -110,8 +110,9 @@ class ListScheduler {
 class WorkStealer {
  public:
   WorkStealer(const Plan& plan, std::span<const double> node_costs, int processors,
-              const Overheads& overheads)
+              const Overheads& overheads, DataTraffic* traffic)
       : plan_(plan),
+        traffic_(traffic),
         handover_(overheads.handover),
         durations_(durations(plan, node_costs, overheads)),
         waiting_for_(count_predecessors(plan)),
@@ -138,8 +139,12 @@ class WorkStealer {
 
  private:
   void start(int cluster, int processor, double start) {
-    schedule_.slots[at(cluster)] = {processor, start, start + durations_[at(cluster)]};
-    running_.emplace(start + durations_[at(cluster)], cluster);
+    double end = start + durations_[at(cluster)];
+    if (traffic_) {
+      for (const NodeId node : plan_.nodes(cluster)) end += traffic_->run(node, processor);
+    }
+    schedule_.slots[at(cluster)] = {processor, start, end};
+    running_.emplace(end, cluster);
     if (idle_[at(processor)]) --idle_count_;
     idle_[at(processor)] = false;
   }
@@ -185,6 +190,7 @@ class WorkStealer {
   using Event = std::pair<double, int>;  // end [s], cluster
 
   const Plan& plan_;
+  DataTraffic* traffic_;
   double handover_;
   std::vector<double> durations_;
   std::vector<int> waiting_for_;
@@ -291,8 +297,8 @@ Schedule simulate_list_schedule(const Plan& plan, std::span<const double> node_c
 }
 
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
-                                int processors, const Overheads& overheads) {
-  return WorkStealer(plan, node_costs, processors, overheads).run();
+                                int processors, const Overheads& overheads, DataTraffic* traffic) {
+  return WorkStealer(plan, node_costs, processors, overheads, traffic).run();
 }
 
 Schedule simulate_lists(const Plan& plan, std::span<const double> node_costs,

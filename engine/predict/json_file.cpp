@@ -30,7 +30,8 @@ Json describe_runtime(const graph::RuntimeCosts& runtime) {
           {"flow_graph_handover_s", runtime.flow_graph.handover},
           {"flow_graph_run_s", runtime.flow_graph_run},
           {"openmp_barrier_s", runtime.barrier > 0.0 ? Json(runtime.barrier) : Json()},
-          {"openmp_barrier_alone_s", runtime.barrier > 0.0 ? Json(runtime.barrier_alone) : Json()}};
+          {"openmp_barrier_alone_s", runtime.barrier > 0.0 ? Json(runtime.barrier_alone) : Json()},
+          {"transfer_s_per_byte", runtime.per_byte}};
 }
 
 Json describe_model(const Prediction& prediction) {

@@ -104,5 +104,7 @@ TEST_CASE("runtime costs are positive and scale") {
   CHECK((costs.barrier > 0.0) == has_levels);
   const RuntimeCosts twice = scaled(costs, 2.0);
   CHECK(twice.flow_graph.handover == doctest::Approx(2.0 * costs.flow_graph.handover));
+  CHECK(costs.per_byte >= 0.0);
+  CHECK(twice.per_byte == doctest::Approx(2.0 * costs.per_byte));
   CHECK(twice.barrier == doctest::Approx(2.0 * costs.barrier));
 }

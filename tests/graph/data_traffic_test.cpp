@@ -1,0 +1,58 @@
+#include "graph/data_traffic.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include "graph/schedule_simulator.h"
+
+using namespace spoke::graph;
+
+namespace {
+
+constexpr double kPerByte = 1e-9;  // s
+
+// "write" makes 10 doubles, "read" needs them and something without memory.
+struct Pair {
+  std::array<double, 10> memory{};
+  StepGraph graph = build();
+
+  StepGraph build() {
+    StepGraphBuilder builder;
+    const PartId data = builder.add_part("data", {memory});
+    const PartId nothing = builder.add_part("nothing", {});
+    builder.add_node({"write"}, {}, writes(data, nothing), []() noexcept {});
+    builder.add_node({"read"}, reads(data, nothing), {}, []() noexcept {});
+    return builder.build();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("data traffic: what another processor touched last is waited for, in proportion") {
+  const Pair pair;
+  DataTraffic traffic(pair.graph, kPerByte);
+  CHECK(traffic.run({0}, 3) == 0.0);  // nobody's yet
+  CHECK(traffic.run({1}, 3) == 0.0);
+  CHECK(traffic.run({1}, 0) == doctest::Approx(80e-9));
+  CHECK(traffic.run({1}, 0) == 0.0);
+  CHECK(traffic.run({0}, 3) == doctest::Approx(80e-9));
+}
+
+TEST_CASE("data traffic: a stolen cluster waits for its data") {
+  // One writer, then two readers of its data on two processors.
+  std::array<double, 1000> memory{};
+  StepGraphBuilder builder;
+  const PartId data = builder.add_part("data", {memory});
+  builder.add_node({"write"}, {}, writes(data), []() noexcept {});
+  for (int k = 0; k < 2; ++k) builder.add_node({"read"}, reads(data), {}, []() noexcept {});
+  const StepGraph graph = builder.build();
+  const std::array costs{1e-6, 10e-6, 10e-6};
+  const Plan plan = plan_of_single_nodes(graph);
+  DataTraffic traffic(graph, kPerByte);
+  const auto makespan = [&](DataTraffic* data_traffic) {
+    return simulate_work_stealing(plan, costs, 2, {0.0, 0.0, 0.0}, data_traffic).makespan;
+  };
+  CHECK(makespan(nullptr) == doctest::Approx(11e-6));
+  CHECK(makespan(&traffic) == doctest::Approx(19e-6));
+}
