@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "bench/interleaved.h"
+#include "bench/openmp_kinds.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
@@ -191,17 +192,6 @@ Alternative after_pause(const RunnerPointer& runner, std::int64_t batch) {
     runner->advance(steps);
   };
   return alternative;
-}
-
-/// The kinds that come with OpenMP.
-std::vector<ExecutorKind> openmp_kinds() {
-  std::vector<ExecutorKind> kinds;
-  for (const ExecutorKind kind : graph::executor_kinds()) {
-    if (kind != ExecutorKind::serial && kind != ExecutorKind::flow_graph &&
-        kind != ExecutorKind::automatic)
-      kinds.push_back(kind);
-  }
-  return kinds;
 }
 
 void demand_same_state(const Model& model, const std::vector<RunnerPointer>& runners,

@@ -8,6 +8,7 @@
 
 #include "bench/busy_graph.h"
 #include "bench/interleaved.h"
+#include "bench/openmp_kinds.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
 #include "graph/executor.h"
@@ -54,17 +55,6 @@ Alternative after_pause(const Alternative& plain, double seconds_per_run) {
   return alternative;
 }
 
-/// The kinds that come with runtimes of their own.
-std::vector<ExecutorKind> other_kinds() {
-  std::vector<ExecutorKind> kinds;
-  for (const ExecutorKind kind : graph::executor_kinds()) {
-    if (kind != ExecutorKind::serial && kind != ExecutorKind::flow_graph &&
-        kind != ExecutorKind::automatic)
-      kinds.push_back(kind);
-  }
-  return kinds;
-}
-
 /// Speedups over serial.
 struct Speedups {
   std::vector<Timing> timings;
@@ -81,7 +71,7 @@ Speedups measure_speedups(const StepGraph& graph, const QuestionOptions& options
        {ExecutorKind::serial, ExecutorKind::flow_graph, ExecutorKind::automatic})
     alternatives.push_back(make_alternative(graph, kind, kThreads));
   Speedups speedups{measure(alternatives, effort_of(options))};
-  const std::vector<ExecutorKind> others = other_kinds();
+  const std::vector<ExecutorKind> others = openmp_kinds();
   if (others.empty()) return speedups;
   for (const ExecutorKind kind : others)
     alternatives.push_back(make_alternative(graph, kind, kThreads));
@@ -109,7 +99,7 @@ void add_targets(const StepShape& shape, double node_seconds, double speedup, Re
 
 void compare_executors(const QuestionOptions& options, Report& report) {
   std::vector<std::string> columns{"graph", "node", "serial", "flow_graph", "auto"};
-  for (const ExecutorKind kind : other_kinds()) columns.emplace_back(name_of(kind));
+  for (const ExecutorKind kind : openmp_kinds()) columns.emplace_back(name_of(kind));
   Table table{"Speedup over serial on 2 threads, nodes of equal cost", std::move(columns), {}};
   for (const StepShape& shape : kShapes) {
     for (const double node_seconds : kNodeSeconds) {

@@ -5,32 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/// Checks that spoke ends with status 2, one line on stderr that contains `message`, nothing on
-/// stdout and nothing new in the folder.
-void check_refused(const std::vector<std::string>& arguments, const std::string& message,
-                   const WorkFolder& folder) {
-  const int before = folder.entries();
-  const Ended ended = run_spoke(arguments, folder);
-  CAPTURE(message);
-  CAPTURE(ended.err);
-  CHECK(ended.status == 2);
-  CHECK(ended.out.empty());
-  CHECK(lines_of(ended.err).size() == 1);
-  CHECK(ended.err.find(message) != std::string::npos);
-  CHECK(folder.entries() == before);
-}
-
-void check_refused(const std::vector<std::string>& arguments, const std::string& message) {
-  check_refused(arguments, message, WorkFolder());
-}
-
-}  // namespace
 
 TEST_CASE("a bad command line is refused in one line and nothing is written") {
   const std::string scenario = shipped("wu_haug_rotor");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -22,18 +23,6 @@ std::vector<std::string> quick(const std::vector<std::string>& more) {
                                      "--repeat",    "2"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
-}
-
-void check_refused(const std::vector<std::string>& arguments, const std::string& message) {
-  const WorkFolder folder;
-  const Ended ended = run_spoke(arguments, folder);
-  CAPTURE(message);
-  CAPTURE(ended.err);
-  CHECK(ended.status == 2);
-  CHECK(ended.out.empty());
-  CHECK(lines_of(ended.err).size() == 1);
-  CHECK(ended.err.find(message) != std::string::npos);
-  CHECK(folder.entries() == 0);
 }
 
 }  // namespace

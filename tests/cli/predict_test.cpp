@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -77,14 +78,7 @@ TEST_CASE("predict refuses a bad command line in one line and writes nothing") {
   const WorkFolder folder;
   const auto refused = [&](std::vector<std::string> options, const std::string& message) {
     options.insert(options.begin(), {"predict", shipped("simo_vu_quoc_beam")});
-    const Ended ended = run_spoke(options, folder);
-    CAPTURE(message);
-    CAPTURE(ended.err);
-    CHECK(ended.status == 2);
-    CHECK(ended.out.empty());
-    CHECK(lines_of(ended.err).size() == 1);
-    CHECK(ended.err.find(message) != std::string::npos);
-    CHECK(folder.entries() == 0);
+    check_refused(options, message, folder);
   };
   for (const std::string threads : {"0", "x", "1,,2", "1,", "", "5000"})
     refused({"--threads", threads}, "--threads: expected a number from 1 to 1024");

@@ -5,25 +5,12 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-void check_refused(const std::vector<std::string>& options, const std::string& message) {
-  const WorkFolder folder;
-  std::vector<std::string> arguments{"reproduce"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  const Ended ended = run_spoke(arguments, folder);
-  CAPTURE(message);
-  CAPTURE(ended.err);
-  CHECK(ended.status == 2);
-  CHECK(ended.out.empty());
-  CHECK(lines_of(ended.err).size() == 1);
-  CHECK(ended.err.find(message) != std::string::npos);
-  CHECK(folder.entries() == 0);
-}
 
 /// Every timing has samples, and those of steps a median.
 void check_timings(const json& timings) {
@@ -79,10 +66,11 @@ TEST_CASE("reproduce --quick writes a page and a file of everything, from any fo
 }
 
 TEST_CASE("reproduce refuses a bad command line in one line and writes nothing") {
-  check_refused({"--quickly"}, "unexpected argument --quickly");
-  check_refused({"models/paper_rotor.toml"}, "unexpected argument");
-  check_refused({"--out"}, "--out");
-  check_refused({"--out", "/dev/null/x"}, "/dev/null/x: cannot be the folder of results");
+  check_refused({"reproduce", "--quickly"}, "unexpected argument --quickly");
+  check_refused({"reproduce", "models/paper_rotor.toml"}, "unexpected argument");
+  check_refused({"reproduce", "--out"}, "--out");
+  check_refused({"reproduce", "--out", "/dev/null/x"},
+                "/dev/null/x: cannot be the folder of results");
 }
 
 TEST_CASE("reproduce --help explains") {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "graph/executor.h"
+
+namespace spoke::bench {
+
+/// The OpenMP executors of this build. Their threads spin on after a run and disturb others: they
+/// are measured behind a pause.
+inline std::vector<graph::ExecutorKind> openmp_kinds() {
+  using graph::ExecutorKind;
+  std::vector<ExecutorKind> kinds;
+  for (const ExecutorKind kind : graph::executor_kinds()) {
+    if (kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2 ||
+        kind == ExecutorKind::openmp_levels)
+      kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+}  // namespace spoke::bench
