@@ -66,6 +66,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::append(std::string_view bytes) {
+  demand_not_removed();
   while (!bytes.empty()) {
     const ssize_t count =
         without_interruption([&] { return write(descriptor_, bytes.data(), bytes.size()); });

@@ -19,13 +19,14 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// If not all of it can be written, size() tells how much was.
+  /// If not all of it can be written, size() tells how much was. A file that was removed meanwhile
+  /// is an error, here and below.
   void append(std::string_view bytes);
   /// Cuts off what stands behind the first `size` bytes.
   void cut(std::uint64_t size);
-  /// Returns when the disk has what was written. A file that was removed meanwhile is an error.
+  /// Returns when the disk has what was written.
   void sync();
-  /// Not to be used afterwards. Removal is an error as in sync().
+  /// Not to be used afterwards.
   void close();
 
   std::uint64_t size() const { return size_; }  ///< [bytes]
