@@ -173,7 +173,11 @@ SavedState Simulation::Impl::save() {
 
 void Simulation::Impl::restore(const SavedState& state) {
   StepData& data = context.data;
-  if (!state.model || state.steps < 0) throw std::invalid_argument("the saved state is empty");
+  constexpr std::int64_t most_steps = std::int64_t{1} << 53;  // clocks count in doubles
+  if (!state.model) throw std::invalid_argument("the saved state is empty");
+  if (state.steps < 0 || state.steps > most_steps)
+    throw std::invalid_argument("the saved state has made " + std::to_string(state.steps) +
+                                " steps, expected 0 to 2^53");
   if (state.model != identity) {
     const std::string difference = find_difference(*state.model, *identity);
     if (!difference.empty())

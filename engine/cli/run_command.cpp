@@ -200,7 +200,6 @@ Recording open_recording(const fs::path& folder, const fs::path& resumed, Simula
   }
   const Checkpoint checkpoint = resume(resumed, simulation);
   make_folder(folder);
-  spdlog::info("{}: goes on from t = {:.6g} s", resumed.string(), simulation.time());
   return Recording(simulation, folder, *checkpoint.record, resumed.parent_path() / "sensors.csv");
 }
 
@@ -224,6 +223,9 @@ int run(const Arguments& arguments) {
   spdlog::info("results go to {}", folder.string());
   Checkpoints checkpoints(folder / "checkpoint.spoke", arguments.checkpoint_every);
   if (!arguments.quiet) print_plan(simulation);
+  if (!arguments.quiet && !arguments.resume.empty())
+    print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
+                                      simulation.time(), simulation.steps()));
   const Interruption interruption;
   const RunOutcome outcome = integrate(simulation, recording, checkpoints, !arguments.quiet);
   write_file(folder / "summary.json", make_summary(simulation, recording.statistics, outcome));

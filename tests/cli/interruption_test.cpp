@@ -101,12 +101,13 @@ TEST_CASE("an interrupted run with checkpoints is resumed where it was left") {
   CHECK(ended.err.find("; go on with --resume o/checkpoint.spoke") != std::string::npos);
   const double left = last_time(rows);
   const std::string duration = std::to_string(static_cast<int>(left) + 2);
-  const Ended resumed = run_spoke(
-      long_run({"--executor", "serial", "--resume", "o/checkpoint.spoke", "-v"}, duration), folder);
+  Words words = long_run({"--executor", "serial", "--resume", "o/checkpoint.spoke"}, duration);
+  std::erase(words, "--quiet");
+  const Ended resumed = run_spoke(words, folder);
   CHECK(resumed.status == 0);
   char text[64];
-  std::snprintf(text, sizeof text, "goes on from t = %.6g s", left);
-  CHECK(resumed.err.find(text) != std::string::npos);
+  std::snprintf(text, sizeof text, "o/checkpoint.spoke at t = %.6g s, step ", left);
+  CHECK(resumed.out.find(text) != std::string::npos);
   check_whole(rows, duration);
 }
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -326,6 +327,15 @@ TEST_CASE("a saved state that was tampered with is refused") {
   saved.values.pop_back();
   CHECK_THROWS_AS(simulation.restore(saved), std::invalid_argument);
   saved = simulation.save();
-  saved.model = std::make_shared<const std::string>("[[");
-  CHECK_THROWS_AS(simulation.restore(saved), std::invalid_argument);
+  for (const std::string& text : {std::string("[["), std::string("{}"), std::string(1 << 20, '['),
+                                  std::string("{\"blades\":") + std::string(1 << 20, '[') +
+                                      std::string(1 << 20, ']') + "}"}) {
+    saved.model = std::make_shared<const std::string>(text);
+    CHECK_THROWS_AS(simulation.restore(saved), std::invalid_argument);
+  }
+  saved = simulation.save();
+  for (const std::int64_t steps : {std::int64_t{-1}, std::numeric_limits<std::int64_t>::max()}) {
+    saved.steps = steps;
+    CHECK_THROWS_AS(simulation.restore(saved), std::invalid_argument);
+  }
 }
