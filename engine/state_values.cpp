@@ -20,8 +20,6 @@ std::vector<double> take_state_values(std::int64_t step, StepData& data) {
 }
 
 void put_state_values(const std::vector<double>& values, std::int64_t step, StepData& data) {
-  for (SubsystemData& subsystem : data.subsystems)
-    std::fill(subsystem.storage.begin(), subsystem.storage.end(), 0.0);
   const double* next = values.data();
   for_each_state_part(step, data, [&](std::span<double> part) {
     std::copy_n(next, part.size(), part.begin());

@@ -36,8 +36,7 @@ std::size_t count_state_values(StepData& data);
 /// Copies the state at the end of step `step`.
 std::vector<double> take_state_values(std::int64_t step, StepData& data);
 
-/// Sets the table to a state that was taken at the end of step `step`; nothing of what it held
-/// before, be it not a number, is left in a body's arrays. The clocks are left to
+/// Sets the table to a state that was taken at the end of step `step`. The clocks are left to
 /// TimeStepper::continue_from(). Precondition: values.size() == count_state_values(data).
 void put_state_values(const std::vector<double>& values, std::int64_t step, StepData& data);
 

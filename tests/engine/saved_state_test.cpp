@@ -209,22 +209,24 @@ TEST_CASE("after a divergence a state is restored, and nothing of the failure is
 }
 
 TEST_CASE("what is not a number leaves no trace behind a restored state") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
-    for (const bool has_free_hub : {false, true}) {
-      const Scenario scenario = make_scenario(IntegrationMethod::rk4, has_free_hub);
-      const Shown whole = run_whole(scenario, formulation);
-      Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 7});
-      const SavedState saved = simulation.save();
-      SavedState spoiled = saved;
-      for (double& value : spoiled.values) value = std::numeric_limits<double>::quiet_NaN();
-      simulation.restore(spoiled);
-      CHECK_THROWS_AS(simulation.run_until(1.0), DivergenceError);
-      simulation.restore(saved);
-      Shown rest;
-      run_steps(kSteps, simulation, rest);
-      check_tail(rest, whole);
-    }
+  for (const bool has_free_hub : {false, true})
+    for (const IntegrationMethod method :
+         {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
+      for (const Formulation formulation :
+           {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+        const Scenario scenario = make_scenario(method, has_free_hub);
+        const Shown whole = run_whole(scenario, formulation);
+        Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 7});
+        const SavedState saved = simulation.save();
+        SavedState spoiled = saved;
+        for (double& value : spoiled.values) value = std::numeric_limits<double>::quiet_NaN();
+        simulation.restore(spoiled);
+        CHECK_THROWS_AS(simulation.run_until(1.0), DivergenceError);
+        simulation.restore(saved);
+        Shown rest;
+        run_steps(kSteps, simulation, rest);
+        check_tail(rest, whole);
+      }
 }
 
 TEST_CASE("after an exception of an observer a state is restored") {
