@@ -1,32 +1,17 @@
 #include "engine/results.h"
 
 #include <array>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "engine/machine.h"
-#include "models/error.h"
+#include "engine/output_file.h"
 
 namespace spoke {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-void append_number(std::string& text, double number) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-  text.append(buffer.data(), end);
-}
-
-[[noreturn]] void fail_to_write(const std::filesystem::path& file) {
-  const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
-  throw InputError(file.string() + ": cannot be written: " + reason);
-}
 
 std::string hexadecimal(std::uint64_t number) {
   std::array<char, 19> text;
@@ -64,6 +49,11 @@ Json describe_sensors(const Simulation& simulation, const SensorStatistics& stat
   return sensors;
 }
 
+const char* status_of(const RunOutcome& outcome) {
+  if (!outcome.divergence.empty()) return "diverged";
+  return outcome.interruption.empty() ? "completed" : "interrupted";
+}
+
 }  // namespace
 
 void SensorStatistics::add(double t, std::span<const double> values) {
@@ -98,44 +88,12 @@ bool OutputTimes::is_due(double t) {
   return true;
 }
 
-SensorFile::SensorFile(std::filesystem::path file, const std::vector<std::string>& names)
-    : file_(std::move(file)) {
-  errno = 0;
-  stream_.open(file_, std::ios::binary);
-  if (!stream_) fail_to_write(file_);
-  line_ = "t";
-  for (const std::string& name : names) line_ += ',' + name;
-  write_line();
-}
-
-void SensorFile::write_row(double t, std::span<const double> values) {
-  line_.clear();
-  append_number(line_, t);
-  for (const double value : values) {
-    line_ += ',';
-    append_number(line_, value);
-  }
-  write_line();
-}
-
-void SensorFile::write_line() {
-  line_ += '\n';
-  stream_ << line_;
-  if (!stream_) fail_to_write(file_);
-}
-
-void SensorFile::close() {
-  errno = 0;
-  stream_.close();
-  if (!stream_) fail_to_write(file_);
-}
-
 std::string make_summary(const Simulation& simulation, const SensorStatistics& statistics,
                          const RunOutcome& outcome) {
   const Scenario& scenario = simulation.scenario();
-  Json summary = {{"version", SPOKE_VERSION},
-                  {"status", outcome.divergence.empty() ? "completed" : "diverged"}};
-  if (!outcome.divergence.empty()) summary["message"] = outcome.divergence;
+  Json summary = {{"version", SPOKE_VERSION}, {"status", status_of(outcome)}};
+  const std::string message = outcome.divergence + outcome.interruption;
+  if (!message.empty()) summary["message"] = message;
   summary.update({{"scenario", Json::parse(scenario.to_json())},
                   {"model", describe_model(simulation.size())},
                   {"machine", describe_machine()},
@@ -154,23 +112,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
 }
 
 void write_file(const std::filesystem::path& file, const std::string& text) {
-  // Readers see the old file or the new one, never half of it.
-  std::filesystem::path temporary = file;
-  temporary += ".tmp";
-  errno = 0;
-  std::ofstream stream(temporary, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) {
-    const int reason = errno;
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    errno = reason;
-    fail_to_write(file);
-  }
-  std::error_code error;
-  std::filesystem::rename(temporary, file, error);
-  if (error) throw InputError(file.string() + ": cannot be written: " + error.message());
+  replace_file(file, text);
 }
 
 }  // namespace spoke

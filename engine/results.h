@@ -6,12 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "engine/sensor_file.h"
 #include "engine/simulation.h"
 
 namespace spoke {
@@ -29,6 +30,9 @@ struct SensorRange {
 class SensorStatistics {
  public:
   explicit SensorStatistics(std::size_t sensors) : ranges_(sensors) {}
+  /// Goes on with what was gathered up to last_time [s].
+  SensorStatistics(std::vector<SensorRange> ranges, double last_time)
+      : ranges_(std::move(ranges)), last_time_(last_time) {}
 
   /// values: one for each sensor, at time t [s]. Does not allocate.
   void add(double t, std::span<const double> values);
@@ -47,38 +51,25 @@ class OutputTimes {
  public:
   /// interval [s]; 0: every step is output.
   explicit OutputTimes(double interval) : interval_(interval) {}
+  /// Goes on where next_multiple() was `next`.
+  OutputTimes(double interval, double next) : interval_(interval), next_(next) {}
 
   /// Whether the step that ends at t [s] is output. Call once per step, in order of time. Allows
   /// for the round-off of times: a step 1e-9 of its time too early is on time.
   bool is_due(double t);
+  /// The number of the multiple that is due next.
+  double next_multiple() const { return next_; }
 
  private:
   double interval_;
-  double next_ = 0.0;  ///< number of the multiple that is due next
-};
-
-/// sensors.csv: a header of names, then rows of numbers in the fewest digits that read back equal.
-class SensorFile {
- public:
-  /// Creates the file. Throws InputError if that cannot be done; so do the others.
-  SensorFile(std::filesystem::path file, const std::vector<std::string>& names);
-
-  void write_row(double t, std::span<const double> values);
-  /// Flushes the rows written so far. Rows are lost without a word unless this is called.
-  void close();
-
- private:
-  void write_line();
-
-  std::filesystem::path file_;
-  std::ofstream stream_;
-  std::string line_;
+  double next_ = 0.0;
 };
 
 /// How a run ended.
 struct RunOutcome {
-  double wall_time = 0.0;  ///< of the integration loop [s]
-  std::string divergence;  ///< the diagnosis; empty: the run is complete
+  double wall_time = 0.0;      ///< of the integration loop [s]
+  std::string divergence;      ///< the diagnosis; empty: the run did not diverge
+  std::string interruption{};  ///< by which signal, when; empty: it was not interrupted
 };
 
 /// The text of summary.json.

@@ -8,8 +8,11 @@
 #include "engine/diagnosis.h"
 #include "engine/kinematics.h"
 #include "engine/memory.h"
+#include "engine/model_identity.h"
 #include "engine/natural_frequencies.h"
+#include "engine/pass_ends.h"
 #include "engine/sensors.h"
+#include "engine/state_values.h"
 #include "engine/step_runner.h"
 #include "graph/declaration_check.h"
 #include "graph/measuring_executor.h"
@@ -75,11 +78,14 @@ struct Simulation::Impl {
   void step();
   void run_to(std::int64_t target, const StepObserver& observe);
   void measure(std::int64_t target, graph::Executor& executor);
+  SavedState save();
+  void restore(const SavedState& state);
 
   Scenario scenario;
   SimulationOptions options;
   std::int64_t planned_steps;
   double step_size;
+  std::shared_ptr<const std::string> identity;
   StepContext context;
   std::unique_ptr<StepRunner> runner;
   std::int64_t evaluations = 0;
@@ -102,6 +108,8 @@ Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
       options(chosen),
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
+      identity(std::make_shared<const std::string>(
+          make_identity(scenario, options.formulation, step_size))),
       sensors((prepare(), context.system)) {
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
@@ -146,6 +154,43 @@ void Simulation::Impl::run_to(std::int64_t target, const StepObserver& observe) 
 void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
   demand_done(runner->advance_by(executor, std::min(target, planned_steps),
                                  [this](std::int64_t step) { complete_step(step, {}); }));
+}
+
+SavedState Simulation::Impl::save() {
+  StepData& data = context.data;
+  const std::int64_t steps = runner->steps();
+  if (!are_together(data) || last_complete_step(data) != steps)
+    throw std::logic_error(
+        "there is no state to save: a step failed or was not brought to its end");
+  return {identity,
+          static_cast<double>(steps) * step_size,
+          steps,
+          evaluations,
+          work.by_drive_and_loads,
+          work.dissipated,
+          take_state_values(steps, data)};
+}
+
+void Simulation::Impl::restore(const SavedState& state) {
+  StepData& data = context.data;
+  constexpr std::int64_t most_steps = std::int64_t{1} << 53;  // clocks count in doubles
+  if (!state.model) throw std::invalid_argument("the saved state is empty");
+  if (state.steps < 0 || state.steps > most_steps)
+    throw std::invalid_argument("the saved state has made " + std::to_string(state.steps) +
+                                " steps, expected 0 to 2^53");
+  if (state.model != identity) {
+    const std::string difference = find_difference(*state.model, *identity);
+    if (!difference.empty())
+      throw std::invalid_argument("the saved state is of another model: " + difference);
+  }
+  if (state.values.size() != count_state_values(data))
+    throw std::invalid_argument("the saved state has " + std::to_string(state.values.size()) +
+                                " values, expected " + std::to_string(count_state_values(data)));
+  put_state_values(state.values, state.steps, data);
+  runner->continue_from(state.steps);
+  evaluations = state.evaluations;
+  work = {state.work, state.dissipated};
+  measured_step = -1;
 }
 
 void Simulation::Impl::demand_done(StepOutcome outcome) {
@@ -216,6 +261,11 @@ void Simulation::run_until(double t, const StepObserver& observe) {
       static_cast<std::int64_t>(std::min(steps_to_t, static_cast<double>(impl_->planned_steps))),
       observe);
 }
+
+void Simulation::stop() { impl_->runner->stop(); }
+
+SavedState Simulation::save() const { return impl_->save(); }
+void Simulation::restore(const SavedState& state) { impl_->restore(state); }
 
 NodeMeasurement Simulation::measure_nodes(std::int64_t step_count) {
   graph::MeasuringExecutor executor(run_graph());

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/formulation/formulation.h"
+#include "engine/saved_state.h"
 #include "graph/executor.h"
 #include "models/scenario.h"
 
@@ -107,17 +108,30 @@ class Simulation {
   bool done() const { return steps() >= planned_steps(); }
 
   /// One time step. Throws DivergenceError, after which the simulation stays at the failed step and
-  /// must not be stepped again.
+  /// must not be stepped again until a state is restored.
   void step();
   /// Steps until time() >= t - half a step, or done(), and tells `observe` of every step, in order,
   /// on the calling thread. Faster than as many calls of step(): see SimulationOptions::window.
   /// Throws DivergenceError like step(), after the observer was told of all complete steps; what
   /// the observer throws ends the simulation likewise.
   void run_until(double t, const StepObserver& observe = {});
+  /// Asks the run_until() that is calling an observer to return soon: once all blades have made the
+  /// steps that any of them has begun, each of which the observer is told. Without effect
+  /// elsewhere.
+  void stop();
   /// Makes `steps` steps as run_until() does, to the same bits, but serially and in half of the
   /// runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws DivergenceError.
   /// Precondition: 2 windows <= steps <= planned_steps() - steps().
   NodeMeasurement measure_nodes(std::int64_t steps);
+
+  /// Copies the state, at the cost of some vectors of coordinates. Throws std::logic_error after a
+  /// step that failed, or was left by an exception of an observer.
+  SavedState save() const;
+  /// Goes back, or on, to a saved state of any simulation of the same model, formulation and step
+  /// size, whatever its executor, threads and window: what follows has the bits of the run that was
+  /// saved. Also after DivergenceError. Throws std::invalid_argument, saying what differs, if the
+  /// state is of another model; the simulation then stays as it is.
+  void restore(const SavedState& state);
 
   /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual".
   const std::vector<std::string>& sensor_names() const;

@@ -79,7 +79,7 @@ StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
     }
     const StepOutcome outcome =
         advance_timed(std::min(target, steps() + kBatch), observed, completed);
-    if (outcome != StepOutcome::done) return outcome;
+    if (outcome != StepOutcome::done || stepper_.is_stopping()) return outcome;
   }
   if (window_ && options_.window == 0 && window_->executor->settled_on_serial()) {
     reason_ = window_->executor->describe();

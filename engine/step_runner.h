@@ -46,6 +46,9 @@ class StepRunner {
     return stepper_.advance(target, executor, false, completed);
   }
   std::int64_t steps() const { return stepper_.steps(); }
+  /// See TimeStepper: while advance_to() runs.
+  void stop() { stepper_.stop(); }
+  void continue_from(std::int64_t steps) { stepper_.continue_from(steps); }
 
   /// Of one pass.
   const graph::StepGraph& step_graph() const { return single_.graph; }

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -28,6 +30,50 @@ void raise_thread_limit(int threads, std::optional<global_control>& control) {
   if (threads <= oneapi::tbb::info::default_concurrency()) return;
   control.emplace(global_control::max_allowed_parallelism, std::max(limit, wanted));
 }
+
+/// An arena of oneTBB, which goes to the next executor when this one ends. oneTBB (2021.8) frees an
+/// arena only when a worker has come by and found it empty, so that executors made one right after
+/// the other would leave ever more behind.
+class Arena {
+ public:
+  Arena() = default;
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+  ~Arena() {
+    if (!arena_) return;
+    const std::lock_guard lock(idle_arenas().mutex);
+    idle_arenas().by_threads.emplace(threads_, std::move(arena_));
+  }
+
+  void initialize(int threads) {
+    threads_ = threads;
+    const std::lock_guard lock(idle_arenas().mutex);
+    if (auto idle = idle_arenas().by_threads.extract(threads)) {
+      arena_ = std::move(idle.mapped());
+      return;
+    }
+    arena_ = std::make_unique<oneapi::tbb::task_arena>(threads);
+    arena_->initialize();
+  }
+  template <class Function>
+  void execute(const Function& function) {
+    arena_->execute(function);
+  }
+
+ private:
+  struct IdleArenas {
+    std::mutex mutex;
+    std::multimap<int, std::unique_ptr<oneapi::tbb::task_arena>> by_threads;
+  };
+  /// Never destroyed: oneTBB may be gone before static objects are.
+  static IdleArenas& idle_arenas() {
+    static IdleArenas& arenas = *new IdleArenas;
+    return arenas;
+  }
+
+  int threads_ = 0;
+  std::unique_ptr<oneapi::tbb::task_arena> arena_;
+};
 
 class FlowGraphExecutor final : public Executor {
  public:
@@ -73,7 +119,7 @@ class FlowGraphExecutor final : public Executor {
   }
 
   void make_flow() {
-    flow_.emplace();
+    flow_.emplace(context_);
     for (int c = 0; c < plan_.cluster_count(); ++c) {
       const auto body = [this, c](flow::continue_msg) noexcept { run_cluster(c); };
       nodes_.emplace_back(*flow_, body);
@@ -91,7 +137,12 @@ class FlowGraphExecutor final : public Executor {
   const Plan plan_;
   int threads_;
   std::optional<global_control> thread_limit_;
-  oneapi::tbb::task_arena arena_;
+  Arena arena_;
+  // With the floating-point environment of the thread that makes the executor: that of the arena is
+  // an earlier one's.
+  oneapi::tbb::task_group_context context_{oneapi::tbb::task_group_context::isolated,
+                                           oneapi::tbb::task_group_context::default_traits |
+                                               oneapi::tbb::task_group_context::fp_settings};
   std::optional<flow::graph> flow_;
   std::deque<FlowNode> nodes_;  // nodes neither move nor copy with their edges
   std::vector<FlowNode*> roots_;

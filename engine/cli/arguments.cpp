@@ -23,15 +23,22 @@ constexpr const char* kStatusText = R"(Exit status:
   2  bad command line or scenario, or output that cannot be written;
      the message on stderr says file:line:column, key, what is wrong and what is expected
   3  the simulation diverged; results so far are kept
+  130, 143  SIGINT or SIGTERM ended a run; results so far are kept
 )";
 
 constexpr const char* kRunText = R"(Output files, in the folder of --out:
   sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies
   summary.json  all values in force, machine, steps, wall time, hash of the final state, and
                 the extremes of every sensor over all steps
+  checkpoint.spoke  with --checkpoint-every: what --resume goes on from, see docs/checkpoint.md
 
-Example:
+The first Ctrl-C (SIGINT) or SIGTERM completes the step, writes rows, summary and checkpoint, and
+ends; the second SIGINT ends at once.
+
+Examples:
   spoke run models/wu_haug_rotor.toml --set blade.bodies=8 --set integration.step=0.01
+  spoke run long.toml --checkpoint-every 60
+  spoke run long.toml --checkpoint-every 60 --resume results/long/checkpoint.spoke
 )";
 
 constexpr const char* kCheckText =
@@ -189,6 +196,23 @@ void check_threads(const SimulationOptions& options) {
   }
 }
 
+void add_checkpoints(CLI::App& run, Arguments& arguments) {
+  run.add_option_function<double>(
+         "--checkpoint-every",
+         [&](double seconds) {
+           if (!(seconds > 0.0))
+             throw CLI::ValidationError("--checkpoint-every", "expected a number above 0");
+           arguments.checkpoint_every = seconds;
+         },
+         "Write checkpoint.spoke each time so many seconds\nof wall time have passed, and at the "
+         "end")
+      ->type_name("SECONDS");
+  run.add_option("--resume", arguments.resume,
+                 "Go on from a checkpoint, with the rows beside it\n"
+                 "(the same SCENARIO and --set; --out unless given: its folder)")
+      ->type_name("FILE");
+}
+
 void add_run(CLI::App& program, Arguments& arguments) {
   CLI::App& run = *program.add_subcommand("run", "Simulate a scenario and write its results");
   add_common(run, arguments);
@@ -207,6 +231,7 @@ void add_run(CLI::App& program, Arguments& arguments) {
                  "[auto chooses; the others take 1]")
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
+  add_checkpoints(run, arguments);
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] {

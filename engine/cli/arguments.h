@@ -24,7 +24,9 @@ struct Arguments {
   Command command = Command::none;
   std::string scenario;  ///< file
   Overrides overrides;
-  std::string out;  ///< folder of the results; empty: named after the scenario
+  std::string out;     ///< folder of the results; empty: named after the scenario
+  std::string resume;  ///< of run: checkpoint to go on from; empty: start at t = 0
+  std::optional<double> checkpoint_every;  ///< of run [s of wall time]
   std::optional<IntegrationMethod> integrator;
   SimulationOptions options;
   bool quiet = false;

@@ -8,8 +8,8 @@
 
 namespace spoke::cli {
 
-ProgressBar::ProgressBar(double duration, bool wanted)
-    : duration_(duration), shown_(wanted && isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(double start, double duration, bool wanted)
+    : from_(start), duration_(duration), shown_(wanted && isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {
   if (shown_) std::fputs("\r\033[K", stderr);
@@ -28,7 +28,7 @@ void ProgressBar::draw(double t, Clock::time_point now) const {
   const double fraction = std::clamp(t / duration_, 0.0, 1.0);
   const int filled = static_cast<int>(fraction * width);
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double speed = elapsed > 0.0 ? t / elapsed : 0.0;
+  const double speed = elapsed > 0.0 ? (t - from_) / elapsed : 0.0;
   fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} %  t = {:.4g} of {:.4g} s  {:.3g} s/s\033[K", "",
              filled, "", width - filled, 100.0 * fraction, t, duration_, speed);
   std::fflush(stderr);

@@ -8,8 +8,9 @@ namespace spoke::cli {
 /// where stderr is not a terminal.
 class ProgressBar {
  public:
-  /// duration: simulated time at the end [s]; a bar that is not wanted shows nothing.
-  ProgressBar(double duration, bool wanted);
+  /// start, duration: simulated time at the start and the end [s]; a bar that is not wanted shows
+  /// nothing.
+  ProgressBar(double start, double duration, bool wanted);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -24,6 +25,7 @@ class ProgressBar {
 
   void draw(double t, Clock::time_point now) const;
 
+  double from_;
   double duration_;
   bool shown_;
   Clock::time_point start_ = Clock::now();

@@ -36,18 +36,30 @@ TipDeflections::TipDeflections(const Simulation& simulation) {
   const auto& blades = simulation.scenario().rotor.blades;
   for (std::size_t i = 0; i < blades.size(); ++i) {
     const std::string tip = "blade" + std::to_string(i + 1) + ".tip";
-    blades_.push_back({index_of(simulation, tip + ".x"), index_of(simulation, tip + ".y"),
-                       std::cos(blades[i].azimuth), std::sin(blades[i].azimuth)});
+    blades_.push_back({index_of(simulation, tip + ".x"),
+                       index_of(simulation, tip + ".y"),
+                       std::cos(blades[i].azimuth),
+                       std::sin(blades[i].azimuth),
+                       {}});
   }
+}
+
+TipDeflections::TipDeflections(const Simulation& simulation,
+                               const std::vector<TipExtreme>& extremes)
+    : TipDeflections(simulation) {
+  for (std::size_t i = 0; i < blades_.size(); ++i) blades_[i].extreme = extremes.at(i);
+}
+
+std::vector<TipExtreme> TipDeflections::extremes() const {
+  std::vector<TipExtreme> all;
+  for (const Blade& blade : blades_) all.push_back(blade.extreme);
+  return all;
 }
 
 void TipDeflections::add(double t, std::span<const double> sensors) {
   for (Blade& blade : blades_) {
     const double across = -blade.sine * sensors[blade.x] + blade.cosine * sensors[blade.y];
-    if (std::abs(across) > std::abs(blade.largest)) {
-      blade.largest = across;
-      blade.time = t;
-    }
+    if (std::abs(across) > std::abs(blade.extreme.largest)) blade.extreme = {across, t};
   }
 }
 
@@ -59,12 +71,12 @@ std::vector<std::string> TipDeflections::describe() const {
   };
   std::vector<Group> groups;
   for (std::size_t i = 0; i < blades_.size(); ++i) {
-    const Blade& blade = blades_[i];
-    std::string text = fmt::format("{:.6g} m at {:.6g} s", blade.largest, blade.time);
+    const TipExtreme& tip = blades_[i].extreme;
+    std::string text = fmt::format("{:.6g} m at {:.6g} s", tip.largest, tip.time);
     auto group =
         std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.text == text; });
     if (group == groups.end()) {
-      group = groups.insert(groups.end(), {std::abs(blade.largest), std::move(text), {}});
+      group = groups.insert(groups.end(), {std::abs(tip.largest), std::move(text), {}});
     }
     group->blades.push_back(i + 1);
   }

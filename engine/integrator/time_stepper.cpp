@@ -27,14 +27,6 @@ StepOutcome first_failure(const StepData& data) {
   return StepOutcome::done;
 }
 
-/// Whether all clocks stand at the beginning of one step.
-bool are_together(const StepData& data) {
-  const double step = data.clocks[0].step;
-  return std::all_of(data.clocks.begin(), data.clocks.end(), [step](const Clock& clock) {
-    return clock.step == step && clock.passes == 0.0;
-  });
-}
-
 /// The last step that any clock has begun.
 double furthest_step(const StepData& data) {
   double furthest = 0.0;
@@ -52,6 +44,13 @@ void let_go(std::int64_t last, StepData& data) {
 }
 
 }  // namespace
+
+bool are_together(const StepData& data) {
+  const double step = data.clocks[0].step;
+  return std::all_of(data.clocks.begin(), data.clocks.end(), [step](const Clock& clock) {
+    return clock.step == step && clock.passes == 0.0 && clock.ended() == StepOutcome::done;
+  });
+}
 
 /// One call of advance().
 struct TimeStepper::Advance {
@@ -87,9 +86,22 @@ StepOutcome TimeStepper::start() {
   return StepOutcome::done;
 }
 
+void TimeStepper::continue_from(std::int64_t steps) {
+  for (Clock& clock : context_.data.clocks) {
+    const Power power = clock.power;
+    clock = Clock{};
+    clock.power = power;
+    clock.completed = static_cast<double>(steps);
+    clock.halted = 1.0;
+    begin_step(context_.integrator, steps + 1, clock);
+  }
+  steps_ = steps;
+}
+
 StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor, bool observed,
                                  const Completed& completed) {
   StepData& data = context_.data;
+  is_stopping_ = false;
   if (steps_ >= target) return StepOutcome::done;
   const bool is_wide = data.records.size() > 1 && target > steps_ + 1;
   Advance advance{target, completed, is_wide, steps_, nullptr};
@@ -123,6 +135,9 @@ void TimeStepper::open_window(Advance& advance) {
 bool TimeStepper::continues(Advance& advance) {
   StepData& data = context_.data;
   report_steps(advance);
+  if (is_stopping_)
+    advance.target =
+        std::min(advance.target, std::max(steps_, static_cast<std::int64_t>(furthest_step(data))));
   if (advance.thrown || steps_ >= advance.target) return false;
   if (is_any_failed(data)) {
     // Where clocks do not part, the others complete the step; where they do, it will be repeated.

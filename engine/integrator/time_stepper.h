@@ -9,6 +9,9 @@
 
 namespace spoke {
 
+/// Whether all clocks stand at the beginning of one step, and none has failed.
+bool are_together(const StepData& data);
+
 /// Advances a system by runs of its step graph. A run makes as many passes as the graph has, and
 /// each clock as many steps in them as it can, up to the end of a window: as many steps beyond the
 /// last complete one as the table has records for. Subsystems with clocks of their own may stand at
@@ -32,6 +35,14 @@ class TimeStepper {
   StepOutcome advance(std::int64_t target, graph::Executor& executor, bool observed = false,
                       const Completed& completed = {});
 
+  /// While advance() runs, by `completed`: ends it at the last step that any subsystem has begun.
+  void stop() { is_stopping_ = true; }
+  /// Whether the last advance() was ended so.
+  bool is_stopping() const { return is_stopping_; }
+  /// Goes on from a state that was put into the table, taken at the end of step `steps`; also after
+  /// a failed step, or an exception of `completed`. The clocks keep their power.
+  void continue_from(std::int64_t steps);
+
   /// Steps that are complete; those that failed are not.
   std::int64_t steps() const { return steps_; }
 
@@ -49,6 +60,7 @@ class TimeStepper {
   std::int64_t steps_ = -1;
   StateCopy saved_;  ///< a state from which a failure can be repeated
   std::int64_t saved_steps_ = -1;
+  bool is_stopping_ = false;
 };
 
 }  // namespace spoke

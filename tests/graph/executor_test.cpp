@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfenv>
 #include <stdexcept>
 #include <thread>
 
@@ -120,9 +121,10 @@ TEST_CASE("kinds are found by name, and one that this build is without is refuse
   const StepGraph graph = StepGraphBuilder().build();
   const auto kinds = executor_kinds();
   for (const ExecutorKind kind : kinds) CHECK(executor_kind(name_of(kind)) == kind);
-  CHECK_THROWS_WITH_AS(executor_kind("openmp"),
-                       doctest::Contains("no executor is named \"openmp\"; known here: auto, flow_graph"),
-                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(
+      executor_kind("openmp"),
+      doctest::Contains("no executor is named \"openmp\"; known here: auto, flow_graph"),
+      std::invalid_argument);
   for (const ExecutorKind kind :
        {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
@@ -143,4 +145,22 @@ TEST_CASE("executors of one layer of threads refuse nested teams") {
 TEST_CASE("the available threads are at least one and at most the processors") {
   CHECK(available_threads() >= 1);
   CHECK(available_threads() <= static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+TEST_CASE("a flow graph's threads round as the thread that made it, whoever had its arena before") {
+  StepGraphBuilder builder;
+  std::vector<int> modes(12, -1);
+  for (int i = 0; i < 12; ++i)
+    builder.add_node(
+        {"round", i}, reads(), writes(),
+        [&mode = modes[static_cast<std::size_t>(i)]]() noexcept { mode = std::fegetround(); });
+  const StepGraph graph = builder.build();
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TONEAREST}) {
+    std::fesetround(mode);
+    const auto executor = make_executor(graph, ExecutorKind::flow_graph, 2);
+    for (int run = 0; run < 20; ++run) {
+      executor->run();
+      CHECK(modes == std::vector<int>(12, mode));
+    }
+  }
 }

@@ -1,0 +1,72 @@
+#include "engine/cli/checkpoints.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "models/error.h"
+
+namespace spoke::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw InputError(file.string() + ": cannot be resumed: " + reason);
+}
+
+/// Whether the record is one of this run; else why not.
+void demand_fit(const std::filesystem::path& file, const RunRecord& record,
+                const Simulation& simulation) {
+  const double interval = simulation.scenario().output.interval;
+  if (record.output_interval != interval)
+    refuse(file, fmt::format("output.interval is {} in the checkpoint and {} here",
+                             record.output_interval, interval));
+  const std::size_t sensors = simulation.sensor_names().size();
+  const std::size_t blades = simulation.scenario().rotor.blades.size();
+  if (record.ranges.size() != sensors || record.tips.size() != blades)
+    refuse(file, fmt::format("it has records of {} sensors and {} blades, expected {} and {}",
+                             record.ranges.size(), record.tips.size(), sensors, blades));
+}
+
+}  // namespace
+
+Checkpoint resume(const std::filesystem::path& file, Simulation& simulation) {
+  Checkpoint checkpoint = load_checkpoint(file);
+  if (!checkpoint.record)
+    refuse(file, "it holds a state without the records of a run: expected one of spoke run");
+  try {
+    simulation.restore(checkpoint.state);
+  } catch (const std::invalid_argument& error) {
+    refuse(file, error.what());
+  }
+  demand_fit(file, *checkpoint.record, simulation);
+  if (simulation.steps() > simulation.planned_steps())
+    refuse(file, fmt::format("it stands at t = {:.6g} s, beyond the duration of {:.6g} s",
+                             simulation.time(), simulation.scenario().integration.duration));
+  if (checkpoint.program != SPOKE_VERSION)
+    spdlog::warn("{}: written by Spoke {}; with {} the last bits may differ", file.string(),
+                 checkpoint.program, SPOKE_VERSION);
+  return checkpoint;
+}
+
+Checkpoints::Checkpoints(std::filesystem::path file, std::optional<double> every)
+    : file_(std::move(file)), every_(every) {
+  start_waiting();
+}
+
+void Checkpoints::start_waiting() {
+  // Beyond a year nobody waits, and clocks count in nanoseconds.
+  constexpr double most = 3e7;  // s
+  if (!every_) return;
+  next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                             std::chrono::duration<double>(std::min(*every_, most)));
+}
+
+void Checkpoints::save(const Simulation& simulation, const RunRecord& record) {
+  save_checkpoint(file_, simulation.save(), record);
+  spdlog::debug("{}: t = {:.6g} s", file_.string(), simulation.time());
+  start_waiting();
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <csignal>
+#include <string>
+
+namespace spoke::cli {
+
+/// While it lives, the first SIGINT or SIGTERM is only noted, and a second one ends the process as
+/// it would without. A signal that the process was started to ignore stays ignored. Files that
+/// become too large are an error of writing, not a signal. One at a time.
+class Interruption {
+ public:
+  Interruption();
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  /// The signal that was noted, else 0.
+  static int signal();
+
+ private:
+  using Action = struct sigaction;
+  Action interrupt_{}, terminate_{}, file_size_{};  ///< before
+};
+
+/// "SIGINT" or "SIGTERM".
+std::string name_of_signal(int signal);
+
+}  // namespace spoke::cli

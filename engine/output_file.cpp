@@ -1,0 +1,119 @@
+#include "engine/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "models/error.h"
+
+namespace spoke {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
+  throw InputError(file.string() + ": cannot be written: " + reason);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file) { fail(file, std::strerror(errno)); }
+
+/// Repeats a system call that a signal interrupted.
+template <class Call>
+auto without_interruption(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
+}
+
+/// Devices and pipes cannot be synchronised, and need not.
+bool is_synchronised(int descriptor) {
+  return without_interruption([&] { return fsync(descriptor); }) == 0 || errno == EINVAL ||
+         errno == EROFS;
+}
+
+/// Lets a new name in a folder survive a crash.
+void sync_folder(const std::filesystem::path& file) {
+  std::filesystem::path folder = file.parent_path();
+  if (folder.empty()) folder = ".";
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0 && errno == EACCES) return;  // may be written to, not read
+  if (descriptor < 0) fail(file);
+  const bool is_done = is_synchronised(descriptor);
+  const int reason = errno;
+  ::close(descriptor);
+  errno = reason;
+  if (!is_done) fail(file);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path file, Start start) : file_(std::move(file)) {
+  const int flags = start == Start::empty ? O_CREAT | O_TRUNC : O_APPEND;
+  descriptor_ =
+      without_interruption([&] { return open(file_.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666); });
+  if (descriptor_ < 0) fail(file_);
+  if (start == Start::empty) return;
+  const off_t end = lseek(descriptor_, 0, SEEK_END);
+  if (end > 0) size_ = static_cast<std::uint64_t>(end);
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void OutputFile::append(std::string_view bytes) {
+  demand_not_removed();
+  while (!bytes.empty()) {
+    const ssize_t count =
+        without_interruption([&] { return write(descriptor_, bytes.data(), bytes.size()); });
+    if (count < 0) fail(file_);
+    size_ += static_cast<std::uint64_t>(count);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void OutputFile::cut(std::uint64_t size) {
+  const auto end = static_cast<off_t>(size);
+  if (ftruncate(descriptor_, end) != 0 || lseek(descriptor_, end, SEEK_SET) < 0) fail(file_);
+  size_ = size;
+}
+
+void OutputFile::sync() {
+  if (!is_synchronised(descriptor_)) fail(file_);
+  demand_not_removed();
+}
+
+void OutputFile::close() {
+  demand_not_removed();
+  if (::close(std::exchange(descriptor_, -1)) != 0) fail(file_);
+}
+
+void OutputFile::demand_not_removed() const {
+  struct stat status {};
+  if (fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 0)
+    fail(file_, "it was removed meanwhile");
+}
+
+void replace_file(const std::filesystem::path& file, std::string_view bytes) {
+  std::filesystem::path temporary = file;
+  temporary += ".tmp";
+  try {
+    OutputFile output(temporary);
+    output.append(bytes);
+    output.sync();
+    output.close();
+    if (std::rename(temporary.c_str(), file.c_str()) != 0) fail(file);
+  } catch (const InputError& error) {
+    unlink(temporary.c_str());
+    // The message names the file that was asked for.
+    const std::string text = error.what(), name = temporary.string();
+    throw InputError(text.starts_with(name) ? file.string() + text.substr(name.size()) : text);
+  }
+  sync_folder(file);
+}
+
+}  // namespace spoke

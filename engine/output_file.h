@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace spoke {
+
+/// A file that is written from front to back, without a buffer, by the system's calls. What cannot
+/// be done throws InputError, "FILE: cannot be written: REASON", with the system's reason.
+class OutputFile {
+ public:
+  enum class Start {
+    empty,    ///< made, or emptied
+    existing  ///< must be there; goes on at its end
+  };
+  explicit OutputFile(std::filesystem::path file, Start start = Start::empty);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// If not all of it can be written, size() tells how much was. A file that was removed meanwhile
+  /// is an error, here and below.
+  void append(std::string_view bytes);
+  /// Cuts off what stands behind the first `size` bytes.
+  void cut(std::uint64_t size);
+  /// Returns when the disk has what was written.
+  void sync();
+  /// Not to be used afterwards.
+  void close();
+
+  std::uint64_t size() const { return size_; }  ///< [bytes]
+  const std::filesystem::path& path() const { return file_; }
+
+ private:
+  void demand_not_removed() const;
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// Replaces a file as a whole, or leaves it as it was: readers, and whoever starts after a crash,
+/// see the old file or the new one. Throws InputError if it cannot be written.
+void replace_file(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace spoke

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace spoke {
+
+/// A state of a simulation between two steps, made by Simulation::save() or read from a checkpoint.
+/// A value: it may be copied, kept and handed to other threads; it refers to no simulation.
+struct SavedState {
+  /// What decides how a state goes on, as JSON: model, formulation, method and step size. Executor,
+  /// threads, window, duration, title and output do not.
+  std::shared_ptr<const std::string> model;
+  double time = 0.0;  ///< [s]
+  std::int64_t steps = 0;
+  std::int64_t evaluations = 0;  ///< of the accelerations, so far
+  double work = 0.0;             ///< by drive and loads since t = 0 [J]
+  double dissipated = 0.0;       ///< since t = 0 [J]
+  /// What a step leaves to the next: see for_each_state_part() in engine/state_values.h.
+  std::vector<double> values;
+};
+
+}  // namespace spoke

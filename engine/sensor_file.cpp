@@ -1,0 +1,131 @@
+#include "engine/sensor_file.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "models/error.h"
+
+namespace spoke {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBuffer = 64 * 1024;  // bytes of rows that are written together
+
+std::uint32_t add_to_checksum(std::uint32_t checksum, std::string_view bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_z(checksum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+void append_number(std::string& text, double number) {
+  std::array<char, 32> buffer;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+  text.append(buffer.data(), end);
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
+  throw InputError(file.string() + ": cannot be continued: " + reason);
+}
+
+/// Hands the marked beginning of a file on, piece by piece. Throws InputError if the file is
+/// shorter, cannot be read, or holds something else.
+template <class Take>
+void read_marked(const fs::path& file, const SensorFileMark& mark, const Take& take) {
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse(file, std::strerror(errno));
+  std::string piece(kBuffer, '\0');
+  std::uint32_t checksum = 0;
+  std::uint64_t done = 0;
+  while (done < mark.bytes) {
+    const std::uint64_t wanted = std::min<std::uint64_t>(piece.size(), mark.bytes - done);
+    stream.read(piece.data(), static_cast<std::streamsize>(wanted));
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    if (count == 0)
+      refuse(file, "it has " + std::to_string(done) + " bytes, the checkpoint was made behind " +
+                       std::to_string(mark.bytes));
+    checksum = add_to_checksum(checksum, {piece.data(), count});
+    take(std::string_view(piece.data(), count));
+    done += count;
+  }
+  if (checksum != mark.checksum)
+    refuse(file, "its first " + std::to_string(mark.bytes) +
+                     " bytes are not those that stood there when the checkpoint was made");
+}
+
+/// The file with the marked beginning of `source`, and nothing behind.
+OutputFile open_behind(const fs::path& file, const SensorFileMark& mark, const fs::path& source) {
+  read_marked(source, mark, [](std::string_view) {});
+  std::error_code ignored;
+  if (fs::equivalent(file, source, ignored)) return OutputFile(file, OutputFile::Start::existing);
+  return OutputFile(file);
+}
+
+}  // namespace
+
+SensorFile::SensorFile(fs::path file, const std::vector<std::string>& names)
+    : output_(std::move(file)) {
+  lines_ += 't';
+  for (const std::string& name : names) lines_ += ',' + name;
+  end_line();
+}
+
+SensorFile::SensorFile(fs::path file, const SensorFileMark& mark, const fs::path& source)
+    : output_(open_behind(file, mark, source)), checksum_(mark.checksum) {
+  if (output_.size() == 0)
+    read_marked(source, mark, [this](std::string_view piece) { output_.append(piece); });
+  else
+    output_.cut(mark.bytes);
+}
+
+void SensorFile::write_row(double t, std::span<const double> values) {
+  append_number(lines_, t);
+  for (const double value : values) {
+    lines_ += ',';
+    append_number(lines_, value);
+  }
+  end_line();
+}
+
+void SensorFile::end_line() {
+  lines_ += '\n';
+  if (lines_.size() >= kBuffer) flush();
+}
+
+void SensorFile::flush() {
+  const std::uint64_t before = output_.size();
+  try {
+    output_.append(lines_);
+  } catch (const InputError&) {
+    const std::string_view written(lines_.data(), output_.size() - before);
+    const std::size_t rows = written.rfind('\n') + 1;  // 0 if there is none
+    try {
+      output_.cut(before + rows);
+    } catch (const InputError&) {  // a device; what matters is why it takes no more
+    }
+    throw;
+  }
+  checksum_ = add_to_checksum(checksum_, lines_);
+  lines_.clear();
+}
+
+SensorFileMark SensorFile::sync() {
+  flush();
+  output_.sync();
+  return {output_.size(), checksum_};
+}
+
+void SensorFile::close() {
+  flush();
+  output_.close();
+}
+
+}  // namespace spoke

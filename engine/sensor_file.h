@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/output_file.h"
+
+namespace spoke {
+
+/// How far a sensors.csv has been written, and a checksum by which that much of it is known again.
+struct SensorFileMark {
+  std::uint64_t bytes = 0;
+  std::uint32_t checksum = 0;  ///< CRC-32 of these bytes
+};
+
+/// sensors.csv: a header of names, then rows of numbers in the fewest digits that read back equal.
+/// Whatever cannot be done throws InputError; the file then ends with a complete row.
+class SensorFile {
+ public:
+  /// Creates the file.
+  SensorFile(std::filesystem::path file, const std::vector<std::string>& names);
+  /// Goes on behind a mark: with what `source` holds up to there, which may be the file itself.
+  /// Changes nothing if that is not what was marked.
+  SensorFile(std::filesystem::path file, const SensorFileMark& mark,
+             const std::filesystem::path& source);
+
+  void write_row(double t, std::span<const double> values);
+  /// Hands all rows so far to the disk, and tells how far the file goes.
+  SensorFileMark sync();
+  /// Writes the rows so far. Rows are lost without a word unless this is called.
+  void close();
+
+ private:
+  void end_line();
+  void flush();
+
+  OutputFile output_;
+  std::string lines_;  ///< not written yet
+  std::uint32_t checksum_ = 0;
+};
+
+}  // namespace spoke

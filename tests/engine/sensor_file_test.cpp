@@ -1,0 +1,132 @@
+#include "engine/sensor_file.h"
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tests/message_of.h"
+
+namespace fs = std::filesystem;
+using namespace spoke;
+using spoke::test::message_of;
+
+namespace {
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder()
+      : path_(fs::temp_directory_path() / ("spoke_sensor_file_test_" + std::to_string(getpid()))) {
+    fs::remove_all(path_);
+    fs::create_directory(path_);
+  }
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write_rows(int first, int last, SensorFile& file) {
+  for (int n = first; n < last; ++n) file.write_row(n, std::vector<double>{0.1 * n});
+}
+
+/// A file of rows 0 to 9, marked behind row 4.
+SensorFileMark write_marked(const fs::path& path) {
+  SensorFile file(path, {"a"});
+  write_rows(0, 5, file);
+  const SensorFileMark mark = file.sync();
+  write_rows(5, 10, file);
+  file.close();
+  return mark;
+}
+
+}  // namespace
+
+TEST_CASE("a file goes on behind a mark, in its place and as a copy, without gap or duplicate") {
+  const TemporaryFolder folder;
+  const SensorFileMark mark = write_marked(folder / "a");
+  const std::string whole = read_file(folder / "a");
+  for (const char* name : {"a", "b"}) {
+    SensorFile file(folder / name, mark, folder / "a");
+    CHECK(read_file(folder / name) == whole.substr(0, mark.bytes));
+    write_rows(5, 7, file);
+    const SensorFileMark further = file.sync();
+    write_rows(7, 10, file);
+    file.close();
+    CHECK(read_file(folder / name) == whole);
+    CHECK(further.bytes > mark.bytes);
+    SensorFile again(folder / name, further, folder / name);
+    again.close();
+    CHECK(read_file(folder / name) == whole.substr(0, further.bytes));
+    write_marked(folder / "a");
+  }
+}
+
+TEST_CASE("a file that is not the marked one is refused and left alone") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "a";
+  const SensorFileMark mark = write_marked(path);
+  std::string text = read_file(path);
+  const auto refusal = [&] { return message_of([&] { SensorFile(path, mark, path); }); };
+  text[mark.bytes / 2] ^= 1;
+  std::ofstream(path) << text;
+  CHECK(refusal() == path.string() + ": cannot be continued: its first " +
+                         std::to_string(mark.bytes) +
+                         " bytes are not those that stood there when the checkpoint was made");
+  CHECK(read_file(path) == text);
+  std::ofstream(path) << text.substr(0, 10);
+  CHECK(refusal() == path.string() +
+                         ": cannot be continued: it has 10 bytes, the checkpoint was made behind " +
+                         std::to_string(mark.bytes));
+  fs::remove(path);
+  CHECK(refusal() == path.string() + ": cannot be continued: No such file or directory");
+  CHECK_FALSE(fs::exists(path));
+}
+
+TEST_CASE("where the disk is full, the file ends with a complete row") {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "a";
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  SensorFile file(path, {"a"});
+  const rlimit small{100'000, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = message_of([&] {
+    write_rows(0, 100'000, file);
+    file.close();
+  });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  CHECK(message == path.string() + ": cannot be written: File too large");
+  const std::string text = read_file(path);
+  CHECK(text.size() > 99'000);
+  CHECK(text.size() <= 100'000);
+  CHECK(text.back() == '\n');
+}
+
+TEST_CASE("a file that was removed while it was written is an error") {
+  const TemporaryFolder folder;
+  SensorFile file(folder / "a", {"a"});
+  write_rows(0, 3, file);
+  file.sync();
+  fs::remove(folder / "a");
+  const std::string message =
+      (folder / "a").string() + ": cannot be written: it was removed meanwhile";
+  CHECK(message_of([&] { file.sync(); }) == message);
+  CHECK(message_of([&] { file.close(); }) == message);
+}
