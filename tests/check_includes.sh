@@ -34,7 +34,7 @@ layers=(
   'kinematics body_terms hub natural_frequencies'
   'formulation/'
   'integrator/generalized_alpha integrator/rk4 integrator/method integrator/step_control'
-  'step_context state_copy pass_ends samples'
+  'step_context state_copy pass_ends samples shape'
   'step_parts step_graph_builder'
   'integrator/time_stepper'
   'step_runner'
