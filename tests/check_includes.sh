@@ -41,6 +41,7 @@ layers=(
   'sensors diagnosis'
   'simulation'
   'results machine'
+  'vtk_series run_report/'
   'compare/'
   'reproduce/'
   'predict/'

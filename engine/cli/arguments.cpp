@@ -29,6 +29,8 @@ constexpr const char* kRunText = R"(Output files, in the folder of --out:
   sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies
   summary.json  all values in force, machine, steps, wall time, hash of the final state, and
                 the extremes of every sensor over all steps
+  report.html   a page to look at: plots over time, the rotor moving, all numbers; needs no network
+  vtk/          with --vtk: blades.pvd for ParaView and a file for each output time
 
 Example:
   spoke run models/wu_haug_rotor.toml --set blade.bodies=8 --set integration.step=0.01
@@ -207,6 +209,10 @@ void add_run(CLI::App& program, Arguments& arguments) {
                  "[auto chooses; the others take 1]")
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
+  run.add_flag_callback(
+      "--no-report", [&] { arguments.writes_report = false; }, "Do not write report.html");
+  run.add_flag("--vtk", arguments.writes_vtk,
+               "Write the deformed blades at all output times for ParaView");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] {

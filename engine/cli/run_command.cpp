@@ -7,12 +7,16 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/progress_bar.h"
 #include "engine/cli/report.h"
 #include "engine/cli/tip_deflections.h"
 #include "engine/results.h"
+#include "engine/run_report/html_file.h"
+#include "engine/run_report/picture_steps.h"
+#include "engine/vtk_series.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -27,35 +31,43 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Makes the folder, free of the summary of an earlier run, which would not belong to the rows.
+/// Makes the folder, free of what an earlier run left that would not belong to the rows.
 void prepare_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!error) fs::remove(folder / "summary.json", error);
+  for (const char* file : {"summary.json", "report.html"})
+    if (!error) fs::remove(folder / file, error);
   if (error) {
     throw InputError(folder.string() + ": cannot be the folder of results: " + error.message());
   }
+  remove_vtk_series(folder / "vtk");
 }
 
 /// What is gathered while a simulation runs.
 struct Recording {
-  Recording(const Simulation& simulation, const fs::path& folder)
+  Recording(const Simulation& simulation, const Arguments& arguments, const fs::path& folder)
       : statistics(simulation.sensor_names().size()),
         tips(simulation),
         due(simulation.scenario().output.interval),
-        file(folder / "sensors.csv", simulation.sensor_names()) {}
+        file(folder / "sensors.csv", simulation.sensor_names()) {
+    if (arguments.writes_report) report.emplace(simulation);
+    if (arguments.writes_vtk) vtk.emplace(folder / "vtk");
+  }
 
   SensorStatistics statistics;
   TipDeflections tips;
   OutputTimes due;
   SensorFile file;
-  double writing_time = 0.0;  ///< spent on the file [s]
+  std::optional<run_report::Recorder> report;
+  std::optional<VtkSeries> vtk;
+  double writing_time = 0.0;  ///< spent on files, and on what goes into them later [s]
   double last_row = -1.0;     ///< time of the last row written [s]
 };
 
 void write_row(Recording& recording, double t, std::span<const double> values) {
   const auto start = Clock::now();
   recording.file.write_row(t, values);
+  if (recording.report) recording.report->add_row(t, values);
   recording.last_row = t;
   recording.writing_time += seconds_since(start);
 }
@@ -66,19 +78,55 @@ void record(double t, std::span<const double> values, Recording& recording) {
   if (recording.due.is_due(t)) write_row(recording, t, values);
 }
 
+/// The steps between which the simulation runs through. Files of shapes want all output times, the
+/// page a few hundred of them.
+struct Stops {
+  Stops(const Simulation& simulation, const Recording& recording)
+      : pictures(simulation, recording.report ? recording.report->film().most_frames() : 0),
+        outputs(simulation, 0),
+        has_pictures(recording.report),
+        has_outputs(recording.vtk),
+        end(simulation.planned_steps()) {}
+
+  std::int64_t next(std::int64_t step) const {
+    if (has_outputs) return outputs.next(step);
+    return has_pictures ? pictures.next(step) : end;
+  }
+
+  run_report::PictureSteps pictures, outputs;
+  bool has_pictures, has_outputs;
+  std::int64_t end;
+};
+
+/// Records the shape at the simulation's time, where it is due.
+void record_shape(const Simulation& simulation, const Stops& stops, Recording& recording) {
+  const auto start = Clock::now();
+  const std::int64_t step = simulation.steps();
+  if (recording.report && (step == 0 || stops.pictures.next(step - 1) == step))
+    recording.report->add_picture(simulation);
+  if (recording.vtk) recording.vtk->write(simulation);
+  recording.writing_time += seconds_since(start);
+}
+
 /// Steps to the end or to divergence.
 RunOutcome integrate(Simulation& simulation, Recording& recording, bool show_progress) {
   RunOutcome outcome;
   ProgressBar bar(simulation.scenario().integration.duration, show_progress);
+  const Stops stops(simulation, recording);
+  const auto observe = [&](double t, std::span<const double> sensors) {
+    record(t, sensors, recording);
+    bar.update(t);
+  };
   record(simulation.time(), simulation.sensor_values(), recording);
+  record_shape(simulation, stops, recording);
   recording.writing_time = 0.0;
   const auto start = Clock::now();
   try {
-    simulation.run_until(simulation.scenario().integration.duration,
-                         [&](double t, std::span<const double> sensors) {
-                           record(t, sensors, recording);
-                           bar.update(t);
-                         });
+    while (!simulation.done()) {
+      const std::int64_t stop = stops.next(simulation.steps());
+      simulation.run_until(static_cast<double>(stop) * simulation.step_size(), observe);
+      record_shape(simulation, stops, recording);
+    }
   } catch (const DivergenceError& error) {
     outcome.divergence = one_line(error.what());
   }
@@ -86,6 +134,7 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, bool show_pro
   const double last = recording.statistics.last_time();
   if (recording.last_row < last) write_row(recording, last, recording.statistics.final_values());
   recording.file.close();
+  if (recording.vtk) recording.vtk->close();
   return outcome;
 }
 
@@ -118,7 +167,7 @@ std::string describe_energy(const Simulation& simulation, const SensorStatistics
 }
 
 void print_result(const Simulation& simulation, const Recording& recording,
-                  const RunOutcome& outcome, const fs::path& folder) {
+                  const RunOutcome& outcome, const std::string& written) {
   print_line(
       "took",
       fmt::format("{:.3g} s, {:.3g} s simulated a second, {} evaluations", outcome.wall_time,
@@ -133,7 +182,22 @@ void print_result(const Simulation& simulation, const Recording& recording,
     print_line("", fmt::format("{} smaller ones: see summary.json", tips.size() - kMostTipLines));
   }
   print_line("energy", describe_energy(simulation, recording.statistics));
-  print_line("written", (folder / "sensors.csv").string() + ", summary.json");
+  print_line("written", written);
+}
+
+/// Writes the files that are written at the end. What is in the folder then, in one line.
+std::string write_results(const Simulation& simulation, const Recording& recording,
+                          const RunOutcome& outcome, const fs::path& folder) {
+  std::string written = (folder / "sensors.csv").string() + ", summary.json";
+  write_file(folder / "summary.json", make_summary(simulation, recording.statistics, outcome));
+  if (recording.report) {
+    write_file(folder / "report.html",
+               run_report::make_html(simulation, recording.statistics, outcome,
+                                     recording.tips.describe(), *recording.report));
+    written += ", report.html";
+  }
+  if (recording.vtk) written += fmt::format(", vtk ({} times)", recording.vtk->size());
+  return written;
 }
 
 }  // namespace
@@ -149,12 +213,12 @@ int run(const Arguments& arguments) {
                simulation.size().memory_bytes);
   prepare_folder(folder);
   spdlog::info("results go to {}", folder.string());
-  Recording recording(simulation, folder);
+  Recording recording(simulation, arguments, folder);
   if (!arguments.quiet) print_plan(simulation);
   const RunOutcome outcome = integrate(simulation, recording, !arguments.quiet);
-  write_file(folder / "summary.json", make_summary(simulation, recording.statistics, outcome));
+  const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
-  if (!arguments.quiet) print_result(simulation, recording, outcome, folder);
+  if (!arguments.quiet) print_result(simulation, recording, outcome, written);
   if (outcome.divergence.empty()) return 0;
   std::fflush(stdout);
   fmt::print(stderr, "{}\n", outcome.divergence);

@@ -73,7 +73,72 @@ svg.chart .band { fill: var(--c); opacity: 0.16; }
 svg.chart .point { fill: var(--c); stroke: var(--paper); stroke-width: 1.25; }
 .s0 { --c: var(--s0); } .s1 { --c: var(--s1); } .s2 { --c: var(--s2); } .s3 { --c: var(--s3); }
 .s4 { --c: var(--s4); } .s5 { --c: var(--s5); } .s6 { --c: var(--s6); } .s7 { --c: var(--s7); }
+main.wide { max-width: 112rem; padding: 2.5rem 2.5rem 4rem; }
+h3 { font-size: 0.95rem; margin: 0 0 0.5rem; }
+.tiles {
+  display: grid; grid-template-columns: repeat(auto-fit, minmax(11.5rem, 1fr)); gap: 0.9rem;
+  list-style: none; margin: 1.5rem 0; padding: 0;
+}
+.tiles li {
+  border: 1px solid var(--rule); border-top: 3px solid var(--tone, var(--s0)); border-radius: 8px;
+  background: var(--panel); padding: 0.8rem 1.05rem 0.9rem; display: flex; flex-direction: column;
+}
+.tiles span { color: var(--soft); font-size: 0.875rem; }
+.tiles strong { font-size: 1.4rem; font-weight: 600; line-height: 1.35; letter-spacing: -0.01em;
+  font-variant-numeric: tabular-nums; color: var(--tone, var(--ink)); }
+.tiles small { color: var(--soft); font-size: 0.8125rem; }
+.groups { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); gap: 0.9rem; }
+.groups section {
+  border: 1px solid var(--rule); border-radius: 8px; padding: 1rem 1.2rem; font-size: 0.9rem;
+}
+.groups dl { margin: 0; gap: 0.25rem 1.2rem; grid-template-columns: max-content minmax(0, 1fr); }
+.controls {
+  display: flex; flex-wrap: wrap; align-items: center; gap: 0.6rem 1.4rem; font-size: 0.9rem;
+  margin: 0.75rem 0;
+}
+.controls label, .controls > span { display: inline-flex; align-items: center; gap: 0.55rem; }
+.controls label > span, .controls .hint { color: var(--soft); }
+.controls .hint { flex: 1 1 24rem; font-size: 0.8125rem; }
+.controls .grow { flex: 1 1 18rem; } .controls .grow input { flex: 1; min-width: 6rem; }
+.controls output { font-variant-numeric: tabular-nums; min-width: 3.6rem; }
+input[type=range], input[type=checkbox] { accent-color: var(--s0); margin: 0; }
+button, select {
+  font: inherit; color: var(--ink); background: var(--paper); border: 1px solid var(--rule);
+  border-radius: 6px; padding: 0.28rem 0.8rem; cursor: pointer;
+}
+button:hover:enabled, select:hover { border-color: var(--soft); }
+button:disabled { color: var(--soft); cursor: default; opacity: 0.65; }
+button.primary {
+  background: var(--s0); border-color: var(--s0); color: var(--paper); font-weight: 600;
+  min-width: 5.2rem;
+}
+:focus-visible { outline: 3px solid var(--s0); outline-offset: 2px; border-radius: 4px; }
+.unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+.film { border: 1px solid var(--rule); border-radius: 10px; padding: 1rem 1.2rem 0.5rem; }
+.views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.2rem; }
+.views figure { margin: 0; } .views figcaption { margin: 0 0 0.5rem; }
+.views canvas {
+  display: block; width: 100%; aspect-ratio: 1; max-height: min(34rem, 68vh); background: var(--panel);
+  border-radius: 8px;
+}
+.views strong, .plot strong { color: var(--ink); font-weight: 600; }
+.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(32rem, 100%), 1fr)); gap: 0.9rem; }
+.plot { border: 1px solid var(--rule); border-radius: 10px; margin: 0; padding: 0.9rem 1rem 0.7rem; min-width: 0; }
+.plot figcaption { margin: 0 0 0.3rem; } .plot figcaption span { margin-left: 0.6rem; }
+.plot canvas:not(.swatch) {
+  display: block; width: 100%; height: 15rem; cursor: crosshair; touch-action: pan-y;
+}
+.legend { display: flex; flex-wrap: wrap; gap: 0.1rem 0.3rem; max-height: 6.2rem; overflow-y: auto; }
+.legend button {
+  display: inline-flex; align-items: center; gap: 0.5rem; border-color: transparent;
+  background: none; padding: 0.15rem 0.5rem; font-size: 0.8125rem;
+}
+.legend button[aria-pressed=false] span { text-decoration: line-through; color: var(--soft); }
+.legend button[aria-pressed=false] .swatch { opacity: 0.25; }
+.legend .swatch { width: 22px; height: 6px; }
+.legend output { min-width: 7.5em; text-align: left; font-variant-numeric: tabular-nums; color: var(--soft); }
 @media print {
+  .controls { display: none; }
   body { font-size: 10pt; } main { max-width: none; padding: 0; } h2 { break-after: avoid; }
   tr { break-inside: avoid; } .note, svg.chart { print-color-adjust: exact; }
   .scroll { overflow: visible; } td { white-space: normal; } svg.chart { min-width: 0; }

@@ -31,6 +31,10 @@ TEST_CASE("one linear body per blade diverges with a diagnosis and keeps its res
   CHECK(last ==
         doctest::Approx(summary["step_size_s"].get<double>() * (summary["steps"].get<double>()))
             .epsilon(1e-3));
+  const std::string page = read_file(results / "report.html");
+  CHECK(page.find("class=\"note bad\"") != std::string::npos);
+  CHECK(page.find("The page shows what came before") != std::string::npos);
+  CHECK(page.find("film-play") != std::string::npos);
 }
 
 TEST_CASE("rk4 beyond its stable step diverges with status 3") {

@@ -38,11 +38,26 @@ TEST_CASE("run --help names every option and what is written") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"run", "--help"}, folder);
   CHECK(ended.status == 0);
-  check_contains(
-      ended.out,
-      {"SCENARIO", "--out", "--set", "--formulation", "structured,subsystem,augmented",
-       "--integrator", "generalized_alpha,rk4", "--executor", "flow_graph,serial", "--threads",
-       "--window", "--quiet", "-v", "sensors.csv", "summary.json", "Exit status:", "Example:"});
+  check_contains(ended.out, {"SCENARIO",
+                             "--out",
+                             "--set",
+                             "--formulation",
+                             "structured,subsystem,augmented",
+                             "--integrator",
+                             "generalized_alpha,rk4",
+                             "--executor",
+                             "flow_graph,serial",
+                             "--threads",
+                             "--window",
+                             "--no-report",
+                             "--vtk",
+                             "--quiet",
+                             "-v",
+                             "sensors.csv",
+                             "summary.json",
+                             "report.html",
+                             "Exit status:",
+                             "Example:"});
   CHECK(folder.entries() == 0);
 }
 
