@@ -31,7 +31,7 @@ function numberText(value) {
   if (value === 0 || !Number.isFinite(value)) return String(value);
   const size = Math.abs(value);
   const text =
-    size >= 1e5 || size < 1e-3 ? value.toExponential(3) : String(Number(value.toPrecision(5)));
+    size >= 1e5 || size < 1e-3 ? value.toExponential(4) : String(Number(value.toPrecision(5)));
   return text.replace('-', '\u2212').replace('e-', 'e\u2212').replace('e+', 'e');
 }
 
@@ -240,7 +240,7 @@ class TimePlot {
 
   drawGrid(context) {
     const { low, high } = this.range;
-    const vertical = roundTicks(low, high, this.area.height / 34);
+    const vertical = roundTicks(low, high, this.area.height / 28);
     const largest = Math.max(Math.abs(low), Math.abs(high));
     let exponent = 0;
     if (largest >= 1e4 || largest < 1e-2) exponent = 3 * Math.floor(Math.log10(largest) / 3);

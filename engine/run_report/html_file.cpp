@@ -29,7 +29,7 @@ constexpr const char* kFilmMarkup = R"(<div class="film">
 <label><span>Speed</span><select id="film-speed"><option value="0.1">0.1 &#215;</option><option value="0.25">0.25 &#215;</option><option value="0.5">0.5 &#215;</option><option value="1" selected>1 &#215;</option><option value="2">2 &#215;</option><option value="5">5 &#215;</option><option value="10">10 &#215;</option></select></label>
 <label><span>Deflections</span><input type="range" id="film-scale" min="0" max="200" value="0"><output id="film-times"></output></label>
 <label><input type="checkbox" id="film-outline" checked> undeformed</label>
-<label><input type="checkbox" id="film-trails" checked> trails of the tips</label>
+<label><input type="checkbox" id="film-trails" checked> trails</label>
 </div>
 </div>
 )";
