@@ -77,7 +77,7 @@ std::vector<report::Tile> make_tiles(const Simulation& simulation,
   const auto add_largest = [&](const char* label, const char* sensor, const char* unit) {
     const Sample sample = largest(range_of(simulation, statistics, sensor));
     tiles.push_back({label, report::figure(sample.value, 4) + ' ' + unit,
-                     fmt::format("at {} s", report::figure(sample.t, 4))});
+                     fmt::format("at {} s", number(sample.t))});
   };
   add_largest("Largest hub speed", "hub.speed", "rad/s");
   add_largest("Largest torque", "hub.torque", "N m");
@@ -103,10 +103,12 @@ void add_warnings(report::Page& page, const Simulation& simulation,
   }
   const double relative = relative_residual(simulation, statistics);
   if (relative > kNotableResidual) {
+    const bool is_rk4 = simulation.scenario().integration.method == IntegrationMethod::rk4;
     page.add_note(
         fmt::format("The energy residual reaches {} % of the largest kinetic energy: the step of "
-                    "{} s is large for this motion, or the spectral radius low.",
-                    report::figure(100.0 * relative, 2), number(simulation.step_size())),
+                    "{} s is large for this motion{}.",
+                    report::figure(100.0 * relative, 2), number(simulation.step_size()),
+                    is_rk4 ? "" : ", or the spectral radius low"),
         report::Tone::warning);
   }
 }
@@ -193,13 +195,12 @@ std::string describe_data(const Recorder& recorder) {
                                "The plots show, of each {} rows of sensors.csv, the lowest and the "
                                "highest value.",
                                rows);
+  const std::vector<double>& times = recorder.film().times();
+  if (times.size() < 2) return text + " The run was too short for an animation.";
   return text + fmt::format(
                     " The animation has {} pictures, {} s apart; in between it moves along "
                     "straight lines.",
-                    recorder.film().times().size(),
-                    recorder.film().times().size() < 2
-                        ? "0"
-                        : report::figure(recorder.film().times()[1], 3));
+                    times.size(), number(times[1]));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
+#include "engine/run_report/recorder.h"
+
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/run_report/base64.h"
-#include "engine/run_report/html_file.h"
 
 namespace spoke::run_report {
 namespace {

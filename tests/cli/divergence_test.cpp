@@ -47,4 +47,6 @@ TEST_CASE("rk4 beyond its stable step diverges with status 3") {
   CHECK(ended.err.find("rk4") != std::string::npos);
   CHECK(json::parse(read_file(folder.path() / "o" / "summary.json"))["status"] == "diverged");
   CHECK(lines_of(read_file(folder.path() / "o" / "sensors.csv")).size() >= 2);
+  const std::string page = read_file(folder.path() / "o" / "report.html");
+  CHECK(page.find("The run was too short for an animation.") != std::string::npos);
 }

@@ -197,6 +197,19 @@ test('a run that diverged shows why and what came before', () => {
   });
 });
 
+test('a run that ends at once has plots and no animation', () => {
+  const out = join(folder, 'early');
+  const model = join(process.env.SPOKE_MODELS_DIR, 'wu_haug_rotor.toml');
+  const options = ['run', model, '--integrator', 'rk4', '--quiet', '--out', out];
+  assert.equal(spawnSync(process.env.SPOKE_PROGRAM, options).status, 3);
+  return withPage(join(out, 'report.html'), {}, async (page) => {
+    assert.equal(await page.locator('.plot').count(), 6);
+    assert.equal(await page.locator('#film-play').count(), 0);
+    const canvas = plotOf(page, 'Hub speed').locator('canvas').first();
+    await canvas.click({ position: { x: 200, y: 60 } });
+  });
+});
+
 test('the page of a large model stays small and works', () => {
   const page = join(run('large_rotor', '--set', 'integration.duration=0.5'), 'report.html');
   assert.ok(statSync(page).size < 2.5e6);
