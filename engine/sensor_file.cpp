@@ -128,4 +128,23 @@ void SensorFile::close() {
   output_.close();
 }
 
+void read_rows(const std::filesystem::path& file,
+               const std::function<void(double t, std::span<const double> values)>& visit) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);  // names
+  std::vector<double> numbers;
+  while (std::getline(stream, line)) {
+    numbers.clear();
+    const char* const end = line.data() + line.size();
+    for (const char* at = line.data(); at < end; ++at) {
+      double number = 0.0;
+      at = std::from_chars(at, end, number).ptr;  // to the comma
+      numbers.push_back(number);
+    }
+    if (!numbers.empty()) visit(numbers.front(), std::span(numbers).subspan(1));
+  }
+  if (!stream.eof()) throw InputError(file.string() + ": cannot be read");
+}
+
 }  // namespace spoke

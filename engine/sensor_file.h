@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,5 +42,10 @@ class SensorFile {
   std::string lines_;  ///< not written yet
   std::uint32_t checksum_ = 0;
 };
+
+/// Calls `visit` for every row of a sensors.csv that a SensorFile has written. Throws InputError if
+/// it cannot be read.
+void read_rows(const std::filesystem::path& file,
+               const std::function<void(double t, std::span<const double> values)>& visit);
 
 }  // namespace spoke

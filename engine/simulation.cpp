@@ -306,6 +306,12 @@ BodyState Simulation::body(int blade, int body) const {
           unpadded(data.coordinates.a, data.layout)};
 }
 
+void Simulation::calc_shape(int blade, BladeShape& shape) const {
+  StepContext& context = impl_->context;
+  spoke::calc_shape(impl_->scenario.rotor.blades.at(blade), context.system.subsystems.at(blade),
+                    context.data.subsystems.at(blade), shape);
+}
+
 std::uint64_t Simulation::state_hash() const {
   const StepData& data = impl_->context.data;
   std::uint64_t value = 14695981039346656037u;

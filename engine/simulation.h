@@ -14,6 +14,7 @@
 
 #include "engine/formulation/formulation.h"
 #include "engine/saved_state.h"
+#include "engine/shape.h"
 #include "graph/executor.h"
 #include "models/scenario.h"
 
@@ -145,6 +146,9 @@ class Simulation {
   HubMotion hub() const;
   /// Precondition: 0 <= blade < subsystems, 0 <= body < bodies of that blade.
   BodyState body(int blade, int body) const;
+  /// Where the nodes of a blade stand at time(), and the tension of its elements. `shape` keeps its
+  /// memory from call to call. Precondition: 0 <= blade < subsystems.
+  void calc_shape(int blade, BladeShape& shape) const;
   /// 64-bit hash (FNV-1a) of the state: hub position and velocity, all coordinates and velocities.
   std::uint64_t state_hash() const;
 

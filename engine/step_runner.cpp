@@ -72,9 +72,10 @@ void StepRunner::add_window(int passes) {
 
 StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
                                    const TimeStepper::Completed& completed) {
+  const std::int64_t asked = target - steps();
   while (is_automatic() && !window_ && reason_.empty() && steps() < target) {
     if (has_timed()) {
-      choose_window(target - steps());
+      choose_window(asked);
       break;
     }
     const StepOutcome outcome =

@@ -30,6 +30,8 @@ constexpr const char* kRunText = R"(Output files, in the folder of --out:
   sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies
   summary.json  all values in force, machine, steps, wall time, hash of the final state, and
                 the extremes of every sensor over all steps
+  report.html   a page to look at: plots over time, the rotor moving, all numbers; needs no network
+  vtk/          with --vtk: blades.pvd for ParaView and a file for each output time
   checkpoint.spoke  with --checkpoint-every: what --resume goes on from, see docs/checkpoint.md
 
 The first Ctrl-C (SIGINT) or SIGTERM completes the step, writes rows, summary and checkpoint, and
@@ -232,6 +234,10 @@ void add_run(CLI::App& program, Arguments& arguments) {
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
   add_checkpoints(run, arguments);
+  run.add_flag_callback(
+      "--no-report", [&] { arguments.writes_report = false; }, "Do not write report.html");
+  run.add_flag("--vtk", arguments.writes_vtk,
+               "Write the deformed blades at all output times for ParaView");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] {

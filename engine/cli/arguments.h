@@ -30,7 +30,9 @@ struct Arguments {
   std::optional<IntegrationMethod> integrator;
   SimulationOptions options;
   bool quiet = false;
-  int verbosity = 0;  ///< number of -v
+  bool writes_report = true;  ///< of run: report.html
+  bool writes_vtk = false;    ///< of run: files for ParaView
+  int verbosity = 0;          ///< number of -v
   CompareArguments compare;
   PredictArguments predict;
   bool quick = false;  ///< of reproduce: few rounds

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/checkpoints.h"
@@ -16,6 +17,9 @@
 #include "engine/cli/results_folder.h"
 #include "engine/cli/tip_deflections.h"
 #include "engine/results.h"
+#include "engine/run_report/html_file.h"
+#include "engine/run_report/picture_steps.h"
+#include "engine/vtk_series.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -32,46 +36,66 @@ double seconds_since(Clock::time_point start) {
 
 /// Removes what an earlier run left and does not belong to the rows of this one; the checkpoint
 /// that this one resumes from does.
-void remove_stale(const fs::path& folder, const fs::path& resumed) {
+void remove_stale(const fs::path& folder, const Arguments& arguments) {
+  const fs::path resumed = arguments.resume;
   std::error_code error;
-  fs::remove(folder / "summary.json", error);
+  for (const char* file : {"summary.json", "report.html"})
+    if (!error) fs::remove(folder / file, error);
   const fs::path checkpoint = folder / "checkpoint.spoke";
   std::error_code none;
   if (!error && (resumed.empty() || !fs::equivalent(resumed, checkpoint, none)))
     fs::remove(checkpoint, error);
   if (error)
     throw InputError(folder.string() + ": cannot be the folder of results: " + error.message());
+  if (!arguments.writes_vtk) remove_vtk_series(folder / "vtk");
 }
 
 /// What is gathered while a simulation runs.
 struct Recording {
-  Recording(const Simulation& simulation, const fs::path& folder)
+  Recording(const Simulation& simulation, const Arguments& arguments, const fs::path& folder)
       : statistics(simulation.sensor_names().size()),
         tips(simulation),
         due(simulation.scenario().output.interval),
-        file(folder / "sensors.csv", simulation.sensor_names()) {}
+        file(folder / "sensors.csv", simulation.sensor_names()) {
+    open_pictures(simulation, arguments, folder);
+  }
   /// Goes on where `before` ended, with its rows in `rows`.
-  Recording(const Simulation& simulation, const fs::path& folder, const RunRecord& before,
-            const fs::path& rows)
+  Recording(const Simulation& simulation, const Arguments& arguments, const fs::path& folder,
+            const RunRecord& before, const fs::path& rows)
       : statistics(before.ranges, simulation.time()),
         tips(simulation, before.tips),
         due(before.output_interval, before.next_multiple),
         file(folder / "sensors.csv", before.rows, rows),
         wall_time_before(before.wall_time),
-        last_row(before.last_row) {}
+        last_row(before.last_row) {
+    open_pictures(simulation, arguments, folder);
+    if (report)
+      read_rows(folder / "sensors.csv",
+                [this](double t, std::span<const double> values) { report->add_row(t, values); });
+  }
 
   SensorStatistics statistics;
   TipDeflections tips;
   OutputTimes due;
   SensorFile file;
+  std::optional<run_report::Recorder> report;
+  std::optional<VtkSeries> vtk;
   double wall_time_before = 0.0;  ///< of the run that is resumed [s]
-  double writing_time = 0.0;      ///< spent on files [s]
+  double writing_time = 0.0;      ///< spent on files, and on what goes into them later [s]
   double last_row = -1.0;         ///< time of the last row written [s]; negative: none yet
+
+ private:
+  void open_pictures(const Simulation& simulation, const Arguments& arguments,
+                     const fs::path& folder) {
+    if (arguments.writes_report) report.emplace(simulation);
+    if (arguments.writes_vtk) vtk.emplace(folder / "vtk");
+  }
 };
 
 void write_row(Recording& recording, double t, std::span<const double> values) {
   const auto start = Clock::now();
   recording.file.write_row(t, values);
+  if (recording.report) recording.report->add_row(t, values);
   recording.last_row = t;
   recording.writing_time += seconds_since(start);
 }
@@ -101,13 +125,44 @@ std::string describe_interruption(const Simulation& simulation, const Checkpoint
   return text;
 }
 
+/// The steps between which the simulation runs through. Files of shapes want all output times, the
+/// page a few hundred of them.
+struct Stops {
+  Stops(const Simulation& simulation, const Recording& recording)
+      : pictures(simulation, recording.report ? recording.report->film().most_frames() : 0),
+        outputs(simulation, 0),
+        has_pictures(recording.report),
+        has_outputs(recording.vtk),
+        end(simulation.planned_steps()) {}
+
+  std::int64_t next(std::int64_t step) const {
+    if (has_outputs) return outputs.next(step);
+    return has_pictures ? pictures.next(step) : end;
+  }
+
+  run_report::PictureSteps pictures, outputs;
+  bool has_pictures, has_outputs;
+  std::int64_t end;
+};
+
+/// Records the shape at the simulation's time, where it is due.
+void record_shape(const Simulation& simulation, const Stops& stops, Recording& recording) {
+  const auto start = Clock::now();
+  const std::int64_t step = simulation.steps();
+  if (recording.report && (step == 0 || stops.pictures.next(step - 1) == step))
+    recording.report->add_picture(simulation);
+  if (recording.vtk) recording.vtk->write(simulation);
+  recording.writing_time += seconds_since(start);
+}
+
 /// Steps to the end, to divergence or to a signal.
 RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& checkpoints,
                      bool show_progress) {
-  const double duration = simulation.scenario().integration.duration;
   RunOutcome outcome;
-  ProgressBar bar(simulation.time(), duration, show_progress);
+  ProgressBar bar(simulation.time(), simulation.scenario().integration.duration, show_progress);
+  const Stops stops(simulation, recording);
   if (recording.last_row < 0.0) record(simulation.time(), simulation.sensor_values(), recording);
+  record_shape(simulation, stops, recording);
   recording.writing_time = 0.0;
   const auto start = Clock::now();
   const auto wall_time = [&] {
@@ -120,7 +175,9 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   };
   try {
     while (!simulation.done() && Interruption::signal() == 0) {
-      simulation.run_until(duration, observe);
+      const std::int64_t stop = stops.next(simulation.steps());
+      simulation.run_until(static_cast<double>(stop) * simulation.step_size(), observe);
+      if (simulation.steps() == stop) record_shape(simulation, stops, recording);
       if (checkpoints.is_due() && !simulation.done())
         write_checkpoint(simulation, wall_time(), recording, checkpoints);
     }
@@ -135,6 +192,7 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   const double last = recording.statistics.last_time();
   if (recording.last_row < last) write_row(recording, last, recording.statistics.final_values());
   recording.file.close();
+  if (recording.vtk) recording.vtk->close();
   return outcome;
 }
 
@@ -167,7 +225,7 @@ std::string describe_energy(const Simulation& simulation, const SensorStatistics
 }
 
 void print_result(const Simulation& simulation, const Recording& recording,
-                  const RunOutcome& outcome, const fs::path& folder) {
+                  const RunOutcome& outcome, const std::string& written) {
   print_line(
       "took",
       fmt::format("{:.3g} s, {:.3g} s simulated a second, {} evaluations", outcome.wall_time,
@@ -182,7 +240,22 @@ void print_result(const Simulation& simulation, const Recording& recording,
     print_line("", fmt::format("{} smaller ones: see summary.json", tips.size() - kMostTipLines));
   }
   print_line("energy", describe_energy(simulation, recording.statistics));
-  print_line("written", (folder / "sensors.csv").string() + ", summary.json");
+  print_line("written", written);
+}
+
+/// Writes the files that are written at the end. What is in the folder then, in one line.
+std::string write_results(const Simulation& simulation, const Recording& recording,
+                          const RunOutcome& outcome, const fs::path& folder) {
+  std::string written = (folder / "sensors.csv").string() + ", summary.json";
+  write_file(folder / "summary.json", make_summary(simulation, recording.statistics, outcome));
+  if (recording.report) {
+    write_file(folder / "report.html",
+               run_report::make_html(simulation, recording.statistics, outcome,
+                                     recording.tips.describe(), *recording.report));
+    written += ", report.html";
+  }
+  if (recording.vtk) written += fmt::format(", vtk ({} times)", recording.vtk->size());
+  return written;
 }
 
 fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario) {
@@ -193,14 +266,17 @@ fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario)
 }
 
 /// Opens the files of a run, a new one or one that is resumed, and restores its state.
-Recording open_recording(const fs::path& folder, const fs::path& resumed, Simulation& simulation) {
-  if (resumed.empty()) {
+Recording open_recording(const Arguments& arguments, const fs::path& folder,
+                         Simulation& simulation) {
+  if (arguments.resume.empty()) {
     make_folder(folder);
-    return Recording(simulation, folder);
+    return Recording(simulation, arguments, folder);
   }
+  const fs::path resumed = arguments.resume;
   const Checkpoint checkpoint = resume(resumed, simulation);
   make_folder(folder);
-  return Recording(simulation, folder, *checkpoint.record, resumed.parent_path() / "sensors.csv");
+  return Recording(simulation, arguments, folder, *checkpoint.record,
+                   resumed.parent_path() / "sensors.csv");
 }
 
 int exit_status(const RunOutcome& outcome) {
@@ -218,8 +294,8 @@ int run(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
-  Recording recording = open_recording(folder, arguments.resume, simulation);
-  remove_stale(folder, arguments.resume);
+  Recording recording = open_recording(arguments, folder, simulation);
+  remove_stale(folder, arguments);
   spdlog::info("results go to {}", folder.string());
   Checkpoints checkpoints(folder / "checkpoint.spoke", arguments.checkpoint_every);
   if (!arguments.quiet) print_plan(simulation);
@@ -228,9 +304,9 @@ int run(const Arguments& arguments) {
                                       simulation.time(), simulation.steps()));
   const Interruption interruption;
   const RunOutcome outcome = integrate(simulation, recording, checkpoints, !arguments.quiet);
-  write_file(folder / "summary.json", make_summary(simulation, recording.statistics, outcome));
+  const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
-  if (!arguments.quiet) print_result(simulation, recording, outcome, folder);
+  if (!arguments.quiet) print_result(simulation, recording, outcome, written);
   std::fflush(stdout);
   const std::string message = outcome.divergence + outcome.interruption;
   if (!message.empty()) fmt::print(stderr, "{}\n", message);

@@ -39,6 +39,13 @@ std::string element(std::string_view name, std::string_view text, std::string_vi
   return markup.append(escape(text)).append("</").append(name).append(">");
 }
 
+std::string fact_list(const std::vector<Fact>& facts) {
+  std::string markup = "<dl>\n";
+  for (const auto& [label, text] : facts)
+    markup += element("dt", label) + element("dd", text) + '\n';
+  return markup + "</dl>\n";
+}
+
 std::string table_head(const Table& table) {
   std::string head = "<thead><tr>";
   for (const Column& column : table.columns) {
@@ -78,10 +85,24 @@ void Page::add_notes(const std::vector<std::string>& paragraphs, Tone tone) {
 
 void Page::add_facts(const std::vector<Fact>& facts) {
   if (facts.empty()) return;
-  body_ += "<dl>\n";
-  for (const auto& [label, text] : facts)
-    body_ += element("dt", label) + element("dd", text) + '\n';
-  body_ += "</dl>\n";
+  body_ += fact_list(facts);
+}
+
+void Page::add_fact_groups(const std::vector<FactGroup>& groups) {
+  body_ += "<div class=\"groups\">\n";
+  for (const FactGroup& group : groups)
+    body_ += "<section>" + element("h3", group.title) + fact_list(group.facts) + "</section>\n";
+  body_ += "</div>\n";
+}
+
+void Page::add_tiles(const std::vector<Tile>& tiles) {
+  body_ += "<ul class=\"tiles\">\n";
+  for (const Tile& tile : tiles) {
+    body_ += "<li" + attribute("class", name_of(tile.tone)) + '>';
+    body_ += element("span", tile.label) + element("strong", tile.value);
+    body_ += element("small", tile.detail) + "</li>\n";
+  }
+  body_ += "</ul>\n";
 }
 
 void Page::add_table(const Table& table) {
@@ -102,14 +123,32 @@ void Page::add_figure(std::string_view svg, std::string_view caption) {
   body_ += "</figure>\n";
 }
 
+void Page::add_markup(std::string_view markup) { body_ += markup; }
+
+void Page::add_data(std::string_view id, std::string_view json) {
+  scripts_.append("<script type=\"application/json\"").append(attribute("id", id)).append(">");
+  for (const char c : json) {
+    if (c == '<')
+      scripts_ += "\\u003c";  // no text in it can end the element
+    else
+      scripts_ += c;
+  }
+  scripts_ += "</script>\n";
+}
+
+void Page::add_script(std::string_view script) {
+  scripts_.append("<script type=\"module\">\n").append(script).append("</script>\n");
+}
+
 std::string Page::html() const {
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   text += element("title", title_) + "\n<style>" + std::string(page_style()) + "</style>\n";
-  text += "</head>\n<body>\n<main>\n<header>" + element("h1", title_);
+  text += "</head>\n<body>\n<main" + attribute("class", is_wide_ ? "wide" : "") + ">\n<header>";
+  text += element("h1", title_);
   if (!subtitle_.empty()) text += element("p", subtitle_);
-  return text + "</header>\n" + body_ + "</main>\n</body>\n</html>\n";
+  return text + "</header>\n" + body_ + "</main>\n" + scripts_ + "</body>\n</html>\n";
 }
 
 }  // namespace spoke::report

@@ -1,7 +1,7 @@
 #pragma once
 
-// Self-contained HTML pages: one file, no network, no script, no font of its own. They follow the
-// reader's light or dark theme and print in black on white.
+// Self-contained HTML pages: one file, no network, no font of its own, no script unless one is
+// added. They follow the reader's light or dark theme and print in black on white.
 
 #include <string>
 #include <string_view>
@@ -37,6 +37,20 @@ struct Table {
 /// A label and what it stands for, for lists of facts.
 using Fact = std::pair<std::string, std::string>;
 
+/// A figure that sums something up, to be seen first.
+struct Tile {
+  std::string label = {};
+  std::string value = {};
+  std::string detail = {};  ///< below, smaller
+  Tone tone = Tone::plain;
+};
+
+/// A list of facts under a heading of its own.
+struct FactGroup {
+  std::string title = {};
+  std::vector<Fact> facts = {};
+};
+
 /// Collects a page from top to bottom. All texts are plain text and are escaped here.
 class Page {
  public:
@@ -48,10 +62,22 @@ class Page {
   void add_note(std::string_view text, Tone tone = Tone::plain);
   void add_notes(const std::vector<std::string>& paragraphs, Tone tone = Tone::plain);
   void add_facts(const std::vector<Fact>& facts);
+  /// Side by side, where the page is wide enough.
+  void add_fact_groups(const std::vector<FactGroup>& groups);
+  void add_tiles(const std::vector<Tile>& tiles);
   /// A table without rows says so.
   void add_table(const Table& table);
   /// Adds a picture. `svg` is markup, as by render() of report/chart.h, and is not escaped.
   void add_figure(std::string_view svg, std::string_view caption = {});
+
+  /// Adds markup as it is.
+  void add_markup(std::string_view markup);
+  /// Adds data in JSON, in an element of that id, for scripts to read.
+  void add_data(std::string_view id, std::string_view json);
+  /// Adds a script (a module) to the end of the page. It must not contain "</script".
+  void add_script(std::string_view script);
+  /// Lets the page be as wide as a large screen, for plots side by side.
+  void widen() { is_wide_ = true; }
 
   /// The whole document.
   std::string html() const;
@@ -60,6 +86,8 @@ class Page {
   std::string title_;
   std::string subtitle_;
   std::string body_;
+  std::string scripts_;
+  bool is_wide_ = false;
 };
 
 }  // namespace spoke::report

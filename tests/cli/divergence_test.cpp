@@ -31,6 +31,10 @@ TEST_CASE("one linear body per blade diverges with a diagnosis and keeps its res
   CHECK(last ==
         doctest::Approx(summary["step_size_s"].get<double>() * (summary["steps"].get<double>()))
             .epsilon(1e-3));
+  const std::string page = read_file(results / "report.html");
+  CHECK(page.find("class=\"note bad\"") != std::string::npos);
+  CHECK(page.find("The page shows what came before") != std::string::npos);
+  CHECK(page.find("film-play") != std::string::npos);
 }
 
 TEST_CASE("rk4 beyond its stable step diverges with status 3") {
@@ -43,4 +47,6 @@ TEST_CASE("rk4 beyond its stable step diverges with status 3") {
   CHECK(ended.err.find("rk4") != std::string::npos);
   CHECK(json::parse(read_file(folder.path() / "o" / "summary.json"))["status"] == "diverged");
   CHECK(lines_of(read_file(folder.path() / "o" / "sensors.csv")).size() >= 2);
+  const std::string page = read_file(folder.path() / "o" / "report.html");
+  CHECK(page.find("The run was too short for an animation.") != std::string::npos);
 }

@@ -101,7 +101,7 @@ TEST_CASE("checkpoints do not change the results, and a run without removes an o
   CHECK(fs::exists(folder.path() / "o" / "checkpoint.spoke"));
   REQUIRE(run_spoke(run_of("4", {"--out", "o", "--set", "output.interval=0"}), folder).status == 0);
   CHECK(read_file(folder.path() / "o" / "sensors.csv") == rows);
-  CHECK(folder.entries() == 3);
+  CHECK(folder.entries() == 4);
 }
 
 TEST_CASE("a checkpoint that does not belong to the run is refused and nothing is changed") {

@@ -31,11 +31,11 @@ TEST_CASE("run prints what it does and writes rows and a summary to a folder of 
       folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  for (const char* part :
-       {"Wu & Haug 1988 rotor", "144 coordinates", " nodes, ",
-        "structured, generalized_alpha, 200 steps of 0.005 s, auto on 2 "
-        "threads",
-        "m at 1 s (blades 1-3)", "residual", "results/wu_haug_rotor/sensors.csv, summary.json"}) {
+  for (const char* part : {"Wu & Haug 1988 rotor", "144 coordinates", " nodes, ",
+                           "structured, generalized_alpha, 200 steps of 0.005 s, auto on 2 "
+                           "threads",
+                           "m at 1 s (blades 1-3)", "residual",
+                           "results/wu_haug_rotor/sensors.csv, summary.json, report.html"}) {
     CAPTURE(part);
     CHECK(ended.out.find(part) != std::string::npos);
   }
@@ -150,5 +150,77 @@ TEST_CASE("a second run replaces the results of the first") {
   const fs::path results = folder.path() / "results" / "simo_vu_quoc_beam";
   CHECK(lines_of(read_file(results / "sensors.csv")).size() == 4);
   CHECK(summary_in(results)["steps"] == 20);
-  CHECK(folder.entries() == 4);  // two folders, two files
+  CHECK(folder.entries() == 5);  // two folders, three files
+}
+
+TEST_CASE("run writes a page that needs nothing from elsewhere, unless told not to") {
+  const WorkFolder folder;
+  const std::vector<std::string> arguments = {"run", shipped("wu_haug_rotor"), "--set",
+                                              "integration.duration=0.5", "--quiet"};
+  REQUIRE(run_spoke(arguments, folder).status == 0);
+  const fs::path results = folder.path() / "results" / "wu_haug_rotor";
+  const std::string page = read_file(results / "report.html");
+  for (const char* part : {"Wu &amp; Haug 1988 rotor", "0.5 s in 100 steps of 0.005 s",
+                           "beam elements</dt><dd>48<", "61 nodes, 78 edges", "generalized_alpha",
+                           "energy.residual", "id=\"run-data\"", "class TimePlot"}) {
+    CAPTURE(part);
+    CHECK(page.find(part) != std::string::npos);
+  }
+  for (const char* part : {"http:", "https:", "src=", "<link", "@import", "import "}) {
+    CAPTURE(part);
+    CHECK(page.find(part) == std::string::npos);
+  }
+  const json summary = summary_in(results);
+  CHECK(page.find(summary["state_hash"].get<std::string>()) != std::string::npos);
+
+  std::vector<std::string> without = arguments;
+  without.emplace_back("--no-report");
+  REQUIRE(run_spoke(without, folder).status == 0);
+  CHECK_FALSE(fs::exists(results / "report.html"));
+  CHECK(summary_in(results)["state_hash"] == summary["state_hash"]);
+}
+
+TEST_CASE("--vtk writes the blades at every output time and an index of them") {
+  const WorkFolder folder;
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {
+        "run",   shipped("wu_haug_rotor"),   "--quiet", "--out", "o",
+        "--set", "integration.duration=0.47"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_spoke(arguments, folder).status;
+  };
+  REQUIRE(run({"--vtk"}) == 0);
+  const fs::path vtk = folder.path() / "o" / "vtk";
+  const std::string index = read_file(vtk / "blades.pvd");
+  const auto rows = lines_of(read_file(folder.path() / "o" / "sensors.csv"));
+  REQUIRE(rows.size() == 12);  // header, 0 to 0.45 s, and the end
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    const std::string name = "blades_0000" + std::string(k < 10 ? "0" : "") + std::to_string(k);
+    CHECK(fs::exists(vtk / (name + ".vtp")));
+    CHECK(index.find("timestep=\"" + cells_of(rows[k + 1])[0] + "\" part=\"0\" file=\"" + name) !=
+          std::string::npos);
+  }
+  const std::string first = read_file(vtk / "blades_000000.vtp");
+  CHECK(first.find("NumberOfPoints=\"51\" NumberOfLines=\"48\"") != std::string::npos);
+  const std::string hash = summary_in(folder.path() / "o")["state_hash"];
+
+  // Files of an earlier run go, others stay.
+  folder.write("o/vtk/notes.txt", "mine");
+  REQUIRE(run({}) == 0);
+  CHECK(fs::exists(vtk / "notes.txt"));
+  CHECK_FALSE(fs::exists(vtk / "blades.pvd"));
+  CHECK_FALSE(fs::exists(vtk / "blades_000000.vtp"));
+  CHECK(summary_in(folder.path() / "o")["state_hash"] == hash);
+}
+
+TEST_CASE("a file in place of the folder of --vtk is refused") {
+  const WorkFolder folder;
+  fs::create_directories(folder.path() / "o");
+  folder.write("o/vtk", "no folder");
+  const Ended ended =
+      run_spoke({"run", shipped("wu_haug_rotor"), "--vtk", "--quiet", "--out", "o"}, folder);
+  CHECK(ended.status == 2);
+  REQUIRE(lines_of(ended.err).size() == 1);
+  CHECK(ended.err.find("o/vtk: cannot be the folder of results") != std::string::npos);
+  CHECK(read_file(folder.path() / "o" / "vtk") == "no folder");
 }

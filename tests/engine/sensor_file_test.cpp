@@ -76,6 +76,23 @@ TEST_CASE("a file goes on behind a mark, in its place and as a copy, without gap
   }
 }
 
+TEST_CASE("rows are read back to the last bit") {
+  const TemporaryFolder folder;
+  SensorFile file(folder / "a", {"one", "two"});
+  const std::vector<double> numbers{0.0, 1.0 / 3.0, -1e-300, 0.1, 6.02e23, -0.0};
+  for (std::size_t k = 0; k < numbers.size(); k += 3)
+    file.write_row(numbers[k], std::span(numbers).subspan(k + 1, 2));
+  file.close();
+  std::vector<double> read;
+  read_rows(folder / "a", [&](double t, std::span<const double> values) {
+    read.push_back(t);
+    read.insert(read.end(), values.begin(), values.end());
+  });
+  CHECK(read == numbers);
+  CHECK(message_of([&] { read_rows(folder / "none", {}); }) ==
+        (folder / "none").string() + ": cannot be read");
+}
+
 TEST_CASE("a file that is not the marked one is refused and left alone") {
   const TemporaryFolder folder;
   const fs::path path = folder / "a";

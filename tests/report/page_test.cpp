@@ -66,3 +66,30 @@ TEST_CASE("a table without rows says so") {
   page.add_table({"caption", {{"a"}, {"b"}}, {}});
   CHECK(main_of(page).find("<td colspan=\"2\">no rows</td>") != std::string::npos);
 }
+
+TEST_CASE("tiles and groups of facts are escaped") {
+  Page page("Title");
+  page.add_tiles({{"<label>", "<value>", "<detail>", Tone::warning}});
+  page.add_fact_groups({{"<group>", {{"<fact>", "<text>"}}}});
+  page.widen();
+  const std::string text = page.html();
+  for (const char* part :
+       {"<li class=\"warning\">", "&lt;label&gt;", "&lt;value&gt;", "&lt;detail&gt;",
+        "<h3>&lt;group&gt;</h3>", "&lt;fact&gt;", "&lt;text&gt;", "<main class=\"wide\">"}) {
+    CAPTURE(part);
+    CHECK(text.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("no data can end the element that holds them") {
+  Page page("Title");
+  page.add_data("numbers", R"({"title": "</script><b>"})");
+  page.add_script("const a = 1 < 2;\n");
+  const std::string html = page.html();
+  CHECK(
+      html.find(
+          R"(<script type="application/json" id="numbers">{"title": "\u003c/script>\u003cb>"}</script>)") !=
+      std::string::npos);
+  CHECK(html.find("<script type=\"module\">\nconst a = 1 < 2;\n</script>") != std::string::npos);
+  CHECK(html.find("</main>") < html.find("<script"));
+}

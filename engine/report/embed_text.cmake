@@ -1,0 +1,36 @@
+# cmake -DNAME=run_script -DOUTPUT=run_script.cpp "-DINPUTS=a.js|b.js" -P embed_text.cmake
+# Makes a source file with the function spoke::report::NAME() that returns the files' text, one
+# after the other.
+string(REPLACE "|" ";" INPUTS "${INPUTS}")
+set(parts "")
+foreach(input IN LISTS INPUTS)
+  file(READ "${input}" text)
+  string(FIND "${text}" ")embedded\"" end)
+  if(NOT end EQUAL -1)
+    message(FATAL_ERROR "${input}: contains the end mark of embedded texts, )embedded\"")
+  endif()
+  string(REGEX MATCH "[^ -~\n]" other "${text}")
+  if(other)
+    message(FATAL_ERROR "${input}: contains other characters than ASCII and line feeds")
+  endif()
+  # A compiler need not take literals of more than 64 kB; adjoining ones are put together.
+  string(LENGTH "${text}" length)
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${text}" ${at} 16000 part)
+    string(APPEND parts "    R\"embedded(${part})embedded\"\n")
+    math(EXPR at "${at} + 16000")
+  endwhile()
+endforeach()
+file(WRITE "${OUTPUT}" "#include \"engine/report/${NAME}.h\"
+
+namespace spoke::report {
+
+std::string_view ${NAME}() {
+  static constexpr char kText[] =
+${parts}      ;
+  return {kText, sizeof kText - 1};
+}
+
+}  // namespace spoke::report
+")

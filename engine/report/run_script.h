@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace spoke::report {
+
+/// The script of the page of a run: time_plots.js, rotor_view.js and run_page.js, which the build
+/// puts into the library.
+std::string_view run_script();
+
+}  // namespace spoke::report

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace spoke::run_report {
+
+/// Base64 of the numbers' bytes, the least significant first, as scripts of pages decode them.
+std::string encode(std::span<const float> numbers);
+std::string encode(std::span<const std::int16_t> numbers);
+
+}  // namespace spoke::run_report

@@ -1,0 +1,234 @@
+#include "engine/run_report/html_file.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/machine.h"
+#include "engine/report/markup.h"
+#include "engine/report/page.h"
+#include "engine/report/run_script.h"
+
+namespace spoke::run_report {
+namespace {
+
+// Beyond this share of the kinetic energy an error of integration is worth a warning.
+constexpr double kNotableResidual = 1e-3;
+
+constexpr const char* kFilmMarkup = R"(<div class="film">
+<div class="views">
+<figure><figcaption><strong>In the hub's frame</strong></figcaption>
+<canvas id="film-hub" role="img" aria-label="The rotor from above, seen from the turning hub"></canvas></figure>
+<figure><figcaption><strong>In the inertial frame</strong><span id="film-inertial-note"></span></figcaption>
+<canvas id="film-inertial" role="img" aria-label="The turning rotor from above"></canvas></figure>
+</div>
+<div class="controls">
+<button type="button" id="film-play" class="primary">Play</button>
+<label class="grow"><span>Time</span><input type="range" id="film-time" value="0"><output id="film-now"></output></label>
+<label><span>Speed</span><select id="film-speed"><option value="0.1">0.1 &#215;</option><option value="0.25">0.25 &#215;</option><option value="0.5">0.5 &#215;</option><option value="1" selected>1 &#215;</option><option value="2">2 &#215;</option><option value="5">5 &#215;</option><option value="10">10 &#215;</option></select></label>
+<label><span>Deflections</span><input type="range" id="film-scale" min="0" max="200" value="0"><output id="film-times"></output></label>
+<label><input type="checkbox" id="film-outline" checked> undeformed</label>
+<label><input type="checkbox" id="film-trails" checked> trails</label>
+</div>
+</div>
+)";
+
+constexpr const char* kPlotsMarkup = R"(<div class="controls">
+<span>Shown: <output id="plots-shown"></output></span>
+<button type="button" id="plots-reset" disabled>Whole time</button>
+<span class="hint" id="plot-keys">Drag to zoom, double-click to reset, click to move the animation there. With the keyboard: arrows move the cursor, + and &#8722; zoom, page keys pan, 0 resets, Enter moves the animation.</span>
+</div>
+<div id="plots" class="plots"></div>
+<div id="spoken" class="unseen" role="status" aria-live="polite"></div>
+<noscript><p class="note warning">Plots and animation need JavaScript.</p></noscript>
+)";
+
+std::string number(double value) { return fmt::format("{:.6g}", value); }
+
+const SensorRange& range_of(const Simulation& simulation, const SensorStatistics& statistics,
+                            std::string_view sensor) {
+  const auto& names = simulation.sensor_names();
+  const auto found = std::find(names.begin(), names.end(), sensor);
+  return statistics.ranges().at(static_cast<std::size_t>(found - names.begin()));
+}
+
+/// The value of largest size, and when it was reached.
+Sample largest(const SensorRange& range) {
+  if (std::abs(range.min) > std::abs(range.max)) return {range.t_min, range.min};
+  return {range.t_max, range.max};
+}
+
+double relative_residual(const Simulation& simulation, const SensorStatistics& statistics) {
+  const double residual = largest(range_of(simulation, statistics, "energy.residual")).value;
+  const double kinetic = largest(range_of(simulation, statistics, "energy.kinetic")).value;
+  return kinetic > 0.0 ? std::abs(residual) / kinetic : 0.0;
+}
+
+std::vector<report::Tile> make_tiles(const Simulation& simulation,
+                                     const SensorStatistics& statistics, const RunOutcome& outcome,
+                                     const std::vector<std::string>& tips) {
+  std::vector<report::Tile> tiles;
+  if (!tips.empty()) {
+    const auto split = tips.front().find(" at ");
+    tiles.push_back({"Largest tip deflection", tips.front().substr(0, split),
+                     split == std::string::npos ? "" : tips.front().substr(split + 1)});
+  }
+  const auto add_largest = [&](const char* label, const char* sensor, const char* unit) {
+    const Sample sample = largest(range_of(simulation, statistics, sensor));
+    tiles.push_back({label, report::figure(sample.value, 4) + ' ' + unit,
+                     fmt::format("at {} s", number(sample.t))});
+  };
+  add_largest("Largest hub speed", "hub.speed", "rad/s");
+  add_largest("Largest torque", "hub.torque", "N m");
+  const Sample residual = largest(range_of(simulation, statistics, "energy.residual"));
+  const double relative = relative_residual(simulation, statistics);
+  tiles.push_back({"Largest energy residual", report::figure(residual.value) + " J",
+                   report::figure(relative, 2) + " of the largest kinetic energy",
+                   relative > kNotableResidual ? report::Tone::warning : report::Tone::plain});
+  tiles.push_back(
+      {"Computed in", report::figure(outcome.wall_time) + " s",
+       report::figure(statistics.last_time() / outcome.wall_time) + " s simulated a second"});
+  return tiles;
+}
+
+void add_warnings(report::Page& page, const Simulation& simulation,
+                  const SensorStatistics& statistics, const RunOutcome& outcome) {
+  if (!outcome.divergence.empty()) {
+    page.add_notes(
+        {outcome.divergence, fmt::format("The page shows what came before, up to {} s of {} s.",
+                                         number(statistics.last_time()),
+                                         number(simulation.scenario().integration.duration))},
+        report::Tone::bad);
+  }
+  const double relative = relative_residual(simulation, statistics);
+  if (relative > kNotableResidual) {
+    const bool is_rk4 = simulation.scenario().integration.method == IntegrationMethod::rk4;
+    page.add_note(
+        fmt::format("The energy residual reaches {} % of the largest kinetic energy: the step of "
+                    "{} s is large for this motion{}.",
+                    report::figure(100.0 * relative, 2), number(simulation.step_size()),
+                    is_rk4 ? "" : ", or the spectral radius low"),
+        report::Tone::warning);
+  }
+}
+
+int count_elements(const Simulation& simulation) {
+  int elements = 0;
+  for (const Blade& blade : simulation.scenario().rotor.blades)
+    elements += blade.bodies * blade.elements;
+  return elements;
+}
+
+report::FactGroup model_facts(const Simulation& simulation) {
+  const ModelSize size = simulation.size();
+  const Rotor& rotor = simulation.scenario().rotor;
+  const bool is_free = rotor.hub.support == HubSupport::free;
+  return {"Model",
+          {{"blades", std::to_string(size.subsystems)},
+           {"flexible bodies", std::to_string(size.bodies)},
+           {"beam elements", std::to_string(count_elements(simulation))},
+           {"coordinates", std::to_string(size.coordinates)},
+           {"joints", std::to_string(size.joints)},
+           {"hub", is_free ? "free in the plane" : "on an axle"},
+           {"step graph", fmt::format("{} nodes, {} edges", size.graph_nodes, size.graph_edges)},
+           {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
+}
+
+report::FactGroup setting_facts(const Simulation& simulation) {
+  const Integration& integration = simulation.scenario().integration;
+  std::vector<report::Fact> facts = {{"integrator", std::string(name_of(integration.method))}};
+  if (integration.method == IntegrationMethod::generalized_alpha) {
+    facts.emplace_back("spectral radius", report::figure(integration.spectral_radius));
+    facts.emplace_back("iterations", integration.iterations > 0
+                                         ? std::to_string(integration.iterations)
+                                         : "to " + report::figure(integration.tolerance));
+  }
+  facts.insert(facts.end(),
+               {{"step", number(simulation.step_size()) + " s"},
+                {"steps", std::to_string(simulation.steps())},
+                {"evaluations", std::to_string(simulation.evaluations())},
+                {"formulation", std::string(name_of(simulation.options().formulation))},
+                {"executor", std::string(simulation.executor_name())},
+                {"ran as", simulation.executor_description()},
+                {"threads", name_of(simulation.threads())},
+                {"state hash", fmt::format("{:#018x}", simulation.state_hash())}});
+  return {"Settings", std::move(facts)};
+}
+
+report::FactGroup machine_facts() {
+  const Machine machine = this_machine();
+  return {"Machine",
+          {{"processor", machine.cpu},
+           {"processors available", std::to_string(machine.cores)},
+           {"memory", fmt::format("{:.1f} GB", static_cast<double>(machine.memory) / 1e9)},
+           {"system", machine.os},
+           {"compiler", machine.compiler},
+           {"spoke", SPOKE_VERSION}}};
+}
+
+report::Table extremes(const Simulation& simulation, const SensorStatistics& statistics) {
+  using report::Align;
+  report::Table table{"Over all steps, not only those of the plots.",
+                      {{"sensor"},
+                       {"unit"},
+                       {"lowest", Align::number},
+                       {"at [s]", Align::number},
+                       {"highest", Align::number},
+                       {"at [s]", Align::number},
+                       {"at the end", Align::number}},
+                      {}};
+  for (std::size_t i = 0; i < statistics.ranges().size(); ++i) {
+    const SensorRange& range = statistics.ranges()[i];
+    table.rows.push_back(
+        {{simulation.sensor_names()[i], simulation.sensor_units()[i], number(range.min),
+          number(range.t_min), number(range.max), number(range.t_max), number(range.final)}});
+  }
+  return table;
+}
+
+std::string describe_data(const Recorder& recorder) {
+  const std::size_t rows = recorder.history().rows_per_bucket();
+  std::string text = rows == 1
+                         ? "The plots show every row of sensors.csv."
+                         : fmt::format(
+                               "The plots show, of each {} rows of sensors.csv, the lowest and the "
+                               "highest value.",
+                               rows);
+  const std::vector<double>& times = recorder.film().times();
+  if (times.size() < 2) return text + " The run was too short for an animation.";
+  return text + fmt::format(
+                    " The animation has {} pictures, {} s apart; in between it moves along "
+                    "straight lines.",
+                    times.size(), number(times[1]));
+}
+
+}  // namespace
+
+std::string make_html(const Simulation& simulation, const SensorStatistics& statistics,
+                      const RunOutcome& outcome, const std::vector<std::string>& tips,
+                      const Recorder& recorder) {
+  const Scenario& scenario = simulation.scenario();
+  report::Page page(scenario.title.empty() ? scenario.name : scenario.title,
+                    fmt::format("{} s in {} steps of {} s", number(statistics.last_time()),
+                                simulation.steps(), number(simulation.step_size())));
+  page.widen();
+  add_warnings(page, simulation, statistics, outcome);
+  page.add_tiles(make_tiles(simulation, statistics, outcome, tips));
+  if (recorder.film().times().size() > 1) {
+    page.add_heading("Motion");
+    page.add_markup(kFilmMarkup);
+  }
+  page.add_heading("Over time");
+  page.add_markup(kPlotsMarkup);
+  page.add_paragraph(describe_data(recorder));
+  page.add_heading("What was run");
+  page.add_fact_groups({model_facts(simulation), setting_facts(simulation), machine_facts()});
+  page.add_heading("Extremes of the sensors");
+  page.add_table(extremes(simulation, statistics));
+  page.add_data("run-data", make_data(recorder, scenario.rotor.hub.radius));
+  page.add_script(report::run_script());
+  return page.html();
+}
+
+}  // namespace spoke::run_report

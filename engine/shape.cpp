@@ -1,0 +1,112 @@
+#include "engine/shape.h"
+
+#include <array>
+
+#include "engine/kinematics.h"
+#include "engine/samples.h"
+
+namespace spoke {
+namespace {
+
+/// A node's coordinates u, v, psi, or their rates.
+std::array<double, kTwist> node_values(const BodyData& body, int node, const double* flex) {
+  std::array<double, kTwist> values;
+  for (int c = 0; c < kTwist; ++c)
+    values[c] = flex[body.layout.place(body.model->body->coordinate(node, c))];
+  return values;
+}
+
+/// int a'(x) b'(x) dx over one element of length l, for Hermite deflections a and b.
+double integrate_slopes(double l, const std::array<double, kTwist>& a1,
+                        const std::array<double, kTwist>& a2, const std::array<double, kTwist>& b1,
+                        const std::array<double, kTwist>& b2) {
+  const double a = a2[1] - a1[1], b = b2[1] - b1[1];
+  const double turned = a * (b1[2] + b2[2]) + b * (a1[2] + a2[2]);
+  const double own = 4.0 * (a1[2] * b1[2] + a2[2] * b2[2]) - a1[2] * b2[2] - a2[2] * b1[2];
+  return (36.0 * a * b / l - 3.0 * turned + l * own) / 30.0;
+}
+
+/// What foreshortening takes off places and velocities, in the hub frame.
+struct Offset {
+  Position p = Position::Zero();
+  Position v = Position::Zero();
+};
+
+/// Walks along one body, node by node.
+class BodyWalk {
+ public:
+  BodyWalk(const BodyData& body, const Pose& pose, const Twist& twist, const Offset& before)
+      : body_(body), pose_(pose), twist_(twist), before_(before) {}
+
+  /// The node's place and velocity; the nodes in order from 0.
+  ShapeNode node(int k) {
+    const auto q = node_values(body_, k, body_.coordinates.q);
+    const auto v = node_values(body_, k, body_.coordinates.v);
+    const double l = element_length();
+    if (k > 0 && body_.model->slope_integral) {
+      shortening_ += 0.5 * integrate_slopes(l, last_q_, q, last_q_, q);
+      shortening_rate_ += integrate_slopes(l, last_q_, q, last_v_, v);
+    }
+    stretch_ = q[0] - last_q_[0];
+    last_q_ = q;
+    last_v_ = v;
+    const Position s{k * l + q[0], q[1]};
+    const Position rate =
+        Position(twist_.head<kPosition>()) + speed() * quarter_turn(s) + Position{v[0], v[1]};
+    const Offset off = offset();
+    ShapeNode node;
+    node.p = pose_.p + pose_.R * s - off.p;
+    node.velocity = pose_.R * rate - off.v;
+    return node;
+  }
+  /// Of the element before the last node [m].
+  double stretch() const { return stretch_; }
+  double element_length() const { return body_.model->body->length / body_.model->body->elements; }
+  /// Up to the last node.
+  Offset offset() const {
+    const Position shortened{shortening_, 0.0}, rate{shortening_rate_, 0.0};
+    return {before_.p + pose_.R * shortened,
+            before_.v + pose_.R * Position(rate + speed() * quarter_turn(shortened))};
+  }
+
+ private:
+  double speed() const { return twist_[kRotation]; }
+
+  const BodyData& body_;
+  const Pose& pose_;
+  const Twist& twist_;
+  Offset before_;
+  std::array<double, kTwist> last_q_{}, last_v_{};
+  double shortening_ = 0.0, shortening_rate_ = 0.0, stretch_ = 0.0;
+};
+
+}  // namespace
+
+void calc_shape(const Blade& blade, const Subsystem& subsystem, SubsystemData& data,
+                BladeShape& shape) {
+  update_kinematics(subsystem, data);
+  calc_poses(subsystem, data);
+  shape.bodies = blade.bodies;
+  shape.elements = blade.elements;
+  shape.nodes.clear();
+  shape.axial_forces.clear();
+  Offset offset;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    BodyWalk walk(data.bodies[j], data.poses[j], data.twists[j], offset);
+    const ShapeNode first = walk.node(0);
+    if (j == 0) shape.nodes.push_back(first);
+    for (int k = 1; k <= blade.elements; ++k) {
+      shape.nodes.push_back(walk.node(k));
+      shape.axial_forces.push_back(blade.youngs_modulus * blade.area * walk.stretch() /
+                                   walk.element_length());
+    }
+    offset = walk.offset();
+  }
+  const auto count = static_cast<double>(shape.axial_forces.size());
+  for (std::size_t k = 0; k < shape.nodes.size(); ++k) {
+    const Position along{subsystem.length * (static_cast<double>(k) / count), 0.0};
+    shape.nodes[k].displacement = shape.nodes[k].p - (subsystem.root.p + subsystem.root.R * along);
+  }
+}
+
+}  // namespace spoke

@@ -1,0 +1,37 @@
+#pragma once
+
+// Where the nodes of a blade stand, for pictures and for files of other programs.
+
+#include <vector>
+
+#include "models/rotor.h"
+
+namespace spoke {
+
+struct Subsystem;
+struct SubsystemData;
+
+/// A node of a blade. All vectors are resolved in the hub frame.
+struct ShapeNode {
+  Position p = Position::Zero();             ///< place in the hub frame [m]
+  Position displacement = Position::Zero();  ///< from its undeformed place [m]
+  Position velocity = Position::Zero();      ///< relative to the inertial frame [m/s]
+};
+
+/// A blade at one time. Nodes count from 0 at the root; the last node of a body is the first one of
+/// the next. Element e of body j joins nodes j elements + e and the next.
+struct BladeShape {
+  int bodies = 0;
+  int elements = 0;                  ///< of each body
+  std::vector<ShapeNode> nodes;      ///< bodies * elements + 1
+  std::vector<double> axial_forces;  ///< of each element its mean, positive in tension [N]
+};
+
+/// The shape of a blade at the state in the table, whose kinematics it recalculates. The tip is
+/// where the tip's sensors have it: bodies with geometric stiffening are foreshortened, node by
+/// node. The axial force is that of the element's stretch, EA (u_2 - u_1)/l. `shape` keeps its
+/// memory from call to call.
+void calc_shape(const Blade& blade, const Subsystem& subsystem, SubsystemData& data,
+                BladeShape& shape);
+
+}  // namespace spoke

@@ -1,0 +1,73 @@
+#include "engine/run_report/history.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+using namespace spoke::run_report;
+
+TEST_CASE("a short history keeps every row") {
+  History history(2);
+  for (int k = 0; k < 100; ++k) history.add(0.1 * k, std::array{1.0 * k, -2.0 * k});
+  CHECK(history.rows_per_bucket() == 1);
+  const auto curve = history.curve(1);
+  REQUIRE(curve.size() == 100);
+  CHECK(curve[7].t == doctest::Approx(0.7));
+  CHECK(curve[7].value == -14.0);
+}
+
+TEST_CASE("a long history keeps lowest and highest values where they were, and the last") {
+  constexpr int kRows = 123457;
+  History history(1);
+  for (int k = 0; k < kRows; ++k) {
+    double value = std::sin(1e-4 * k);
+    if (k == 77777) value = 9.0;  // a spike of one row
+    if (k == 5000) value = -7.0;
+    history.add(k, std::array{value});
+  }
+  const auto curve = history.curve(0);
+  CHECK(curve.size() <= 2 * History::kMostBuckets + 1);
+  CHECK(curve.size() > History::kMostBuckets / 2);
+  CHECK(history.rows_per_bucket() == 128);
+  bool has_high = false, has_low = false;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (i > 0) CHECK(curve[i].t > curve[i - 1].t);
+    has_high = has_high || (curve[i].t == 77777.0 && curve[i].value == 9.0);
+    has_low = has_low || (curve[i].t == 5000.0 && curve[i].value == -7.0);
+  }
+  CHECK(has_high);
+  CHECK(has_low);
+  CHECK(curve.front().t == 0.0);
+  CHECK(curve.back().t == kRows - 1);
+  CHECK(curve.back().value == std::sin(1e-4 * (kRows - 1)));
+}
+
+TEST_CASE("many curves share the memory, with an odd number of buckets too") {
+  constexpr std::size_t kCurves = 121;
+  History history(kCurves);
+  CHECK(history.most_buckets() == 330);
+  History odd(kCurves + 1);
+  CHECK(odd.most_buckets() == 327);
+  std::array<double, kCurves + 1> values{};
+  for (int k = 0; k <= 10000; ++k) {
+    values.fill(k);
+    odd.add(k, values);
+  }
+  const auto curve = odd.curve(kCurves);
+  CHECK(curve.size() <= 2 * 327 + 1);
+  CHECK(curve.front().value == 0.0);
+  CHECK(curve.back().value == 10000.0);
+  for (std::size_t i = 1; i < curve.size(); ++i) CHECK(curve[i].t - curve[i - 1].t <= 64.0);
+}
+
+TEST_CASE("values that are not finite leave a gap") {
+  History history(1);
+  history.add(0.0, std::array{1.0});
+  history.add(1.0, std::array{std::numeric_limits<double>::quiet_NaN()});
+  history.add(2.0, std::array{3.0});
+  const auto curve = history.curve(0);
+  REQUIRE(curve.size() == 2);
+  CHECK(curve[1].t == 2.0);
+}

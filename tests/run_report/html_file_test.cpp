@@ -1,0 +1,96 @@
+#include "engine/run_report/html_file.h"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/run_report/scenarios.h"
+
+using namespace spoke;
+using namespace spoke::run_report;
+using nlohmann::json;
+
+namespace {
+
+/// A run of `scenario`, recorded at all its steps.
+struct Run {
+  explicit Run(const Scenario& scenario)
+      : simulation(scenario, test_options()),
+        statistics(simulation.sensor_names().size()),
+        recorder(simulation) {
+    add();
+    for (int k = 0; k < 20; ++k) {
+      simulation.run_until(0.1 * (k + 1));
+      add();
+    }
+  }
+  void add() {
+    statistics.add(simulation.time(), simulation.sensor_values());
+    recorder.add_row(simulation.time(), simulation.sensor_values());
+    recorder.add_picture(simulation);
+  }
+
+  Simulation simulation;
+  SensorStatistics statistics;
+  Recorder recorder;
+};
+
+}  // namespace
+
+TEST_CASE("the data hold the curves of all plots and a film") {
+  const Run run(test_scenario());
+  const json data = json::parse(make_data(run.recorder, 0.5));
+  CHECK(data["end"] == doctest::Approx(2.0));
+  REQUIRE(data["plots"].size() == 6);
+  CHECK(data["plots"][0]["title"] == "Tip deflection across the blade");
+  CHECK(data["plots"][0]["curves"].size() == 2);
+  // 21 samples of a time and a value, 4 bytes each, in base64
+  CHECK(data["plots"][0]["curves"][0]["samples"].get<std::string>().size() == 224);
+  CHECK(data["film"]["hubRadius"] == 0.5);
+  CHECK(data["film"]["joints"] == json::array({3, 3}));
+}
+
+TEST_CASE("deflections across and along the blade have the blade's directions") {
+  const Run run(test_scenario());
+  const auto across = run.recorder.history().curve(1).back();
+  const auto along = run.recorder.history().curve(3).back();
+  CHECK(across.value == doctest::Approx(-run.simulation.sensor("blade2.tip.y")));
+  CHECK(along.value == doctest::Approx(-run.simulation.sensor("blade2.tip.x")));
+  CHECK(across.value < 0.0);  // lags behind
+}
+
+TEST_CASE("only a free hub has a plot of its place") {
+  Scenario scenario = test_scenario();
+  CHECK(make_plots(Simulation(scenario, test_options())).size() == 6);
+  scenario.rotor.hub.support = HubSupport::free;
+  scenario.rotor.hub.mass = 10.0;
+  const auto plots = make_plots(Simulation(scenario, test_options()));
+  REQUIRE(plots.size() == 7);
+  CHECK(plots[4].title == "Place of the hub");
+}
+
+TEST_CASE("the page has the model's numbers, settings and extremes, and escapes the title") {
+  const Run run(test_scenario());
+  const std::string html = make_html(run.simulation, run.statistics, {0.5, ""},
+                                     {"-0.1 m at 1 s (blades 1-2)"}, run.recorder);
+  for (const char* part :
+       {"two &lt;/script&gt; blades", "2 s in 200 steps of 0.01 s", "<strong>-0.1 m</strong>",
+        "at 1 s (blades 1-2)", "beam elements</dt><dd>12<", "structured", "blade2.tip.y",
+        "The plots show every row of sensors.csv.", "The animation has 21 pictures"}) {
+    CAPTURE(part);
+    CHECK(html.find(part) != std::string::npos);
+  }
+  CHECK(html.find("note bad") == std::string::npos);
+  CHECK(html.find("note warning\">\n") == std::string::npos);
+}
+
+TEST_CASE("a failure and a large energy residual are told at the top") {
+  const Run run(test_scenario());
+  SensorStatistics statistics(run.simulation.sensor_names().size());
+  std::vector<double> values(run.simulation.sensor_names().size(), 1.0);
+  statistics.add(2.0, values);  // residual as large as the kinetic energy
+  const std::string html =
+      make_html(run.simulation, statistics, {0.5, "blade 1 <left>"}, {}, run.recorder);
+  CHECK(html.find("<div class=\"note bad\">\n<p>blade 1 &lt;left&gt;</p>") != std::string::npos);
+  CHECK(html.find("reaches 100 % of the largest kinetic energy") != std::string::npos);
+}
