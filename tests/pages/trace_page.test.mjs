@@ -286,7 +286,8 @@ onPage('wheel zooms, drag pans, double click fits', rotorFile, async (page) => {
 });
 
 onPage('steps of a window overlap and are named', write('window.html', pageWith(builtPage, rotorTrace({ window: true, seed: 3 }))), async (page) => {
-  assert.ok(await page.isVisible('#overlap'));
+  assert.equal(await page.textContent('#othersteps'), 'overlapping steps');
+  assert.match(await page.textContent('#figures td[data-figure=makespan]'), /a step$/);
   assert.ok(await page.evaluate(() => Math.max(...window.spokeViewer.gantts[0].steps.map((step) => step.line))) > 0);
 });
 

@@ -27,7 +27,6 @@ export interface StepAnalysis {
   span: number;
   /** max(T1 / P, Tinf): no schedule on P threads is shorter. */
   bound: number;
-  speedup: number;
   nothingReady: number;
   scheduler: number;
   /** The slices of the longest path, in order. */
@@ -164,8 +163,8 @@ function longestPath(recording: Recording, step: number): { span: number; path: 
 export function analyseStep(recording: Recording, step: number): StepAnalysis {
   const { slices, threads } = recording.trace;
   const own = recording.ofStep(step);
-  const begin = recording.stepBegin[step];
-  const end = recording.stepEnd[step];
+  const begin = own.length > 0 ? recording.stepBegin[step] : 0;
+  const end = own.length > 0 ? recording.stepEnd[step] : 0;
   const makespan = Math.max(0, end - begin);
   const ready = new Map<number, number>();
   const waiting: Interval[] = [];
@@ -183,7 +182,6 @@ export function analyseStep(recording: Recording, step: number): StepAnalysis {
   return {
     begin, end, makespan, work, span,
     bound: Math.max(work / threads.length, span),
-    speedup: makespan > 0 ? work / makespan : 0,
     nothingReady: shares.reduce((sum, share) => sum + share.nothingReady, 0),
     scheduler: shares.reduce((sum, share) => sum + share.scheduler, 0),
     critical: path,

@@ -10,21 +10,28 @@ export interface Bracket {
 
 const kMostLines = 3;
 
-/** Gives each bar the first line that is free at its begin; what finds none shares the last. */
-export function stack(bars: { begin: number; end: number; number: number }[]): Bracket[] {
-  const free: number[] = [];
-  return bars.map((bar) => {
-    let line = free.findIndex((until) => until <= bar.begin);
-    if (line < 0) line = Math.min(free.length, kMostLines - 1);
-    free[line] = Math.max(free[line] ?? -Infinity, bar.end);
-    return { ...bar, line };
-  });
+type Bar = Omit<Bracket, 'line'>;
+
+/** Gives each bar, the first ones first, the first line on which it covers no other; what finds none of
+ *  the three lines is left out. */
+export function stack(bars: Bar[]): Bracket[] {
+  const placed: Bracket[][] = Array.from({ length: kMostLines }, () => []);
+  for (const bar of bars) {
+    const line = placed.findIndex((others) => others.every((other) => other.end <= bar.begin || other.begin >= bar.end));
+    if (line >= 0) placed[line].push({ ...bar, line });
+  }
+  return placed.flat();
 }
 
-export function stepBrackets(recording: Recording): Bracket[] {
-  const { steps } = recording.trace;
-  const bars = steps.map((_, number) => ({ begin: recording.stepBegin[number], end: recording.stepEnd[number], number }));
-  return stack(bars.filter((bar) => bar.end >= bar.begin).sort((a, b) => a.begin - b.begin));
+const kMostSteps = 200;
+
+/** The steps around the chosen one, which gets the first line. */
+export function stepBrackets(recording: Recording, chosen: number): Bracket[] {
+  const distance = (bar: Bar) => Math.abs(bar.number - chosen);
+  const bars = recording.trace.steps.map((_, number) => (
+    { begin: recording.stepBegin[number], end: recording.stepEnd[number], number }));
+  const near = bars.filter((bar) => bar.end >= bar.begin && distance(bar) <= kMostSteps);
+  return stack(near.sort((a, b) => distance(a) - distance(b)));
 }
 
 export function passBrackets(recording: Recording, step: number): Bracket[] {

@@ -3,18 +3,21 @@ import { byId } from './dom';
 import { loadText } from './load';
 import { Recording } from './recording';
 import { State } from './state';
+import { Trace } from './trace';
 
 const kShown = 9000;
 
-/** What tells recordings from each other: executor, threads, formulation, and the scenario unless equal. */
+/** What tells recordings from each other: executor and threads; scenario and formulation unless equal. */
 export function namesOf(recordings: Recording[]): string[] {
-  const sameScenario = recordings.every(({ trace }) => trace.scenario === recordings[0].trace.scenario);
+  const differ = (value: (trace: Trace) => unknown) =>
+    recordings.some(({ trace }) => value(trace) !== value(recordings[0].trace));
+  const scenarios = differ((trace) => trace.scenario);
+  const formulations = differ((trace) => trace.settings.formulation);
   return recordings.map(({ trace }) => {
     const { settings, scenario, threads } = trace;
     const size = String(settings.threads ?? threads.length);
-    const parts = [settings.executor, `${size} ${size === '1' ? 'thread' : 'threads'}`, settings.formulation];
-    const text = parts.filter(Boolean).join(', ');
-    return sameScenario ? text : `${scenario}: ${text}`;
+    const text = `${settings.executor}, ${size} ${size === '1' ? 'thread' : 'threads'}`;
+    return `${scenarios ? `${scenario}: ` : ''}${text}${formulations ? `, ${settings.formulation}` : ''}`;
   });
 }
 

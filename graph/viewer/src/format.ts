@@ -11,7 +11,7 @@ export function time(us: number, scale = Math.abs(us)): string {
 /** Three significant digits, never an exponent for the sizes that occur. */
 export function significant(value: number): string {
   const size = Math.abs(value);
-  if (size === 0) return '0';
+  if (size < 0.0005) return '0';
   const digits = size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.0995 ? 2 : 3;
   return value.toFixed(digits);
 }
@@ -23,7 +23,7 @@ export function percent(share: number): string {
 }
 
 export function ratio(value: number): string {
-  return Number.isFinite(value) ? `${value.toFixed(2)}×` : '–';
+  return Number.isFinite(value) ? `${significant(value)}×` : '–';
 }
 
 export function plural(count: number, word: string): string {

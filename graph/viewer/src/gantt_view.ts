@@ -23,7 +23,7 @@ export class GanttView extends Layers {
   private steps: Bracket[] = [];
   private passes: Bracket[] = [];
   private labels: string[][] = [];
-  private brackets: Recording | null = null;
+  private labelled: Recording | null = null;
 
   constructor(
     host: HTMLElement, private readonly which: number, private readonly state: State,
@@ -56,7 +56,7 @@ export class GanttView extends Layers {
   }
   private get rowHeight(): number {
     const threads = this.recording?.trace.threads.length ?? 1;
-    return Math.max(5, Math.min(kMostRow + kGap, (this.height - this.chartTop - 6) / (threads + 0.9)));
+    return Math.max(3, Math.min(kMostRow + kGap, (this.height - this.chartTop - 6) / (threads + 0.9)));
   }
   /** Height of the track of ready nodes below the threads; 0 = no room. */
   private get trackHeight(): number {
@@ -76,12 +76,12 @@ export class GanttView extends Layers {
   refresh(): void {
     const { recording } = this;
     if (!recording) return;
-    if (this.brackets !== recording) {
-      this.brackets = recording;
-      this.steps = stepBrackets(recording);
+    if (this.labelled !== recording) {
+      this.labelled = recording;
       this.labels = [];
     }
     this.step = this.state.stepOf(this.which);
+    this.steps = stepBrackets(recording, this.step);
     this.analysis = recording.analysis(this.step);
     this.passes = passBrackets(recording, this.step);
     this.redraw();
@@ -196,11 +196,18 @@ export class GanttView extends Layers {
     const pans: Record<string, number> = { ArrowLeft: -0.12, ArrowRight: 0.12 };
     if (event.shiftKey && event.key in pans) this.window.pan(pans[event.key]);
     else if (event.key.startsWith('Arrow')) this.walk(event.key);
-    else if (event.key === '+' || event.key === '=') this.window.zoom(1.4, 0.5);
-    else if (event.key === '-') this.window.zoom(1 / 1.4, 0.5);
+    else if (event.key === '+' || event.key === '=') this.window.zoom(1.4, this.keyCentre());
+    else if (event.key === '-') this.window.zoom(1 / 1.4, this.keyCentre());
     else if (event.key === '0') this.window.fit();
     else return;
     event.preventDefault();
+  }
+
+  /** Where keys zoom: at the selected slice, if it is seen. */
+  private keyCentre(): number {
+    const slice = this.selectedSlice();
+    const at = slice < 0 ? 0.5 : (this.pointOf(slice).x - this.chartLeft) / this.chartWidth;
+    return at >= 0 && at <= 1 ? at : 0.5;
   }
 
   private selectedSlice(): number {
@@ -229,7 +236,6 @@ export class GanttView extends Layers {
     }
     if (next < 0) return;
     this.state.select(this.pickedOf(next));
-    this.reveal(next);
   }
 
   private nearestOn(thread: number, begin: number): number {
@@ -243,10 +249,15 @@ export class GanttView extends Layers {
     return best;
   }
 
-  reveal(slice: number): void {
-    const recording = this.recording as Recording;
+  /** Moves the shown time if all slices of a node are outside of it. */
+  reveal({ node, pass }: Picked): void {
+    const { recording } = this;
     const origin = this.analysis?.begin ?? 0;
-    this.window.reveal(recording.trace.slices.begin[slice] - origin, recording.end(slice) - origin);
+    const found = recording?.slicesOfNode(node, this.step, pass) ?? [];
+    if (!recording || found.length === 0) return;
+    const places = found.map((slice) => [recording.trace.slices.begin[slice] - origin, recording.end(slice) - origin]);
+    const isShown = ([begin, end]: number[]) => end > this.window.from && begin < this.window.to;
+    if (!places.some(isShown)) this.window.reveal(places[0][0], places[0][1]);
   }
 
   protected drawBase(context: CanvasRenderingContext2D): void {
@@ -351,7 +362,7 @@ export class GanttView extends Layers {
     context.fillStyle = theme.waiting;
     context.fill();
     context.strokeStyle = theme.soft;
-    context.lineWidth = 1;
+    context.lineWidth = 0.75;
     context.stroke();
   }
 

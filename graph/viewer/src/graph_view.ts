@@ -162,7 +162,6 @@ export class GraphView extends Layers {
     }
     if (next === undefined) return;
     this.state.select({ node: next, pass: this.state.pass });
-    this.reveal(next);
   }
 
   private nearest(nodes: Int32Array, at: number): number | undefined {
@@ -181,9 +180,10 @@ export class GraphView extends Layers {
     return best;
   }
 
-  private reveal(node: number): void {
+  /** Pans if a node is outside of the view. */
+  reveal(node: number): void {
     const { x, y } = this.pointOf(node);
-    const margin = 40;
+    const margin = 12;
     const dx = x < this.gutter() + margin ? this.gutter() + margin - x : x > this.width - margin ? this.width - margin - x : 0;
     const dy = y < kHeader + margin ? kHeader + margin - y : y > this.height - margin ? this.height - margin - y : 0;
     if (dx !== 0 || dy !== 0) this.pan(dx, dy);
@@ -313,7 +313,7 @@ export class GraphView extends Layers {
 
   private drawLabel(context: CanvasRenderingContext2D, node: number, paint: Paint): void {
     const size = Math.min(13, 10.6 * this.scale);
-    if (size < 6.5) return;
+    if (size < 6) return;
     const text = fitting(this.labels(node), this.layout.width[node] * this.scale - 2, size);
     if (text === '') return;
     const { x, y } = this.pointOf(node);

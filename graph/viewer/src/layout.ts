@@ -35,6 +35,8 @@ const kRowGap = 13;
 const kWideNode = 86;
 // The proportions of the panel that a layout should fill.
 const kPanel = { width: 420, height: 370 };
+// The smallest scale at which nodes have legible names.
+const kReadable = 0.6;
 
 interface Group {
   level: number;
@@ -80,10 +82,11 @@ function sweep(groups: Group[], graph: StepGraph, adjacency: Adjacency): void {
   }
 }
 
-/** How many columns a lane gets so that the whole graph shows largest in the panel. */
+/** How many columns a lane gets: all that it needs if the graph is then readable, or else as many as
+ *  show the whole graph largest. */
 function bestColumns(groups: Group[], lanes: number, most: number): number {
   let best = { columns: 1, scale: 0 };
-  for (let columns = 1; columns <= most; ++columns) {
+  for (let columns = most; columns >= 1; --columns) {
     const width = lanes * (laneWidth(columns, lanes) + kLaneGap);
     const depth = new Map<number, number>();
     for (const group of groups) {
@@ -94,6 +97,7 @@ function bestColumns(groups: Group[], lanes: number, most: number): number {
     for (const rows of depth.values()) height += rows * kCellHeight + kRowGap;
     const scale = Math.min(kPanel.width / width, kPanel.height / height);
     if (scale > best.scale * 1.001) best = { columns, scale };
+    if (columns === most && scale > kReadable) break;
   }
   return best.columns;
 }

@@ -32,6 +32,13 @@ function renewPalette(): void {
   showStages(byId('stagetable'), state, palette);
 }
 
+function executorOf(settings: Record<string, unknown>, threads: number): string {
+  const executor = String(settings.executor ?? '');
+  const description = String(settings.description ?? '');
+  if (description === '') return `${executor} on ${plural(threads, 'thread')}`;
+  return description.startsWith(executor) ? description : `${executor}: ${description}`;
+}
+
 function showHeader(): void {
   const { trace } = state.recordings[0];
   const { settings, machine, threads } = trace;
@@ -40,7 +47,7 @@ function showHeader(): void {
   document.title = `${trace.scenario || 'Step trace'} – step trace`;
   const size = `${plural(trace.graph.count, 'node')}, ${plural(trace.graph.edges.from.length, 'edge')}`;
   const parts = [
-    settings.description ? `${settings.executor}: ${settings.description}` : `${settings.executor} on ${plural(threads.length, 'thread')}`,
+    executorOf(settings, threads.length),
     settings.formulation, settings.integrator, settings.step_s ? `step ${settings.step_s} s` : '',
     machine.processor, machine.cores ? plural(Number(machine.cores), 'core') : '',
     trace.droppedSteps > 0 ? `${plural(trace.droppedSteps, 'step')} dropped, buffer full` : '',
@@ -48,7 +55,8 @@ function showHeader(): void {
   byId('subtitle').textContent = parts.filter(Boolean).join(' · ');
   byId('subtitle').title = `${byId('subtitle').textContent}\n${trace.program} ${trace.created}`;
   byId('graphnote').textContent = size;
-  byId('overlap').hidden = !state.recordings.some((recording) => Number(recording.trace.settings.window_steps) > 1);
+  const overlapping = state.recordings.some((recording) => recording.overlapping);
+  byId('othersteps').textContent = overlapping ? 'overlapping steps' : 'other steps';
   byId('remove').hidden = !two;
   byId('chart1').hidden = !two;
   byId('chartname0').hidden = !two;
@@ -90,7 +98,7 @@ function showShareScale(): void {
     costs.set(slices.node[slice], (costs.get(slices.node[slice]) ?? 0) + slices.duration[slice]);
   }
   const most = [...costs.values()].reduce((a, b) => Math.max(a, b), 0);
-  host.replaceChildren('0', document.createElement('i'), `${time(most)} in the step`);
+  host.replaceChildren('0', document.createElement('i'), `${time(most)} in ${state.pass < 0 ? 'the step' : `pass ${state.pass + 1}`}`);
 }
 
 function speakSelection(): void {
@@ -143,6 +151,10 @@ const kReactions: Record<Change, () => void> = {
   selection: () => {
     showDetails(byId('detailtitle'), byId('details'), state);
     speakSelection();
+    if (state.selected) {
+      graph.reveal(state.selected.node);
+      gantts[state.active].reveal(state.selected);
+    }
     redrawOverlays();
   },
   hover: () => redrawOverlays(),

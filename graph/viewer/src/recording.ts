@@ -10,6 +10,8 @@ export class Recording {
   /** Most passes of a step. */
   readonly passes: number;
   readonly byName: Map<string, number>;
+  /** Steps overlap, for one run of the executor makes several: a window. */
+  readonly overlapping: boolean;
   /** First begin and last end of each step, us. */
   readonly stepBegin: Float64Array;
   readonly stepEnd: Float64Array;
@@ -23,6 +25,7 @@ export class Recording {
     this.adjacency = adjacencyOf(graph);
     this.layout = layoutGraph(graph, this.adjacency);
     this.byName = new Map(graph.name.map((name, node) => [name, node]));
+    this.overlapping = Number(trace.settings.window_steps) > 1;
     const all = Int32Array.from({ length: slices.count }, (_, k) => k);
     this.threadRows = new Rows(threads.length, slices.thread, all);
     const inSteps = all.filter((k) => slices.step[k] >= 0 && slices.pass[k] >= 0);
@@ -41,6 +44,11 @@ export class Recording {
 
   private place(node: number, step: number, pass: number): number {
     return (step * this.passes + pass) * this.trace.graph.count + node;
+  }
+
+  /** Of all steps: from the first begin to the last end, us. */
+  get extent(): number {
+    return this.stepEnd.reduce((a, b) => Math.max(a, b), -Infinity) - this.stepBegin.reduce((a, b) => Math.min(a, b), Infinity);
   }
 
   /** Slices of a thread or a step, ordered by begin. */

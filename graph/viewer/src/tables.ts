@@ -58,7 +58,7 @@ export function showStages(host: HTMLElement, state: State, palette: Palette): v
 export function showThreads(host: HTMLElement, state: State): void {
   const analysis = state.recording.analysis(state.stepOf(state.active));
   const { threads } = state.recording.trace;
-  const split = (busy: number, scheduler: number, all: number) => element('td', {},
+  const split = (busy: number, scheduler: number, all: number) => element('td', { class: 'splitted' },
     element('div', { class: 'split' }, element('span', { style: `width:${(100 * busy) / all}%` }),
       element('span', { style: `width:${(100 * scheduler) / all}%` })));
   const rows = analysis.threads.map((share, k) => element('tr', {},

@@ -55,7 +55,7 @@ export class TimeWindow {
     this.set(centre - at * next, centre + (1 - at) * next);
   }
 
-  /** Brings a time into view. */
+  /** Brings a time into the middle of the view, unless all of it is seen. */
   reveal(begin: number, end: number): void {
     const width = this.to - this.from;
     if (begin >= this.from && end <= this.to) return;

@@ -42,14 +42,16 @@ function drawMakespans(state: State): void {
   const svg = byId('makespans');
   const [recording] = state.recordings;
   const lengths = recording.trace.steps.map((_, k) => Math.max(0, recording.stepEnd[k] - recording.stepBegin[k]));
-  const longest = Math.max(...lengths, 1e-9);
+  // A step that was interrupted does not flatten the others.
+  const median = [...lengths].sort((a, b) => a - b)[lengths.length >> 1];
+  const longest = Math.max(1e-9, Math.min(lengths.reduce((a, b) => Math.max(a, b), 0), 2.5 * median));
   const count = lengths.length;
   svg.setAttribute('viewBox', '0 0 1000 100');
   const pitch = 1000 / Math.max(1, count - 1);
   const width = Math.min(60, pitch * 0.72);
   svg.replaceChildren(...lengths.map((length, k) => {
     const bar = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
-    const height = Math.max(3, (96 * length) / longest);
+    const height = Math.max(3, (96 * Math.min(length, longest)) / longest);
     const x = count === 1 ? 500 : k * pitch;
     const shape = { x: x - width / 2, y: 100 - height, width, height };
     for (const [name, value] of Object.entries(shape)) bar.setAttribute(name, value.toFixed(1));

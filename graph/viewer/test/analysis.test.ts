@@ -8,13 +8,12 @@ const near = (actual: number, expected: number) => assert.ok(Math.abs(actual - e
 // Thread 0: a1 0-2, b1 2-5, c 9-10. Thread 1: a2 0-1, late b2 6-9.
 const kPass: Slice[] = [[A1, 1, 0, 0, 0, 2], [A2, 1, 0, 1, 0, 1], [B1, 1, 0, 0, 2, 3], [B2, 1, 0, 1, 6, 3], [C, 1, 0, 0, 9, 1]];
 
-test('work, span, makespan, bound and speedup of one pass', () => {
+test('work, span, makespan and bound of one pass', () => {
   const step = recordingOf(kPass).analysis(0);
   near(step.work, 10);
   near(step.span, 6);  // a1 2, b1 3, c 1
   near(step.makespan, 10);
   near(step.bound, 6);
-  near(step.speedup, 1);
 });
 
 test('the bound is the work by the threads where that is larger than the span', () => {

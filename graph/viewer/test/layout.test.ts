@@ -56,9 +56,9 @@ for (const [blades, bodies] of [[1, 3], [3, 4], [24, 39], [2, 200]]) {
   });
 }
 
-test('overlapping bars get lines of their own', () => {
-  const bars = [[0, 4], [3, 6], [4, 8]].map(([begin, end], number) => ({ begin, end, number }));
-  assert.deepEqual(stack(bars).map((bar) => bar.line), [0, 1, 0]);
+test('overlapping bars get lines of their own, the first ones first, on three lines at most', () => {
+  const bars = [[4, 8], [0, 4], [3, 6], [2, 9], [5, 7]].map(([begin, end], number) => ({ begin, end, number }));
+  assert.deepEqual(stack(bars).map((bar) => [bar.number, bar.line]), [[0, 0], [1, 0], [2, 1], [3, 2]]);
 });
 
 test('ticks stand at 1, 2 or 5 times a power of ten', () => {
