@@ -77,7 +77,7 @@ async function buildTests(folder) {
   const tests = readdirSync(join(root, 'test')).filter((name) => name.endsWith('.test.ts'));
   await esbuild.build({
     entryPoints: tests.map((name) => join(root, 'test', name)), bundle: true, platform: 'node', format: 'esm',
-    target: 'node18', outdir: folder, outExtension: { '.js': '.mjs' }, logLevel: 'warning',
+    target: 'node18', loader: { '.css': 'text' }, outdir: folder, outExtension: { '.js': '.mjs' }, logLevel: 'warning',
   });
 }
 

@@ -67,16 +67,30 @@ function sumOfSlices(data, accept) {
   return data.slices.duration_us.reduce((sum, duration, k) => (accept(k) ? sum + duration : sum), 0);
 }
 
+/** The page fits the window, and no table is cut off at its side. */
+async function checkFit(page) {
+  const layout = await page.evaluate(() => ({
+    wide: document.documentElement.scrollWidth - innerWidth, high: document.documentElement.scrollHeight - innerHeight,
+    clipped: [...document.querySelectorAll('header, #figures, #stagetable, #threadtable, .view > h2')]
+      .filter((e) => e.scrollWidth > e.clientWidth + 1).map((e) => e.id || e.textContent),
+  }));
+  assert.deepEqual(layout, { wide: 0, high: 0, clipped: [] });
+}
+
+onPage('twelve threads, 24 blades, a long comparison: nothing is cut off',
+  write('wide.html', pageWith(builtPage, rotorTrace({ blades: 24, bodies: 8, threads: 12, steps: 8 }))), async (page) => {
+    await checkFit(page);
+    await page.setInputFiles('#file', write('wide2.html', pageWith(builtPage, rotorTrace({ executor: 'openmp_scheme2', window: true, steps: 8 }))));
+    await page.waitForSelector('#chart1:not([hidden])');
+    await checkFit(page);
+  });
+
 for (const scheme of ['light', 'dark']) {
   for (const [width, height] of [[1280, 800], [1920, 1080]]) {
     onPage(`renders, ${width} x ${height}, ${scheme}`, rotorFile, async (page) => {
       assert.equal(await page.textContent('h1'), 'rotor 3x4');
       assert.match(await page.textContent('#graphnote'), /61 nodes, 78 edges/);
-      const layout = await page.evaluate(() => ({
-        wide: document.documentElement.scrollWidth - innerWidth, high: document.documentElement.scrollHeight - innerHeight,
-        clipped: [...document.querySelectorAll('#figures, #stagetable, #threadtable')].filter((e) => e.scrollWidth > e.clientWidth + 1).map((e) => e.id),
-      }));
-      assert.deepEqual(layout, { wide: 0, high: 0, clipped: [] });
+      await checkFit(page);
       const background = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
       assert.equal(background, scheme === 'dark' ? 'rgb(20, 23, 27)' : 'rgb(255, 255, 255)');
       assert.equal((await pixel(page, 'graph', 0, await placeOf(page, 'graph', 'blade 1 / position')))[3], 255);
