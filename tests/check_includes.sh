@@ -45,6 +45,7 @@ layers=(
   'compare/'
   'reproduce/'
   'predict/'
+  'trace/'
   'cli/'
 )
 later=''
