@@ -49,6 +49,12 @@ class Nanoseconds {
   double per_tick_;
 };
 
+void sort_by_begin(std::vector<NodeSlice>& slices) {
+  std::stable_sort(slices.begin(), slices.end(), [](const NodeSlice& one, const NodeSlice& other) {
+    return one.begin < other.begin;
+  });
+}
+
 }  // namespace
 
 StepRecording::StepRecording(const StepGraph& run_graph, const StepData& data,
@@ -172,6 +178,37 @@ std::vector<TracedStep> StepRecording::find_steps(double step_size) const {
   return steps;
 }
 
+template <class Wants>
+void StepRecording::add_slices(int run, Wants wants, std::vector<NodeSlice>& slices) const {
+  const Nanoseconds nanoseconds(recorder_.run(0).begin);
+  for (int thread = 0; thread < recorder_.threads(); ++thread)
+    for (const graph::NodeRecord& record : recorder_.records(run, thread)) {
+      const Origin& origin = origins_[static_cast<std::size_t>(record.node)];
+      const Place place = place_of(origin, run);
+      if (wants(place))
+        slices.push_back({origin.node, place.step, place.pass, record.cluster, thread,
+                          nanoseconds(record.begin), nanoseconds(record.end)});
+    }
+}
+
+TracedStep StepRecording::collect_step(std::int64_t step, double step_size,
+                                       std::vector<NodeSlice>& slices) const {
+  TracedStep traced{step, static_cast<double>(step) * step_size, 0};
+  // Clocks only go forward: in the runs before one without this step or later ones there is none.
+  for (int run = recorder_.runs() - 1; run >= 0; --run) {
+    std::int64_t latest = -1;
+    for (const Place& place : places_of(run)) {
+      latest = std::max(latest, place.step);
+      if (place.step == step) traced.passes = std::max(traced.passes, place.pass + 1);
+    }
+    if (latest >= 0 && latest < step) break;
+    add_slices(
+        run, [step](const Place& place) { return place.step == step; }, slices);
+  }
+  sort_by_begin(slices);
+  return traced;
+}
+
 void StepRecording::collect(double step_size, StepTrace& trace) const {
   trace.steps = find_steps(step_size);
   trace.dropped_steps = std::count(dropped_.begin(), dropped_.end(), char{1});
@@ -182,18 +219,10 @@ void StepRecording::collect(double step_size, StepTrace& trace) const {
   for (int run = 0; run < recorder_.runs(); ++run) {
     const auto& [begin, end] = recorder_.run(run);
     trace.runs.push_back({nanoseconds(begin), nanoseconds(end)});
-    for (int thread = 0; thread < recorder_.threads(); ++thread)
-      for (const graph::NodeRecord& record : recorder_.records(run, thread)) {
-        const Origin& origin = origins_[static_cast<std::size_t>(record.node)];
-        const Place place = place_of(origin, run);
-        if (is_dropped(place.step)) continue;
-        trace.slices.push_back({origin.node, place.step, place.pass, record.cluster, thread,
-                                nanoseconds(record.begin), nanoseconds(record.end)});
-      }
+    add_slices(
+        run, [this](const Place& place) { return !is_dropped(place.step); }, trace.slices);
   }
-  std::stable_sort(
-      trace.slices.begin(), trace.slices.end(),
-      [](const NodeSlice& one, const NodeSlice& other) { return one.begin < other.begin; });
+  sort_by_begin(trace.slices);
 }
 
 TracedGraph describe_graph(const StepGraph& one_pass, const StepGraph& two_passes) {

@@ -34,6 +34,14 @@ class StepRecording final : public RunWatch {
   void begin_run(const StepData& data) override;
   void end_run(const StepData& data) override;
 
+  /// A step that is complete and not dropped, between two runs; its slices are added to `slices`,
+  /// by begin.
+  TracedStep collect_step(std::int64_t step, double step_size,
+                          std::vector<NodeSlice>& slices) const;
+  bool is_dropped(std::int64_t step) const {
+    return is_wanted(step) && dropped_[static_cast<std::size_t>(step - plan_.first_step)] != 0;
+  }
+
   /// Adds steps, slices, runs and what was dropped. `trace.graph` must be there.
   void collect(double step_size, StepTrace& trace) const;
 
@@ -58,8 +66,12 @@ class StepRecording final : public RunWatch {
   bool is_wanted(std::int64_t step) const {
     return step >= plan_.first_step && step <= plan_.last_step;
   }
-  bool is_dropped(std::int64_t step) const {
-    return is_wanted(step) && dropped_[static_cast<std::size_t>(step - plan_.first_step)] != 0;
+  /// Adds those slices of a run that `wants(place)`.
+  template <class Wants>
+  void add_slices(int run, Wants wants, std::vector<NodeSlice>& slices) const;
+  std::span<const Place> places_of(int run) const {
+    return std::span(all_places_)
+        .subspan(static_cast<std::size_t>(run) * places_.size(), places_.size());
   }
   Place place_of(const Origin& origin, int run) const;
   std::vector<TracedStep> find_steps(double step_size) const;

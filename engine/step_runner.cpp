@@ -125,7 +125,14 @@ StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
                           {steps() + 1, target, passes_per_step, runner.executor->threads().total(),
                            options.buffer_bytes});
   const RecordingScope scope(*runner.executor, stepper_, recording, together);
-  const StepOutcome outcome = stepper_.advance(target, *runner.executor, observed, completed);
+  const auto told = [&](std::int64_t step) {
+    completed(step);
+    if (!options.finished || recording.is_dropped(step)) return;
+    std::vector<NodeSlice> slices;
+    const TracedStep traced = recording.collect_step(step, step_size(context_.integrator), slices);
+    options.finished(traced, slices);
+  };
+  const StepOutcome outcome = stepper_.advance(target, *runner.executor, observed, told);
   trace.graph = describe_graph(single_.graph, build_step_graph(context_, 2));
   trace.window_steps = together ? 1 : runner.steps;
   trace.executor = describe();

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -70,10 +72,17 @@ struct StepTrace {
   std::vector<NodeSlice> slices_of(std::int64_t step) const;
 };
 
+/// Told of a step that is complete, and of its slices by begin, valid during the call.
+using SliceObserver =
+    std::function<void(const TracedStep& step, std::span<const NodeSlice> slices)>;
+
 /// How Simulation::trace() is to record.
 struct TraceOptions {
   /// At most so much memory for the recording, of all threads [bytes].
   std::size_t buffer_bytes = std::size_t{256} << 20;
+  /// Called for every step as it is finished, in order, on the calling thread while no node runs;
+  /// not for dropped steps. May be empty.
+  SliceObserver finished;
 };
 
 }  // namespace spoke

@@ -58,8 +58,9 @@ int trace(const Arguments& arguments) {
   const TraceArguments& asked = arguments.trace;
   demand_steps(asked, simulation);
   run_to(asked.from, simulation);
-  StepTrace steps = simulation.trace(
-      asked.steps, {}, {.buffer_bytes = static_cast<std::size_t>(1e6 * asked.buffer_mb)});
+  TraceOptions options;
+  options.buffer_bytes = static_cast<std::size_t>(1e6 * asked.buffer_mb);
+  StepTrace steps = simulation.trace(asked.steps, {}, options);
   print_model(simulation);
   const bool may_choose =
       simulation.options().executor == ExecutorKind::automatic && simulation.threads().total() > 1;

@@ -202,6 +202,38 @@ TEST_CASE("a trace tells the observer what run_until() tells") {
   CHECK_FALSE(rows.empty());
 }
 
+TEST_CASE("every finished step is told with its slices, in order") {
+  for (const int window : {1, 4}) {
+    Simulation simulation(unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha),
+                          {Formulation::structured, ExecutorKind::flow_graph, 2, window});
+    std::vector<TracedStep> steps;
+    std::vector<std::vector<NodeSlice>> slices;
+    TraceOptions options;
+    options.finished = [&](const TracedStep& step, std::span<const NodeSlice> own) {
+      steps.push_back(step);
+      slices.emplace_back(own.begin(), own.end());
+    };
+    const StepTrace trace = simulation.trace(13, {}, options);
+    REQUIRE(steps.size() == 13);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      CHECK(steps[k].step == trace.steps[k].step);
+      CHECK(steps[k].time == trace.steps[k].time);
+      CHECK(steps[k].passes == trace.steps[k].passes);
+      const auto expected = trace.slices_of(steps[k].step);
+      REQUIRE(slices[k].size() == expected.size());
+      CHECK(std::equal(expected.begin(), expected.end(), slices[k].begin(),
+                       [](const NodeSlice& one, const NodeSlice& other) {
+                         return one.node == other.node && one.pass == other.pass &&
+                                one.thread == other.thread && one.begin == other.begin &&
+                                one.end == other.end;
+                       }));
+    }
+    options.buffer_bytes = 0;
+    simulation.trace(3, {}, options);
+    CHECK(steps.size() == 13);
+  }
+}
+
 TEST_CASE("a full buffer drops whole steps and says how many") {
   for (const int window : {1, 5}) {
     const Scenario scenario =
@@ -209,7 +241,9 @@ TEST_CASE("a full buffer drops whole steps and says how many") {
     const SimulationOptions options{Formulation::structured, ExecutorKind::serial, 1, window};
     const auto run = [&](std::size_t bytes) {
       Simulation simulation(scenario, options);
-      return simulation.trace(40, {}, {bytes});
+      TraceOptions trace_options;
+      trace_options.buffer_bytes = bytes;
+      return simulation.trace(40, {}, trace_options);
     };
     const StepTrace all = run(std::size_t{1} << 24);
     CHECK(all.dropped_steps == 0);
