@@ -211,12 +211,13 @@ class AutoExecutor final : public Executor {
     round_ = 0;
   }
 
-  // A gain that was foreseen and not found tells of a machine busy with other things: tunes again
-  // after many times as many runs, so that it costs little if it was true after all.
+  // A gain that was foreseen and not found tells of a machine busy with other things: tunes again,
+  // soon at first, then after many times as many runs, so that it costs little if it was true.
   void doubt_serial(double speedup) {
     constexpr double doubtful = 1.3;  // foreseen / found
-    constexpr std::uint64_t factor = 20;
-    if (foreseen_speedup_ > doubtful * speedup) next_tuning_ = factor * runs_;
+    constexpr std::uint64_t soon = 4, late = 20;
+    if (foreseen_speedup_ <= doubtful * speedup) return;
+    next_tuning_ = std::exchange(doubted_, true) ? late * runs_ : soon * runs_;
   }
 
   const StepGraph& graph_;
@@ -227,6 +228,7 @@ class AutoExecutor final : public Executor {
   std::string description_;
   std::uint64_t runs_ = 0;
   std::uint64_t next_tuning_ = 0;  // in runs_, 0 = never
+  bool doubted_ = false;           // once
 
   std::optional<NodeCosts> costs_;         // in the first phase
   std::vector<Alternative> alternatives_;  // in the second phase, the serial one first
