@@ -23,7 +23,8 @@ namespace {
 using graph::Executor;
 using graph::StepGraph;
 
-constexpr double kBatch = 2e-3;  // s
+// Long against the milliseconds that a sleeping thread takes to wake.
+constexpr double kBatch = 20e-3;  // s
 
 /// Something to run and to predict. A turn is a number of runs.
 class Subject {
@@ -83,7 +84,7 @@ class Steps final : public Subject {
         scenario_(paper_rotor(size)),
         formulation_(formulation),
         window_(window) {
-    scenario_.integration.duration = 1e6 * scenario_.integration.step;
+    scenario_.integration.duration = 1e9 * scenario_.integration.step;
     simulation_ = make(ExecutorKind::serial, 1);
     simulation_->measure_nodes(16L * window);  // memory is touched
     const NodeMeasurement warm = simulation_->measure_nodes(16L * window);
@@ -100,7 +101,7 @@ class Steps final : public Subject {
                             static_cast<double>(steps) * simulation->step_size());
     };
     if (kind == ExecutorKind::automatic)  // it tunes itself for some tenths of a second
-      for (int k = 0; k < 400; ++k) turn();
+      for (int k = 0; k < 40; ++k) turn();
     return turn;
   }
   void measure_turn() override { measured_.push_back(simulation_->measure_nodes(steps_)); }
@@ -166,7 +167,7 @@ void compare(Subject& subject, const QuestionOptions& options, Table& table, Rep
         after_pause(configuration.name(), subject.turn(configuration.kind, configuration.threads)));
   alternatives.push_back(after_pause("node by node", [&subject] { subject.measure_turn(); }));
   const std::vector<Timing> timings =
-      measure(alternatives, options.quick ? Effort{5, kBatch, 0.5} : Effort{41, kBatch, 3.0});
+      measure(alternatives, options.quick ? Effort{5, kBatch, 0.5} : Effort{15, kBatch, 3.0});
   const graph::RunPredictor predictor(subject.graph(), subject.node_costs(), runtime);
   const double serial = timings.front().median / subject.runs_per_turn();
   std::vector<std::string> row{subject.name(), duration(serial)};

@@ -13,6 +13,7 @@
 
 #include "graph/executor_kinds.h"
 #include "graph/node_costs.h"
+#include "graph/node_recorder.h"
 #include "graph/overheads.h"
 #include "graph/plan_candidates.h"
 #include "graph/plan_choice.h"
@@ -96,6 +97,7 @@ class AutoExecutor final : public Executor {
   }
 
   void run() override {
+    if (recorder() != nullptr) return run_recorded();
     ++runs_;
     if (chosen_ && runs_ == next_tuning_) tune_again();
     if (chosen_) {
@@ -114,7 +116,20 @@ class AutoExecutor final : public Executor {
   bool tuning() const override { return !chosen_; }
   bool settled_on_serial() const override { return chosen_ && is_serial_ && next_tuning_ <= runs_; }
 
+  void set_recorder(NodeRecorder* recorder) override {
+    Executor::set_recorder(recorder);
+    if (chosen_) chosen_->set_recorder(recorder);
+  }
+
  private:
+  // Time stamps cost time: what is recorded is not weighed. Until something is chosen, it runs
+  // serially.
+  void run_recorded() {
+    if (chosen_) return chosen_->run();
+    run_nodes(recorder(), 0, -1, graph_.serial_order(),
+              [this](NodeId node) { graph_.run_node(node); });
+  }
+
   void tune_again() {
     chosen_.reset();
     costs_.emplace(graph_);
@@ -196,12 +211,13 @@ class AutoExecutor final : public Executor {
     round_ = 0;
   }
 
-  // A gain that was foreseen and not found tells of a machine busy with other things: tunes again
-  // after many times as many runs, so that it costs little if it was true after all.
+  // A gain that was foreseen and not found tells of a machine busy with other things: tunes again,
+  // soon at first, then after many times as many runs, so that it costs little if it was true.
   void doubt_serial(double speedup) {
     constexpr double doubtful = 1.3;  // foreseen / found
-    constexpr std::uint64_t factor = 20;
-    if (foreseen_speedup_ > doubtful * speedup) next_tuning_ = factor * runs_;
+    constexpr std::uint64_t soon = 4, late = 20;
+    if (foreseen_speedup_ <= doubtful * speedup) return;
+    next_tuning_ = std::exchange(doubted_, true) ? late * runs_ : soon * runs_;
   }
 
   const StepGraph& graph_;
@@ -212,6 +228,7 @@ class AutoExecutor final : public Executor {
   std::string description_;
   std::uint64_t runs_ = 0;
   std::uint64_t next_tuning_ = 0;  // in runs_, 0 = never
+  bool doubted_ = false;           // once
 
   std::optional<NodeCosts> costs_;         // in the first phase
   std::vector<Alternative> alternatives_;  // in the second phase, the serial one first

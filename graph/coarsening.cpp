@@ -20,7 +20,8 @@ struct Coarse {
 };
 
 // Numbers groups in the order of their first members. That is a topological order of the groups of
-// both rules: of siblings all share their predecessors, and a chain is entered at its first link.
+// all rules: of siblings all share their predecessors, a chain is entered at its first link, and
+// nothing follows an end.
 int number_by_first_member(Groups& groups) {
   std::vector<int> number(groups.size(), -1);
   int count = 0;
@@ -80,6 +81,26 @@ bool contract_chains(Coarse& coarse, double longest) {
     if (sums[at(chain)] + coarse.costs[at(c)] > longest) continue;
     sums[at(chain)] += coarse.costs[at(c)];
     groups[at(c)] = chain;
+    any = true;
+  }
+  if (any) coarse = contract(coarse, std::move(groups));
+  return any;
+}
+
+// Puts cheap ends, which nothing waits for, into the cluster that they wait for. Returns whether
+// there were any. They would hide that chains which differ in their ends alone lead to the same
+// place.
+bool contract_ends(Coarse& coarse, const CoarseningOptions& options) {
+  const Plan& plan = coarse.plan;
+  Groups groups(at(plan.cluster_count()));
+  bool any = false;
+  for (int c = 0; c < plan.cluster_count(); ++c) {
+    groups[at(c)] = c;
+    const auto before = plan.predecessors(c);
+    if (before.size() != 1 || !plan.successors(c).empty()) continue;
+    const double cost = coarse.costs[at(c)];
+    if (cost >= options.grain || coarse.costs[at(before[0])] + cost > options.longest) continue;
+    groups[at(c)] = groups[at(before[0])];
     any = true;
   }
   if (any) coarse = contract(coarse, std::move(groups));
@@ -162,7 +183,9 @@ Plan coarsen(const Plan& plan, std::span<const double> costs, const CoarseningOp
   Coarse coarse{plan, cluster_costs(plan, costs)};
   bool changed = true;
   while (changed) {
-    changed = contract_chains(coarse, options.longest);
+    // Ends first: they are cheap to take in while clusters are small.
+    changed = contract_ends(coarse, options);
+    changed |= contract_chains(coarse, options.longest);
     changed |= contract_siblings(coarse, options);
   }
   return std::move(coarse.plan);

@@ -14,13 +14,15 @@ struct CoarseningOptions {
   double longest = std::numeric_limits<double>::infinity();
 };
 
-/// Coarsens a step graph by its structure and its nodes' costs alone [s, by index]. Two rules take
-/// turns until neither changes anything:
+/// Coarsens a step graph by its structure and its nodes' costs alone [s, by index]. Three rules
+/// take turns until none changes anything:
 ///  - chains, where one's only successor has no other predecessor, become one cluster;
 ///  - siblings, which have the same predecessors and the same successors, are packed into
-///    clamp(total cost / grain, 1, max_bins) clusters, neighbours in serial order together.
+///    clamp(total cost / grain, 1, max_bins) clusters, neighbours in serial order together;
+///  - ends, which nothing waits for and which cost less than `grain`, join the only cluster they
+///    wait for, unless that makes it too long.
 /// A layer that is packed into one cluster is a link of a chain, so layers vanish or stay by their
-/// cost. Neither rule can make a cycle. Near-linear in nodes and edges.
+/// cost. No rule can make a cycle. Near-linear in nodes and edges.
 Plan coarsen(const StepGraph& graph, std::span<const double> costs,
              const CoarseningOptions& options);
 

@@ -10,6 +10,8 @@
 
 namespace spoke::graph {
 
+class NodeRecorder;
+
 /// How many threads an executor works with, the calling one included. Executors with nested teams
 /// give each of `outer` threads a team of `inner`; all others know one layer only.
 struct Threads {
@@ -48,15 +50,25 @@ class Executor {
   virtual bool tuning() const { return false; }
   /// Whether it has found, for good, that a loop on the calling thread is fastest.
   virtual bool settled_on_serial() const { return false; }
+
+  /// From the next run on, records what runs on which thread when; nullptr ends that. Not during a
+  /// run. The recorder must have threads().total() threads and know the graph's number of nodes.
+  /// Every executor of make_executor() records; one that chooses puts off choosing meanwhile.
+  virtual void set_recorder(NodeRecorder* recorder) { recorder_ = recorder; }
+
+ protected:
+  NodeRecorder* recorder() const { return recorder_; }
+
+ private:
+  NodeRecorder* recorder_ = nullptr;
 };
 
 enum class ExecutorKind {
   /// Measures the nodes on the first runs, lets the most promising plans and a serial loop take
   /// turns on the next ones, then keeps to the fastest; serial unless another is 5 % faster, or
-  /// more
-  /// where runs are as short as some handovers between threads. Tunes again only if serial won
-  /// although a clear gain was foreseen, after 20 times as many runs. Uses at most the available
-  /// threads. With one thread serial from the start.
+  /// more where runs are as short as some handovers between threads. Tunes again only if serial won
+  /// although a clear gain was foreseen: after 4 times as many runs, then after 20 times as many,
+  /// and so on. Uses at most the available threads. With one thread serial from the start.
   automatic,
   flow_graph,      ///< a oneTBB flow graph in an arena of its own
   serial,          ///< a loop on the calling thread; `threads` is ignored

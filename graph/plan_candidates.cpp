@@ -80,7 +80,7 @@ class Selection {
   void score(Plan plan, Ordering ordering) {
     if (level_width(plan) <= 1) return;
     ++tried_;
-    const double makespan = simulate_list_schedule(plan, costs_, processors_, overheads_).makespan;
+    const double makespan = simulate_work_stealing(plan, costs_, processors_, overheads_).makespan;
     by_ordering_[static_cast<std::size_t>(ordering)].push_back(
         {std::move(plan), ordering, makespan});
   }

@@ -43,6 +43,10 @@ struct RunPredictor::Assumptions {
   std::vector<double> costs;
   RuntimeCosts runtime;
   double (*barrier_growth)(int threads);
+
+  double barrier(int threads) const {
+    return threads == 1 ? runtime.barrier_alone : runtime.barrier * barrier_growth(threads);
+  }
 };
 
 RunPredictor::RunPredictor(const StepGraph& graph, std::vector<double> node_costs,
@@ -61,12 +65,11 @@ RunPredictor::Assumptions RunPredictor::expected() const {
   return {node_costs_, runtime_, [](int threads) { return std::log2(threads); }};
 }
 RunPredictor::Assumptions RunPredictor::optimistic() const {
-  return {times(node_costs_, spread_.low), scaled(runtime_, 0.5),
-          [](int threads) { return threads > 1 ? 1.0 : 0.0; }};
+  return {times(node_costs_, spread_.low), scaled(runtime_, 0.5), [](int) { return 1.0; }};
 }
 RunPredictor::Assumptions RunPredictor::pessimistic() const {
   return {times(node_costs_, spread_.high), scaled(runtime_, 2.0),
-          [](int threads) { return threads > 1 ? 0.5 * threads : 0.0; }};
+          [](int threads) { return 0.5 * threads; }};
 }
 
 bool RunPredictor::can_predict(ExecutorKind kind) const {
@@ -99,7 +102,7 @@ double RunPredictor::flow_graph_seconds(const Plan& plan, int threads,
                                         const Assumptions& assumed) const {
   const int width = level_width(plan);
   if (width <= 1) return work_of(assumed.costs);  // the executor then does without a flow graph
-  return assumed.runtime.flow_graph_run + simulate_list_schedule(plan, assumed.costs,
+  return assumed.runtime.flow_graph_run + simulate_work_stealing(plan, assumed.costs,
                                                                  std::min(threads, width),
                                                                  assumed.runtime.flow_graph)
                                               .makespan;
@@ -137,7 +140,7 @@ PredictedRun RunPredictor::predict_levels(int threads) const {
   return in_band(
       [&](const Assumptions& assumed) {
         return critical_shares(rounds, assumed.costs) +
-               barriers_of(rounds) * assumed.runtime.barrier * assumed.barrier_growth(threads);
+               barriers_of(rounds) * assumed.barrier(threads);
       },
       0);
 }

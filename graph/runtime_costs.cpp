@@ -51,11 +51,11 @@ double measure_flow_graph_run(double per_cluster) {
   return seconds_per_run(*executor, 200) - 2.0 * per_cluster;
 }
 
-double measure_barrier() {
+double measure_barrier(int threads) {
   constexpr int levels = 100;
   const StepGraph graph = make_ladder(levels);
-  const auto executor = make_executor(graph, ExecutorKind::openmp_levels, 2);
-  return seconds_per_run(*executor, 60) / levels;
+  const auto executor = make_executor(graph, ExecutorKind::openmp_levels, threads);
+  return std::clamp(seconds_per_run(*executor, 60) / levels, 1e-9, 5e-6);
 }
 
 RuntimeCosts measure() {
@@ -63,7 +63,10 @@ RuntimeCosts measure() {
   costs.flow_graph = flow_graph_overheads();
   costs.flow_graph_run =
       std::clamp(measure_flow_graph_run(costs.flow_graph.per_cluster), 0.05e-6, 5e-6);
-  if (has_openmp()) costs.barrier = std::clamp(measure_barrier(), 0.05e-6, 5e-6);
+  if (has_openmp()) {
+    costs.barrier_alone = measure_barrier(1);
+    costs.barrier = measure_barrier(2);
+  }
   return costs;
 }
 
@@ -76,8 +79,9 @@ const RuntimeCosts& runtime_costs() {
 
 RuntimeCosts scaled(const RuntimeCosts& costs, double factor) {
   RuntimeCosts result = costs;
-  for (double* cost : {&result.flow_graph.per_node, &result.flow_graph.per_cluster,
-                       &result.flow_graph.handover, &result.flow_graph_run, &result.barrier})
+  for (double* cost :
+       {&result.flow_graph.per_node, &result.flow_graph.per_cluster, &result.flow_graph.handover,
+        &result.flow_graph_run, &result.barrier, &result.barrier_alone})
     *cost *= factor;
   return result;
 }

@@ -9,6 +9,7 @@ struct RuntimeCosts {
   Overheads flow_graph;
   double flow_graph_run = 0.0;  ///< starting a run of the flow graph and waiting for its end
   double barrier = 0.0;         ///< an OpenMP barrier of two threads; 0: no OpenMP, not known
+  double barrier_alone = 0.0;   ///< of a team of one thread
 };
 
 /// Measured once per process on graphs of empty nodes and of nodes of 20 us, none of them a

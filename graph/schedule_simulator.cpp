@@ -1,6 +1,7 @@
 #include "graph/schedule_simulator.h"
 
 #include <algorithm>
+#include <deque>
 #include <functional>
 #include <numeric>
 #include <queue>
@@ -105,6 +106,96 @@ class ListScheduler {
   Schedule schedule_;
 };
 
+// The state of a schedule by work stealing.
+class WorkStealer {
+ public:
+  WorkStealer(const Plan& plan, std::span<const double> node_costs, int processors,
+              const Overheads& overheads)
+      : plan_(plan),
+        handover_(overheads.handover),
+        durations_(durations(plan, node_costs, overheads)),
+        waiting_for_(count_predecessors(plan)),
+        kept_(at(processors)),
+        idle_(at(processors), true),
+        idle_count_(processors),
+        schedule_{processors, 0.0, std::vector<Slot>(durations_.size())} {}
+
+  Schedule run() && {
+    for (int c = 0; c < plan_.cluster_count(); ++c) {
+      if (waiting_for_[at(c)] == 0) keep(0, c);
+    }
+    take_kept(0, 0.0);
+    let_idle_steal(0.0);
+    while (!running_.empty()) {
+      const auto [now, cluster] = running_.top();
+      running_.pop();
+      end(cluster, now);
+      let_idle_steal(now);
+      schedule_.makespan = now;
+    }
+    return std::move(schedule_);
+  }
+
+ private:
+  void start(int cluster, int processor, double start) {
+    schedule_.slots[at(cluster)] = {processor, start, start + durations_[at(cluster)]};
+    running_.emplace(start + durations_[at(cluster)], cluster);
+    if (idle_[at(processor)]) --idle_count_;
+    idle_[at(processor)] = false;
+  }
+
+  void keep(int processor, int cluster) {
+    kept_[at(processor)].push_back(cluster);
+    ++kept_count_;
+  }
+
+  void end(int cluster, double now) {
+    const int processor = schedule_.slots[at(cluster)].processor;
+    int last_ready = -1;
+    for (const int next : plan_.successors(cluster)) {
+      if (--waiting_for_[at(next)] > 0) continue;
+      if (last_ready >= 0) keep(processor, last_ready);
+      last_ready = next;
+    }
+    if (last_ready >= 0) return start(last_ready, processor, now);
+    idle_[at(processor)] = true;
+    ++idle_count_;
+    take_kept(processor, now);
+  }
+
+  void take_kept(int processor, double now) {
+    std::deque<int>& own = kept_[at(processor)];
+    if (own.empty()) return;
+    start(own.back(), processor, now);
+    own.pop_back();
+    --kept_count_;
+  }
+
+  void let_idle_steal(double now) {
+    for (std::size_t p = 0; p < idle_.size() && idle_count_ > 0 && kept_count_ > 0; ++p) {
+      if (!idle_[p]) continue;
+      const auto victim = std::find_if(kept_.begin(), kept_.end(),
+                                       [](const std::deque<int>& kept) { return !kept.empty(); });
+      start(victim->front(), static_cast<int>(p), now + handover_);
+      victim->pop_front();
+      --kept_count_;
+    }
+  }
+
+  using Event = std::pair<double, int>;  // end [s], cluster
+
+  const Plan& plan_;
+  double handover_;
+  std::vector<double> durations_;
+  std::vector<int> waiting_for_;
+  std::vector<std::deque<int>> kept_;  // per processor
+  int kept_count_ = 0;
+  std::vector<bool> idle_;
+  int idle_count_;
+  std::priority_queue<Event, std::vector<Event>, std::greater<>> running_;
+  Schedule schedule_;
+};
+
 // The state of a schedule whose lists are given.
 class ListRunner {
  public:
@@ -197,6 +288,11 @@ double span_of(const Plan& plan, std::span<const double> node_costs) {
 Schedule simulate_list_schedule(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads) {
   return ListScheduler(plan, node_costs, processors, overheads).run();
+}
+
+Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
+                                int processors, const Overheads& overheads) {
+  return WorkStealer(plan, node_costs, processors, overheads).run();
 }
 
 Schedule simulate_lists(const Plan& plan, std::span<const double> node_costs,

@@ -45,6 +45,13 @@ std::vector<double> bottom_levels(const Plan& plan, std::span<const double> cost
 Schedule simulate_list_schedule(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads);
 
+/// Work stealing, as oneTBB's flow graph does it: of what a cluster makes ready its processor goes
+/// on with the last and keeps the others; it takes what it kept last, and a processor that has
+/// nothing takes what another, the first that has any, has kept longest. Clusters without
+/// predecessors are kept by processor 0. Event-driven; near-linear.
+Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
+                                int processors, const Overheads& overheads);
+
 /// Each processor runs its list in order, waiting for predecessors. The lists hold every cluster
 /// once, in an order that, together with the plan's edges, makes no cycle.
 Schedule simulate_lists(const Plan& plan, std::span<const double> node_costs,

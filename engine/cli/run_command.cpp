@@ -7,11 +7,15 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/progress_bar.h"
 #include "engine/cli/report.h"
+#include "engine/cli/results_folder.h"
 #include "engine/cli/tip_deflections.h"
+#include "engine/cli/trace_files.h"
 #include "engine/results.h"
 #include "models/error.h"
 
@@ -22,6 +26,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostTipLines = 6;
+constexpr std::int64_t kTracedSteps = 20;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -49,6 +54,7 @@ struct Recording {
   TipDeflections tips;
   OutputTimes due;
   SensorFile file;
+  std::optional<StepTrace> trace;
   double writing_time = 0.0;  ///< spent on the file [s]
   double last_row = -1.0;     ///< time of the last row written [s]
 };
@@ -66,19 +72,23 @@ void record(double t, std::span<const double> values, Recording& recording) {
   if (recording.due.is_due(t)) write_row(recording, t, values);
 }
 
-/// Steps to the end or to divergence.
-RunOutcome integrate(Simulation& simulation, Recording& recording, bool show_progress) {
+/// Steps to the end or to divergence, if asked for with a trace of the first steps.
+RunOutcome integrate(Simulation& simulation, Recording& recording, bool traces,
+                     bool show_progress) {
   RunOutcome outcome;
   ProgressBar bar(simulation.scenario().integration.duration, show_progress);
   record(simulation.time(), simulation.sensor_values(), recording);
   recording.writing_time = 0.0;
   const auto start = Clock::now();
+  const auto observe = [&](double t, std::span<const double> sensors) {
+    record(t, sensors, recording);
+    bar.update(t);
+  };
   try {
-    simulation.run_until(simulation.scenario().integration.duration,
-                         [&](double t, std::span<const double> sensors) {
-                           record(t, sensors, recording);
-                           bar.update(t);
-                         });
+    if (traces)
+      recording.trace =
+          simulation.trace(std::min(kTracedSteps, simulation.planned_steps()), observe);
+    simulation.run_until(simulation.scenario().integration.duration, observe);
   } catch (const DivergenceError& error) {
     outcome.divergence = one_line(error.what());
   }
@@ -147,14 +157,19 @@ int run(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
+  const fs::path trace_folder = arguments.trace_out;
+  if (!trace_folder.empty()) demand_folder(trace_folder);
   prepare_folder(folder);
   spdlog::info("results go to {}", folder.string());
   Recording recording(simulation, folder);
   if (!arguments.quiet) print_plan(simulation);
-  const RunOutcome outcome = integrate(simulation, recording, !arguments.quiet);
+  const RunOutcome outcome =
+      integrate(simulation, recording, !trace_folder.empty(), !arguments.quiet);
   write_file(folder / "summary.json", make_summary(simulation, recording.statistics, outcome));
   spdlog::info("final state {:#018x}", simulation.state_hash());
   if (!arguments.quiet) print_result(simulation, recording, outcome, folder);
+  if (recording.trace)
+    write_trace(simulation, std::move(*recording.trace), trace_folder, !arguments.quiet);
   if (outcome.divergence.empty()) return 0;
   std::fflush(stdout);
   fmt::print(stderr, "{}\n", outcome.divergence);

@@ -9,6 +9,20 @@
 
 namespace spoke {
 
+/// Told, on the calling thread, before a run of the step graph, when its window is set, and after
+/// it, before its steps are reported.
+class RunWatch {
+ public:
+  RunWatch() = default;
+  RunWatch(const RunWatch&) = delete;
+  RunWatch& operator=(const RunWatch&) = delete;
+  virtual void begin_run(const StepData& data) = 0;
+  virtual void end_run(const StepData& data) = 0;
+
+ protected:
+  ~RunWatch() = default;
+};
+
 /// Advances a system by runs of its step graph. A run makes as many passes as the graph has, and
 /// each clock as many steps in them as it can, up to the end of a window: as many steps beyond the
 /// last complete one as the table has records for. Subsystems with clocks of their own may stand at
@@ -32,6 +46,14 @@ class TimeStepper {
   StepOutcome advance(std::int64_t target, graph::Executor& executor, bool observed = false,
                       const Completed& completed = {});
 
+  /// Lets `watch` follow all runs by executors until it is replaced; nullptr: nobody. `together`:
+  /// meanwhile no subsystem begins a step before all have completed the one before. Not during
+  /// advance().
+  void watch_runs(RunWatch* watch, bool together = false) {
+    watch_ = watch;
+    stays_together_ = together;
+  }
+
   /// Steps that are complete; those that failed are not.
   std::int64_t steps() const { return steps_; }
 
@@ -49,6 +71,8 @@ class TimeStepper {
   std::int64_t steps_ = -1;
   StateCopy saved_;  ///< a state from which a failure can be repeated
   std::int64_t saved_steps_ = -1;
+  RunWatch* watch_ = nullptr;
+  bool stays_together_ = false;
 };
 
 }  // namespace spoke

@@ -29,7 +29,8 @@ Json describe_runtime(const graph::RuntimeCosts& runtime) {
           {"flow_graph_per_cluster_s", runtime.flow_graph.per_cluster},
           {"flow_graph_handover_s", runtime.flow_graph.handover},
           {"flow_graph_run_s", runtime.flow_graph_run},
-          {"openmp_barrier_s", runtime.barrier > 0.0 ? Json(runtime.barrier) : Json()}};
+          {"openmp_barrier_s", runtime.barrier > 0.0 ? Json(runtime.barrier) : Json()},
+          {"openmp_barrier_alone_s", runtime.barrier > 0.0 ? Json(runtime.barrier_alone) : Json()}};
 }
 
 Json describe_model(const Prediction& prediction) {

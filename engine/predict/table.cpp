@@ -72,7 +72,8 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
        fmt::format("{} a cluster, {} a handover, {} a run", duration_text(flow_graph.per_cluster),
                    duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run))}};
   if (runtime.barrier > 0.0)
-    facts.emplace_back("OpenMP", duration_text(runtime.barrier) + " a barrier of two threads");
+    facts.emplace_back("OpenMP", duration_text(runtime.barrier) + " a barrier of two threads, " +
+                                     duration_text(runtime.barrier_alone) + " of one");
   return facts;
 }
 

@@ -30,19 +30,30 @@ TEST_CASE("--help names commands and exit statuses and examples") {
   const Ended ended = run_spoke({"--help"}, folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  check_contains(ended.out, {"run", "check", "compare", "predict", "reproduce", "--version",
-                             "Exit status:", "spoke run models/"});
+  check_contains(ended.out, {"run", "check", "compare", "predict", "trace", "reproduce",
+                             "--version", "Exit status:", "spoke run models/"});
 }
 
 TEST_CASE("run --help names every option and what is written") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"run", "--help"}, folder);
   CHECK(ended.status == 0);
-  check_contains(
-      ended.out,
-      {"SCENARIO", "--out", "--set", "--formulation", "structured,subsystem,augmented",
-       "--integrator", "generalized_alpha,rk4", "--executor", "flow_graph,serial", "--threads",
-       "--window", "--quiet", "-v", "sensors.csv", "summary.json", "Exit status:", "Example:"});
+  check_contains(ended.out,
+                 {"SCENARIO", "--out", "--set", "--formulation", "structured,subsystem,augmented",
+                  "--integrator", "generalized_alpha,rk4", "--executor", "flow_graph,serial",
+                  "--threads", "--window", "--trace", "--quiet", "-v", "sensors.csv",
+                  "summary.json", "Exit status:", "Example:"});
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("trace --help names every option and what is written") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"trace", "--help"}, folder);
+  CHECK(ended.status == 0);
+  check_contains(ended.out,
+                 {"SCENARIO", "--out", "--set", "--steps", "--from", "--buffer", "--formulation",
+                  "--integrator", "--executor", "--threads", "--window", "-v", "trace.json",
+                  "graph.dot", "graph.svg", "trace.html", "Exit status:", "Example:"});
   CHECK(folder.entries() == 0);
 }
 
@@ -60,7 +71,7 @@ TEST_CASE("no line of help is wider than 100 columns") {
                                                     {"run", "--help"},
                                                     {"check", "--help"},
                                                     {"predict", "--help"},
-
+                                                    {"trace", "--help"},
                                                     {"reproduce", "--help"}}) {
     for (const std::string& line : lines_of(run_spoke(arguments, folder).out)) {
       CAPTURE(line);

@@ -72,6 +72,23 @@ TEST_CASE("candidates: chains that do not divide by the processors are shared eq
   }
 }
 
+TEST_CASE("candidates: three chains on two processors wrap around, with ends and a record, too") {
+  for (const bool ended : {false, true}) {
+    CAPTURE(ended);
+    const StepGraph graph = ended ? make_ended_window(40, 3, 4) : make_window(40, 3, 4);
+    const auto costs = equal_costs(graph, 0.2e-6);
+    double best = 0.0;
+    int fewest = graph.node_count();
+    for (const Candidate& candidate : find_candidates(graph, costs, 2, kSome, 2)) {
+      if (candidate.ordering != Ordering::wrap_around) continue;
+      best = std::max(best, work_of(costs) / candidate.makespan);
+      fewest = std::min(fewest, candidate.plan.cluster_count());
+    }
+    CHECK(best > 1.9);
+    CHECK(fewest <= 5);  // two whole chains, one in two halves, and the record
+  }
+}
+
 TEST_CASE("candidates: nodes without cost, and a chain, leave nothing to share") {
   const StepGraph fan = make_fan(24, 10);
   CHECK(best_speedup(fan, equal_costs(fan, 0.0), 2) == 0.0);

@@ -14,6 +14,7 @@ using namespace spoke::graph;
 using spoke::graph::testing::build_graph;
 using spoke::graph::testing::equal_costs;
 using spoke::graph::testing::GraphPlan;
+using spoke::graph::testing::make_ended_window;
 using spoke::graph::testing::make_fan;
 using spoke::graph::testing::make_random_plan;
 using spoke::graph::testing::random_costs;
@@ -94,6 +95,14 @@ TEST_CASE("coarsening: the longest cluster cuts chains into pieces") {
   const auto costs = equal_costs(graph, 1e-6);
   CHECK(sizes(coarsen(graph, costs, {})) == std::vector{100});
   CHECK(sizes(coarsen(graph, costs, {.longest = 30.5e-6})) == std::vector{30, 30, 30, 10});
+}
+
+TEST_CASE("coarsening: cheap ends join the cluster that they wait for") {
+  const StepGraph graph = make_ended_window(2, 3, 2);  // 8 nodes a blade, its end, and a record
+  auto costs = equal_costs(graph, 1e-6);
+  CHECK(sizes(coarsen(graph, costs, {.grain = 3e-6})) == std::vector{9, 9, 9, 1});
+  for (std::size_t k = 24; k < 27; ++k) costs[k] = 10e-6;
+  CHECK(sizes(coarsen(graph, costs, {.grain = 3e-6})) == std::vector{8, 1, 8, 1, 8, 1, 1});
 }
 
 TEST_CASE("coarsening: random graphs with random costs stay honoured") {

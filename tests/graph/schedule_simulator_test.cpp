@@ -59,6 +59,7 @@ TEST_CASE("simulator: one processor takes the work and the overheads") {
                             kSome.per_cluster * plan.cluster_count();
     const auto near = doctest::Approx(expected).epsilon(1e-9);
     CHECK(simulate_list_schedule(plan, costs, 1, kSome).makespan == near);
+    CHECK(simulate_work_stealing(plan, costs, 1, kSome).makespan == near);
     CHECK(simulate_lists(plan, costs, deal(plan, 1), kSome).makespan == near);
   }
 }
@@ -74,11 +75,13 @@ TEST_CASE("simulator: schedules are feasible and within Graham's bounds") {
     for (const int processors : {1, 2, 3, 7, 64}) {
       CAPTURE(seed);
       CAPTURE(processors);
-      const Schedule schedule = simulate_list_schedule(plan, costs, processors, kNone);
-      CHECK(count_faults(plan, schedule) == 0);
-      CHECK(schedule.makespan >= std::max(span, work / processors) - 1e-12);
-      CHECK(schedule.makespan <= work / processors + span + 1e-12);
-      CHECK(count_faults(plan, simulate_list_schedule(plan, costs, processors, kSome)) == 0);
+      for (const auto simulate : {simulate_list_schedule, simulate_work_stealing}) {
+        const Schedule schedule = simulate(plan, costs, processors, kNone);
+        CHECK(count_faults(plan, schedule) == 0);
+        CHECK(schedule.makespan >= std::max(span, work / processors) - 1e-12);
+        CHECK(schedule.makespan <= work / processors + span + 1e-12);
+        CHECK(count_faults(plan, simulate(plan, costs, processors, kSome)) == 0);
+      }
       CHECK(count_faults(plan, simulate_lists(plan, costs, deal(plan, processors), kSome)) == 0);
     }
   }
@@ -93,6 +96,27 @@ TEST_CASE("simulator: a cluster on another processor than made it ready comes la
   CHECK(schedule.slots[1].start == doctest::Approx(10e-6));
   CHECK(schedule.slots[2].start == doctest::Approx(13e-6));
   CHECK(schedule.makespan == doctest::Approx(33e-6));
+}
+
+TEST_CASE("simulator: work stealing follows chains to their ends, a list schedule does not") {
+  const StepGraph graph = make_window(50, 3, 1);
+  const auto costs = equal_costs(graph, 1e-6);
+  const Plan plan = plan_of_single_nodes(graph);
+  const double work = work_of(costs);
+  CHECK(simulate_work_stealing(plan, costs, 2, kNone).makespan == doctest::Approx(work / 1.5));
+  CHECK(simulate_list_schedule(plan, costs, 2, kNone).makespan == doctest::Approx(work / 2.0));
+  CHECK(simulate_work_stealing(plan, costs, 3, kNone).makespan == doctest::Approx(work / 3.0));
+}
+
+TEST_CASE("simulator: a thief takes what was kept longest, and pays for it") {
+  const StepGraph graph = make_fan(3, 1);  // root, three nodes, join
+  const auto costs = equal_costs(graph, 10e-6);
+  const Schedule schedule =
+      simulate_work_stealing(plan_of_single_nodes(graph), costs, 2, {0.0, 0.0, 3e-6});
+  CHECK(schedule.slots[3].start == doctest::Approx(10e-6));  // the last made ready
+  CHECK(schedule.slots[1].start == doctest::Approx(13e-6));  // stolen
+  CHECK(schedule.slots[2].start == doctest::Approx(20e-6));
+  CHECK(schedule.makespan == doctest::Approx(40e-6));
 }
 
 TEST_CASE("simulator: the span is the costliest path") {

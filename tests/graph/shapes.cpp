@@ -25,8 +25,11 @@ StepGraph make_fan(int width, int length) {
   return builder.build();
 }
 
-StepGraph make_window(int steps, int blades, int bodies) {
-  StepGraphBuilder builder;
+namespace {
+
+// Returns what each blade's last nodes have written.
+std::vector<PartId> add_blades(int steps, int blades, int bodies, StepGraphBuilder& builder) {
+  std::vector<PartId> last;
   for (int i = 0; i < blades; ++i) {
     const PartId blade = builder.add_part("blade", {});
     std::vector<PartId> parts;
@@ -39,7 +42,25 @@ StepGraph make_window(int steps, int blades, int bodies) {
       }
       builder.add_node({"end", i, -1, step}, reads(parts, blade), writes(blade), nothing);
     }
+    last.push_back(blade);
   }
+  return last;
+}
+
+}  // namespace
+
+StepGraph make_window(int steps, int blades, int bodies) {
+  StepGraphBuilder builder;
+  add_blades(steps, blades, bodies, builder);
+  return builder.build();
+}
+
+StepGraph make_ended_window(int steps, int blades, int bodies) {
+  StepGraphBuilder builder;
+  const std::vector<PartId> last = add_blades(steps, blades, bodies, builder);
+  for (int i = 0; i < blades; ++i)
+    builder.add_node({"samples", i}, reads(last[static_cast<std::size_t>(i)]), {}, nothing);
+  builder.add_node({"record"}, reads(last), {}, nothing);
   return builder.build();
 }
 

@@ -14,6 +14,10 @@ StepGraph make_fan(int width, int length);
 /// `bodies` nodes, and a node that joins them. Empty nodes, no root, no end.
 StepGraph make_window(int steps, int blades, int bodies);
 
+/// The same, where each chain leads to an end of its own, which nothing waits for, and all of them
+/// to one node; as windows whose blades take samples, and whose hub only records.
+StepGraph make_ended_window(int steps, int blades, int bodies);
+
 /// `cost` for every node [s].
 std::vector<double> equal_costs(const StepGraph& graph, double cost);
 
