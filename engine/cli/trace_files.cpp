@@ -9,6 +9,7 @@
 #include "engine/cli/results_folder.h"
 #include "engine/trace/files.h"
 #include "engine/trace/statistics.h"
+#include "graph/viewer/viewer_page.h"
 
 namespace spoke::cli {
 namespace {
@@ -62,7 +63,7 @@ void write_trace(const Simulation& simulation, StepTrace steps, const std::files
   }
   const trace::Trace trace = trace::describe(simulation, std::move(steps));
   make_folder(folder);
-  const trace::WrittenFiles written = trace::write_files(trace, folder, {});
+  const trace::WrittenFiles written = trace::write_files(trace, folder, graph::viewer_page());
   if (!prints) return;
   print_line("traced", describe_steps(trace.steps));
   print_line("traced on", trace.steps.executor);
