@@ -30,7 +30,8 @@ constexpr std::array kQuestions{
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",
              measure_step_graphs},
     Question{"predict", "how far predicted times are from measured ones", measure_predict},
-    Question{"executors", "what two threads gain on rotors, by executor", measure_executors}};
+    Question{"executors", "what two threads gain on rotors, by executor", measure_executors},
+    Question{"tracing", "what recording nodes costs, switched off and on", measure_tracing}};
 
 struct Arguments {
   std::string filter;

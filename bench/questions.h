@@ -23,4 +23,7 @@ void measure_predict(const QuestionOptions& options, Report& report);
 /// What do two threads gain on whole steps of rotors, by executor?
 void measure_executors(const QuestionOptions& options, Report& report);
 
+/// What does recording which node ran when cost, switched off and on?
+void measure_tracing(const QuestionOptions& options, Report& report);
+
 }  // namespace spoke::bench

@@ -77,6 +77,8 @@ struct Simulation::Impl {
 
   void step();
   void run_to(std::int64_t target, const StepObserver& observe);
+  StepTrace trace(std::int64_t target, const StepObserver& observe,
+                  const TraceOptions& trace_options);
   void measure(std::int64_t target, graph::Executor& executor);
   SavedState save();
   void restore(const SavedState& state);
@@ -149,6 +151,19 @@ void Simulation::Impl::run_to(std::int64_t target, const StepObserver& observe) 
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
   demand_done(
       runner->advance_to(std::min(target, planned_steps), static_cast<bool>(observe), completed));
+}
+
+StepTrace Simulation::Impl::trace(std::int64_t target, const StepObserver& observe,
+                                  const TraceOptions& trace_options) {
+  const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
+  // The start counts as a step.
+  const double passes_per_step =
+      std::max(static_cast<double>(usual_passes(context.integrator)),
+               static_cast<double>(evaluations) / static_cast<double>(runner->steps() + 1));
+  StepTrace trace;
+  demand_done(runner->advance_traced(std::min(target, planned_steps), static_cast<bool>(observe),
+                                     completed, passes_per_step, trace_options, trace));
+  return trace;
 }
 
 void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
@@ -266,6 +281,10 @@ void Simulation::stop() { impl_->runner->stop(); }
 
 SavedState Simulation::save() const { return impl_->save(); }
 void Simulation::restore(const SavedState& state) { impl_->restore(state); }
+StepTrace Simulation::trace(std::int64_t step_count, const StepObserver& observe,
+                            const TraceOptions& options) {
+  return impl_->trace(steps() + step_count, observe, options);
+}
 
 NodeMeasurement Simulation::measure_nodes(std::int64_t step_count) {
   graph::MeasuringExecutor executor(run_graph());

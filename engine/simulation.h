@@ -15,6 +15,7 @@
 #include "engine/formulation/formulation.h"
 #include "engine/saved_state.h"
 #include "engine/shape.h"
+#include "engine/step_trace.h"
 #include "graph/executor.h"
 #include "models/scenario.h"
 
@@ -120,6 +121,13 @@ class Simulation {
   /// steps that any of them has begun, each of which the observer is told. Without effect
   /// elsewhere.
   void stop();
+  /// Makes `steps` steps as run_until() does, to the same bits, by what runs the steps at present,
+  /// and records which thread ran which node when; `options.finished` is told of every step's
+  /// slices as it is finished. An executor that chooses waits with it meanwhile: run_until()
+  /// before, to see what it chooses. Throws like run_until(), and then tells nothing of the steps.
+  /// Precondition: 1 <= steps <= planned_steps() - this->steps().
+  StepTrace trace(std::int64_t steps, const StepObserver& observe = {},
+                  const TraceOptions& options = TraceOptions());
   /// Makes `steps` steps as run_until() does, to the same bits, but serially and in half of the
   /// runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws DivergenceError.
   /// Precondition: 2 windows <= steps <= planned_steps() - steps().

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "engine/step_graph_builder.h"
+#include "engine/step_recording.h"
 
 namespace spoke {
 namespace {
@@ -28,6 +29,27 @@ graph::Threads resolved(graph::Threads threads) {
   if (threads.outer == 0) threads.outer = graph::available_threads();
   return threads;
 }
+
+/// While it lives, a recording follows an executor and a stepper.
+class RecordingScope {
+ public:
+  RecordingScope(graph::Executor& executor, TimeStepper& stepper, StepRecording& recording,
+                 bool together)
+      : executor_(executor), stepper_(stepper) {
+    executor.set_recorder(&recording.recorder());
+    stepper.watch_runs(&recording, together);
+  }
+  RecordingScope(const RecordingScope&) = delete;
+  RecordingScope& operator=(const RecordingScope&) = delete;
+  ~RecordingScope() {
+    stepper_.watch_runs(nullptr);
+    executor_.set_recorder(nullptr);
+  }
+
+ private:
+  graph::Executor& executor_;
+  TimeStepper& stepper_;
+};
 
 ExecutorKind single_kind(ExecutorKind kind) {
   return kind == ExecutorKind::automatic ? ExecutorKind::serial : kind;
@@ -86,10 +108,37 @@ StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
     reason_ = window_->executor->describe();
     window_.reset();  // a graph of one pass stays in cache
   }
+  return stepper_.advance(target, *runner_for(target - steps()).executor, observed, completed);
+}
+
+StepRunner::Runner& StepRunner::runner_for(std::int64_t steps_asked) {
   // A window much longer than what is asked for would mostly be idle.
-  const bool fits = window_ && 2 * (target - steps()) >= window_->steps;
-  graph::Executor& executor = fits ? *window_->executor : *single_.executor;
-  return stepper_.advance(target, executor, observed, completed);
+  return window_ && 2 * steps_asked >= window_->steps ? *window_ : single_;
+}
+
+StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
+                                       const TimeStepper::Completed& completed,
+                                       double passes_per_step, const TraceOptions& options,
+                                       StepTrace& trace) {
+  Runner& runner = runner_for(target - steps());
+  const bool together = &runner == &single_;
+  StepRecording recording(runner.graph, context_.data,
+                          {steps() + 1, target, passes_per_step, runner.executor->threads().total(),
+                           options.buffer_bytes});
+  const RecordingScope scope(*runner.executor, stepper_, recording, together);
+  const auto told = [&](std::int64_t step) {
+    completed(step);
+    if (!options.finished || recording.is_dropped(step)) return;
+    std::vector<NodeSlice> slices;
+    const TracedStep traced = recording.collect_step(step, step_size(context_.integrator), slices);
+    options.finished(traced, slices);
+  };
+  const StepOutcome outcome = stepper_.advance(target, *runner.executor, observed, told);
+  trace.graph = describe_graph(single_.graph, build_step_graph(context_, 2));
+  trace.window_steps = together ? 1 : runner.steps;
+  trace.executor = describe();
+  recording.collect(step_size(context_.integrator), trace);
+  return outcome;
 }
 
 StepOutcome StepRunner::advance_one(const TimeStepper::Completed& completed) {

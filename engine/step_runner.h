@@ -6,6 +6,7 @@
 
 #include "engine/integrator/time_stepper.h"
 #include "engine/step_context.h"
+#include "engine/step_trace.h"
 #include "graph/executor.h"
 
 namespace spoke {
@@ -45,6 +46,11 @@ class StepRunner {
                          const TimeStepper::Completed& completed) {
     return stepper_.advance(target, executor, false, completed);
   }
+  /// Like advance_to(), with what runs the steps at present, and nothing is chosen meanwhile. What
+  /// each thread does is recorded; `passes_per_step`: as expected.
+  StepOutcome advance_traced(std::int64_t target, bool observed,
+                             const TimeStepper::Completed& completed, double passes_per_step,
+                             const TraceOptions& options, StepTrace& trace);
   std::int64_t steps() const { return stepper_.steps(); }
   /// See TimeStepper: while advance_to() runs.
   void stop() { stepper_.stop(); }
@@ -67,6 +73,7 @@ class StepRunner {
     int steps = 1;  ///< that a run makes, about
   };
 
+  Runner& runner_for(std::int64_t steps);
   bool is_automatic() const { return options_.executor == graph::ExecutorKind::automatic; }
   bool has_timed() const;
   double remaining_seconds() const;

@@ -13,6 +13,7 @@
 
 #include "graph/executor_kinds.h"
 #include "graph/node_costs.h"
+#include "graph/node_recorder.h"
 #include "graph/overheads.h"
 #include "graph/plan_candidates.h"
 #include "graph/plan_choice.h"
@@ -96,6 +97,7 @@ class AutoExecutor final : public Executor {
   }
 
   void run() override {
+    if (recorder() != nullptr) return run_recorded();
     ++runs_;
     if (chosen_ && runs_ == next_tuning_) tune_again();
     if (chosen_) {
@@ -114,7 +116,20 @@ class AutoExecutor final : public Executor {
   bool tuning() const override { return !chosen_; }
   bool settled_on_serial() const override { return chosen_ && is_serial_ && next_tuning_ <= runs_; }
 
+  void set_recorder(NodeRecorder* recorder) override {
+    Executor::set_recorder(recorder);
+    if (chosen_) chosen_->set_recorder(recorder);
+  }
+
  private:
+  // Time stamps cost time: what is recorded is not weighed. Until something is chosen, it runs
+  // serially.
+  void run_recorded() {
+    if (chosen_) return chosen_->run();
+    run_nodes(recorder(), 0, -1, graph_.serial_order(),
+              [this](NodeId node) { graph_.run_node(node); });
+  }
+
   void tune_again() {
     chosen_.reset();
     costs_.emplace(graph_);

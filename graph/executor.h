@@ -10,6 +10,8 @@
 
 namespace spoke::graph {
 
+class NodeRecorder;
+
 /// How many threads an executor works with, the calling one included. Executors with nested teams
 /// give each of `outer` threads a team of `inner`; all others know one layer only.
 struct Threads {
@@ -48,6 +50,17 @@ class Executor {
   virtual bool tuning() const { return false; }
   /// Whether it has found, for good, that a loop on the calling thread is fastest.
   virtual bool settled_on_serial() const { return false; }
+
+  /// From the next run on, records what runs on which thread when; nullptr ends that. Not during a
+  /// run. The recorder must have threads().total() threads and know the graph's number of nodes.
+  /// Every executor of make_executor() records; one that chooses puts off choosing meanwhile.
+  virtual void set_recorder(NodeRecorder* recorder) { recorder_ = recorder; }
+
+ protected:
+  NodeRecorder* recorder() const { return recorder_; }
+
+ private:
+  NodeRecorder* recorder_ = nullptr;
 };
 
 enum class ExecutorKind {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "graph/executor_kinds.h"
+#include "graph/node_recorder.h"
 #include "graph/thread_sanitizer.h"
 
 namespace spoke::graph {
@@ -98,7 +99,7 @@ class FlowGraphExecutor final : public Executor {
 
   void run() override {
     if (!flow_) {
-      for (int c = 0; c < plan_.cluster_count(); ++c) run_cluster(c);
+      for (int c = 0; c < plan_.cluster_count(); ++c) run_cluster(c, 0);
       return;
     }
     tell_start(graph_);
@@ -114,14 +115,20 @@ class FlowGraphExecutor final : public Executor {
  private:
   using FlowNode = flow::continue_node<flow::continue_msg>;
 
-  void run_cluster(int cluster) const noexcept {
-    for (const NodeId node : plan_.nodes(cluster)) run_told(graph_, node);
+  void run_cluster(int cluster, int thread) const noexcept {
+    run_nodes(recorder(), thread, cluster, plan_.nodes(cluster),
+              [this](NodeId node) { run_told(graph_, node); });
+  }
+
+  // The calling thread is the only one that enters the arena, and gets its reserved place, 0.
+  int this_thread() const {
+    return recorder() == nullptr ? 0 : oneapi::tbb::this_task_arena::current_thread_index();
   }
 
   void make_flow() {
     flow_.emplace(context_);
     for (int c = 0; c < plan_.cluster_count(); ++c) {
-      const auto body = [this, c](flow::continue_msg) noexcept { run_cluster(c); };
+      const auto body = [this, c](flow::continue_msg) noexcept { run_cluster(c, this_thread()); };
       nodes_.emplace_back(*flow_, body);
       if (plan_.predecessors(c).empty()) roots_.push_back(&nodes_.back());
     }

@@ -6,6 +6,7 @@
 #include "graph/executor_kinds.h"
 #include "graph/floating_point_environment.h"
 #include "graph/level_rounds.h"
+#include "graph/node_recorder.h"
 #include "graph/pass_question.h"
 
 namespace spoke::graph {
@@ -67,7 +68,8 @@ class OpenMpLevelsExecutor final : public Executor {
       }
       begins = false;
       for (std::size_t thread = first; thread < round.size(); thread += team)
-        for (const NodeId node : round[thread]) graph_.run_node(node);
+        run_nodes(recorder(), static_cast<int>(first), -1, round[thread],
+                  [this](NodeId node) { graph_.run_node(node); });
     }
   }
 

@@ -9,6 +9,7 @@
 #include "graph/floating_point_environment.h"
 #include "graph/fork_join.h"
 #include "graph/nested_loops.h"
+#include "graph/node_recorder.h"
 #include "graph/pass_question.h"
 #include "graph/static_share.h"
 
@@ -36,23 +37,32 @@ class NestedExecutor : public Executor {
   Threads threads() const final { return threads_; }
 
  protected:
-  void run_chain(const NodeChain& chain) const {
-    for (const NodeId node : chain) graph_.run_node(node);
+  /// One of the threads that share a loop.
+  struct Member {
+    int index;
+    int count;
+  };
+
+  /// On thread `thread` of team `team`.
+  void run_chain(const NodeChain& chain, int team, int thread) const {
+    run_nodes(recorder(), team * threads_.inner + thread, -1, chain,
+              [this](NodeId node) { graph_.run_node(node); });
   }
 
-  /// One thread's share of a loop over bodies.
-  void run_share(const BodyLoop& loop, int thread, int threads) const {
-    const StaticShare share = static_share(loop.bodies.size(), thread, threads);
-    for (std::size_t k = share.begin; k < share.end; ++k) run_chain(loop.bodies[k]);
+  /// One thread's share of a loop over bodies, in team `team`.
+  void run_share(const BodyLoop& loop, int team, Member thread) const {
+    const StaticShare share = static_share(loop.bodies.size(), thread.index, thread.count);
+    for (std::size_t k = share.begin; k < share.end; ++k)
+      run_chain(loop.bodies[k], team, thread.index);
   }
 
   /// One team's share of a loop over subsystems; `run_bodies` shares out a loop over bodies.
   template <class RunBodies>
-  void run_share(const SubsystemLoop& loop, int team, int teams, RunBodies run_bodies) const {
-    const StaticShare share = static_share(loop.subsystems.size(), team, teams);
+  void run_share(const SubsystemLoop& loop, Member team, RunBodies run_bodies) const {
+    const StaticShare share = static_share(loop.subsystems.size(), team.index, team.count);
     for (std::size_t k = share.begin; k < share.end; ++k) {
       for (const BodyLoop& body_loop : loop.subsystems[k]) {
-        run_chain(body_loop.alone);
+        run_chain(body_loop.alone, team.index, 0);
         run_bodies(body_loop);
       }
     }
@@ -94,7 +104,7 @@ class OpenMpScheme1Executor final : public NestedExecutor {
         if (thread.index == 0)
           lead(team, thread.count, subsystems, bodies, question);
         else
-          bodies.serve([&](const BodyLoop& loop) { run_share(loop, thread.index, thread.count); });
+          bodies.serve([&](const BodyLoop& loop) { run_share(loop, team.index, thread); });
       }
     }
     question.rethrow();
@@ -105,10 +115,6 @@ class OpenMpScheme1Executor final : public NestedExecutor {
  private:
   using Subsystems = ForkJoin<SubsystemLoop>;
   using Bodies = ForkJoin<BodyLoop>;
-  struct Member {
-    int index;
-    int count;
-  };
 
   // Of the order of what it costs to park and to be woken, so that neither choice costs twice the
   // other. With more threads than processors others need the processor: no spinning at all.
@@ -132,7 +138,7 @@ class OpenMpScheme1Executor final : public NestedExecutor {
 
   void run_pass(Member team, int threads, Subsystems& subsystems, Bodies& bodies) const {
     for (const SubsystemLoop& loop : loops_) {
-      run_chain(loop.alone);
+      run_chain(loop.alone, 0, 0);
       if (loop.subsystems.empty()) continue;
       subsystems.fork(&loop);
       run_subsystems(loop, team, threads, bodies);
@@ -141,10 +147,10 @@ class OpenMpScheme1Executor final : public NestedExecutor {
   }
 
   void run_subsystems(const SubsystemLoop& loop, Member team, int threads, Bodies& bodies) const {
-    run_share(loop, team.index, team.count, [&](const BodyLoop& body_loop) {
-      if (body_loop.bodies.size() < 2) return run_share(body_loop, 0, 1);
+    run_share(loop, team, [&](const BodyLoop& body_loop) {
+      if (body_loop.bodies.size() < 2) return run_share(body_loop, team.index, {0, 1});
       bodies.fork(&body_loop);
-      run_share(body_loop, 0, threads);
+      run_share(body_loop, team.index, {0, threads});
       bodies.join();
     });
   }
@@ -161,7 +167,7 @@ class OpenMpScheme2Executor final : public NestedExecutor {
     ask_for_nested_teams();
     const FloatingPointEnvironment environment;
     for (const SubsystemLoop& loop : loops_) {
-      run_chain(loop.alone);
+      run_chain(loop.alone, 0, 0);
       if (!loop.subsystems.empty()) run_subsystems(loop, environment);
     }
   }
@@ -173,17 +179,19 @@ class OpenMpScheme2Executor final : public NestedExecutor {
 #pragma omp parallel num_threads(threads_.outer)
     {
       environment.apply();
-      run_share(loop, omp_get_thread_num(), omp_get_num_threads(),
-                [&](const BodyLoop& body_loop) { run_bodies(body_loop, environment); });
+      const Member team{omp_get_thread_num(), omp_get_num_threads()};
+      run_share(loop, team,
+                [&](const BodyLoop& body_loop) { run_bodies(body_loop, team.index, environment); });
     }
   }
 
-  void run_bodies(const BodyLoop& loop, const FloatingPointEnvironment& environment) const {
-    if (threads_.inner == 1 || loop.bodies.size() < 2) return run_share(loop, 0, 1);
+  void run_bodies(const BodyLoop& loop, int team,
+                  const FloatingPointEnvironment& environment) const {
+    if (threads_.inner == 1 || loop.bodies.size() < 2) return run_share(loop, team, {0, 1});
 #pragma omp parallel num_threads(threads_.inner)
     {
       environment.apply();
-      run_share(loop, omp_get_thread_num(), omp_get_num_threads());
+      run_share(loop, team, {omp_get_thread_num(), omp_get_num_threads()});
     }
   }
 };

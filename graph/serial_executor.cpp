@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "graph/executor_kinds.h"
+#include "graph/node_recorder.h"
 
 namespace spoke::graph {
 namespace {
@@ -11,7 +12,8 @@ class SerialExecutor final : public Executor {
   explicit SerialExecutor(const StepGraph& graph) : graph_(graph) {}
 
   void run() override {
-    for (const NodeId node : graph_.serial_order()) graph_.run_node(node);
+    run_nodes(recorder(), 0, -1, graph_.serial_order(),
+              [this](NodeId node) { graph_.run_node(node); });
   }
   std::string_view name() const override { return name_of(ExecutorKind::serial); }
   Threads threads() const override { return 1; }

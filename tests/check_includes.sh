@@ -30,13 +30,14 @@ refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of 
 # Layers of the engine, lowest first: no file includes a header of a later layer.
 layers=(
   'report/'
-  'apart lanes elastic_block clock step_data memory'
+  'apart lanes elastic_block clock step_data step_trace memory'
   'kinematics body_terms hub natural_frequencies'
   'formulation/'
   'integrator/generalized_alpha integrator/rk4 integrator/method integrator/step_control'
   'step_context state_copy state_values pass_ends samples shape'
   'step_parts step_graph_builder'
   'integrator/time_stepper'
+  'step_recording'
   'step_runner'
   'sensors diagnosis model_identity saved_state'
   'simulation'
@@ -46,6 +47,7 @@ layers=(
   'compare/'
   'reproduce/'
   'predict/'
+  'trace/'
   'cli/'
 )
 later=''

@@ -15,7 +15,7 @@ namespace spoke::cli {
 namespace {
 
 constexpr int kMostWindow = 1000;
-constexpr const char* kCommands = "run, check, compare, predict or reproduce";
+constexpr const char* kCommands = "run, check, compare, predict, trace or reproduce";
 
 constexpr const char* kStatusText = R"(Exit status:
   0  done
@@ -78,6 +78,20 @@ Example:
   spoke predict models/wu_haug_rotor.toml --formulation subsystem --window 8
 )";
 
+constexpr const char* kTraceText =
+    R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
+steps are those of spoke run: same graph, same executor, same bits.
+
+Output files, in the folder of --out:
+  trace.json  Chrome trace events, for https://ui.perfetto.dev and chrome://tracing
+  graph.dot   the step graph, coloured by share of the time, with its longest path
+  graph.svg   the same as a picture, if Graphviz is installed
+  trace.html  graph and threads side by side, in one page, if the program was built with it
+
+Example:
+  spoke trace models/wu_haug_rotor.toml --formulation subsystem --executor flow_graph
+)";
+
 constexpr const char* kReproduceText =
     R"(Tables and figures of Han, Song and Kim (2017), computed and measured on this machine, beside the
 paper's own numbers: operation counts, drive, deflection, two schemes of nested threads, methods.
@@ -96,6 +110,7 @@ constexpr const char* kProgramText = R"(Examples:
   spoke check models/wu_haug_rotor.toml
   spoke compare models/wu_haug_rotor.toml
   spoke predict models/wu_haug_rotor.toml
+  spoke trace models/wu_haug_rotor.toml
   spoke reproduce
 
 "spoke run --help" and so on explain options and output of the commands.
@@ -215,29 +230,40 @@ void add_checkpoints(CLI::App& run, Arguments& arguments) {
       ->type_name("FILE");
 }
 
+/// What runs the steps, of commands that simulate.
+void add_running(CLI::App& command, Arguments& arguments) {
+  add_formulation(command, arguments);
+  add_integrator(command, arguments);
+  add_executor(command, arguments);
+  command
+      .add_option_function<std::string>(
+          "--threads",
+          [&](const std::string& text) { arguments.options.threads = parse_threads_option(text); },
+          "Threads of the executor, or OUTERxINNER of nested teams\n[the cores available]")
+      ->type_name("N|OxI");
+  command
+      .add_option("--window", arguments.options.window,
+                  "Steps of one run of the executor, where the hub is prescribed\n"
+                  "[auto chooses; the others take 1]")
+      ->check(CLI::Range(1, kMostWindow))
+      ->type_name("STEPS");
+}
+
 void add_run(CLI::App& program, Arguments& arguments) {
   CLI::App& run = *program.add_subcommand("run", "Simulate a scenario and write its results");
   add_common(run, arguments);
   run.add_option("--out", arguments.out, "Folder of the results [results/<name of the scenario>]")
       ->type_name("DIR");
-  add_formulation(run, arguments);
-  add_integrator(run, arguments);
-  add_executor(run, arguments);
-  run.add_option_function<std::string>(
-         "--threads",
-         [&](const std::string& text) { arguments.options.threads = parse_threads_option(text); },
-         "Threads of the executor, or OUTERxINNER of nested teams\n[the cores available]")
-      ->type_name("N|OxI");
-  run.add_option("--window", arguments.options.window,
-                 "Steps of one run of the executor, where the hub is prescribed\n"
-                 "[auto chooses; the others take 1]")
-      ->check(CLI::Range(1, kMostWindow))
-      ->type_name("STEPS");
+  add_running(run, arguments);
   add_checkpoints(run, arguments);
   run.add_flag_callback(
       "--no-report", [&] { arguments.writes_report = false; }, "Do not write report.html");
   run.add_flag("--vtk", arguments.writes_vtk,
                "Write the deformed blades at all output times for ParaView");
+  run.add_option("--trace", arguments.trace_out,
+                 "Record the first 20 steps, node by node, and write the files of\n"
+                 "spoke trace to this folder, too\n(with --vtk only up to the first output time)")
+      ->type_name("DIR");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] {
@@ -282,6 +308,22 @@ void add_predict(CLI::App& program, Arguments& arguments) {
   predict.callback([&] { arguments.command = Arguments::Command::predict; });
 }
 
+void add_trace(CLI::App& program, Arguments& arguments) {
+  CLI::App& trace = *program.add_subcommand("trace", "Record steps, node by node, to look at");
+  add_common(trace, arguments);
+  trace
+      .add_option("--out", arguments.out,
+                  "Folder of the results [results/<name of the scenario>/trace]")
+      ->type_name("DIR");
+  add_trace_options(trace, arguments.trace);
+  add_running(trace, arguments);
+  trace.footer(std::string(kTraceText) + '\n' + kStatusText);
+  trace.callback([&] {
+    arguments.command = Arguments::Command::trace;
+    check_threads(arguments.options);
+  });
+}
+
 void add_reproduce(CLI::App& program, Arguments& arguments) {
   CLI::App& reproduce =
       *program.add_subcommand("reproduce", "Repeat the paper's evaluation on this machine");
@@ -321,7 +363,7 @@ std::string check_first(const std::vector<std::string>& arguments) {
   }
   const std::string& first = arguments[0];
   if (first == "run" || first == "check" || first == "compare" || first == "predict" ||
-      first == "reproduce")
+      first == "trace" || first == "reproduce")
     return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + std::string(kCommands) +
@@ -341,6 +383,7 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   add_check(program, result);
   add_compare(program, result);
   add_predict(program, result);
+  add_trace(program, result);
   add_reproduce(program, result);
 
   const std::string name = check_first(arguments);

@@ -6,6 +6,7 @@
 
 #include "engine/cli/compare_arguments.h"
 #include "engine/cli/predict_arguments.h"
+#include "engine/cli/trace_arguments.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
 
@@ -20,6 +21,7 @@ struct Arguments {
     compare,
     predict,
     reproduce,
+    trace,
   };
   Command command = Command::none;
   std::string scenario;  ///< file
@@ -35,7 +37,9 @@ struct Arguments {
   int verbosity = 0;          ///< number of -v
   CompareArguments compare;
   PredictArguments predict;
-  bool quick = false;  ///< of reproduce: few rounds
+  TraceArguments trace;
+  std::string trace_out;  ///< of run: folder of a trace; empty: none
+  bool quick = false;     ///< of reproduce: few rounds
 };
 
 /// Parses the arguments behind the program's name. Throws InputError.

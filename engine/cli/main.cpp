@@ -15,6 +15,7 @@
 #include "engine/cli/report.h"
 #include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
+#include "engine/cli/trace_command.h"
 #include "models/error.h"
 
 namespace {
@@ -41,6 +42,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::predict(arguments);
     case cli::Arguments::Command::reproduce:
       return cli::reproduce(arguments);
+    case cli::Arguments::Command::trace:
+      return cli::trace(arguments);
     case cli::Arguments::Command::none:
       break;
   }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/checkpoints.h"
@@ -16,6 +17,7 @@
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/tip_deflections.h"
+#include "engine/cli/trace_files.h"
 #include "engine/results.h"
 #include "engine/run_report/html_file.h"
 #include "engine/run_report/picture_steps.h"
@@ -29,6 +31,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostTipLines = 6;
+constexpr std::int64_t kTracedSteps = 20;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -80,6 +83,7 @@ struct Recording {
   SensorFile file;
   std::optional<run_report::Recorder> report;
   std::optional<VtkSeries> vtk;
+  std::optional<StepTrace> trace;
   double wall_time_before = 0.0;  ///< of the run that is resumed [s]
   double writing_time = 0.0;      ///< spent on files, and on what goes into them later [s]
   double last_row = -1.0;         ///< time of the last row written [s]; negative: none yet
@@ -155,9 +159,15 @@ void record_shape(const Simulation& simulation, const Stops& stops, Recording& r
   recording.writing_time += seconds_since(start);
 }
 
+/// How many steps --trace records: no output time of files of shapes is passed.
+std::int64_t traced_steps(const Simulation& simulation, const Stops& stops) {
+  const std::int64_t end = stops.has_outputs ? stops.next(simulation.steps()) : stops.end;
+  return std::min(kTracedSteps, end - simulation.steps());
+}
+
 /// Steps to the end, to divergence or to a signal.
 RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& checkpoints,
-                     bool show_progress) {
+                     bool traces, bool show_progress) {
   RunOutcome outcome;
   ProgressBar bar(simulation.time(), simulation.scenario().integration.duration, show_progress);
   const Stops stops(simulation, recording);
@@ -174,6 +184,11 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
     if (Interruption::signal() != 0 || checkpoints.is_due()) simulation.stop();
   };
   try {
+    if (traces && !simulation.done()) {
+      recording.trace = simulation.trace(traced_steps(simulation, stops), observe);
+      if (stops.next(simulation.steps() - 1) == simulation.steps())
+        record_shape(simulation, stops, recording);
+    }
     while (!simulation.done() && Interruption::signal() == 0) {
       const std::int64_t stop = stops.next(simulation.steps());
       simulation.run_until(static_cast<double>(stop) * simulation.step_size(), observe);
@@ -294,6 +309,8 @@ int run(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
+  const fs::path trace_folder = arguments.trace_out;
+  if (!trace_folder.empty()) demand_folder(trace_folder);
   Recording recording = open_recording(arguments, folder, simulation);
   remove_stale(folder, arguments);
   spdlog::info("results go to {}", folder.string());
@@ -303,10 +320,13 @@ int run(const Arguments& arguments) {
     print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
                                       simulation.time(), simulation.steps()));
   const Interruption interruption;
-  const RunOutcome outcome = integrate(simulation, recording, checkpoints, !arguments.quiet);
+  const RunOutcome outcome =
+      integrate(simulation, recording, checkpoints, !trace_folder.empty(), !arguments.quiet);
   const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
   if (!arguments.quiet) print_result(simulation, recording, outcome, written);
+  if (recording.trace)
+    write_trace(simulation, std::move(*recording.trace), trace_folder, !arguments.quiet);
   std::fflush(stdout);
   const std::string message = outcome.divergence + outcome.interruption;
   if (!message.empty()) fmt::print(stderr, "{}\n", message);

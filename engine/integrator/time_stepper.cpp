@@ -103,10 +103,11 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
   StepData& data = context_.data;
   is_stopping_ = false;
   if (steps_ >= target) return StepOutcome::done;
-  const bool is_wide = data.records.size() > 1 && target > steps_ + 1;
+  const bool is_wide = data.records.size() > 1 && target > steps_ + 1 && !stays_together_;
   Advance advance{target, completed, is_wide, steps_, nullptr};
   data.window.observed = observed;
   open_window(advance);
+  if (watch_) watch_->begin_run(data);
   executor.run_while([this, &advance] { return continues(advance); });
   if (is_any_failed(data) && advance.is_wide && !advance.thrown) return repeat_failure(advance);
   if (advance.thrown) std::rethrow_exception(advance.thrown);
@@ -134,6 +135,7 @@ void TimeStepper::open_window(Advance& advance) {
 /// After a run: reports its steps and sets the next one, if there is one to be made.
 bool TimeStepper::continues(Advance& advance) {
   StepData& data = context_.data;
+  if (watch_) watch_->end_run(data);
   report_steps(advance);
   if (is_stopping_)
     advance.target =
@@ -141,9 +143,11 @@ bool TimeStepper::continues(Advance& advance) {
   if (advance.thrown || steps_ >= advance.target) return false;
   if (is_any_failed(data)) {
     // Where clocks do not part, the others complete the step; where they do, it will be repeated.
-    return !advance.is_wide && !are_all_halted(data);
+    if (advance.is_wide || are_all_halted(data)) return false;
+  } else {
+    open_window(advance);
   }
-  open_window(advance);
+  if (watch_) watch_->begin_run(data);
   return true;
 }
 

@@ -11,6 +11,19 @@ namespace spoke {
 
 /// Whether all clocks stand at the beginning of one step, and none has failed.
 bool are_together(const StepData& data);
+/// Told, on the calling thread, before a run of the step graph, when its window is set, and after
+/// it, before its steps are reported.
+class RunWatch {
+ public:
+  RunWatch() = default;
+  RunWatch(const RunWatch&) = delete;
+  RunWatch& operator=(const RunWatch&) = delete;
+  virtual void begin_run(const StepData& data) = 0;
+  virtual void end_run(const StepData& data) = 0;
+
+ protected:
+  ~RunWatch() = default;
+};
 
 /// Advances a system by runs of its step graph. A run makes as many passes as the graph has, and
 /// each clock as many steps in them as it can, up to the end of a window: as many steps beyond the
@@ -42,6 +55,13 @@ class TimeStepper {
   /// Goes on from a state that was put into the table, taken at the end of step `steps`; also after
   /// a failed step, or an exception of `completed`. The clocks keep their power.
   void continue_from(std::int64_t steps);
+  /// Lets `watch` follow all runs by executors until it is replaced; nullptr: nobody. `together`:
+  /// meanwhile no subsystem begins a step before all have completed the one before. Not during
+  /// advance().
+  void watch_runs(RunWatch* watch, bool together = false) {
+    watch_ = watch;
+    stays_together_ = together;
+  }
 
   /// Steps that are complete; those that failed are not.
   std::int64_t steps() const { return steps_; }
@@ -61,6 +81,8 @@ class TimeStepper {
   StateCopy saved_;  ///< a state from which a failure can be repeated
   std::int64_t saved_steps_ = -1;
   bool is_stopping_ = false;
+  RunWatch* watch_ = nullptr;
+  bool stays_together_ = false;
 };
 
 }  // namespace spoke

@@ -30,8 +30,8 @@ TEST_CASE("--help names commands and exit statuses and examples") {
   const Ended ended = run_spoke({"--help"}, folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  check_contains(ended.out, {"run", "check", "compare", "predict", "reproduce", "--version",
-                             "Exit status:", "spoke run models/"});
+  check_contains(ended.out, {"run", "check", "compare", "predict", "trace", "reproduce",
+                             "--version", "Exit status:", "spoke run models/"});
 }
 
 TEST_CASE("run --help names every option and what is written") {
@@ -53,6 +53,7 @@ TEST_CASE("run --help names every option and what is written") {
                              "--resume",
                              "--no-report",
                              "--vtk",
+                             "--trace",
                              "--quiet",
                              "-v",
                              "sensors.csv",
@@ -62,6 +63,17 @@ TEST_CASE("run --help names every option and what is written") {
                              "SIGINT",
                              "Exit status:",
                              "Examples:"});
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("trace --help names every option and what is written") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"trace", "--help"}, folder);
+  CHECK(ended.status == 0);
+  check_contains(ended.out,
+                 {"SCENARIO", "--out", "--set", "--steps", "--from", "--buffer", "--formulation",
+                  "--integrator", "--executor", "--threads", "--window", "-v", "trace.json",
+                  "graph.dot", "graph.svg", "trace.html", "Exit status:", "Example:"});
   CHECK(folder.entries() == 0);
 }
 
@@ -79,7 +91,7 @@ TEST_CASE("no line of help is wider than 100 columns") {
                                                     {"run", "--help"},
                                                     {"check", "--help"},
                                                     {"predict", "--help"},
-
+                                                    {"trace", "--help"},
                                                     {"reproduce", "--help"}}) {
     for (const std::string& line : lines_of(run_spoke(arguments, folder).out)) {
       CAPTURE(line);

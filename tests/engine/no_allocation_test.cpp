@@ -84,6 +84,21 @@ TEST_CASE("measuring the sensors allocates nothing") {
   CHECK(allocations.load() == before);
 }
 
+TEST_CASE("recording a trace allocates nothing while steps are made") {
+  for (const int window : {1, 10}) {
+    const SimulationOptions options{Formulation::structured, ExecutorKind::serial, 1, window};
+    Simulation simulation(spin_up_scenario(wu_haug_blade(), 1e-3), options);
+    simulation.run_until(0.05);
+    std::vector<long> counts;
+    counts.reserve(100);
+    const StepTrace trace = simulation.trace(
+        100, [&](double, std::span<const double>) { counts.push_back(allocations.load()); });
+    REQUIRE(counts.size() == 100);
+    CHECK(trace.steps.size() == 100);
+    CHECK(counts.back() == counts.front());
+  }
+}
+
 TEST_CASE("a step on the flow graph allocates nothing once its pools are filled") {
   const Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
   Simulation simulation(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2});

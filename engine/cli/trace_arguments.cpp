@@ -1,0 +1,50 @@
+#include "engine/cli/trace_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+namespace spoke::cli {
+namespace {
+
+constexpr std::int64_t kMostSteps = 100000;
+constexpr double kMostBuffer = 65536.0;
+
+/// A number from `least` to `most`, both included.
+double parse_number(const std::string& option, const std::string& text, double least, double most,
+                    const std::string& expected) {
+  double value = 0.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) ||
+      value < least || value > most)
+    throw CLI::ValidationError(option, "expected " + expected + ", got " + text);
+  return value;
+}
+
+}  // namespace
+
+void add_trace_options(CLI::App& command, TraceArguments& arguments) {
+  command.add_option("--steps", arguments.steps, "Steps to record [20]")
+      ->check(CLI::Range(std::int64_t{1}, kMostSteps))
+      ->type_name("K");
+  command
+      .add_option_function<std::string>(
+          "--from",
+          [&](const std::string& text) {
+            arguments.from = parse_number("--from", text, 0.0, 1e300, "a time in s, 0 or more");
+          },
+          "Simulated time at which recording begins, in s [0]; the executor\n"
+          "auto chooses on the way there")
+      ->type_name("TIME");
+  command
+      .add_option_function<std::string>(
+          "--buffer",
+          [&](const std::string& text) {
+            arguments.buffer_mb =
+                parse_number("--buffer", text, 1.0, kMostBuffer, "1 to 65536 megabytes");
+          },
+          "Memory for the recording; steps that do not fit are left out [256]")
+      ->type_name("MB");
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,75 @@
+#include "engine/cli/trace_files.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <string>
+#include <utility>
+
+#include "engine/cli/report.h"
+#include "engine/cli/results_folder.h"
+#include "engine/trace/files.h"
+#include "engine/trace/statistics.h"
+#include "graph/viewer/viewer_page.h"
+
+namespace spoke::cli {
+namespace {
+
+std::string duration(double seconds) {
+  if (seconds < 1e-3) return fmt::format("{:.3g} us", 1e6 * seconds);
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
+}
+
+std::string describe_steps(const StepTrace& trace) {
+  const auto& first = trace.steps.front();
+  int passes = 0;
+  for (const TracedStep& step : trace.steps) passes += step.passes;
+  std::string text =
+      fmt::format("{} step{} from t = {:.6g} s on, {} passes, {} slices", trace.steps.size(),
+                  trace.steps.size() == 1 ? "" : "s", first.time, passes, trace.slices.size());
+  if (trace.dropped_steps > 0)
+    text += fmt::format("; {} steps dropped, the buffer was full", trace.dropped_steps);
+  return text;
+}
+
+void print_summary(const StepTrace& trace) {
+  const trace::Summary summary = trace::summarise(trace);
+  const int threads = trace.threads;
+  print_line("T1", duration(summary.work) + ", all nodes of a step one after the other (medians)");
+  print_line("Tinf", duration(summary.span) + ", the longest path through a step");
+  const bool overlaps = trace::overlap(trace);
+  print_line(overlaps ? "time per step" : "makespan",
+             fmt::format("{}{}, speedup {:.2f}", duration(summary.elapsed),
+                         overlaps ? " on average, for steps overlap" : "", summary.speedup));
+  print_line("bound", fmt::format("{}, {}", duration(summary.bound),
+                                  overlaps ? fmt::format("T1/{}", threads)
+                                           : fmt::format("max(T1/{}, Tinf)", threads)));
+  print_line("idle", fmt::format("{:.0f} % of the time of {} thread{}", 100.0 * summary.idle,
+                                 threads, threads == 1 ? "" : "s"));
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+void write_trace(const Simulation& simulation, StepTrace steps, const std::filesystem::path& folder,
+                 bool prints) {
+  if (steps.steps.empty()) {
+    if (prints) print_line("traced", "no step fitted into the buffer; no trace written");
+    return;
+  }
+  const trace::Trace trace = trace::describe(simulation, std::move(steps));
+  make_folder(folder);
+  const trace::WrittenFiles written = trace::write_files(trace, folder, graph::viewer_page());
+  if (!prints) return;
+  print_line("traced", describe_steps(trace.steps));
+  print_line("traced on", trace.steps.executor);
+  print_summary(trace.steps);
+  for (const std::string& remark : written.remarks) print_line("", remark);
+  print_line("written", folder.string() + ": " + list(written.names));
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/integrator/time_stepper.h"
+#include "engine/step_trace.h"
+#include "graph/node_recorder.h"
+
+namespace spoke {
+
+/// What is to be recorded.
+struct RecordingPlan {
+  std::int64_t first_step = 1;
+  std::int64_t last_step = 1;
+  double passes_per_step = 1.0;  ///< expected; there is room for twice as many
+  int threads = 1;               ///< of the executor
+  std::size_t buffer_bytes = 0;  ///< at most
+};
+
+/// Records the runs of an executor and, between them, to which step and pass each pass of a run
+/// belongs: its nodes only know which pass of the run it is, for each subsystem follows a clock of
+/// its own. All memory is allocated in the constructor.
+class StepRecording final : public RunWatch {
+ public:
+  /// `run_graph` is what the executor runs, of any number of passes on `data`; it must outlive
+  /// this.
+  StepRecording(const graph::StepGraph& run_graph, const StepData& data, const RecordingPlan& plan);
+
+  /// For Executor::set_recorder().
+  graph::NodeRecorder& recorder() { return recorder_; }
+
+  void begin_run(const StepData& data) override;
+  void end_run(const StepData& data) override;
+
+  /// A step that is complete and not dropped, between two runs; its slices are added to `slices`,
+  /// by begin.
+  TracedStep collect_step(std::int64_t step, double step_size,
+                          std::vector<NodeSlice>& slices) const;
+  bool is_dropped(std::int64_t step) const {
+    return is_wanted(step) && dropped_[static_cast<std::size_t>(step - plan_.first_step)] != 0;
+  }
+
+  /// Adds steps, slices, runs and what was dropped. `trace.graph` must be there.
+  void collect(double step_size, StepTrace& trace) const;
+
+ private:
+  /// What a clock did in a pass of a run.
+  struct Place {
+    std::int64_t step = -1;
+    int pass = -1;
+  };
+  /// Of a node of the run graph.
+  struct Origin {
+    int node = 0;    ///< of the graph of one pass
+    int clock = -1;  ///< that it follows; -1: none
+    int pass = 0;    ///< of the run
+  };
+
+  static int count_passes(const graph::StepGraph& run_graph);
+  void find_origins(const graph::StepGraph& run_graph, bool is_coupled);
+  void place_passes(const StepData& data);
+  Place place_of_all(const StepData& data) const;
+  void drop_steps();
+  bool is_wanted(std::int64_t step) const {
+    return step >= plan_.first_step && step <= plan_.last_step;
+  }
+  /// Adds those slices of a run that `wants(place)`.
+  template <class Wants>
+  void add_slices(int run, Wants wants, std::vector<NodeSlice>& slices) const;
+  std::span<const Place> places_of(int run) const {
+    return std::span(all_places_)
+        .subspan(static_cast<std::size_t>(run) * places_.size(), places_.size());
+  }
+  Place place_of(const Origin& origin, int run) const;
+  std::vector<TracedStep> find_steps(double step_size) const;
+
+  RecordingPlan plan_;
+  int passes_;  ///< of a run
+  int clocks_;
+  std::vector<Origin> origins_;  ///< by node of the run graph
+  graph::NodeRecorder recorder_;
+  std::vector<Place> at_begin_;    ///< by clock, of the run that goes on
+  std::vector<Place> places_;      ///< of that run, by clock and pass
+  std::vector<Place> all_places_;  ///< the same of all recorded runs
+  std::vector<Place> run_places_;  ///< by recorded run, of the node that follows no clock
+  std::vector<char> dropped_;      ///< by step
+  std::int64_t complete_ = 0;      ///< steps when the run began
+};
+
+/// The graph of one pass as data. `two_passes` tells the edges to the next pass.
+TracedGraph describe_graph(const graph::StepGraph& one_pass, const graph::StepGraph& two_passes);
+
+}  // namespace spoke

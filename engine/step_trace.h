@@ -1,0 +1,88 @@
+#pragma once
+
+// What a number of steps did, node by node. Made by Simulation::trace().
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "graph/step_graph.h"
+
+namespace spoke {
+
+/// One run of a node. Times are whole nanoseconds from the start of the recording; on a thread a
+/// slice begins where the one before it ends, or later.
+struct NodeSlice {
+  int node = -1;           ///< of the graph of one pass
+  std::int64_t step = -1;  ///< its number; -1: a surplus pass, in which the node had nothing to do
+  int pass = -1;           ///< within the step, 0-based; -1 as above
+  int cluster = -1;        ///< of the executor's plan; -1: it has none
+  int thread = 0;          ///< of the executor; 0: the one that called it
+  std::int64_t begin = 0;  ///< [ns]
+  std::int64_t end = 0;    ///< [ns]
+};
+
+struct TracedStep {
+  std::int64_t step = 0;  ///< its number
+  double time = 0.0;      ///< at its end [s]
+  int passes = 0;         ///< of the subsystem that needed most
+};
+
+/// A run of the executor: from before its first node to after its last.
+struct TracedRun {
+  std::int64_t begin = 0;  ///< [ns]
+  std::int64_t end = 0;    ///< [ns]
+};
+
+struct NodeEdge {
+  int from = 0;
+  int to = 0;
+};
+
+/// The graph of one pass of a step, as data: nodes by index.
+struct TracedGraph {
+  std::vector<graph::NodeLabel> labels;   ///< their passes are -1
+  std::vector<std::string> names;         ///< "blade 2 / body 3 / inverse"
+  std::string subsystem_word;             ///< "blade"
+  std::vector<NodeEdge> edges;            ///< within a pass; from a lower index to a higher one
+  std::vector<NodeEdge> next_pass_edges;  ///< from a node of a pass to one of the next pass
+
+  int node_count() const { return static_cast<int>(labels.size()); }
+};
+
+/// In a step and pass, each node has one slice, with two exceptions: a subsystem that needs fewer
+/// passes than others has none in the passes beyond, and where blades run ahead of one another
+/// (window_steps > 1 under a prescribed hub) the node "hub solve" runs once for all steps that a
+/// run completes, and its slice belongs to the last of them.
+struct StepTrace {
+  TracedGraph graph;
+  std::vector<TracedStep> steps;   ///< those recorded as a whole, ascending
+  std::vector<NodeSlice> slices;   ///< by begin; of these steps, and of surplus passes
+  std::vector<TracedRun> runs;     ///< of the executor
+  int threads = 1;                 ///< of the executor, the calling one included
+  int window_steps = 1;            ///< steps that a run of the executor makes, about
+  std::int64_t dropped_steps = 0;  ///< made, but not recorded for want of room
+  double recording_cost = 0.0;     ///< of the two time stamps of a slice [s]
+  std::string executor;            ///< in one line what ran the steps
+
+  /// The slices of a step, by begin; none of a step that is not in `steps`.
+  std::vector<NodeSlice> slices_of(std::int64_t step) const;
+};
+
+/// Told of a step that is complete, and of its slices by begin, valid during the call.
+using SliceObserver =
+    std::function<void(const TracedStep& step, std::span<const NodeSlice> slices)>;
+
+/// How Simulation::trace() is to record.
+struct TraceOptions {
+  /// At most so much memory for the recording, of all threads [bytes].
+  std::size_t buffer_bytes = std::size_t{256} << 20;
+  /// Called for every step as it is finished, in order, on the calling thread while no node runs;
+  /// not for dropped steps. May be empty.
+  SliceObserver finished;
+};
+
+}  // namespace spoke

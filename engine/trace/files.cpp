@@ -1,0 +1,34 @@
+#include "engine/trace/files.h"
+
+#include <system_error>
+
+#include "engine/results.h"
+#include "engine/trace/chrome_trace.h"
+#include "engine/trace/graph_picture.h"
+#include "engine/trace/graphviz.h"
+#include "engine/trace/page_data.h"
+
+namespace spoke::trace {
+
+WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder,
+                         std::string_view viewer_page) {
+  WrittenFiles written{{"trace.json", "graph.dot"}, {}};
+  write_file(folder / "trace.json", make_chrome_trace(trace));
+  write_file(folder / "graph.dot", make_dot(trace));
+  const std::string fault = draw(folder / "graph.dot", folder / "graph.svg");
+  if (fault.empty())
+    written.names.emplace_back("graph.svg");
+  else
+    written.remarks.push_back("no graph.svg: " + fault);
+  if (!viewer_page.empty()) {
+    write_file(folder / "trace.html", make_trace_page(viewer_page, make_page_data(trace)));
+    written.names.emplace_back("trace.html");
+  } else {
+    std::error_code ignored;
+    std::filesystem::remove(folder / "trace.html", ignored);  // of another trace
+    written.remarks.emplace_back("no trace.html: this program was built without its page");
+  }
+  return written;
+}
+
+}  // namespace spoke::trace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/trace/trace.h"
+
+namespace spoke::trace {
+
+struct WrittenFiles {
+  std::vector<std::string> names;    ///< without their folder
+  std::vector<std::string> remarks;  ///< what was not written, and why: a line each
+};
+
+/// Writes trace.json, graph.dot, graph.svg if Graphviz is installed, and trace.html from the page
+/// of graph/viewer, unless that is empty. The folder must exist. Throws InputError if a file cannot
+/// be written. Precondition: there is a step.
+WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder,
+                         std::string_view viewer_page);
+
+}  // namespace spoke::trace

@@ -1,0 +1,7 @@
+#include "graph/viewer/viewer_page.h"
+
+namespace spoke::graph {
+
+std::string_view viewer_page() { return {}; }
+
+}  // namespace spoke::graph

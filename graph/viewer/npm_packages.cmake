@@ -1,0 +1,38 @@
+# spoke_npm_packages(SOURCE FOLDER WHY_NOT): installs the packages that SOURCE/package-lock.json names
+# into FOLDER/node_modules, when the lock has changed or never before. SPOKE_NODE is then the program
+# node. If it cannot be done, the variable WHY_NOT says why in one line; else it is empty.
+include_guard()
+
+function(spoke_npm_packages source folder why_not)
+  set(${why_not} "" PARENT_SCOPE)
+  find_program(SPOKE_NODE NAMES node nodejs)
+  find_program(SPOKE_NPM npm)
+  mark_as_advanced(SPOKE_NODE SPOKE_NPM)
+  if(NOT SPOKE_NODE OR NOT SPOKE_NPM)
+    set(${why_not} "it needs node and npm, which are not installed (Debian: nodejs, npm)" PARENT_SCOPE)
+    return()
+  endif()
+  execute_process(COMMAND ${SPOKE_NODE} --version OUTPUT_VARIABLE version OUTPUT_STRIP_TRAILING_WHITESPACE)
+  string(REGEX REPLACE "^v" "" version "${version}")
+  if(version VERSION_LESS 18)
+    set(${why_not} "it needs node 18 or later, found ${version}" PARENT_SCOPE)
+    return()
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source}/package-lock.json)
+  set(stamp ${folder}/installed)
+  if(EXISTS ${stamp} AND NOT ${source}/package-lock.json IS_NEWER_THAN ${stamp})
+    return()
+  endif()
+  message(STATUS "Installing the npm packages of ${source}")
+  file(REMOVE ${stamp})
+  file(COPY ${source}/package.json ${source}/package-lock.json ${source}/.npmrc DESTINATION ${folder})
+  execute_process(COMMAND ${SPOKE_NPM} ci --ignore-scripts --no-audit --no-fund --fetch-retries=1
+    WORKING_DIRECTORY ${folder} TIMEOUT 180
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    file(WRITE ${folder}/npm.log "${output}")
+    set(${why_not} "npm could not install its packages (no network?), see ${folder}/npm.log" PARENT_SCOPE)
+    return()
+  endif()
+  file(TOUCH ${stamp})
+endfunction()

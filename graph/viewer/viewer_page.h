@@ -1,0 +1,13 @@
+#pragma once
+#include <string_view>
+
+namespace spoke::graph {
+
+/// The page that shows a recorded trace, whole and self-contained, as HTML in UTF-8. It contains
+/// once
+///   <script type="application/json" id="spoke-trace">null</script>
+/// where the trace's data take the place of `null`, with every "</" in them written as "<\/".
+/// Empty if Spoke was built without Node (see graph/viewer/CMakeLists.txt).
+std::string_view viewer_page();
+
+}  // namespace spoke::graph
