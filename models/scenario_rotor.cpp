@@ -16,6 +16,7 @@ using std::numbers::pi;
 // the engine still compares its need with the memory there is.
 constexpr int kMostOfAKind = 100'000;
 constexpr std::int64_t kMostElements = 20'000'000;
+constexpr std::size_t kMostLoadPoints = 2'000'000;
 
 /// A function of time given as two arrays, or as one number.
 Curve read_curve(const TomlSection& section, std::string_view key, const Quantity& quantity) {
@@ -201,14 +202,19 @@ PointLoad read_load(const TomlSection& section, const std::vector<Blade>& blades
 /// Appends the load to `loads`, at its place: the given one, or the tip of every loaded blade.
 void place_load(const TomlSection& section, const std::vector<Blade>& blades, PointLoad load,
                 std::vector<PointLoad>& loads) {
+  const auto place_on = [&](const Blade& shortest) {
+    load.position = section.number(
+        "position", {"m, from root to tip of the blade", 0.0, shortest.length}, shortest.length);
+  };
+  if (load.blade >= 0) {
+    place_on(blades[static_cast<std::size_t>(load.blade)]);
+    loads.push_back(std::move(load));
+    return;
+  }
   const auto shorter = [](const Blade& a, const Blade& b) { return a.length < b.length; };
-  const bool every = load.blade < 0;
   const auto [shortest, longest] = std::minmax_element(blades.begin(), blades.end(), shorter);
-  const double length =
-      every ? shortest->length : blades[static_cast<std::size_t>(load.blade)].length;
-  load.position =
-      section.number("position", {"m, from root to tip of the blade", 0.0, length}, length);
-  if (section.has("position") || !every || shortest->length == longest->length) {
+  place_on(*shortest);
+  if (section.has("position") || shortest->length == longest->length) {
     loads.push_back(std::move(load));
     return;
   }
@@ -217,6 +223,24 @@ void place_load(const TomlSection& section, const std::vector<Blade>& blades, Po
     load.position = blades[i].length;
     loads.push_back(load);
   }
+}
+
+std::vector<PointLoad> read_loads(const TomlSection& root, const std::vector<Blade>& blades) {
+  std::vector<PointLoad> loads;
+  std::size_t points = 0;
+  for (const TomlSection& section :
+       root.sections("load", {"blade", "position", "frame", "force", "moment", "time", "factor"})) {
+    PointLoad load = read_load(section, blades);
+    // A load on every blade is copied to each.
+    points += (load.blade < 0 ? blades.size() : 1) * load.factor.times().size();
+    if (points > kMostLoadPoints) {
+      section.fail("", "makes " + std::to_string(points) +
+                           " points (loads x blades x times) with those before it, expected at " +
+                           "most " + std::to_string(kMostLoadPoints));
+    }
+    place_load(section, blades, std::move(load), loads);
+  }
+  return loads;
 }
 
 }  // namespace
@@ -235,11 +259,7 @@ Rotor read_rotor(const TomlSection& root) {
   rotor.damping.mass_factor = damping.number("mass_factor", Quantity::not_negative("1/s"), 0.0);
   rotor.damping.stiffness_factor =
       damping.number("stiffness_factor", Quantity::not_negative("s"), 0.0);
-  const auto loads =
-      root.sections("load", {"blade", "position", "frame", "force", "moment", "time", "factor"});
-  for (const TomlSection& section : loads) {
-    place_load(section, rotor.blades, read_load(section, rotor.blades), rotor.loads);
-  }
+  rotor.loads = read_loads(root, rotor.blades);
   return rotor;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "models/error.h"
+#include "models/toml_depth.h"
 
 namespace spoke {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr std::size_t kLongestQuote = 60;
 constexpr std::size_t kDeepestPath = 8;
+constexpr std::size_t kMostNames = 32;  // of a key in the file
 
 /// Text for a message of one line: control characters become spaces, what is long is cut.
 std::string one_line(std::string_view text, std::size_t longest) {
@@ -78,9 +80,12 @@ std::string quote_as_toml(std::string_view text) {
 
 /// A table whose only key "value" holds what the text says.
 toml::table parse_value(std::string_view text, const std::string& where) {
+  const std::string assignment = "value = " + std::string(text);
   try {
-    toml::table parsed = toml::parse("value = " + std::string(text));
-    if (parsed.size() == 1) return parsed;
+    if (!find_deep_key(assignment, kMostNames)) {
+      toml::table parsed = toml::parse(assignment);
+      if (parsed.size() == 1) return parsed;
+    }
   } catch (const toml::parse_error&) {
     // A bare word: reference_frame=chord.
   }
@@ -123,6 +128,14 @@ std::string put(toml::node& parent, const std::string& name, toml::node&& value)
     }
   });
   return {};
+}
+
+/// Line and column, from 1, of a byte of the text.
+toml::source_position position_of(std::size_t byte, std::string_view text) {
+  const std::string_view before = text.substr(0, byte);
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  const auto column = byte - (before.rfind('\n') + 1);  // npos + 1 is 0
+  return {static_cast<toml::source_index>(lines + 1), static_cast<toml::source_index>(column + 1)};
 }
 
 }  // namespace
@@ -181,6 +194,11 @@ TomlDocument::TomlDocument(const std::string& text, std::string name) : name_(st
   if (const auto zero = text.find('\0'); zero != std::string::npos) {
     throw InputError(name_ + ": has a zero byte at " + std::to_string(zero) +
                      ", expected a text file (TOML in UTF-8)");
+  }
+  if (const auto deep = find_deep_key(text, kMostNames)) {
+    fail("", position_of(*deep, text),
+         "has a key of more than " + std::to_string(kMostNames) +
+             " names, expected at most that many, joined by dots");
   }
   try {
     root_ = toml::parse(text, name_);

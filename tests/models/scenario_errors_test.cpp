@@ -265,6 +265,15 @@ TEST_CASE("bad tables of a drive are refused") {
   });
 }
 
+TEST_CASE("more loads than a machine could hold are refused") {
+  std::string text = with("count = 3", "count = 1000");
+  for (int k = 0; k < 2001; ++k) text += "[[load]]\nmoment = 1\n";
+  check_message(
+      error_of(text),
+      "f.toml:4022:1: load.2001: makes 2001000 points (loads x blades x times) with those "
+      "before it, expected at most 2000000");
+}
+
 TEST_CASE("bad loads and gravity are refused") {
   check_additions({
       {"[[load]]\n",

@@ -1,0 +1,62 @@
+// libFuzzer: any text is a valid scenario or refused by InputError with one line. What follows
+// "#set " in lines of the text are overrides of keys.
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "models/error.h"
+#include "models/scenario.h"
+
+using namespace spoke;
+
+namespace {
+
+void demand(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+Overrides find_overrides(const std::string& text) {
+  Overrides overrides;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("#set ")) overrides.push_back(line.substr(5));
+  return overrides;
+}
+
+/// What the engine relies on.
+void check(const Scenario& scenario) {
+  demand(!scenario.rotor.blades.empty(), "there is a blade");
+  for (const Blade& blade : scenario.rotor.blades) {
+    demand(blade.bodies >= 1 && blade.elements >= 1, "a blade has elements");
+    demand(std::isfinite(blade.length) && blade.length > 0.0, "a blade is long");
+    demand(std::isfinite(blade.azimuth), "a blade has a direction");
+  }
+  for (const PointLoad& load : scenario.rotor.loads) {
+    demand(load.blade < static_cast<int>(scenario.rotor.blades.size()), "a loaded blade exists");
+    demand(load.position >= 0.0, "a load is on its blade");
+    for (const double t : {-1.0, 0.0, 0.3, 1e30})
+      demand(!std::isnan(load.factor.value(t)), "a curve has values");
+  }
+  demand(scenario.integration.step <= scenario.integration.duration, "there is a step");
+  const DriveMotion motion = calc_motion(scenario.rotor.hub.drive, 0.1);
+  demand(!std::isnan(motion.speed), "a drive has a speed");
+  if (scenario.rotor.blades.size() < 100) demand(!scenario.to_json().empty(), "there is JSON");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  try {
+    check(parse_scenario(text, "fuzz.toml", find_overrides(text)));
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    demand(!message.empty() && message.find('\n') == std::string::npos, "a message is one line");
+  }
+  return 0;
+}
