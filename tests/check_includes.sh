@@ -44,6 +44,7 @@ layers=(
   'output_file sensor_file byte_order'
   'results machine'
   'checkpoint vtk_series run_report/'
+  'spoke'
   'compare/'
   'reproduce/'
   'predict/'
