@@ -12,6 +12,7 @@
 #include "engine/results.h"
 #include "engine/saved_state.h"
 #include "engine/sensor_file.h"
+#include "spoke/export.h"
 
 namespace spoke {
 
@@ -39,19 +40,20 @@ struct Checkpoint {
 };
 
 /// The bytes of a checkpoint file; `program` is this version of Spoke.
-std::string make_checkpoint(const SavedState& state, const std::optional<RunRecord>& record = {});
+SPOKE_EXPORT std::string make_checkpoint(const SavedState& state,
+                                         const std::optional<RunRecord>& record = {});
 
 /// Reads the bytes of a checkpoint file called `name`. Throws InputError, "NAME: " and the reason,
 /// if they are damaged, truncated, no checkpoint, or of a newer format. Whether the state fits a
 /// simulation is left to Simulation::restore().
-Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name);
+SPOKE_EXPORT Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name);
 
 /// Writes a checkpoint so that, whenever the process or the machine stops, the file is the old one
 /// or the new one as a whole. Throws InputError if it cannot be written.
-void save_checkpoint(const std::filesystem::path& file, const SavedState& state,
-                     const std::optional<RunRecord>& record = {});
+SPOKE_EXPORT void save_checkpoint(const std::filesystem::path& file, const SavedState& state,
+                                  const std::optional<RunRecord>& record = {});
 
 /// Throws InputError like parse_checkpoint(), or if the file cannot be read.
-Checkpoint load_checkpoint(const std::filesystem::path& file);
+SPOKE_EXPORT Checkpoint load_checkpoint(const std::filesystem::path& file);
 
 }  // namespace spoke

@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <string_view>
 
+#include "spoke/export.h"
+
 namespace spoke {
 
 /// A file that is written from front to back, without a buffer, by the system's calls. What cannot
 /// be done throws InputError, "FILE: cannot be written: REASON", with the system's reason.
-class OutputFile {
+class SPOKE_EXPORT OutputFile {
  public:
   enum class Start {
     empty,    ///< made, or emptied
@@ -42,6 +44,6 @@ class OutputFile {
 
 /// Replaces a file as a whole, or leaves it as it was: readers, and whoever starts after a crash,
 /// see the old file or the new one. Throws InputError if it cannot be written.
-void replace_file(const std::filesystem::path& file, std::string_view bytes);
+SPOKE_EXPORT void replace_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace spoke

@@ -14,6 +14,7 @@
 
 #include "engine/sensor_file.h"
 #include "engine/simulation.h"
+#include "spoke/export.h"
 
 namespace spoke {
 
@@ -27,7 +28,7 @@ struct SensorRange {
 };
 
 /// Gathers the extremes of all sensors. Values that are not numbers count only as final ones.
-class SensorStatistics {
+class SPOKE_EXPORT SensorStatistics {
  public:
   explicit SensorStatistics(std::size_t sensors) : ranges_(sensors) {}
   /// Goes on with what was gathered up to last_time [s].
@@ -47,7 +48,7 @@ class SensorStatistics {
 };
 
 /// Tells which steps are output: the first one at or after each multiple of an interval.
-class OutputTimes {
+class SPOKE_EXPORT OutputTimes {
  public:
   /// interval [s]; 0: every step is output.
   explicit OutputTimes(double interval) : interval_(interval) {}
@@ -73,10 +74,11 @@ struct RunOutcome {
 };
 
 /// The text of summary.json.
-std::string make_summary(const Simulation& simulation, const SensorStatistics& statistics,
-                         const RunOutcome& outcome);
+SPOKE_EXPORT std::string make_summary(const Simulation& simulation,
+                                      const SensorStatistics& statistics,
+                                      const RunOutcome& outcome);
 
 /// Writes a whole file or nothing. Throws InputError if it cannot be written.
-void write_file(const std::filesystem::path& file, const std::string& text);
+SPOKE_EXPORT void write_file(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace spoke

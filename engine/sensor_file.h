@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/output_file.h"
+#include "spoke/export.h"
 
 namespace spoke {
 
@@ -19,7 +20,7 @@ struct SensorFileMark {
 
 /// sensors.csv: a header of names, then rows of numbers in the fewest digits that read back equal.
 /// Whatever cannot be done throws InputError; the file then ends with a complete row.
-class SensorFile {
+class SPOKE_EXPORT SensorFile {
  public:
   /// Creates the file.
   SensorFile(std::filesystem::path file, const std::vector<std::string>& names);
@@ -45,7 +46,8 @@ class SensorFile {
 
 /// Calls `visit` for every row of a sensors.csv that a SensorFile has written. Throws InputError if
 /// it cannot be read.
-void read_rows(const std::filesystem::path& file,
-               const std::function<void(double t, std::span<const double> values)>& visit);
+SPOKE_EXPORT void read_rows(
+    const std::filesystem::path& file,
+    const std::function<void(double t, std::span<const double> values)>& visit);
 
 }  // namespace spoke

@@ -18,6 +18,7 @@
 #include "engine/step_trace.h"
 #include "graph/executor.h"
 #include "models/scenario.h"
+#include "spoke/export.h"
 
 namespace spoke {
 
@@ -79,7 +80,7 @@ struct NodeMeasurement {
 };
 
 /// Simulates one system. Not copyable; different Simulations may run in different threads.
-class Simulation {
+class SPOKE_EXPORT Simulation {
  public:
   /// Builds the system's constants, its step graph and executor, and evaluates the accelerations
   /// at t = 0. Throws InputError if the scenario does not fit this machine's memory.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "graph/step_graph.h"
+#include "spoke/export.h"
 
 namespace spoke {
 
@@ -57,7 +58,7 @@ struct TracedGraph {
 /// passes than others has none in the passes beyond, and where blades run ahead of one another
 /// (window_steps > 1 under a prescribed hub) the node "hub solve" runs once for all steps that a
 /// run completes, and its slice belongs to the last of them.
-struct StepTrace {
+struct SPOKE_EXPORT StepTrace {
   TracedGraph graph;
   std::vector<TracedStep> steps;   ///< those recorded as a whole, ascending
   std::vector<NodeSlice> slices;   ///< by begin; of these steps, and of surplus passes

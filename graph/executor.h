@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "graph/step_graph.h"
+#include "spoke/export.h"
 
 namespace spoke::graph {
 
@@ -24,10 +25,10 @@ struct Threads {
   friend bool operator==(const Threads&, const Threads&) = default;
 };
 /// "2", or "3x2" of nested teams.
-std::string name_of(const Threads& threads);
+SPOKE_EXPORT std::string name_of(const Threads& threads);
 
 /// Runs the nodes of one graph, each after its predecessors, any number of times.
-class Executor {
+class SPOKE_EXPORT Executor {
  public:
   Executor() = default;
   Executor(const Executor&) = delete;
@@ -78,24 +79,24 @@ enum class ExecutorKind {
 };
 
 /// All kinds of this build. Without OpenMP there are none of the kinds "openmp_...".
-std::span<const ExecutorKind> executor_kinds();
+SPOKE_EXPORT std::span<const ExecutorKind> executor_kinds();
 /// "auto", "flow_graph", "serial" and so on, as above.
-std::string_view name_of(ExecutorKind kind);
+SPOKE_EXPORT std::string_view name_of(ExecutorKind kind);
 /// The kind of this name. Throws std::invalid_argument, with the names to choose from, if there is
 /// none or this build is without it.
-ExecutorKind executor_kind(std::string_view name);
+SPOKE_EXPORT ExecutorKind executor_kind(std::string_view name);
 /// Throws std::invalid_argument if a number of threads is negative, or of nested teams that this
 /// kind does not have.
-void check_threads(ExecutorKind kind, const Threads& threads);
+SPOKE_EXPORT void check_threads(ExecutorKind kind, const Threads& threads);
 
 /// Makes an executor with `threads` threads (0 = available_threads()). It refers to `graph`, which
 /// must outlive it and stay in place. Throws std::invalid_argument if this build is without the
 /// kind, and as check_threads().
-std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
-                                        Threads threads = {});
+SPOKE_EXPORT std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
+                                                     Threads threads = {});
 
 /// How many threads of this process can run at once: the processors of the calling thread's
 /// affinity mask, at most the processor quota of its control groups (rounded up). At least 1.
-int available_threads();
+SPOKE_EXPORT int available_threads();
 
 }  // namespace spoke::graph

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "graph/access.h"
+#include "spoke/export.h"
 
 namespace spoke::graph {
 
@@ -32,7 +33,8 @@ struct NodeLabel {
 /// A node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", or "hub solve" for
 /// a node of no subsystem and no body; one of several passes ends in " (pass 4)". `subsystem_word`
 /// replaces "subsystem".
-std::string name_of(const NodeLabel& label, std::string_view subsystem_word = "subsystem");
+SPOKE_EXPORT std::string name_of(const NodeLabel& label,
+                                 std::string_view subsystem_word = "subsystem");
 
 /// A part of the step's data: one or several ranges of doubles under one name.
 struct Part {
@@ -49,7 +51,7 @@ struct Node {
 };
 
 /// Per node a list of nodes, all lists in one array (compressed rows), each list ascending.
-class Adjacency {
+class SPOKE_EXPORT Adjacency {
  public:
   Adjacency() = default;
   explicit Adjacency(const std::vector<std::vector<NodeId>>& lists);
@@ -68,7 +70,7 @@ class Adjacency {
 /// One integration step as a graph of nodes, immutable. Its edges follow from the declared reads
 /// and writes in the order of insertion, and are transitively reduced. Made by StepGraphBuilder;
 /// run by an Executor (graph/executor.h).
-class StepGraph {
+class SPOKE_EXPORT StepGraph {
  public:
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int edge_count() const { return successors_.size(); }
@@ -113,7 +115,7 @@ class StepGraph {
 };
 
 /// Collects parts and nodes in the order of the algorithm, then builds the graph.
-class StepGraphBuilder {
+class SPOKE_EXPORT StepGraphBuilder {
  public:
   /// `subsystem_word`: what a subsystem is called in the names of nodes, e.g. "blade".
   explicit StepGraphBuilder(std::string subsystem_word = "subsystem");
@@ -154,6 +156,6 @@ class StepGraphBuilder {
 /// Whether of every two nodes that access one part, one of them writing, the one added first comes
 /// first along the edges. Computed from edges and declarations alone, not from how the edges were
 /// derived. True of every graph a builder makes.
-bool conflicts_are_ordered(const StepGraph& graph);
+SPOKE_EXPORT bool conflicts_are_ordered(const StepGraph& graph);
 
 }  // namespace spoke::graph

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "spoke/export.h"
+
 namespace spoke {
 
 /// A smooth function of time through given points: monotone piecewise cubic Hermite interpolation
 /// (Fritsch & Carlson 1980, slopes of Fritsch & Butland 1984). Continuous with its first derivative
 /// from the first point to the last, never overshoots the points; constant before and after.
-class Curve {
+class SPOKE_EXPORT Curve {
  public:
   /// Zero.
   Curve() : Curve(0.0) {}

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "models/curve.h"
+#include "spoke/export.h"
 
 namespace spoke {
 
@@ -48,18 +49,18 @@ struct DriveMotion {
 };
 
 /// Whether the drive prescribes the hub's rotation (else the rotation is solved for).
-bool prescribes_motion(const Drive& drive);
+SPOKE_EXPORT bool prescribes_motion(const Drive& drive);
 
 /// The prescribed rotation at time t [s]. Precondition: prescribes_motion(drive).
-DriveMotion calc_motion(const Drive& drive, double t);
+SPOKE_EXPORT DriveMotion calc_motion(const Drive& drive, double t);
 
 /// The torque that the drive applies at time t [N m]; 0 for drives that prescribe the motion.
-double calc_torque(const Drive& drive, double t);
+SPOKE_EXPORT double calc_torque(const Drive& drive, double t);
 
 /// The hub's speed at t = 0 [rad/s].
-double calc_initial_speed(const Drive& drive);
+SPOKE_EXPORT double calc_initial_speed(const Drive& drive);
 
 /// The drive's name in scenario files: spin_up, spin_up_hold_spin_down, table, torque or free.
-std::string_view name_of(const Drive& drive);
+SPOKE_EXPORT std::string_view name_of(const Drive& drive);
 
 }  // namespace spoke

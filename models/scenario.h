@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/rotor.h"
+#include "spoke/export.h"
 
 namespace spoke {
 
@@ -31,7 +32,7 @@ struct Output {
 /// One "key=value" of the command line, overriding a key of the file.
 using Overrides = std::vector<std::string>;
 
-struct Scenario {
+struct SPOKE_EXPORT Scenario {
   std::string title;
   std::string name;  ///< the file's name without folder and ending; names the results folder
   Rotor rotor;
@@ -44,17 +45,18 @@ struct Scenario {
 };
 
 // The names that scenario files use.
-std::string_view name_of(IntegrationMethod method);
-std::string_view name_of(HubSupport support);
-std::string_view name_of(ReferenceFrame frame);
-std::string_view name_of(LoadFrame frame);
+SPOKE_EXPORT std::string_view name_of(IntegrationMethod method);
+SPOKE_EXPORT std::string_view name_of(HubSupport support);
+SPOKE_EXPORT std::string_view name_of(ReferenceFrame frame);
+SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
 
 /// Reads and validates a scenario. Throws InputError, its text "file:line:column: key: what is
 /// wrong, what is expected".
-Scenario read_scenario(const std::filesystem::path& file, const Overrides& overrides = {});
+SPOKE_EXPORT Scenario read_scenario(const std::filesystem::path& file,
+                                    const Overrides& overrides = {});
 
 /// The same from a string; `name` stands for the file in messages.
-Scenario parse_scenario(const std::string& text, const std::string& name,
-                        const Overrides& overrides = {});
+SPOKE_EXPORT Scenario parse_scenario(const std::string& text, const std::string& name,
+                                     const Overrides& overrides = {});
 
 }  // namespace spoke

@@ -45,6 +45,7 @@ layers=(
   'machine json/'
   'results'
   'checkpoint vtk_series run_report/'
+  'spoke'
   'compare/'
   'reproduce/'
   'predict/'

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "spoke/export.h"
+
 namespace spoke {
 
 /// Three ways to the same accelerations (docs/formulation.md, section 4).
@@ -12,6 +14,6 @@ enum class Formulation {
 };
 
 /// "structured", "subsystem" or "augmented".
-std::string_view name_of(Formulation formulation);
+SPOKE_EXPORT std::string_view name_of(Formulation formulation);
 
 }  // namespace spoke

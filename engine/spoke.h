@@ -1,0 +1,11 @@
+#pragma once
+
+// The one header for programs that embed Spoke. Installed as <spoke/spoke.h>, with what it
+// includes.
+
+#include "engine/checkpoint.h"
+#include "engine/results.h"
+#include "engine/simulation.h"
+#include "graph/executor.h"
+#include "models/error.h"
+#include "models/scenario.h"

@@ -1,0 +1,43 @@
+# What `cmake --install` installs, in components: `program`, `development`, and `library` if shared.
+# All paths are relative to the prefix, so that the tree can be moved.
+set(cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/spoke)
+set(models_folder ${CMAKE_INSTALL_DATADIR}/spoke/models)
+
+install(TARGETS spoke_library EXPORT spokeTargets
+  LIBRARY COMPONENT library NAMELINK_COMPONENT development
+  ARCHIVE COMPONENT development)
+install(DIRECTORY ${public_headers}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(EXPORT spokeTargets NAMESPACE spoke:: DESTINATION ${cmake_folder} COMPONENT development)
+
+configure_package_config_file(spokeConfig.cmake.in spokeConfig.cmake
+  INSTALL_DESTINATION ${cmake_folder} PATH_VARS models_folder)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/spokeConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/spokeConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/spokeConfigVersion.cmake
+  DESTINATION ${cmake_folder} COMPONENT development)
+
+# pkg-config: a static library hands what it needs to whoever links it.
+set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH pc_to_prefix /${pc_folder} /)
+string(REGEX REPLACE "/$" "" pc_to_prefix ${pc_to_prefix})
+set(pc_requires "eigen3 >= 3.4")
+set(pc_libraries "")
+if(NOT BUILD_SHARED_LIBS)
+  string(APPEND pc_requires ", tbb >= 2021, tomlplusplus, zlib")
+  list(TRANSFORM openmp_libraries PREPEND " -l" OUTPUT_VARIABLE pc_libraries)
+  list(JOIN pc_libraries "" pc_libraries)
+endif()
+configure_file(spoke.pc.in spoke.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/spoke.pc DESTINATION ${pc_folder} COMPONENT development)
+
+if(SPOKE_PROGRAM)
+  install(TARGETS spoke EXPORT spokeProgramTargets RUNTIME COMPONENT program)
+  install(EXPORT spokeProgramTargets NAMESPACE spoke:: DESTINATION ${cmake_folder} COMPONENT program)
+endif()
+file(GLOB scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/models/*.toml)
+install(FILES ${scenarios} DESTINATION ${models_folder} COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/spoke COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/spoke
+  COMPONENT program)

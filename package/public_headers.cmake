@@ -1,0 +1,48 @@
+# Copies the public headers, engine/spoke.h and all that it includes, to one folder as programs
+# outside see them: engine/spoke.h as spoke/spoke.h, any other DIR/x.h as spoke/DIR/x.h. So that
+# they need one include directory, and no name as general as models/ is seen in it.
+#   cmake -DSOURCE=DIR -DOUTPUT=DIR -P public_headers.cmake
+cmake_minimum_required(VERSION 3.25)
+set(pending engine/spoke.h)
+set(done "")
+set(written "")
+while(pending)
+  list(POP_FRONT pending header)
+  if(header IN_LIST done)
+    continue()
+  endif()
+  list(APPEND done ${header})
+
+  if(header MATCHES "^spoke/")
+    file(READ ${SOURCE}/package/include/${header} text)
+    set(file ${OUTPUT}/${header})
+  else()
+    file(READ ${SOURCE}/${header} text)
+    set(file ${OUTPUT}/spoke/${header})
+  endif()
+  if(header STREQUAL "engine/spoke.h")
+    set(file ${OUTPUT}/spoke/spoke.h)
+  endif()
+  string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
+  foreach(include ${includes})
+    string(REGEX REPLACE "#include \"(.*)\"" "\\1" include "${include}")
+    list(APPEND pending ${include})
+  endforeach()
+  string(REGEX REPLACE "#include \"(engine|graph|models)/" "#include \"spoke/\\1/" text "${text}")
+
+  set(old "")
+  if(EXISTS ${file})
+    file(READ ${file} old)
+  endif()
+  if(NOT old STREQUAL text)  # else nothing is compiled anew
+    file(WRITE ${file} "${text}")
+  endif()
+  list(APPEND written ${file})
+endwhile()
+
+file(GLOB_RECURSE present ${OUTPUT}/*)
+foreach(file ${present})
+  if(NOT file IN_LIST written)
+    file(REMOVE ${file})
+  endif()
+endforeach()

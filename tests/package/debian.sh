@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Makes the Debian packages, and checks what they say of themselves and that the program runs from
+# what they contain. Installing them needs root: docs/embedding.md tells how.
+#   debian.sh BUILD CPACK WORK
+set -euo pipefail
+build=$1 cpack=$2 work=$3
+rm -rf "$work"
+mkdir -p "$work"
+cd "$build"
+"$cpack" -G DEB -B "$work/packages" >"$work/cpack.log" 2>&1 || { cat "$work/cpack.log"; exit 1; }
+
+# demand PACKAGE FIELD PATTERN: the field must match.
+demand() {
+  local value
+  value=$(dpkg-deb --field "$work/packages/$1"_*.deb "$2")
+  grep -qE "$3" <<<"$value" || { echo "$1: $2 is \"$value\", which lacks $3"; exit 1; }
+}
+demand spoke Section '^science$'
+demand spoke Maintainer '.+ <.+@.+>'
+demand spoke Description 'flexible blades'
+demand libspoke-dev Section '^libdevel$'
+demand libspoke-dev Depends libeigen3-dev
+# All that the program is linked with, by the packages that dpkg says own it.
+dpkg-deb --extract "$work"/packages/spoke_*.deb "$work/spoke"
+dpkg-deb --extract "$work"/packages/libspoke-dev_*.deb "$work/libspoke-dev"
+program=$work/spoke/usr/bin/spoke
+for library in $(objdump -p "$program" | awk '/NEEDED/ { print $2 }'); do
+  owner=$(dpkg-query -S "*/$library" | head -1 | cut -d: -f1)
+  demand spoke Depends "(^|[ ,])$owner( |,|$)"
+done
+[ -s "$work/spoke/usr/share/doc/spoke/copyright" ]
+[ -s "$work/libspoke-dev/usr/share/doc/libspoke-dev/copyright" ]
+[ -s "$work/libspoke-dev/usr/include/spoke/spoke.h" ]
+"$program" check "$work/spoke/usr/share/spoke/models/wu_haug_rotor.toml"
