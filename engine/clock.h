@@ -29,6 +29,7 @@ enum class StepOutcome {
   done,
   left_limits,    ///< a body's deformation or an acceleration is not finite or beyond its limits
   not_converged,  ///< the iteration did not reach its tolerance
+  energy_grew,    ///< complete, but with more energy than work explains
 };
 
 /// Rates of work [W].
@@ -37,11 +38,19 @@ struct Power {
   double dissipation = 0.0;  ///< by damping
 };
 
+/// A deflection beyond the range of linear elasticity.
+struct Bend {
+  double ratio = 0.0;   ///< to the length of the body; 0: all are within the range
+  double blade = -1.0;  ///< index from 0; where a subsystem reports, -1
+  double body = -1.0;   ///< index from 0
+};
+
 /// What a pass found, summed in fixed order over the bodies that a clock counts for.
 struct PassReport {
   double change = 0.0;  ///< largest change of a coordinate in this iteration [m, rad]
   Power power;
   double failed = 0.0;  ///< 1 if any body or the hub failed
+  Bend bend;            ///< the largest, the first of equal ones
 };
 
 /// A clock and what it needs to turn the end of a pass into the start of the next (see
@@ -68,6 +77,7 @@ struct StepRecord {
   double work = 0.0;               ///< by drive and loads during the step [J]
   double dissipated = 0.0;         ///< during the step [J]
   Twist reaction = Twist::Zero();  ///< of the support and drive on the hub at its end, hub frame
+  Bend bend;                       ///< at its end
 };
 
 /// What the sensors show of a subsystem at the end of a step.

@@ -1,43 +1,30 @@
 #include "engine/diagnosis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "engine/body_terms.h"
 #include "engine/natural_frequencies.h"
 #include "engine/pass_ends.h"
 
 namespace spoke {
 namespace {
 
+/// The body that a failure is told of, and what it shows.
 struct Place {
   int subsystem = -1;
   int body = -1;
-  Excess excess;
+  std::string finding;        ///< what was found there
+  const char* node = "";      ///< stage of the graph that works on it
+  bool has_bad_load = false;  ///< a load on it is not finite
+
+  bool is_known() const { return subsystem >= 0; }
 };
 
-/// The first body with a coordinate that is not finite, or else the one farthest beyond its limit.
-Place find_worst(const StepData& data) {
-  Place worst;
-  const auto severity = [](const Excess& e) {
-    return std::isfinite(e.value) ? std::abs(e.value) / e.limit : HUGE_VAL;
-  };
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
-    for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j) {
-      const Excess excess = find_excess(data.subsystems[i].bodies[j]);
-      if (excess.coordinate < 0) continue;
-      if (worst.subsystem >= 0 && severity(excess) <= severity(worst.excess)) continue;
-      worst = {static_cast<int>(i), static_cast<int>(j), excess};
-    }
-  return worst;
-}
-
-/// The first body that reported a failure (its accelerations, if its coordinates are fine).
-Place find_reported(const StepData& data) {
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
-    for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
-      if (data.subsystems[i].bodies[j].report.failed != 0.0)
-        return {static_cast<int>(i), static_cast<int>(j), {}};
-  return {};
+std::string name_body(const Place& place) {
+  return "blade " + std::to_string(place.subsystem + 1) + " / body " +
+         std::to_string(place.body + 1);
 }
 
 /// "axial displacement u of node 3", "deflection v of node 4", "rotation psi of node 0".
@@ -50,62 +37,225 @@ std::string name_coordinate(const FlexibleBody& body, int coordinate) {
   return "coordinate " + std::to_string(coordinate);
 }
 
-void describe_place(const StepData& data, std::ostream& text) {
-  Place place = find_worst(data);
-  if (place.subsystem < 0) place = find_reported(data);
-  if (place.subsystem < 0) {
-    text << "the acceleration of the hub is not finite (node \"hub solve\")";
-    return;
-  }
-  const auto body = [&] {
-    std::ostringstream name;
-    name << "blade " << place.subsystem + 1 << " / body " << place.body + 1;
-    return name.str();
-  }();
-  const Excess& excess = place.excess;
-  const FlexibleBody& model = *data.subsystems[place.subsystem].bodies[place.body].model->body;
-  text << body << ": ";
-  if (excess.coordinate < 0)
-    text << "an acceleration is not finite";
-  else if (!std::isfinite(excess.value))
-    text << name_coordinate(model, excess.coordinate) << " is not finite";
+std::string describe_excess(const FlexibleBody& body, const Excess& excess) {
+  std::ostringstream text;
+  text << name_coordinate(body, excess.coordinate);
+  if (std::isfinite(excess.value))
+    text << " = " << excess.value << " is beyond what its linear model can mean (limit "
+         << excess.limit << ")";
   else
-    text << name_coordinate(model, excess.coordinate) << " = " << excess.value
-         << " is beyond what its linear model can mean (limit " << excess.limit << ")";
-  text << " (node \"" << body << " / recovery\")";
+    text << " is not finite";
+  return text.str();
 }
 
-/// The clock whose iteration has not converged.
-const Clock& find_unconverged(const StepData& data) {
+/// "the acceleration of deflection v of node 4 is not finite", of the first coordinate.
+std::string describe_accelerations(const BodyData& body) {
+  const FlexibleBody& model = *body.model->body;
+  for (int k = 0; k < model.coordinates(); ++k)
+    if (!std::isfinite(body.a_found[body.layout.place(k)]))
+      return "the acceleration of the " + name_coordinate(model, k) + " is not finite";
+  return "the acceleration of its frame is not finite";
+}
+
+/// Calls `apply` with the indices and data of each body of the subsystems whose clock has failed,
+/// root to tip.
+template <class Apply>
+void for_each_failed(const StepData& data, Apply&& apply) {
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    const SubsystemData& subsystem = data.subsystems[i];
+    if (subsystem.clock->ended() == StepOutcome::done) continue;
+    for (std::size_t j = 0; j < subsystem.bodies.size(); ++j)
+      apply(static_cast<int>(i), static_cast<int>(j), subsystem.bodies[j]);
+  }
+}
+
+/// The first body with a load that is not finite at the time of the failed pass.
+Place find_bad_load(const StepData& data) {
+  Place found;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    const double t = data.subsystems[static_cast<std::size_t>(i)].clock->control.time;
+    for (const NodeLoad& load : body.model->loads) {
+      const double sum = load.factor->value(t) * (load.force.x() + load.force.y() + load.moment);
+      if (std::isfinite(sum) || found.is_known()) continue;
+      found = {i, j, "the load on its node " + std::to_string(load.node) + " is not finite", "mass",
+               true};
+    }
+  });
+  return found;
+}
+
+/// The first body with a coordinate that is not finite, or else the one farthest beyond its limit.
+Place find_worst(const StepData& data) {
+  Place worst;
+  double largest = 0.0;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    const Excess excess = find_excess(body);
+    if (excess.coordinate < 0) return;
+    const double severity =
+        std::isfinite(excess.value) ? std::abs(excess.value) / excess.limit : HUGE_VAL;
+    if (severity <= largest) return;
+    largest = severity;
+    worst = {i, j, describe_excess(*body.model->body, excess), "recovery"};
+  });
+  return worst;
+}
+
+/// The first body that reported a failure: its accelerations, if its coordinates are fine.
+Place find_reported(const StepData& data) {
+  Place found;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    if (found.is_known() || body.report.failed == 0.0) return;
+    found = {i, j, describe_accelerations(body), "recovery"};
+  });
+  return found;
+}
+
+/// The body of which the last iteration has changed a coordinate most.
+Place find_most_changed(const StepData& data) {
+  Place found;
+  double largest = 0.0;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    if (found.is_known() && body.report.change <= largest) return;
+    largest = body.report.change;
+    found = {i, j, "", "recovery"};
+  });
+  return found;
+}
+
+/// The body with the largest strain energy.
+Place find_most_strained(const StepData& data) {
+  Place found;
+  double largest = -1.0;
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j) {
+      const double strain = calc_strain_energy(data.subsystems[i].bodies[j]);
+      if (strain <= largest) continue;
+      largest = strain;
+      found = {static_cast<int>(i), static_cast<int>(j), "", "sensors"};
+    }
+  return found;
+}
+
+Place find_place(const StepContext& context, const FailedStep& failed) {
+  const StepData& data = context.data;
+  if (failed.outcome == StepOutcome::energy_grew) return find_most_strained(data);
+  if (failed.outcome == StepOutcome::not_converged) return find_most_changed(data);
+  Place place = find_bad_load(data);
+  if (!place.is_known()) place = find_worst(data);
+  if (!place.is_known()) place = find_reported(data);
+  return place;
+}
+
+/// Whether drive and support prescribe a motion, or apply a torque, that is not finite.
+bool is_drive_finite(const System& system, double t) {
+  const DriveMotion motion = calc_motion(system.hub.drive, t);
+  return std::isfinite(motion.angle + motion.speed + motion.acceleration +
+                       calc_torque(system.hub.drive, t));
+}
+
+/// The clock that has failed.
+const Clock& failed_clock(const StepData& data) {
   for (const Clock& clock : data.clocks)
-    if (clock.ended() == StepOutcome::not_converged) return clock;
+    if (clock.ended() != StepOutcome::done) return clock;
   return data.clocks.front();
 }
 
-/// The likely cause, and what to try.
-std::string advise(const Scenario& scenario, const StepContext& context, const FailedStep& failed) {
-  const FrequencyRange range = calc_frequency_range(scenario.rotor);
+std::string describe_finding(const Scenario& scenario, const StepContext& context,
+                             const FailedStep& failed, const Place& place) {
   std::ostringstream text;
-  const double limit = calc_rk4_largest_step(range);
+  if (failed.outcome == StepOutcome::energy_grew) {
+    text << describe_growth(scenario, failed.seen) << "; " << name_body(place)
+         << " is strained most (node \"blade " << place.subsystem + 1 << " / sensors\")";
+  } else if (failed.outcome == StepOutcome::not_converged) {
+    text << "the iteration still changes a coordinate by " << failed_clock(context.data).change
+         << " (tolerance " << context.integrator.limits.tolerance << ") after "
+         << context.integrator.limits.most << " iterations, most in " << name_body(place)
+         << " (node \"" << name_body(place) << " / recovery\")";
+  } else if (place.is_known()) {
+    text << name_body(place) << ": " << place.finding << " (node \"" << name_body(place) << " / "
+         << place.node << "\")";
+  } else {
+    text << "the acceleration of the hub is not finite (node \"hub solve\")";
+  }
+  return text.str();
+}
+
+// The causes below say what is likely, with the numbers behind it, and what to try; empty: it is
+// not the cause.
+
+std::string blame_input(const StepContext& context, const Place& place) {
+  if (place.has_bad_load)
+    return "a factor, force or moment of that load overflows or was no number: correct it";
+  if (!is_drive_finite(context.system, failed_clock(context.data).control.time))
+    return "the drive's motion or torque is not finite at this time: correct it";
+  return {};
+}
+
+std::string blame_rk4(const Scenario& scenario, const StepContext& context) {
   const auto* rk4 = std::get_if<Rk4>(&context.integrator.method);
-  if (rk4 && rk4->step > limit) {
-    text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
-         << " s: take a smaller integration.step, or generalized_alpha";
-    return text.str();
-  }
-  bool all_stiffened = true;
-  for (const Blade& blade : scenario.rotor.blades) all_stiffened &= blade.geometric_stiffening;
+  if (!rk4) return {};
+  const FrequencyRange range = calc_frequency_range(scenario.rotor);
+  const double limit = calc_rk4_largest_step(range);
+  if (rk4->step <= limit) return {};
+  std::ostringstream text;
+  text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
+       << " s (2 sqrt(2) by the highest natural frequency, " << range.highest
+       << " rad/s): take a smaller integration.step, or generalized_alpha";
+  return text.str();
+}
+
+std::string blame_stiffening(const Scenario& scenario, const StepContext& context,
+                             const Place& place) {
+  if (!place.is_known()) return {};
+  const Blade& blade = scenario.rotor.blades[static_cast<std::size_t>(place.subsystem)];
   const double speed = std::abs(context.data.hub_coordinates.v[kRotation]);
-  if (!all_stiffened && speed > 0.5 * range.lowest) {
-    text << "without geometric stiffening a body does not feel that rotation stiffens it, and the "
-            "hub "
-            "turns at "
-         << speed << " rad/s against a lowest natural frequency of " << range.lowest
-         << " rad/s: set geometric_stiffening = true, or cut the blade into more bodies";
-    return text.str();
-  }
-  if (failed.outcome == StepOutcome::not_converged)
-    return "take a smaller integration.step, or a larger integration.max_iterations";
+  if (blade.geometric_stiffening) return {};
+  const double first = calc_first_frequency(blade);
+  if (speed < 0.5 * first) return {};
+  std::ostringstream text;
+  text << "without geometric stiffening a body does not feel that rotation stiffens it, and the "
+          "hub turns at "
+       << speed << " rad/s, " << (speed > first ? "above" : "near")
+       << " the blade's first natural frequency of " << first
+       << " rad/s: set geometric_stiffening = true, or cut the blade into more bodies";
+  return text.str();
+}
+
+std::string blame_iteration(const StepContext& context, const FailedStep& failed) {
+  constexpr double kRoundOff = 1e-12;  // of coordinates of some metres
+  if (failed.outcome != StepOutcome::not_converged) return {};
+  const IterationLimits& limits = context.integrator.limits;
+  std::ostringstream text;
+  if (failed_clock(context.data).change < kRoundOff)
+    text << "that is round-off: set integration.tolerance to 1e-12 or more";
+  else
+    text << "the step is too large for generalized_alpha to iterate on: set integration.step to "
+         << 0.5 * step_size(context.integrator) << " or less, or integration.max_iterations above "
+         << limits.most;
+  return text.str();
+}
+
+/// Bodies that were bent beyond the linear range before.
+std::string blame_deflection(const Scenario& scenario, const FailedStep& failed, double step) {
+  const Observations::Bent& bent = failed.seen.largest_bend;
+  if (bent.step < 0.0) return {};
+  const Blade& blade = scenario.rotor.blades[static_cast<std::size_t>(bent.bend.blade)];
+  std::ostringstream text;
+  text << "blade " << bent.bend.blade + 1.0 << " / body " << bent.bend.body + 1.0 << " had bent by "
+       << 100.0 * bent.bend.ratio << " % of its length at t = " << bent.step * step
+       << " s, too much for its linear elasticity: cut the blade into about "
+       << suggest_bodies(blade.bodies, bent.bend.ratio, scenario.limits.deflection)
+       << " bodies instead of " << blade.bodies << ", or take a smaller integration.step";
+  return text.str();
+}
+
+std::string find_cause(const Scenario& scenario, const StepContext& context,
+                       const FailedStep& failed, const Place& place) {
+  for (const std::string& cause :
+       {blame_input(context, place), blame_rk4(scenario, context),
+        blame_stiffening(scenario, context, place), blame_iteration(context, failed),
+        blame_deflection(scenario, failed, step_size(context.integrator))})
+    if (!cause.empty()) return cause;
   return "take a smaller integration.step, more bodies per blade, or smaller loads";
 }
 
@@ -113,15 +263,11 @@ std::string advise(const Scenario& scenario, const StepContext& context, const F
 
 std::string describe_failure(const Scenario& scenario, const StepContext& context,
                              const FailedStep& failed) {
+  const Place place = find_place(context, failed);
   std::ostringstream text;
-  text << "diverged at t = " << failed.time << " s, step " << failed.step << ": ";
-  if (failed.outcome == StepOutcome::not_converged)
-    text << "the iteration still changes a coordinate by " << find_unconverged(context.data).change
-         << " (tolerance " << scenario.integration.tolerance << ") after "
-         << scenario.integration.max_iterations << " iterations (node \"finish\")";
-  else
-    describe_place(context.data, text);
-  text << "; " << advise(scenario, context, failed);
+  text << "diverged at t = " << failed.time << " s, step " << failed.step << ": "
+       << describe_finding(scenario, context, failed, place) << "; "
+       << find_cause(scenario, context, failed, place);
   return text.str();
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/observations.h"
 #include "engine/step_context.h"
 #include "models/scenario.h"
 
@@ -13,6 +14,7 @@ struct FailedStep {
   StepOutcome outcome = StepOutcome::left_limits;
   double time = 0.0;      ///< that the step was to reach [s]
   std::int64_t step = 0;  ///< counted from 1
+  Observations seen;      ///< up to the step before it; of energy_grew, in it
 };
 
 /// One sentence that says what left its limits, where (blade, body, node of the graph, coordinate),

@@ -101,6 +101,12 @@ FrequencyRange calc_frequency_range(const Rotor& rotor) {
   return {find_frequency(rotor, rigid + 1), find_frequency(rotor, count_coordinates(rotor))};
 }
 
+double calc_first_frequency(const Blade& blade) {
+  Rotor rotor;
+  rotor.blades = {blade};
+  return find_frequency(rotor, 1);
+}
+
 double calc_rk4_largest_step(const FrequencyRange& range) {
   return 2.0 * std::sqrt(2.0) / range.highest;
 }

@@ -16,6 +16,9 @@ struct FrequencyRange {
 /// (Sylvester's law of inertia). Cost: O(elements) per bisection.
 FrequencyRange calc_frequency_range(const Rotor& rotor);
 
+/// Lowest natural frequency of a blade clamped at its root, at rest [rad/s].
+double calc_first_frequency(const Blade& blade);
+
 /// Number of natural frequencies below `frequency` [rad/s], zero ones of rigid-body motions
 /// included.
 int count_frequencies_below(const Rotor& rotor, double frequency);

@@ -20,16 +20,21 @@ double limit_of(const FlexibleBody& body, int coordinate) {
   return is_displacement ? body.length : std::numbers::pi;
 }
 
-/// Whether a body surely is within its limits: one sum, which NaN and infinity fail as well.
-bool is_small(const BodyData& body) {
+/// Sum of the squares of a body's coordinates.
+double sum_squares(const BodyData& body) {
   const double* q = body.coordinates.q;
   Pair first{}, second{};
   for (int i = 0, n = body.layout.size(); i < n; i += 4) {  // all its sizes are multiples of 4
     first += load_aligned(q + i) * load_aligned(q + i);
     second += load_aligned(q + i + 2) * load_aligned(q + i + 2);
   }
+  return total(first + second);
+}
+
+/// Whether a body surely is within its limits: one comparison, which NaN and infinity fail as well.
+bool is_small(double squares, const BodyData& body) {
   const double limit = std::min(body.model->body->length, std::numbers::pi);
-  return total(first + second) <= limit * limit;
+  return squares <= limit * limit;
 }
 
 /// Whether the pass evaluates a state in which a step may end.
@@ -49,11 +54,21 @@ void add_reports(const SubsystemData& subsystem, PassReport& sum) {
   }
 }
 
-void add_record(const StepRecord& record, StepRecord& sum) {
+/// Adds the bends of subsystem `i`.
+void add_bends(const SubsystemData& subsystem, double i, Bend& largest) {
+  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+    const double ratio = subsystem.bodies[j].report.bend;
+    if (ratio > largest.ratio) largest = {ratio, i, static_cast<double>(j)};
+  }
+}
+
+/// Adds what blade `blade` did.
+void add_record(const StepRecord& record, double blade, StepRecord& sum) {
   sum.passes = std::max(sum.passes, record.passes);
   sum.work += record.work;
   sum.dissipated += record.dissipated;
   sum.reaction += record.reaction;
+  if (record.bend.ratio > sum.bend.ratio) sum.bend = {record.bend.ratio, blade, record.bend.body};
 }
 
 Twist position_of(const CoordinateBlock& hub) { return {hub.q[0], hub.q[1], hub.q[2]}; }
@@ -97,9 +112,11 @@ void complete_body(const Method& method, const PassControl& control, BodyData& b
   // Whatever is wrong with the deformation's accelerations is wrong with the frame's, too. Limits
   // are those of states: rk4's stages within a step are none.
   const bool is_state = is_end_of_step(method, control);
+  const double squares = is_state ? sum_squares(body) : 0.0;
   const bool is_fine =
-      is_finite(body.X) && (!is_state || is_small(body) || find_excess(body).coordinate < 0);
+      is_finite(body.X) && (is_small(squares, body) || find_excess(body).coordinate < 0);
   body.report.failed = is_fine ? 0.0 : 1.0;
+  body.report.bend = squares <= body.surely_linear ? 0.0 : find_bend(body);
 }
 
 void complete_hub(const System& system, const Method& method, StepData& data) noexcept {
@@ -126,6 +143,7 @@ void finish_subsystem(const Integrator& integrator, const Window& window,
   PassReport report;
   report.power.applied = reaction[kRotation] * subsystem.hub->twist[kRotation];
   add_reports(subsystem, report);
+  add_bends(subsystem, -1.0, report.bend);
   StepRecord& record = of_step(subsystem.records, static_cast<std::int64_t>(clock.step));
   record.reaction = reaction;
   end_pass(integrator, window, report, clock, record);
@@ -138,7 +156,10 @@ void finish_system(const Integrator& integrator, StepData& data) noexcept {
   report.power.applied = (hub.reaction[kRotation] + hub.applied_torque) * data.hub.twist[kRotation];
   report.change = hub.change;
   report.failed = is_finite(hub.acceleration) ? 0.0 : 1.0;
-  for (const SubsystemData& subsystem : data.subsystems) add_reports(subsystem, report);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    add_reports(data.subsystems[i], report);
+    add_bends(data.subsystems[i], static_cast<double>(i), report.bend);
+  }
   SystemRecord& record = of_step(data.records, static_cast<std::int64_t>(clock.step));
   end_pass(integrator, data.window, report, clock, record.step);
   if (clock.completed < 0.0) return;
@@ -168,8 +189,8 @@ void record_reactions(const System& system, const Integrator& integrator, StepDa
     const Twist a = calc_prescribed_acceleration(system, R, hub.a[kRotation]);
     record.step.reaction =
         Twist(system.hub.mass, system.hub.mass, system.hub.inertia).cwiseProduct(a);
-    for (const SubsystemData& subsystem : data.subsystems)
-      add_record(of_step(subsystem.records, step), record.step);
+    for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+      add_record(of_step(data.subsystems[i].records, step), static_cast<double>(i), record.step);
     of_step(data.records, step) = record;
   }
 }
@@ -178,6 +199,22 @@ std::int64_t last_complete_step(const StepData& data) noexcept {
   double first_open = data.clocks[0].step;
   for (const Clock& clock : data.clocks) first_open = std::min(first_open, clock.step);
   return static_cast<std::int64_t>(first_open - 1.0);
+}
+
+double find_bend(const BodyData& body) noexcept {
+  const FlexibleBody& model = *body.model->body;
+  const double l = model.length / model.elements;
+  const auto at = [&](int node, int c) {
+    return body.coordinates.q[body.layout.place(model.coordinate(node, c))];
+  };
+  double largest = 0.0;
+  for (int node = 1; node <= model.elements; ++node) {
+    const double before = at(node - 1, 1), after = at(node, 1);
+    const double turned = at(node - 1, kRotation) - at(node, kRotation);
+    const double between = 0.5 * (before + after) + 0.125 * l * turned;
+    largest = std::max({largest, std::abs(after), std::abs(between)});
+  }
+  return largest > body.linear_range ? largest / model.length : 0.0;
 }
 
 Excess find_excess(const BodyData& body) {

@@ -20,7 +20,7 @@ void begin_hub(const System& system, const Method& method, StepData& data) noexc
 
 /// Hands `body.a_found` to the integrator and reports the change and whether the deformation has
 /// left its limits (a coordinate not finite, a displacement beyond the body's length, a rotation
-/// beyond a half turn).
+/// beyond a half turn) or the linear range.
 void complete_body(const Method& method, const PassControl& control, BodyData& body) noexcept;
 
 /// Coupled: hands the hub's acceleration to the integrator; prescribed components follow the drive.
@@ -41,6 +41,10 @@ void record_reactions(const System& system, const Integrator& integrator, StepDa
 
 /// The last step that all clocks have completed; -1: not even the start.
 std::int64_t last_complete_step(const StepData& data) noexcept;
+
+/// The largest deflection of a body at its nodes and in the middle between them, by its length; 0
+/// if it is within the linear range.
+double find_bend(const BodyData& body) noexcept;
 
 /// A deformation coordinate that has left its limits.
 struct Excess {

@@ -85,6 +85,8 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
   Json summary = {{"version", SPOKE_VERSION}, {"status", status_of(outcome)}};
   const std::string message = outcome.divergence + outcome.interruption;
   if (!message.empty()) summary["message"] = message;
+  summary["warnings"] = Json::array();
+  for (const Warning& warning : simulation.warnings()) summary["warnings"].push_back(warning.text);
   summary.update({{"scenario", Json::parse(scenario.to_json())},
                   {"model", describe_model(simulation.size())},
                   {"machine", describe_machine(this_machine())},

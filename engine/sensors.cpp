@@ -107,6 +107,7 @@ const std::vector<double>& Sensors::measure(const System& system, const WorkDone
   values_.insert(values_.end(),
                  {record.position[kRotation], record.velocity[kRotation], torque, energies.kinetic,
                   energies.strain, done, work.dissipated, residual});
+  balance_ = {energies.kinetic + energies.strain, residual};
   return values_;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/observations.h"
 #include "engine/step_data.h"
 
 namespace spoke {
@@ -36,12 +37,15 @@ class Sensors {
 
   /// Takes the state at the start as reference of energy.
   void start(const System& system, StepData& data);
+  double initial_energy() const { return initial_energy_; }  ///< kinetic and strain energy [J]
   /// Fills the samples of step `step` from the state in the table, which must be the step's.
   static void sample(const System& system, std::int64_t step, StepData& data);
   /// Values at the end of step `step`, of which records and samples must be in the table, in the
   /// order of names(). `work`: up to then.
   const std::vector<double>& measure(const System& system, const WorkDone& work, std::int64_t step,
                                      const StepData& data);
+  /// Of the step measured last.
+  const EnergyBalance& balance() const { return balance_; }
 
  private:
   void add(std::string name, std::string unit);
@@ -49,6 +53,7 @@ class Sensors {
   std::vector<std::string> names_;
   std::vector<std::string> units_;
   std::vector<double> values_;
+  EnergyBalance balance_;
   double initial_energy_ = 0.0;
   double initial_gravity_ = 0.0;
 };

@@ -10,6 +10,7 @@
 #include "engine/memory.h"
 #include "engine/model_identity.h"
 #include "engine/natural_frequencies.h"
+#include "engine/observations.h"
 #include "engine/pass_ends.h"
 #include "engine/sensors.h"
 #include "engine/state_values.h"
@@ -70,6 +71,10 @@ std::vector<double> unpadded(const double* flex, const FlexLayout& layout) {
   return values;
 }
 
+/// Ends a run at a step whose energy has grown, if the scenario says so. Leaves no function of the
+/// simulation.
+struct EnergyHasGrown {};
+
 }  // namespace
 
 struct Simulation::Impl {
@@ -81,6 +86,7 @@ struct Simulation::Impl {
                   const TraceOptions& trace_options);
   void measure(std::int64_t target, graph::Executor& executor);
   SavedState save();
+  std::vector<double> take_values(std::int64_t steps);
   void restore(const SavedState& state);
 
   Scenario scenario;
@@ -92,6 +98,7 @@ struct Simulation::Impl {
   std::unique_ptr<StepRunner> runner;
   std::int64_t evaluations = 0;
   WorkDone work;
+  Observations seen;
   Sensors sensors;
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
@@ -100,8 +107,11 @@ struct Simulation::Impl {
  private:
   void prepare();
   void demand_kept_declarations();
+  bool stops_on_growth() const;
+  void count_step(std::int64_t step);
   void complete_step(std::int64_t step, const StepObserver& observe);
-  void demand_done(StepOutcome outcome);
+  template <class Advance>
+  void demand_done(const Advance& advance);
   [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
 };
 
@@ -116,10 +126,12 @@ Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   sensors.start(context.system, context.data);
+  observe_start(sensors.initial_energy(), seen);
   complete_step(0, {});
 }
 
 void Simulation::Impl::prepare() {
+  if (scenario.limits.deflection > 0.0) context.linear_range = scenario.limits.deflection;
   context.system = make_system(scenario.rotor);
   context.formulation = options.formulation;
   context.integrator = {make_method(scenario.integration, step_size),
@@ -144,31 +156,43 @@ void Simulation::Impl::prepare() {
 
 void Simulation::Impl::step() {
   if (runner->steps() >= planned_steps) return;
-  demand_done(runner->advance_one([this](std::int64_t step) { complete_step(step, {}); }));
+  demand_done([this] {
+    return runner->advance_one([this](std::int64_t step) {
+      if (stops_on_growth()) Sensors::sample(context.system, step, context.data);
+      complete_step(step, {});
+    });
+  });
 }
 
 void Simulation::Impl::run_to(std::int64_t target, const StepObserver& observe) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
+  const bool observed = observe || stops_on_growth();
   demand_done(
-      runner->advance_to(std::min(target, planned_steps), static_cast<bool>(observe), completed));
+      [&] { return runner->advance_to(std::min(target, planned_steps), observed, completed); });
 }
 
 StepTrace Simulation::Impl::trace(std::int64_t target, const StepObserver& observe,
                                   const TraceOptions& trace_options) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
+  const bool observed = observe || stops_on_growth();
   // The start counts as a step.
   const double passes_per_step =
       std::max(static_cast<double>(usual_passes(context.integrator)),
                static_cast<double>(evaluations) / static_cast<double>(runner->steps() + 1));
   StepTrace trace;
-  demand_done(runner->advance_traced(std::min(target, planned_steps), static_cast<bool>(observe),
-                                     completed, passes_per_step, trace_options, trace));
+  demand_done([&] {
+    return runner->advance_traced(std::min(target, planned_steps), observed, completed,
+                                  passes_per_step, trace_options, trace);
+  });
   return trace;
 }
 
 void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
-  demand_done(runner->advance_by(executor, std::min(target, planned_steps),
-                                 [this](std::int64_t step) { complete_step(step, {}); }));
+  // Without the sensors, which would be measured, too.
+  demand_done([&] {
+    return runner->advance_by(executor, std::min(target, planned_steps),
+                              [this](std::int64_t step) { count_step(step); });
+  });
 }
 
 SavedState Simulation::Impl::save() {
@@ -183,7 +207,15 @@ SavedState Simulation::Impl::save() {
           evaluations,
           work.by_drive_and_loads,
           work.dissipated,
-          take_state_values(steps, data)};
+          take_values(steps)};
+}
+
+/// The values of the table, then what was observed.
+std::vector<double> Simulation::Impl::take_values(std::int64_t steps) {
+  std::vector<double> values = take_state_values(steps, context.data);
+  const std::span<const double> observed = doubles(seen);
+  values.insert(values.end(), observed.begin(), observed.end());
+  return values;
 }
 
 void Simulation::Impl::restore(const SavedState& state) {
@@ -198,9 +230,17 @@ void Simulation::Impl::restore(const SavedState& state) {
     if (!difference.empty())
       throw std::invalid_argument("the saved state is of another model: " + difference);
   }
-  if (state.values.size() != count_state_values(data))
+  const std::size_t count = count_state_values(data) + doubles(seen).size();
+  if (state.values.size() != count)
     throw std::invalid_argument("the saved state has " + std::to_string(state.values.size()) +
-                                " values, expected " + std::to_string(count_state_values(data)));
+                                " values, expected " + std::to_string(count));
+  Observations before;
+  const std::span<double> observed = doubles(before);
+  std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),
+            observed.begin());
+  if (!is_possible(before, scenario.rotor))
+    throw std::invalid_argument("the saved state names a body that there is not");
+  seen = before;
   put_state_values(state.values, state.steps, data);
   runner->continue_from(state.steps);
   evaluations = state.evaluations;
@@ -208,22 +248,43 @@ void Simulation::Impl::restore(const SavedState& state) {
   measured_step = -1;
 }
 
-void Simulation::Impl::demand_done(StepOutcome outcome) {
-  if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps() + 1);
+/// Whether the energies of every step are looked at.
+bool Simulation::Impl::stops_on_growth() const {
+  return scenario.limits.energy_growth > 0.0 &&
+         scenario.limits.on_energy_growth == EnergyGrowth::stop;
 }
 
-void Simulation::Impl::complete_step(std::int64_t step, const StepObserver& observe) {
+template <class Advance>
+void Simulation::Impl::demand_done(const Advance& advance) {
+  try {
+    const StepOutcome outcome = advance();
+    if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps() + 1);
+  } catch (const EnergyHasGrown&) {
+    throw_failure(StepOutcome::energy_grew, runner->steps());
+  }
+}
+
+void Simulation::Impl::count_step(std::int64_t step) {
   const StepRecord& record = of_step(context.data.records, step).step;
   evaluations += static_cast<std::int64_t>(record.passes);
   work.add(record);
-  if (observe)
-    observe(static_cast<double>(step) * step_size,
-            sensors.measure(context.system, work, step, context.data));
+  observe_step(static_cast<double>(step), record, seen);
+}
+
+/// The samples of the step must be in the table if it is observed, or growth of the energy stops.
+void Simulation::Impl::complete_step(std::int64_t step, const StepObserver& observe) {
+  count_step(step);
+  if (!observe && !stops_on_growth()) return;
+  const std::vector<double>& values = sensors.measure(context.system, work, step, context.data);
+  const bool has_grown = observe_energy(static_cast<double>(step), sensors.balance(),
+                                        scenario.limits.energy_growth, seen);
+  if (observe) observe(static_cast<double>(step) * step_size, values);
+  if (has_grown && stops_on_growth()) throw EnergyHasGrown();
 }
 
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
-  throw DivergenceError(
-      describe_failure(scenario, context, {outcome, static_cast<double>(step) * step_size, step}));
+  throw DivergenceError(describe_failure(
+      scenario, context, {outcome, static_cast<double>(step) * step_size, step, seen}));
 }
 
 Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options)
@@ -311,6 +372,10 @@ double Simulation::sensor(std::string_view name) const {
   for (std::size_t k = 0; k < names.size(); ++k)
     if (names[k] == name) return sensor_values()[k];
   throw std::out_of_range("no sensor is named " + std::string(name));
+}
+
+std::vector<Warning> Simulation::warnings() const {
+  return make_warnings(impl_->scenario, impl_->step_size, impl_->seen);
 }
 
 HubMotion Simulation::hub() const {

@@ -16,6 +16,7 @@
 #include "engine/saved_state.h"
 #include "engine/shape.h"
 #include "engine/step_trace.h"
+#include "engine/warnings.h"
 #include "graph/executor.h"
 #include "models/scenario.h"
 #include "spoke/export.h"
@@ -116,7 +117,7 @@ class SPOKE_EXPORT Simulation {
   /// Steps until time() >= t - half a step, or done(), and tells `observe` of every step, in order,
   /// on the calling thread. Faster than as many calls of step(): see SimulationOptions::window.
   /// Throws DivergenceError like step(), after the observer was told of all complete steps; what
-  /// the observer throws ends the simulation likewise.
+  /// the observer throws ends the run at the step that it was told of.
   void run_until(double t, const StepObserver& observe = {});
   /// Asks the run_until() that is calling an observer to return soon: once all blades have made the
   /// steps that any of them has begun, each of which the observer is told. Without effect
@@ -135,7 +136,7 @@ class SPOKE_EXPORT Simulation {
   NodeMeasurement measure_nodes(std::int64_t steps);
 
   /// Copies the state, at the cost of some vectors of coordinates. Throws std::logic_error after a
-  /// step that failed, or was left by an exception of an observer.
+  /// step that could not be completed.
   SavedState save() const;
   /// Goes back, or on, to a saved state of any simulation of the same model, formulation and step
   /// size, whatever its executor, threads and window: what follows has the bits of the run that was
@@ -151,6 +152,12 @@ class SPOKE_EXPORT Simulation {
   std::span<const double> sensor_values() const;
   /// One sensor at time(). Throws std::out_of_range for an unknown name.
   double sensor(std::string_view name) const;
+
+  /// What makes the results doubtful so far, at most one of each kind, in the order of kinds; a
+  /// function of the steps alone, as restore() sets it back. Growth of the energy is looked for at
+  /// steps that an observer is told of, or at all if limits.on_energy_growth says "stop": then
+  /// DivergenceError is thrown, and the simulation stands at the end of that step.
+  std::vector<Warning> warnings() const;
 
   HubMotion hub() const;
   /// Precondition: 0 <= blade < subsystems, 0 <= body < bodies of that blade.

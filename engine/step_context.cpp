@@ -23,7 +23,7 @@ void allocate(StepContext& context, int window_steps) {
   StepData& data = context.data;
   const bool is_coupled =
       context.formulation == Formulation::augmented || !is_prescribed(context.system.hub);
-  allocate(context.system, {history, is_coupled, window_steps}, data);
+  allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
   for (SubsystemData& subsystem : data.subsystems)
     for (BodyData& body : subsystem.bodies) {
       CoordinateBlock& block = body.coordinates;

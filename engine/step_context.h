@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "engine/formulation/work.h"
 #include "engine/integrator/step_control.h"
 #include "engine/step_data.h"
@@ -15,6 +17,7 @@ struct StepContext {
   System system;
   Formulation formulation = Formulation::structured;
   Integrator integrator;
+  double linear_range = std::numeric_limits<double>::infinity();  ///< see TableOptions
   StepData data;
   FormulationWork work;
 };

@@ -1,11 +1,22 @@
 #include "engine/step_data.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace spoke {
 namespace {
 
 constexpr int kFlexVectors = 6;  // q, v, a, c_theta, Q_f, a_found
+
+/// Sets the linear range of a body. The deflection between two nodes is at most
+/// (v1 + v2) / 2 + l / 8 (psi1 - psi2) in the middle: by the Cauchy-Schwarz inequality no more than
+/// sqrt(1/2 + l^2/32) times the root of the sum of the squares.
+void set_linear_range(double range, BodyData& data) {
+  const FlexibleBody& body = *data.model->body;
+  const double l = body.length / body.elements;
+  data.linear_range = range * body.length;
+  data.surely_linear = data.linear_range * data.linear_range / std::max(1.0, 0.5 + l * l / 32.0);
+}
 
 void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
   const std::size_t count = subsystem.bodies.size();
@@ -74,6 +85,7 @@ void allocate(const System& system, const TableOptions& options, StepData& data)
     SubsystemData& subsystem = data.subsystems[i];
     subsystem.arena = data.arenas.emplace_back(std::make_unique<Arena>()).get();
     allocate(system.subsystems[i], options.history, subsystem);
+    for (BodyData& body : subsystem.bodies) set_linear_range(options.linear_range, body);
     follow_clock(i, data, subsystem);
     subsystem.samples = ArenaVector<SubsystemSample>(data.records.size(), *subsystem.arena);
     if (!options.is_coupled)

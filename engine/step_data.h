@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -133,6 +134,7 @@ struct HubSolution {
 struct BodyReport {
   double change;  ///< largest change of a coordinate in this iteration [m, rad]
   double failed;  ///< 1 if a coordinate is not finite or beyond its limit
+  double bend;    ///< deflection by the body's length, if beyond the linear range; else 0
 };
 
 /// One body's share of the table.
@@ -144,6 +146,10 @@ struct BodyData {
   std::array<int, kTwist> outboard_at{};
   std::array<const ElasticBlock*, 2> blocks{};  ///< explicit, implicit
   FlexLayout layout;
+  double linear_range = std::numeric_limits<double>::infinity();  ///< of deflections [m]
+  /// No deflection is beyond the linear range if the sum of the squares of all coordinates is not
+  /// greater than this.
+  double surely_linear = std::numeric_limits<double>::infinity();
 
   CoordinateBlock coordinates;
   const double* q_elastic = nullptr;  ///< coordinates in the elastic force (flex vector)
@@ -199,6 +205,8 @@ struct TableOptions {
   int history = 0;          ///< flex vectors per body that the integrator keeps
   bool is_coupled = false;  ///< see StepData
   int window_steps = 1;     ///< steps between the first without a record and the furthest clock
+  /// Deflections by the length of their body up to which linear elasticity holds.
+  double linear_range = std::numeric_limits<double>::infinity();
 };
 
 /// Allocates the table for a system, at rest and undeformed. What depends on the method is left to

@@ -40,10 +40,26 @@ Integration read_integration(const TomlSection& root) {
   return integration;
 }
 
+Limits read_limits(const TomlSection& root) {
+  const TomlSection section =
+      root.section("limits", {"deflection", "energy_growth", "on_energy_growth"});
+  Limits limits;
+  limits.deflection = section.number("deflection", Quantity::not_negative(""), limits.deflection);
+  limits.energy_growth =
+      section.number("energy_growth", Quantity::not_negative(""), limits.energy_growth);
+  limits.on_energy_growth = section.choice(
+      "on_energy_growth", {EnergyGrowth::warn, EnergyGrowth::stop}, limits.on_energy_growth);
+  return limits;
+}
+
 }  // namespace
 
 std::string_view name_of(IntegrationMethod method) {
   return method == IntegrationMethod::rk4 ? "rk4" : "generalized_alpha";
+}
+
+std::string_view name_of(EnergyGrowth growth) {
+  return growth == EnergyGrowth::stop ? "stop" : "warn";
 }
 
 std::string_view name_of(HubSupport support) {
@@ -71,12 +87,13 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
   const TomlSection root(document, {"title", "hub", "blade", "blades", "gravity", "damping", "load",
-                                    "integration", "output"});
+                                    "integration", "limits", "output"});
   Scenario scenario;
   scenario.name = std::filesystem::path(name).stem().string();
   scenario.title = root.text("title", scenario.name);
   scenario.rotor = read_rotor(root);
   scenario.integration = read_integration(root);
+  scenario.limits = read_limits(root);
   scenario.output.interval =
       root.section("output", {"interval"})
           .number("interval", Quantity::not_negative("s"), scenario.output.interval);

@@ -25,6 +25,16 @@ struct Integration {
   int max_iterations = 30;   ///< per step, before the step is given up
 };
 
+/// What becomes of a simulation whose energy grows beyond the work done on it.
+enum class EnergyGrowth { warn, stop };
+
+/// Beyond which results are to be doubted.
+struct Limits {
+  double deflection = 0.1;      ///< of a body in its frame, by its length; 0: none
+  double energy_growth = 0.01;  ///< by the largest energy so far; 0: none
+  EnergyGrowth on_energy_growth = EnergyGrowth::warn;
+};
+
 struct Output {
   double interval = 0.05;  ///< between rows of sensors.csv [s]; 0: every step
 };
@@ -37,6 +47,7 @@ struct SPOKE_EXPORT Scenario {
   std::string name;  ///< the file's name without folder and ending; names the results folder
   Rotor rotor;
   Integration integration;
+  Limits limits;
   Output output;
 
   /// Every key with the value in force (defaults included), as a JSON object shaped like the file;
@@ -46,6 +57,7 @@ struct SPOKE_EXPORT Scenario {
 
 // The names that scenario files use.
 SPOKE_EXPORT std::string_view name_of(IntegrationMethod method);
+SPOKE_EXPORT std::string_view name_of(EnergyGrowth growth);
 SPOKE_EXPORT std::string_view name_of(HubSupport support);
 SPOKE_EXPORT std::string_view name_of(ReferenceFrame frame);
 SPOKE_EXPORT std::string_view name_of(LoadFrame frame);

@@ -82,6 +82,12 @@ Json to_json(const Integration& integration) {
           {"max_iterations", integration.max_iterations}};
 }
 
+Json to_json(const Limits& limits) {
+  return {{"deflection", limits.deflection},
+          {"energy_growth", limits.energy_growth},
+          {"on_energy_growth", name_of(limits.on_energy_growth)}};
+}
+
 }  // namespace
 
 std::string Scenario::to_json() const {
@@ -98,6 +104,7 @@ std::string Scenario::to_json() const {
                  {"stiffness_factor", rotor.damping.stiffness_factor}}},
                {"load", loads},
                {"integration", spoke::to_json(integration)},
+               {"limits", spoke::to_json(limits)},
                {"output", {{"interval", output.interval}}}};
   // A title from a file name may hold anything.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

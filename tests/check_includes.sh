@@ -39,6 +39,7 @@ layers=(
   'integrator/time_stepper'
   'step_recording'
   'step_runner'
+  'warnings observations'
   'sensors diagnosis model_identity saved_state'
   'simulation'
   'output_file sensor_file byte_order'

@@ -328,6 +328,8 @@ int run(const Arguments& arguments) {
   if (recording.trace)
     write_trace(simulation, std::move(*recording.trace), trace_folder, !arguments.quiet);
   std::fflush(stdout);
+  for (const Warning& warning : simulation.warnings())
+    fmt::print(stderr, "warning: {}\n", warning.text);
   const std::string message = outcome.divergence + outcome.interruption;
   if (!message.empty()) fmt::print(stderr, "{}\n", message);
   return exit_status(outcome);

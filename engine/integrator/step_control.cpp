@@ -28,13 +28,14 @@ void fail(StepOutcome outcome, Clock& clock) {
 }
 
 /// The step's end is reached: its record, and the start of the next step.
-void complete_step(const Integrator& integrator, const Window& window, const Power& power,
+void complete_step(const Integrator& integrator, const Window& window, const PassReport& report,
                    Clock& clock, StepRecord& record) {
   record.passes = clock.passes;
   record.work = clock.work;
   record.dissipated = clock.dissipated;
+  record.bend = report.bend;
   clock.completed = clock.step;
-  clock.power = power;
+  clock.power = report.power;
   begin_step(integrator, static_cast<std::int64_t>(clock.step) + 1, clock);
   clock.halted = clock.step > static_cast<double>(window.last) ? 1.0 : 0.0;
 }
@@ -90,7 +91,7 @@ void end_pass(const Integrator& integrator, const Window& window, const PassRepo
   const bool is_complete = clock.control.stage == PassControl::kEvaluateOnly ||
                            (as_rk4(integrator) ? end_stage(integrator, report, clock)
                                                : end_iteration(integrator, report, clock));
-  if (is_complete) complete_step(integrator, window, report.power, clock, record);
+  if (is_complete) complete_step(integrator, window, report, clock, record);
 }
 
 int usual_passes(const Integrator& integrator) {

@@ -109,8 +109,11 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
   open_window(advance);
   if (watch_) watch_->begin_run(data);
   executor.run_while([this, &advance] { return continues(advance); });
-  if (is_any_failed(data) && advance.is_wide && !advance.thrown) return repeat_failure(advance);
-  if (advance.thrown) std::rethrow_exception(advance.thrown);
+  if (advance.thrown) {
+    if (advance.is_wide) return_to_last_step();
+    std::rethrow_exception(advance.thrown);
+  }
+  if (is_any_failed(data) && advance.is_wide) return repeat_failure(advance);
   return first_failure(data);
 }
 
@@ -164,14 +167,26 @@ void TimeStepper::report_steps(Advance& advance) {
   }
 }
 
+void TimeStepper::run_step_serially(std::int64_t step) {
+  StepData& data = context_.data;
+  data.window.first = step;
+  let_go(step, data);
+  while (!are_all_halted(data)) run_serially();
+}
+
+/// Goes back to the last copy and steps, one step at a time, to the end of the step that was
+/// reported last: some subsystems were beyond it.
+void TimeStepper::return_to_last_step() {
+  saved_.restore();
+  for (std::int64_t step = saved_steps_ + 1; step <= steps_; ++step) run_step_serially(step);
+}
+
 /// Goes back to the last copy and steps, one step at a time, into the failure again.
 StepOutcome TimeStepper::repeat_failure(Advance& advance) {
   StepData& data = context_.data;
   saved_.restore();
   for (std::int64_t step = saved_steps_ + 1; !is_any_failed(data); ++step) {
-    data.window.first = step;
-    let_go(step, data);
-    while (!are_all_halted(data)) run_serially();
+    run_step_serially(step);
     report_steps(advance);
     if (advance.thrown) std::rethrow_exception(advance.thrown);
   }

@@ -42,8 +42,8 @@ class TimeStepper {
   StepOutcome start();
   /// Advances to the end of step `target`, by runs of `executor`, whose graph is one of any number
   /// of passes on the context. `observed`: samples are taken at each step. `completed` may be
-  /// empty; what it throws leaves the system between two steps of some subsystems, not to be
-  /// advanced further. If a step fails, the system stands at that step as if it had been advanced
+  /// empty; what it throws leaves the system at the end of the step that it was told of. If a step
+  /// fails, the system stands at that step as if it had been advanced
   /// step by step, whatever the window and the executor.
   StepOutcome advance(std::int64_t target, graph::Executor& executor, bool observed = false,
                       const Completed& completed = {});
@@ -74,6 +74,8 @@ class TimeStepper {
   void report_steps(Advance& advance);
   StepOutcome repeat_failure(Advance& advance);
   void run_serially();
+  void run_step_serially(std::int64_t step);
+  void return_to_last_step();
 
   StepContext& context_;
   const graph::StepGraph& graph_;

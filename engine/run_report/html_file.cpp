@@ -101,6 +101,8 @@ void add_warnings(report::Page& page, const Simulation& simulation,
                                          number(simulation.scenario().integration.duration))},
         report::Tone::bad);
   }
+  for (const Warning& warning : simulation.warnings())
+    page.add_note(warning.text + ".", report::Tone::warning);
   const double relative = relative_residual(simulation, statistics);
   if (relative > kNotableResidual) {
     const bool is_rk4 = simulation.scenario().integration.method == IntegrationMethod::rk4;

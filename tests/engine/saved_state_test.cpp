@@ -2,11 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "engine/observations.h"
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "rotors.h"
@@ -219,7 +222,10 @@ TEST_CASE("what is not a number leaves no trace behind a restored state") {
         Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 7});
         const SavedState saved = simulation.save();
         SavedState spoiled = saved;
-        for (double& value : spoiled.values) value = std::numeric_limits<double>::quiet_NaN();
+        constexpr auto kObserved =
+            static_cast<std::ptrdiff_t>(sizeof(Observations) / sizeof(double));
+        std::fill(spoiled.values.begin(), spoiled.values.end() - kObserved,
+                  std::numeric_limits<double>::quiet_NaN());
         simulation.restore(spoiled);
         CHECK_THROWS_AS(simulation.run_until(1.0), DivergenceError);
         simulation.restore(saved);

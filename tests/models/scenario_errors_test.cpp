@@ -153,6 +153,10 @@ TEST_CASE("bad sizes are refused") {
        "0.001 s"},
       {"step = 0.005", "max_iterations = 0",
        "f.toml:18:18: integration.max_iterations: is 0, expected a whole number from 1 to 1000"},
+      {"duration = 20.0", "duration = 20.0\n[limits]\ndeflection = -0.1",
+       "f.toml:21:14: limits.deflection: is -0.1, expected a number of 0 or more"},
+      {"duration = 20.0", "duration = 20.0\n[limits]\non_energy_growth = 'fail'",
+       "f.toml:21:20: limits.on_energy_growth: is \"fail\", expected \"warn\" or \"stop\""},
   });
 }
 

@@ -67,6 +67,9 @@ TEST_CASE("a minimal scenario gets the documented defaults") {
   CHECK(integration.tolerance == 1e-10);
   CHECK(integration.iterations == 0);
   CHECK(integration.max_iterations == 30);
+  CHECK(scenario.limits.deflection == 0.1);
+  CHECK(scenario.limits.energy_growth == 0.01);
+  CHECK(scenario.limits.on_energy_growth == EnergyGrowth::warn);
   CHECK(scenario.output.interval == 0.05);
 }
 
@@ -130,13 +133,14 @@ TEST_CASE("every kind of drive is read") {
   CHECK(std::get<FreeDrive>(drive("kind = 'free'")).initial_speed == 0.0);
 }
 
-TEST_CASE("hub and gravity and damping and integration and output are read") {
+TEST_CASE("hub and gravity and damping and integration and limits and output are read") {
   const Scenario scenario =
       parse("title = 'T'\n[hub]\nsupport = 'free'\nradius = 0.5\nmass = 3\ninertia = 2\n" + kHub +
             kBlade +
             "[gravity]\nacceleration = [0, -9.81]\n[damping]\nmass_factor = 0.1\n"
             "stiffness_factor = 0.002\n[integration]\nmethod = 'rk4'\nstep = 1e-4\nduration = 2\n"
             "spectral_radius = 1\ntolerance = 1e-8\niterations = 2\nmax_iterations = 9\n"
+            "[limits]\ndeflection = 0\nenergy_growth = 2\non_energy_growth = 'stop'\n"
             "[output]\ninterval = 0\n");
   CHECK(scenario.title == "T");
   CHECK(scenario.rotor.hub.support == HubSupport::free);
@@ -152,6 +156,9 @@ TEST_CASE("hub and gravity and damping and integration and output are read") {
   CHECK(scenario.integration.tolerance == 1e-8);
   CHECK(scenario.integration.iterations == 2);
   CHECK(scenario.integration.max_iterations == 9);
+  CHECK(scenario.limits.deflection == 0.0);
+  CHECK(scenario.limits.energy_growth == 2.0);
+  CHECK(scenario.limits.on_energy_growth == EnergyGrowth::stop);
   CHECK(scenario.output.interval == 0.0);
 }
 
