@@ -377,11 +377,15 @@ std::span<const double> Simulation::sensor_values() const {
   return impl_->sensor_values;
 }
 
-double Simulation::sensor(std::string_view name) const {
+std::size_t Simulation::sensor_index(std::string_view name) const {
   const auto& names = sensor_names();
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (names[k] == name) return sensor_values()[k];
-  throw std::out_of_range("no sensor is named " + std::string(name));
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw std::out_of_range("no sensor is named " + std::string(name));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+double Simulation::sensor(std::string_view name) const {
+  return sensor_values()[sensor_index(name)];
 }
 
 HubMotion Simulation::hub() const {

@@ -164,6 +164,9 @@ class Simulation {
   const std::vector<std::string>& sensor_units() const;
   /// The sensors at time(). The span is valid until the next step.
   std::span<const double> sensor_values() const;
+  /// A sensor's place in sensor_values(), which it keeps: the handle of those who read it often.
+  /// Throws std::out_of_range for an unknown name.
+  std::size_t sensor_index(std::string_view name) const;
   /// One sensor at time(). Throws std::out_of_range for an unknown name.
   double sensor(std::string_view name) const;
 
