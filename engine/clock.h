@@ -30,6 +30,7 @@ enum class StepOutcome {
   left_limits,    ///< a body's deformation or an acceleration is not finite or beyond its limits
   not_converged,  ///< the iteration did not reach its tolerance
   energy_grew,    ///< complete, but with more energy than work explains
+  load_failed,    ///< a load of the user's failed; the state is that before the step
 };
 
 /// Rates of work [W].

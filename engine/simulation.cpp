@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/diagnosis.h"
 #include "engine/kinematics.h"
+#include "engine/load_terms.h"
+#include "engine/marker_motion.h"
 #include "engine/memory.h"
 #include "engine/model_identity.h"
 #include "engine/natural_frequencies.h"
@@ -71,6 +75,29 @@ std::vector<double> unpadded(const double* flex, const FlexLayout& layout) {
   return values;
 }
 
+Wrench wrench_in_space(const Twist& wrench) {
+  return {{wrench[0], wrench[1], 0.0}, {0.0, 0.0, wrench[kRotation]}};
+}
+
+/// Throws InputError unless a drive can take over from another at time t [s].
+void demand_continuation(const Drive& before, const Drive& after, double t) {
+  if (prescribes_motion(before) != prescribes_motion(after))
+    throw InputError("a drive " + std::string(name_of(after)) + " cannot take over from " +
+                     std::string(name_of(before)) +
+                     ": expected one that prescribes the hub's rotation as well, or one that does "
+                     "not as well");
+  if (!prescribes_motion(after)) return;
+  const DriveMotion old = calc_motion(before, t), next = calc_motion(after, t);
+  constexpr double slack = 1e-9;
+  if (std::abs(old.angle - next.angle) <= slack && std::abs(old.speed - next.speed) <= slack)
+    return;
+  std::ostringstream text;
+  text << "the drive " << name_of(after) << " does not go on from where the hub is at t = " << t
+       << " s: it begins at " << next.angle << " rad and " << next.speed << " rad/s, expected "
+       << old.angle << " rad and " << old.speed << " rad/s";
+  throw InputError(text.str());
+}
+
 /// Ends a run at a step whose energy has grown, if the scenario says so. Leaves no function of the
 /// simulation.
 struct EnergyHasGrown {};
@@ -78,7 +105,7 @@ struct EnergyHasGrown {};
 }  // namespace
 
 struct Simulation::Impl {
-  Impl(const Scenario& given, const SimulationOptions& chosen);
+  Impl(const Scenario& given, const SimulationOptions& chosen, const Loads& loads);
 
   void step();
   void run_to(std::int64_t target, const StepObserver& observe);
@@ -88,6 +115,10 @@ struct Simulation::Impl {
   SavedState save();
   std::vector<double> take_values(std::int64_t steps);
   void restore(const SavedState& state);
+  void demand_state(const char* use) const;
+  void evaluate();
+  void renew();
+  PlacedMarker place(const Marker& marker) const;
 
   Scenario scenario;
   SimulationOptions options;
@@ -103,9 +134,12 @@ struct Simulation::Impl {
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
   std::int64_t measured_step = -1;
+  /// The step at whose end accelerations and wrenches were evaluated, and its record.
+  std::int64_t evaluated_step = -1;
+  SystemRecord evaluated;
 
  private:
-  void prepare();
+  void prepare(const Loads& loads);
   void demand_kept_declarations();
   bool stops_on_growth() const;
   void count_step(std::int64_t step);
@@ -115,14 +149,14 @@ struct Simulation::Impl {
   [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
 };
 
-Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
+Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen, const Loads& loads)
     : scenario(given),
       options(chosen),
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
       identity(std::make_shared<const std::string>(
           make_identity(scenario, options.formulation, step_size))),
-      sensors((prepare(), context.system)) {
+      sensors((prepare(loads), context.system)) {
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   sensors.start(context.system, context.data);
@@ -130,7 +164,7 @@ Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen)
   complete_step(0, {});
 }
 
-void Simulation::Impl::prepare() {
+void Simulation::Impl::prepare(const Loads& loads) {
   if (scenario.limits.deflection > 0.0) context.linear_range = scenario.limits.deflection;
   context.system = make_system(scenario.rotor);
   context.formulation = options.formulation;
@@ -140,6 +174,7 @@ void Simulation::Impl::prepare() {
   demand_memory(context.system, context.formulation);
   const RunnerOptions how{options.executor, options.threads, options.window, planned_steps};
   allocate(context, window_records(how, context.system));
+  place_loads(loads, context.data);
   runner = std::make_unique<StepRunner>(context, how);
 #ifndef NDEBUG
   demand_kept_declarations();
@@ -152,6 +187,7 @@ void Simulation::Impl::prepare() {
   if (runner->step_graph().node_count() > kLargest) return;
   for (const graph::DeclarationFault& fault : graph::check_declarations(runner->step_graph()))
     throw std::logic_error(fault.message);
+  clear_load_failures(context.data);
 }
 
 void Simulation::Impl::step() {
@@ -195,12 +231,36 @@ void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
   });
 }
 
+void Simulation::Impl::demand_state(const char* use) const {
+  const StepData& data = context.data;
+  if (!are_together(data) || last_complete_step(data) != runner->steps())
+    throw std::logic_error(std::string("there is no state to ") + use +
+                           ": a step failed or was not brought to its end");
+}
+
+/// Brings accelerations and wrenches to the state at the last step's end.
+void Simulation::Impl::evaluate() {
+  demand_state("evaluate");
+  if (evaluated_step == runner->steps()) return;
+  const StepOutcome outcome = runner->evaluate(false, evaluated);
+  if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
+  evaluated_step = runner->steps();
+}
+
+/// The same, after a force has changed: the next step starts from it.
+void Simulation::Impl::renew() {
+  evaluated_step = -1;
+  const StepOutcome outcome = runner->evaluate(true, evaluated);
+  if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
+}
+
+PlacedMarker Simulation::Impl::place(const Marker& marker) const {
+  return place_marker("the marker", marker, context.data);
+}
+
 SavedState Simulation::Impl::save() {
-  StepData& data = context.data;
+  demand_state("save");
   const std::int64_t steps = runner->steps();
-  if (!are_together(data) || last_complete_step(data) != steps)
-    throw std::logic_error(
-        "there is no state to save: a step failed or was not brought to its end");
   return {identity,
           static_cast<double>(steps) * step_size,
           steps,
@@ -245,7 +305,7 @@ void Simulation::Impl::restore(const SavedState& state) {
   runner->continue_from(state.steps);
   evaluations = state.evaluations;
   work = {state.work, state.dissipated};
-  measured_step = -1;
+  measured_step = evaluated_step = -1;
 }
 
 /// Whether the energies of every step are looked at.
@@ -283,12 +343,22 @@ void Simulation::Impl::complete_step(std::int64_t step, const StepObserver& obse
 }
 
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
+  evaluated_step = -1;
+  if (outcome == StepOutcome::load_failed) {
+    const FailedLoad load = find_failed_load(context.data);
+    std::ostringstream text;
+    text << "the load \"" << load.name << "\" of blade " << load.blade + 1
+         << " failed at t = " << static_cast<double>(step) * step_size << " s, step " << step
+         << ": " << load.reason;
+    throw LoadError(text.str());
+  }
   throw DivergenceError(describe_failure(
       scenario, context, {outcome, static_cast<double>(step) * step_size, step, seen}));
 }
 
-Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options)
-    : impl_(std::make_unique<Impl>(scenario, options)) {}
+Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options,
+                       const Loads& loads)
+    : impl_(std::make_unique<Impl>(scenario, options, loads)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -367,11 +437,15 @@ std::span<const double> Simulation::sensor_values() const {
   return impl_->sensor_values;
 }
 
-double Simulation::sensor(std::string_view name) const {
+std::size_t Simulation::sensor_index(std::string_view name) const {
   const auto& names = sensor_names();
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (names[k] == name) return sensor_values()[k];
-  throw std::out_of_range("no sensor is named " + std::string(name));
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw std::out_of_range("no sensor is named " + std::string(name));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+double Simulation::sensor(std::string_view name) const {
+  return sensor_values()[sensor_index(name)];
 }
 
 std::vector<Warning> Simulation::warnings() const {
@@ -394,6 +468,80 @@ void Simulation::calc_shape(int blade, BladeShape& shape) const {
   StepContext& context = impl_->context;
   spoke::calc_shape(impl_->scenario.rotor.blades.at(blade), context.system.subsystems.at(blade),
                     context.data.subsystems.at(blade), shape);
+}
+
+MarkerState Simulation::marker(const Marker& marker) const {
+  const PlacedMarker placed = impl_->place(marker);
+  impl_->evaluate();
+  const System& system = impl_->context.system;
+  const auto blade = static_cast<std::size_t>(marker.blade);
+  const Subsystem& subsystem = system.subsystems[blade];
+  const SubsystemData& data = impl_->context.data.subsystems[blade];
+  MarkerState state{calc_marker_motion(subsystem, data, placed)};
+  const Twist acceleration = calc_marker_acceleration(system, data, placed);
+  state.acceleration = in_space(Position(acceleration.head<kPosition>()));
+  state.angular_acceleration.z() = acceleration[kRotation];
+  const double x = (marker.body + marker.station) *
+                   data.bodies[static_cast<std::size_t>(marker.body)].model->body->length;
+  const Eigen::Vector3d in_hub =
+      in_space(data.hub->R).transpose() * (state.position - in_space(data.hub->p));
+  state.deflection = in_hub - in_space(subsystem.root.p + subsystem.root.R * Position{x, 0.0});
+  state.foreshortening =
+      in_space(calc_marker_foreshortening(subsystem, data, marker.body, marker.station));
+  return state;
+}
+
+Wrench Simulation::joint_reaction(int blade, int joint) const {
+  impl_->place({blade, joint, 0.0});
+  impl_->evaluate();
+  const SubsystemData& data = impl_->context.data.subsystems[static_cast<std::size_t>(blade)];
+  const Twist& wrench = data.wrenches[static_cast<std::size_t>(joint)].inboard;
+  return wrench_in_space(data.hub->R * calc_rotation_to_hub(data, joint) * wrench);
+}
+
+Wrench Simulation::hub_reaction() const {
+  impl_->evaluate();
+  Twist wrench = impl_->evaluated.step.reaction;
+  wrench[kRotation] += impl_->evaluated.applied_torque;
+  return wrench_in_space(impl_->context.data.subsystems.front().hub->R * wrench);
+}
+
+Wrench Simulation::section_force(const Marker& marker) const {
+  const PlacedMarker placed = impl_->place(marker);
+  impl_->evaluate();
+  const auto blade = static_cast<std::size_t>(marker.blade);
+  return wrench_in_space(calc_section_force(
+      impl_->scenario.rotor.blades[blade], impl_->context.system.damping,
+      impl_->context.data.subsystems[blade].bodies[static_cast<std::size_t>(marker.body)],
+      placed.section));
+}
+
+const Drive& Simulation::drive() const { return impl_->context.system.hub.drive; }
+
+void Simulation::set_drive(const Drive& drive) {
+  impl_->demand_state("go on from with another drive");
+  Drive& in_force = impl_->context.system.hub.drive;
+  demand_continuation(in_force, drive, time());
+  const Drive before = std::exchange(in_force, drive);
+  try {
+    impl_->renew();
+  } catch (...) {
+    in_force = before;
+    throw;
+  }
+}
+
+void Simulation::set_load(int index, std::shared_ptr<const Load> load) {
+  impl_->demand_state("go on from with another load");
+  LoadData& data = find_load(index, impl_->context.data);
+  demand_same_markers(load, data);
+  data.load.swap(load);
+  try {
+    impl_->renew();
+  } catch (...) {
+    data.load.swap(load);
+    throw;
+  }
 }
 
 std::uint64_t Simulation::state_hash() const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/formulation/formulation.h"
+#include "engine/load.h"
 #include "engine/saved_state.h"
 #include "engine/shape.h"
 #include "engine/step_trace.h"
@@ -68,6 +69,17 @@ struct HubMotion {
   Twist acceleration = Twist::Zero();
 };
 
+/// What is known of a marker.
+struct MarkerState : MarkerMotion {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();          ///< [m/s^2]
+  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< [rad/s^2]
+  /// From its place on the undeformed blade, which turns with the hub; hub frame [m].
+  Eigen::Vector3d deflection = Eigen::Vector3d::Zero();
+  /// What a model with geometric stiffening accounts for in its energies, not in its places: the
+  /// tip's sensors show the deflection less this; hub frame [m].
+  Eigen::Vector3d foreshortening = Eigen::Vector3d::Zero();
+};
+
 /// Told of the end of a step: time [s] and the sensors there, in the order of
 /// Simulation::sensor_names(), valid during the call.
 using StepObserver = std::function<void(double t, std::span<const double> sensors)>;
@@ -85,7 +97,10 @@ class SPOKE_EXPORT Simulation {
  public:
   /// Builds the system's constants, its step graph and executor, and evaluates the accelerations
   /// at t = 0. Throws InputError if the scenario does not fit this machine's memory.
-  explicit Simulation(const Scenario& scenario, const SimulationOptions& options = {});
+  /// `loads` act besides those of the scenario. Throws InputError if one has no place on the
+  /// system, LoadError if one fails at t = 0.
+  explicit Simulation(const Scenario& scenario, const SimulationOptions& options = {},
+                      const Loads& loads = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -112,12 +127,13 @@ class SPOKE_EXPORT Simulation {
   bool done() const { return steps() >= planned_steps(); }
 
   /// One time step. Throws DivergenceError, after which the simulation stays at the failed step and
-  /// must not be stepped again until a state is restored.
+  /// must not be stepped again until a state is restored. Throws LoadError if a load fails; the
+  /// simulation then stands at the end of the step before, and can be stepped again.
   void step();
   /// Steps until time() >= t - half a step, or done(), and tells `observe` of every step, in order,
   /// on the calling thread. Faster than as many calls of step(): see SimulationOptions::window.
-  /// Throws DivergenceError like step(), after the observer was told of all complete steps; what
-  /// the observer throws ends the run at the step that it was told of.
+  /// Throws DivergenceError and LoadError like step(), after the observer was told of all complete
+  /// steps; what the observer throws ends the run at the step that it was told of.
   void run_until(double t, const StepObserver& observe = {});
   /// Asks the run_until() that is calling an observer to return soon: once all blades have made the
   /// steps that any of them has begun, each of which the observer is told. Without effect
@@ -150,6 +166,9 @@ class SPOKE_EXPORT Simulation {
   const std::vector<std::string>& sensor_units() const;
   /// The sensors at time(). The span is valid until the next step.
   std::span<const double> sensor_values() const;
+  /// A sensor's place in sensor_values(), which it keeps: the handle of those who read it often.
+  /// Throws std::out_of_range for an unknown name.
+  std::size_t sensor_index(std::string_view name) const;
   /// One sensor at time(). Throws std::out_of_range for an unknown name.
   double sensor(std::string_view name) const;
 
@@ -165,6 +184,40 @@ class SPOKE_EXPORT Simulation {
   /// Where the nodes of a blade stand at time(), and the tension of its elements. `shape` keeps its
   /// memory from call to call. Precondition: 0 <= blade < subsystems.
   void calc_shape(int blade, BladeShape& shape) const;
+
+  // What follows is of the state at time(), and takes one evaluation of the accelerations when
+  // first asked for at a state. Places that do not exist throw InputError; after a step that
+  // failed, std::logic_error.
+
+  /// Motion and deflection of a point anywhere on a body.
+  MarkerState marker(const Marker& marker) const;
+  /// What the joint inboard of a body (0: at the hub) does to the body, about the joint; inertial
+  /// frame.
+  Wrench joint_reaction(int blade, int joint) const;
+  /// What support and drive do to the hub, about its axis, inertial frame. It carries the hub and
+  /// the roots of the blades; of blades with geometric stiffening also a moment that the model puts
+  /// on the hub directly, since bending takes mass nearer to the axis.
+  Wrench hub_reaction() const;
+  /// What the part of a blade outboard of a section does to the part inboard, in the frame of the
+  /// section: x the axial force (positive in tension), y the shear force, z the bending moment. By
+  /// the strains of the finite element, so that the axial force is constant along an element, and
+  /// the shear force; where two elements meet, those of the outer one.
+  Wrench section_force(const Marker& marker) const;
+
+  // Changes between steps. They act from the next step on. They are the caller's: no saved state
+  // contains them, and restore() leaves them as they are.
+
+  /// The drive in force.
+  const Drive& drive() const;
+  /// Replaces the drive, by one that prescribes the hub's rotation if and only if the present one
+  /// does, and then goes on from the hub's angle and speed (to 1e-9 rad and rad/s). Throws
+  /// InputError.
+  void set_drive(const Drive& drive);
+  /// Replaces load number `index` of those given to the constructor, by one with the same markers.
+  /// To change the parameters of a load of one's own, change them and set it again. Throws
+  /// InputError, and LoadError if the load fails here; the simulation then stays as it is.
+  void set_load(int index, std::shared_ptr<const Load> load);
+
   /// 64-bit hash (FNV-1a) of the state: hub position and velocity, all coordinates and velocities.
   std::uint64_t state_hash() const;
 

@@ -6,6 +6,7 @@ namespace spoke {
 
 StateCopy::StateCopy(StepData& data) {
   state_.push_back(doubles(data.hub_storage[0], data.hub_storage.size()));
+  state_.push_back(doubles(data.hub));
   state_.push_back(doubles(data.clocks[0], data.clocks.size()));
   for (SubsystemData& subsystem : data.subsystems) {
     state_.emplace_back(subsystem.storage.data(), subsystem.storage.size());

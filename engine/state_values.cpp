@@ -10,12 +10,17 @@ std::size_t count_state_values(StepData& data) {
   return count;
 }
 
-std::vector<double> take_state_values(std::int64_t step, StepData& data) {
-  std::vector<double> values;
+void take_state_values(std::int64_t step, StepData& data, std::vector<double>& values) {
+  values.clear();
   values.reserve(count_state_values(data));
   for_each_state_part(step, data, [&](std::span<const double> part) {
     values.insert(values.end(), part.begin(), part.end());
   });
+}
+
+std::vector<double> take_state_values(std::int64_t step, StepData& data) {
+  std::vector<double> values;
+  take_state_values(step, data, values);
   return values;
 }
 

@@ -33,7 +33,8 @@ void for_each_state_part(std::int64_t step, StepData& data, Apply&& apply) {
 /// Number of doubles in the state.
 std::size_t count_state_values(StepData& data);
 
-/// Copies the state at the end of step `step`.
+/// Copies the state at the end of step `step`; `values` keeps its memory.
+void take_state_values(std::int64_t step, StepData& data, std::vector<double>& values);
 std::vector<double> take_state_values(std::int64_t step, StepData& data);
 
 /// Sets the table to a state that was taken at the end of step `step`. The clocks are left to

@@ -13,29 +13,10 @@
 
 #include "engine/clock.h"
 #include "engine/elastic_block.h"
+#include "engine/load_data.h"
 #include "models/system.h"
 
 namespace spoke {
-
-/// Where the axial and bending parts of a body's flex vector stand in its storage. Four zeros stand
-/// before and behind each part, so that banded products need no special rows at the ends.
-struct FlexLayout {
-  int axial = 0;
-  int bending = 0;
-
-  static constexpr int kPad = 4;
-  int u() const { return kPad; }
-  int v() const { return 2 * kPad + rounded(axial); }
-  int size() const { return 3 * kPad + rounded(axial) + rounded(bending); }
-  /// Place of coordinate `index` of the order "axial, then bending"; of -1, a place that is zero.
-  int place(int index) const {
-    if (index < 0) return 0;
-    return index < axial ? u() + index : v() + (index - axial);
-  }
-
- private:
-  static int rounded(int n) { return (n + kPad - 1) / kPad * kPad; }
-};
 
 /// Coordinates that are integrated together: a body's deformation, or the hub's x, y and angle.
 /// All arrays have `size` values (for a body: in its FlexLayout).
@@ -161,6 +142,7 @@ struct BodyData {
   double* a_found = nullptr;  ///< accelerations that the pass finds (flex vector); rk4: `a` itself
   Twist X;                    ///< frame acceleration, body frame, less gravity
   BodyReport report;
+  std::vector<AppliedWrench> applied;  ///< by loads of the user's
 };
 
 /// One subsystem's share of the table; vectors by body, root to tip.
@@ -174,6 +156,7 @@ struct alignas(kApart) SubsystemData {
   ArenaVector<HandleWrenches> wrenches;
   ArenaVector<Pose> poses;      ///< in the hub frame; for sensors, no part of a step
   ArenaVector<double> storage;  ///< of all flex vectors
+  std::vector<LoadData> loads;  ///< of the user's, on this subsystem
 
   // What the subsystem's nodes follow: the system's if it is coupled, else its own.
   Clock* clock = nullptr;

@@ -1,8 +1,11 @@
 #include "engine/step_graph_builder.h"
 
+#include <algorithm>
+
 #include "engine/body_terms.h"
 #include "engine/hub.h"
 #include "engine/kinematics.h"
+#include "engine/load_terms.h"
 #include "engine/pass_ends.h"
 #include "engine/samples.h"
 #include "engine/step_parts.h"
@@ -17,6 +20,8 @@
 //   next pass's coordinates <- sensors <- finish <-+- recovery 1 <------------------+
 //                                  |               +- recovery 2 <------------------+
 //                                  +-> hub solve, once, behind all passes of all blades
+//
+// A load of the user's on the blade is a node between "velocity" and the "mass" of its bodies.
 //
 // Nothing that a blade's next pass reads comes from another blade: the passes of a graph, and with
 // them the steps of a window, are one chain for each blade, on its own clock. The hub solve only
@@ -131,6 +136,41 @@ void add_velocity(const Assembly& g, int i) {
                      }));
 }
 
+/// What the place of a load's outermost marker depends on: the bodies up to its own.
+PartList load_inputs(const Assembly& g, int i, const LoadData& load) {
+  const SubsystemParts& blade = g.blade(i);
+  int last = 0;
+  for (const PlacedMarker& marker : load.markers) last = std::max(last, marker.body);
+  PartList inputs{blade.clock, blade.rotations, blade.twists, blade.hub_state};
+  for (int j = 0; j <= last; ++j)
+    inputs.push_back(blade.bodies[static_cast<std::size_t>(j)].coordinates);
+  return inputs;
+}
+
+void add_loads_of_user(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  for (std::size_t k = 0; k < data.loads.size(); ++k) {
+    LoadData& load = data.loads[k];
+    g.builder.add_node(g.label("load", i), reads(load_inputs(g, i, load)), writes(blade.loads[k]),
+                       unless_halted(*data.clock, [&subsystem, &data, &load]() noexcept {
+                         evaluate_load(data.clock->control.time, subsystem, data, load);
+                       }));
+  }
+}
+
+/// The loads of the user's that act on a body.
+PartList loads_on(const Assembly& g, int i, int j) {
+  PartList list;
+  const SubsystemData& data = g.c.data.subsystems[i];
+  for (std::size_t k = 0; k < data.loads.size(); ++k)
+    if (std::any_of(data.loads[k].markers.begin(), data.loads[k].markers.end(),
+                    [j](const PlacedMarker& marker) { return marker.body == j; }))
+      list.push_back(g.blade(i).loads[k]);
+  return list;
+}
+
 /// What a body's terms read: only what its options make them depend on.
 PartList terms_inputs(const Assembly& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
@@ -138,6 +178,8 @@ PartList terms_inputs(const Assembly& g, int i, int j) {
   PartList inputs{blade.clock, blade.bodies[j].coordinates, blade.twists};
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method))
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
+  const PartList loads = loads_on(g, i, j);
+  inputs.insert(inputs.end(), loads.begin(), loads.end());
   bool needs_rotations = false;
   bool needs_hub = member.centrifugal_stiffness != nullptr;
   for (const NodeLoad& load : member.loads) {
@@ -161,6 +203,7 @@ void add_mass(const Assembly& g, int i, int j) {
         if (!body.model->loads.empty())
           add_loads(blade.clock->control.time, calc_rotation_to_hub(blade, j), twist, blade.hub->R,
                     body);
+        if (!body.applied.empty()) add_applied(twist, body);
       }));
 }
 
@@ -412,6 +455,7 @@ void add_condensation(const Assembly& g, int i) {
   add_coordinates(g, i);
   add_position(g, i);
   add_velocity(g, i);
+  add_loads_of_user(g, i);
   for (int j = 0; j < bodies; ++j) add_mass(g, i, j);
   if (g.c.formulation == Formulation::augmented) return;
   for (int j = 0; j < bodies; ++j) add_inverse(g, i, j);

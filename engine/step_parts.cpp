@@ -86,6 +86,9 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
   }
   for (std::size_t j = 0; j < count; ++j)
     parts.bodies.push_back(add_body_parts(context, i, static_cast<int>(j), builder));
+  for (LoadData& load : data.loads)
+    parts.loads.push_back(builder.add_part(name + "load " + std::to_string(parts.loads.size() + 1),
+                                           {doubles(load.wrenches[0], load.wrenches.size())}));
   return parts;
 }
 

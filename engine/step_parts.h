@@ -24,6 +24,7 @@ struct SubsystemParts {
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
   graph::PartId clock, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
   graph::PartId records;                             ///< if not coupled
+  std::vector<graph::PartId> loads;                  ///< of the user's: wrenches
 
   /// One member of all bodies, root to tip.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;

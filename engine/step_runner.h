@@ -54,6 +54,9 @@ class StepRunner {
   std::int64_t steps() const { return stepper_.steps(); }
   /// See TimeStepper: while advance_to() runs.
   void stop() { stepper_.stop(); }
+  StepOutcome evaluate(bool renew, SystemRecord& record) {
+    return stepper_.evaluate(renew, record);
+  }
   void continue_from(std::int64_t steps) { stepper_.continue_from(steps); }
 
   /// Of one pass.

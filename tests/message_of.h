@@ -6,12 +6,12 @@
 
 namespace spoke::test {
 
-/// What the InputError says that `function` throws, or "no error".
-template <class Function>
+/// What the error of this type (an InputError) says that `function` throws, or "no error".
+template <class Thrown = InputError, class Function>
 std::string message_of(const Function& function) {
   try {
     function();
-  } catch (const InputError& error) {
+  } catch (const Thrown& error) {
     return error.what();
   }
   return "no error";

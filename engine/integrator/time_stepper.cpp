@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <exception>
 
+#include "engine/load_terms.h"
 #include "engine/pass_ends.h"
+#include "engine/state_values.h"
 
 namespace spoke {
 namespace {
@@ -80,7 +82,8 @@ StepOutcome TimeStepper::start() {
   data.window = {};
   std::fill(data.clocks.begin(), data.clocks.end(), make_start_clock());
   run_serially();
-  if (is_any_failed(data)) return first_failure(data);
+  if (is_any_failed(data))
+    return is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
   if (alpha) each_block([&](CoordinateBlock& block) { spoke::start(*alpha, block); });
   steps_ = 0;
   return StepOutcome::done;
@@ -96,6 +99,39 @@ void TimeStepper::continue_from(std::int64_t steps) {
     begin_step(context_.integrator, steps + 1, clock);
   }
   steps_ = steps;
+  good_steps_ = -1;
+}
+
+StepOutcome TimeStepper::evaluate(bool renew, SystemRecord& record) {
+  StepData& data = context_.data;
+  const bool is_rk4 = std::holds_alternative<Rk4>(context_.integrator.method);
+  const std::vector<double> before = take_state_values(steps_, data);
+  const SystemRecord record_before = of_step(data.records, steps_);
+  clear_load_failures(data);
+  if (!is_rk4)
+    for (SubsystemData& subsystem : data.subsystems)
+      for (BodyData& body : subsystem.bodies) hold(body.coordinates);
+  data.window = {steps_, steps_, false};
+  for (Clock& clock : data.clocks) {
+    clock = make_start_clock();
+    clock.step = static_cast<double>(steps_);
+    clock.control.time = clock.step * step_size(context_.integrator);
+  }
+  run_serially();
+  record = of_step(data.records, steps_);
+  const StepOutcome outcome =
+      is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
+  std::vector<Power> power;
+  for (const Clock& clock : data.clocks) power.push_back(clock.power);
+  const bool is_renewed = renew && outcome == StepOutcome::done;
+  if (is_renewed && is_rk4)
+    of_step(data.records, steps_) = record_before;
+  else
+    put_state_values(before, steps_, data);
+  if (is_renewed)
+    for (std::size_t i = 0; i < power.size(); ++i) data.clocks[i].power = power[i];
+  continue_from(steps_);
+  return outcome;
 }
 
 StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor, bool observed,
@@ -103,6 +139,7 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
   StepData& data = context_.data;
   is_stopping_ = false;
   if (steps_ >= target) return StepOutcome::done;
+  clear_load_failures(data);
   const bool is_wide = data.records.size() > 1 && target > steps_ + 1 && !stays_together_;
   Advance advance{target, completed, is_wide, steps_, nullptr};
   data.window.observed = observed;
@@ -113,8 +150,25 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
     if (advance.is_wide) return_to_last_step();
     std::rethrow_exception(advance.thrown);
   }
-  if (is_any_failed(data) && advance.is_wide) return repeat_failure(advance);
-  return first_failure(data);
+  if (!is_any_failed(data)) return StepOutcome::done;
+  return advance.is_wide ? repeat_failure(advance) : end_failed();
+}
+
+/// A step has failed. If by a load, the system goes back to the end of the step before.
+StepOutcome TimeStepper::end_failed() {
+  StepData& data = context_.data;
+  if (!is_any_load_failed(data)) return first_failure(data);
+  put_state_values(good_, steps_, data);
+  continue_from(steps_);
+  return StepOutcome::load_failed;
+}
+
+/// Of systems with loads: a state to go back to.
+void TimeStepper::keep_good_state() {
+  StepData& data = context_.data;
+  if (good_steps_ == steps_ || !has_loads(data) || !are_together(data)) return;
+  take_state_values(steps_, data, good_);
+  good_steps_ = steps_;
 }
 
 void TimeStepper::open_window(Advance& advance) {
@@ -131,6 +185,7 @@ void TimeStepper::open_window(Advance& advance) {
       last = static_cast<std::int64_t>(furthest_step(data));  // wait for one another
     }
   }
+  if (!advance.is_wide) keep_good_state();
   data.window.first = steps_ + 1;
   let_go(last, data);
 }
@@ -178,19 +233,26 @@ void TimeStepper::run_step_serially(std::int64_t step) {
 /// reported last: some subsystems were beyond it.
 void TimeStepper::return_to_last_step() {
   saved_.restore();
+  clear_load_failures(context_.data);
+  good_steps_ = -1;
   for (std::int64_t step = saved_steps_ + 1; step <= steps_; ++step) run_step_serially(step);
 }
 
-/// Goes back to the last copy and steps, one step at a time, into the failure again.
+/// Goes back to the last copy and steps, one step at a time, into the failure again; or to the
+/// target, if it was the failure of a load that does not fail again.
 StepOutcome TimeStepper::repeat_failure(Advance& advance) {
   StepData& data = context_.data;
   saved_.restore();
-  for (std::int64_t step = saved_steps_ + 1; !is_any_failed(data); ++step) {
+  clear_load_failures(data);
+  good_steps_ = -1;
+  for (std::int64_t step = saved_steps_ + 1; step <= advance.target; ++step) {
+    if (step == steps_ + 1) keep_good_state();
     run_step_serially(step);
     report_steps(advance);
     if (advance.thrown) std::rethrow_exception(advance.thrown);
+    if (is_any_failed(data)) return end_failed();
   }
-  return first_failure(data);
+  return StepOutcome::done;
 }
 
 }  // namespace spoke

@@ -43,8 +43,9 @@ class TimeStepper {
   /// Advances to the end of step `target`, by runs of `executor`, whose graph is one of any number
   /// of passes on the context. `observed`: samples are taken at each step. `completed` may be
   /// empty; what it throws leaves the system at the end of the step that it was told of. If a step
-  /// fails, the system stands at that step as if it had been advanced
-  /// step by step, whatever the window and the executor.
+  /// fails, the system stands at that step as if it had been advanced step by step, whatever the
+  /// window and the executor; if a load of the user's fails, at the end of the step before, and can
+  /// be advanced again.
   StepOutcome advance(std::int64_t target, graph::Executor& executor, bool observed = false,
                       const Completed& completed = {});
 
@@ -55,6 +56,10 @@ class TimeStepper {
   /// Goes on from a state that was put into the table, taken at the end of step `steps`; also after
   /// a failed step, or an exception of `completed`. The clocks keep their power.
   void continue_from(std::int64_t steps);
+  /// Evaluates accelerations, wrenches and frames at the state at the end of the last step, which
+  /// stays as it is but for `renew`: forces have changed since, and the next step starts from the
+  /// new accelerations. `record`: what the step's record would be. Precondition: are_together().
+  StepOutcome evaluate(bool renew, SystemRecord& record);
   /// Lets `watch` follow all runs by executors until it is replaced; nullptr: nobody. `together`:
   /// meanwhile no subsystem begins a step before all have completed the one before. Not during
   /// advance().
@@ -73,6 +78,8 @@ class TimeStepper {
   bool continues(Advance& advance);
   void report_steps(Advance& advance);
   StepOutcome repeat_failure(Advance& advance);
+  StepOutcome end_failed();
+  void keep_good_state();
   void run_serially();
   void run_step_serially(std::int64_t step);
   void return_to_last_step();
@@ -82,6 +89,8 @@ class TimeStepper {
   std::int64_t steps_ = -1;
   StateCopy saved_;  ///< a state from which a failure can be repeated
   std::int64_t saved_steps_ = -1;
+  std::vector<double> good_;  ///< the state at the end of step good_steps_, if there are loads
+  std::int64_t good_steps_ = -1;
   bool is_stopping_ = false;
   RunWatch* watch_ = nullptr;
   bool stays_together_ = false;

@@ -84,6 +84,20 @@ TEST_CASE("measuring the sensors allocates nothing") {
   CHECK(allocations.load() == before);
 }
 
+TEST_CASE("a load of the user's allocates nothing but what it allocates itself") {
+  const auto drag = make_load("drag", {{0, 0, 0.5}, {0, 3, 1.0}},
+                              [](double, std::span<const MarkerMotion> in, std::span<Wrench> out) {
+                                for (std::size_t k = 0; k < in.size(); ++k)
+                                  out[k].force = -0.1 * in[k].velocity;
+                              });
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 1e-3),
+                        {Formulation::structured, ExecutorKind::serial, 1}, {drag});
+  for (int n = 0; n < 3; ++n) simulation.step();
+  const long before = allocations.load();
+  for (int n = 0; n < 10; ++n) simulation.step();
+  CHECK(allocations.load() == before);
+}
+
 TEST_CASE("recording a trace allocates nothing while steps are made") {
   for (const int window : {1, 10}) {
     const SimulationOptions options{Formulation::structured, ExecutorKind::serial, 1, window};

@@ -28,6 +28,16 @@ TEST_CASE("a simulation tells its size") {
   CHECK(simulation.evaluations() == 1);
 }
 
+TEST_CASE("a sensor has a handle") {
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  simulation.run_until(1.0);
+  const std::size_t speed = simulation.sensor_index("hub.speed");
+  CHECK(simulation.sensor_names()[speed] == "hub.speed");
+  CHECK(simulation.sensor_values()[speed] == simulation.sensor("hub.speed"));
+  CHECK(simulation.sensor("hub.speed") == simulation.hub().velocity[kRotation]);
+  CHECK_THROWS_AS(simulation.sensor_index("hub.sped"), std::out_of_range);
+}
+
 TEST_CASE("the hub follows its drive exactly and time does not drift") {
   Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
   simulation.run_until(7.5);

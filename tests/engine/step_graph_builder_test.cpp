@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/load_terms.h"
 #include "engine/pass_ends.h"
 #include "graph/declaration_check.h"
+#include "load_rotors.h"
 #include "rotors.h"
 
 using namespace spoke;
@@ -80,6 +82,8 @@ void set_clocks(const PassControl& control, StepContext& context) {
 
 void prepare(const Case& which, StepContext& context) {
   make_context(demanding_rotor(which.is_coupled), which.formulation, which.method, context);
+  // Loads of the user's that depend on all they may.
+  place_loads({demanding_load(0), demanding_load(1)}, context.data);
   std::mt19937 random(4);
   randomize_state(random, context);
   // Histories and accelerations as after some steps, so that every term of the integrator counts.

@@ -1,0 +1,45 @@
+#pragma once
+
+// A load of the user's, as it acts on one subsystem.
+
+#include <exception>
+#include <memory>
+#include <vector>
+
+#include "engine/apart.h"
+#include "engine/load.h"
+#include "engine/section.h"
+
+namespace spoke {
+
+/// What acts on a body's section, in the body frame. Part of the table: doubles only.
+struct SectionWrench {
+  Position force = Position::Zero();  ///< [N]
+  double moment = 0.0;                ///< [N m]
+};
+
+/// A marker on its body.
+struct PlacedMarker {
+  int body = 0;
+  Section section;
+};
+
+struct LoadData {
+  int number = 0;  ///< in the list that it was given in
+  std::shared_ptr<const Load> load;
+  std::vector<Marker> given;
+  std::vector<PlacedMarker> markers;
+  ArenaVector<SectionWrench> wrenches;  ///< by marker
+  // What the load is handed and hands back: rewritten at every evaluation, no part of the table.
+  std::vector<MarkerMotion> motions;
+  std::vector<Wrench> forces;
+  std::exception_ptr thrown;  ///< by the load, since it was last cleared
+};
+
+/// A wrench of a load on a section of the body that it is listed with.
+struct AppliedWrench {
+  const Section* section = nullptr;
+  const SectionWrench* wrench = nullptr;
+};
+
+}  // namespace spoke

@@ -1,0 +1,242 @@
+// Loads of the user's: their mechanics, their nodes, and what happens if they fail.
+
+#include "engine/load.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "engine/load_terms.h"
+#include "engine/step_graph_builder.h"
+#include "graph/declaration_check.h"
+#include "load_rotors.h"
+#include "models/error.h"
+#include "tests/message_of.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+void make_hub(int kind, Rotor& rotor) {
+  if (kind > 0) rotor.hub.drive = TorqueDrive{Curve(0.1), 1.0};
+  if (kind > 1) rotor.hub.support = HubSupport::free;
+}
+
+double largest_difference(const Simulation& a, const Simulation& b) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.sensor_values().size(); ++k)
+    largest = std::max(largest, std::abs(a.sensor_values()[k] - b.sensor_values()[k]));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("a load equal to a scenario's point load moves the rotor as that does") {
+  for (const Formulation formulation :
+       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+    for (const IntegrationMethod method :
+         {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
+      for (const int hub : {0, 1, 2}) {
+        CAPTURE(hub);
+        Scenario scenario = soft_scenario(method, 0.04);
+        make_hub(hub, scenario.rotor);
+        Scenario with_load = scenario;
+        PointLoad point;
+        point.blade = 1;
+        point.position = 1.5;  // the middle of the second body
+        point.frame = LoadFrame::inertial;
+        point.force = {0.3, -0.5};
+        point.moment = 0.02;
+        with_load.rotor.loads = {point};
+        const SimulationOptions options{formulation, ExecutorKind::serial, 1, 1};
+        Simulation of_scenario(with_load, options), unloaded(scenario, options);
+        Simulation of_user(scenario, options, {steady_load({1, 1, 0.5}, 0.3, -0.5, 0.02)});
+        for (Simulation* simulation : {&of_scenario, &unloaded, &of_user})
+          simulation->run_until(0.04);
+        CHECK(largest_difference(of_scenario, of_user) < 1e-12);
+        CHECK(largest_difference(of_scenario, unloaded) > 1e-4);
+      }
+}
+
+TEST_CASE("the work of a follower load is the change of energy, to the order of the method") {
+  const auto residual = [](IntegrationMethod method, double step) {
+    Scenario scenario = soft_scenario(method, 0.08, step);
+    scenario.rotor.hub.support = HubSupport::free;
+    scenario.rotor.hub.drive = FreeDrive{2.0};
+    // Within an element, on a clamped and on a chord body.
+    Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1},
+                          {follower({0, 0, 0.37}, 0.5, 0.05), follower({1, 1, 0.81}, 0.4, 0.03)});
+    simulation.run_until(scenario.integration.duration);
+    CHECK(simulation.sensor("energy.work") > 1e-3);
+    return std::abs(simulation.sensor("energy.residual"));
+  };
+  const auto order = [&](IntegrationMethod method) {
+    return std::log2(residual(method, 2e-4) / residual(method, 1e-4));
+  };
+  CHECK(order(IntegrationMethod::rk4) > 3.5);
+  CHECK(order(IntegrationMethod::generalized_alpha) > 1.7);
+}
+
+TEST_CASE("a load's work is its force times the velocity of its marker") {
+  Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.1);
+  scenario.rotor.hub.drive = FreeDrive{2.0};
+  const Marker marker{0, 1, 0.4};
+  Simulation simulation(scenario, {}, {follower(marker, 0.5, 0.05)});
+  const auto power = [&] {
+    const MarkerState state = simulation.marker(marker);
+    return (state.rotation * Eigen::Vector3d(0.0, 0.5, 0.0)).dot(state.velocity) +
+           0.05 * state.angular_velocity.z();
+  };
+  double work = 0.0, before = power();
+  while (!simulation.done()) {
+    simulation.step();
+    const double now = power();
+    work += 0.5 * simulation.step_size() * (before + now);
+    before = now;
+  }
+  CHECK(work == doctest::Approx(simulation.sensor("energy.work")).epsilon(1e-4));
+}
+
+TEST_CASE("a damper takes energy away at every step") {
+  Scenario scenario = soft_scenario(IntegrationMethod::rk4, 0.1);
+  scenario.rotor.hub.drive = FreeDrive{2.0};
+  const auto damper = make_load(
+      "damper", {{0, 1, 1.0}}, [](double, std::span<const MarkerMotion> in, std::span<Wrench> out) {
+        out[0].force = -0.1 * in[0].velocity;
+      });
+  Simulation simulation(scenario, {}, {damper});
+  const auto energy = [&] {
+    return simulation.sensor("energy.kinetic") + simulation.sensor("energy.strain");
+  };
+  const double at_start = energy();
+  double before = at_start;
+  int rises = 0;
+  while (!simulation.done()) {
+    simulation.step();
+    rises += energy() > before ? 1 : 0;
+    before = energy();
+  }
+  CHECK(rises == 0);
+  CHECK(before < 0.99 * at_start);
+}
+
+TEST_CASE("loads have the same bits on every executor and in every window") {
+  for (const bool is_prescribed : {true, false}) {
+    Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.04);
+    if (!is_prescribed) make_hub(2, scenario.rotor);
+    const Loads loads{demanding_load(0), demanding_load(1), follower({0, 1, 1.0}, 0.1, 0.0)};
+    const auto hash = [&](ExecutorKind kind, int window) {
+      Simulation simulation(scenario, {Formulation::structured, kind, 2, window}, loads);
+      simulation.run_until(0.04);
+      return simulation.state_hash();
+    };
+    const std::uint64_t serial = hash(ExecutorKind::serial, 1);
+    CHECK(serial == hash(ExecutorKind::serial, 15));
+    CHECK(serial == hash(ExecutorKind::flow_graph, 1));
+    CHECK(serial == hash(ExecutorKind::flow_graph, 15));
+    CHECK(serial == hash(ExecutorKind::automatic, 0));
+    for (const ExecutorKind kind : graph::executor_kinds()) CHECK(serial == hash(kind, 5));
+  }
+}
+
+TEST_CASE("the nodes of loads declare what they read and write, and show in traces") {
+  for (const int hub : {0, 2}) {
+    StepContext context;
+    Rotor rotor = soft_rotor();
+    make_hub(hub, rotor);
+    make_context(rotor, Formulation::structured, make_generalized_alpha(0.8, 1e-3), context);
+    place_loads({demanding_load(0), demanding_load(1)}, context.data);
+    std::mt19937 random(3);
+    randomize_state(random, context);
+    const graph::StepGraph graph = build_step_graph(context);
+    start_clocks({0.1, PassControl::kEvaluateOnly, 0.0}, context.data);
+    for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
+      FAIL_CHECK(fault.message);
+    CHECK(graph::conflicts_are_ordered(graph));
+  }
+  Simulation simulation(soft_scenario(IntegrationMethod::generalized_alpha, 0.01), {},
+                        {demanding_load(1)});
+  const auto nodes = simulation.step_graph().nodes();
+  const auto is_load = [](const graph::Node& node) {
+    return node.label.stage == "load" && node.label.subsystem == 1;
+  };
+  CHECK(std::count_if(nodes.begin(), nodes.end(), is_load) == 1);
+  CHECK(simulation.trace(2).slices.size() > 0);
+}
+
+TEST_CASE("a load that throws ends the step, and the simulation stands before it") {
+  for (const bool is_prescribed : {true, false})
+    for (const int window : {1, 20}) {
+      CAPTURE(window);
+      Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.05, 1e-3);
+      if (!is_prescribed) make_hub(2, scenario.rotor);
+      std::atomic<bool> is_broken = false;
+      const auto load =
+          make_load("wind", {{1, 1, 1.0}},
+                    [&](double t, std::span<const MarkerMotion> in, std::span<Wrench> out) {
+                      if (is_broken && t > 0.0305) throw std::runtime_error("no wind file");
+                      out[0].force = -0.01 * in[0].velocity;
+                    });
+      const SimulationOptions options{Formulation::structured, ExecutorKind::flow_graph, 2, window};
+      Simulation healthy(scenario, options, {load}), simulation(scenario, options, {load});
+      healthy.run_until(0.03);
+      is_broken = true;
+      int told = 0;
+      const auto count = [&](double, std::span<const double>) { ++told; };
+      const std::string message = message_of<LoadError>([&] { simulation.run_until(0.05, count); });
+      CHECK(message.find("the load \"wind\" of blade 2 failed at t = 0.031 s, step 31: no wind "
+                         "file") != std::string::npos);
+      CHECK(told == 30);
+      CHECK(simulation.steps() == 30);
+      CHECK(simulation.state_hash() == healthy.state_hash());
+      CHECK(largest_difference(simulation, healthy) == 0.0);
+      CHECK_THROWS_AS(simulation.step(), LoadError);
+      is_broken = false;
+      for (Simulation* each : {&simulation, &healthy}) each->run_until(0.05);
+      CHECK(simulation.state_hash() == healthy.state_hash());
+      CHECK(simulation.sensor("energy.work") == healthy.sensor("energy.work"));
+    }
+}
+
+TEST_CASE("loads without a place are refused, by name") {
+  const Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.01);
+  const auto refused = [&](std::vector<Marker> markers) {
+    return message_of<InputError>(
+        [&] { Simulation(scenario, {}, {make_load("gust", std::move(markers), {})}); });
+  };
+  CHECK(refused({}) == "the load \"gust\": it has no marker, expected one or more");
+  CHECK(refused({{2, 0, 0.5}}) == "the load \"gust\": blade index 2, expected 0 to 1");
+  CHECK(refused({{0, -1, 0.5}}) == "the load \"gust\": body index -1, expected 0 to 1");
+  CHECK(refused({{0, 0, 1.5}}) == "the load \"gust\": station 1.500000, expected 0 to 1");
+  CHECK(refused({{0, 0, 0.5}, {1, 0, 0.5}}) ==
+        "the load \"gust\": its markers are on different blades, expected one load for each blade");
+}
+
+TEST_CASE("a load that pulls out of the plane, or by what is no number, fails") {
+  const Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.01);
+  const auto failure = [&](const Wrench& wrench) {
+    return message_of<LoadError>([&] {
+      Simulation(scenario, {},
+                 {make_load("gust", {{0, 0, 1.0}},
+                            [&](double, std::span<const MarkerMotion>, std::span<Wrench> out) {
+                              out[0] = wrench;
+                            })});
+    });
+  };
+  CHECK(failure({{0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}}).find("x-y plane") != std::string::npos);
+  CHECK(failure({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}).find("x-y plane") != std::string::npos);
+  CHECK(failure({{NAN, 0.0, 0.0}, {0.0, 0.0, 0.0}}).find("not finite") != std::string::npos);
+}
+
+TEST_CASE("errors have a code") {
+  const Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.01);
+  try {
+    Simulation(scenario, {}, {make_load("gust", {}, {})});
+    FAIL("expected an error");
+  } catch (const Error& error) {
+    CHECK(error.code() == ErrorCode::bad_input);
+  }
+}
