@@ -21,11 +21,12 @@ using graph::ExecutorKind;
 using graph::StepGraph;
 
 constexpr int kThreads = 2;
+constexpr double kBatch = 10e-3;  // s, long against waking a thread that slept in others' turns
 constexpr std::array kNodeSeconds{0.2e-6, 1e-6, 20e-6};
 const std::array kShapes{StepShape{3, 4}, StepShape{3, 16}, StepShape{24, 8}, StepShape{96, 8}};
 
 Effort effort_of(const QuestionOptions& options) {
-  return options.quick ? Effort{5, 1e-3, 0.3} : Effort{51, 2e-3, 2.0};
+  return options.quick ? Effort{5, 1e-3, 0.3} : Effort{25, kBatch, 4.0};
 }
 
 void settle(Executor& executor) {
@@ -42,7 +43,7 @@ Alternative make_alternative(const StepGraph& graph, ExecutorKind kind, int thre
 /// The same with a pause before its turn: threads of other runtimes go on spinning for a while
 /// after their turn and would take the processor from this one.
 Alternative after_pause(const Alternative& plain, double seconds_per_run) {
-  const int batch = static_cast<int>(std::clamp(2e-3 / seconds_per_run, 1.0, 2000.0));
+  const int batch = static_cast<int>(std::clamp(kBatch / seconds_per_run, 1.0, 10000.0));
   Alternative alternative = plain;
   alternative.prepare = [run = plain.run] {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

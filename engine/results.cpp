@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "engine/machine.h"
+#include "engine/json/machine_json.h"
 #include "engine/output_file.h"
 
 namespace spoke {
@@ -17,15 +17,6 @@ std::string hexadecimal(std::uint64_t number) {
   std::array<char, 19> text;
   std::snprintf(text.data(), text.size(), "0x%016llx", static_cast<unsigned long long>(number));
   return text.data();
-}
-
-Json describe_machine() {
-  const Machine machine = this_machine();
-  return {{"cpu", machine.cpu},
-          {"cores", machine.cores},
-          {"memory_bytes", machine.memory},
-          {"os", machine.os},
-          {"compiler", machine.compiler}};
 }
 
 Json describe_model(const ModelSize& size) {
@@ -98,7 +89,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
   for (const Warning& warning : simulation.warnings()) summary["warnings"].push_back(warning.text);
   summary.update({{"scenario", Json::parse(scenario.to_json())},
                   {"model", describe_model(simulation.size())},
-                  {"machine", describe_machine()},
+                  {"machine", describe_machine(this_machine())},
                   {"formulation", name_of(simulation.options().formulation)},
                   {"integrator", name_of(scenario.integration.method)},
                   {"executor", name_of(simulation.options().executor)},

@@ -97,10 +97,13 @@ void run_nodes(NodeRecorder* recorder, int thread, int cluster, std::span<const 
     for (const NodeId node : nodes) run_node(node);
     return;
   }
+  // The memory was last written by another thread: it is fetched while the nodes run.
+  constexpr std::ptrdiff_t ahead = 8;  // records, three cache lines
   NodeRecorder::Lane& lane = recorder->lane(thread);
   NodeRecord* record = lane.next;
   std::uint64_t before = time_stamp();
   for (const NodeId node : nodes) {
+    __builtin_prefetch(record + ahead, 1);
     run_node(node);
     const std::uint64_t now = time_stamp();
     record->node = node.index;

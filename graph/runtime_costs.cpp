@@ -95,7 +95,8 @@ struct Toucher {
 double measure_transfer() {
   constexpr double time = 30e-3;  // s
   const auto touchers = std::make_unique<std::array<Toucher, 2>>();
-  auto& [a, b] = *touchers;
+  Toucher& a = touchers->front();  // Clang 14 captures no structured bindings
+  Toucher& b = touchers->back();
   StepGraphBuilder builder;
   const PartId root = builder.add_part("root", {});
   builder.add_node({"both"}, {}, writes(root), [&]() noexcept {

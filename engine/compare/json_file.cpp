@@ -4,21 +4,12 @@
 
 #include "engine/compare/conclusion.h"
 #include "engine/compare/files.h"
+#include "engine/json/machine_json.h"
 
 namespace spoke::compare {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json describe_machine(const Machine& machine) {
-  return {{"cpu", machine.cpu},
-          {"cores", machine.cores},
-          {"memory_bytes", machine.memory},
-          {"os", machine.os},
-          {"compiler", machine.compiler}};
-}
-
-Json load_or_null(double load) { return load < 0.0 ? Json() : Json(load); }
 
 Json describe_model(const Model& model) {
   return {{"formulation", name_of(model.formulation)},

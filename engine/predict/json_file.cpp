@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/json/machine_json.h"
 #include "engine/predict/conclusion.h"
 #include "engine/predict/files.h"
 
@@ -9,16 +10,6 @@ namespace spoke::predict {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json describe_machine(const Machine& machine) {
-  return {{"cpu", machine.cpu},
-          {"cores", machine.cores},
-          {"memory_bytes", machine.memory},
-          {"os", machine.os},
-          {"compiler", machine.compiler}};
-}
-
-Json load_or_null(double load) { return load < 0.0 ? Json() : Json(load); }
 
 Json describe(const Quartiles& quartiles) {
   return {quartiles.low, quartiles.median, quartiles.high};

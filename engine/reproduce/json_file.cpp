@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "engine/json/machine_json.h"
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/paper.h"
 #include "engine/reproduce/remarks.h"
@@ -14,16 +15,6 @@ template <class Value>
 Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
-
-Json describe_machine(const Machine& machine) {
-  return {{"cpu", machine.cpu},
-          {"cores", machine.cores},
-          {"memory_bytes", machine.memory},
-          {"os", machine.os},
-          {"compiler", machine.compiler}};
-}
-
-Json load_or_null(double load) { return load < 0.0 ? Json() : Json(load); }
 
 Json describe(const Operations& operations) {
   return {{"multiplications", operations.multiplications},
