@@ -32,6 +32,7 @@ configure_file(spoke.pc.in spoke.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/spoke.pc DESTINATION ${pc_folder} COMPONENT development)
 
 if(SPOKE_PROGRAM)
+  set_target_properties(spoke PROPERTIES EXPORT_NAME program)
   install(TARGETS spoke EXPORT spokeProgramTargets RUNTIME COMPONENT program)
   install(EXPORT spokeProgramTargets NAMESPACE spoke:: DESTINATION ${cmake_folder} COMPONENT program)
 endif()

@@ -25,8 +25,8 @@ dpkg-deb --extract "$work"/packages/spoke_*.deb "$work/spoke"
 dpkg-deb --extract "$work"/packages/libspoke-dev_*.deb "$work/libspoke-dev"
 program=$work/spoke/usr/bin/spoke
 for library in $(objdump -p "$program" | awk '/NEEDED/ { print $2 }'); do
-  owner=$(dpkg-query -S "*/$library" | head -1 | cut -d: -f1)
-  demand spoke Depends "(^|[ ,])$owner( |,|$)"
+  owner=$(dpkg-query -S "*/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/$library" | head -1 | cut -d: -f1)
+  demand spoke Depends "(^|[ ,])${owner//+/[+]}"  # or a name behind it that says more: libspdlog1.10-fmt9
 done
 [ -s "$work/spoke/usr/share/doc/spoke/copyright" ]
 [ -s "$work/libspoke-dev/usr/share/doc/libspoke-dev/copyright" ]
