@@ -40,13 +40,13 @@ TEST_CASE("measuring executor: what is done between runs is not the nodes' cost"
   MeasuringExecutor executor(graph);
   int left = 5;
   executor.run_while([&left] {
-    std::this_thread::sleep_for(3ms);
+    std::this_thread::sleep_for(20ms);  // a busy machine makes much more of 1 ms
     return --left > 0;
   });
-  CHECK(executor.between_runs() >= 3e-3);
+  CHECK(executor.between_runs() >= 20e-3);
   for (const double time : executor.run_times()) CHECK(time >= 1e-3);
   CHECK(executor.node_costs()[0] >= 1e-3);
-  CHECK(executor.node_costs()[0] < 3e-3);
+  CHECK(executor.node_costs()[0] < 20e-3);
 }
 
 TEST_CASE("measuring executor: nodes cost in sum what they cost without stamps") {
