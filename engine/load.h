@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "spoke/export.h"
+
 namespace spoke {
 
 /// A point on the axis of a flexible body.
@@ -40,7 +42,7 @@ struct Wrench {
 /// A load on one blade. It becomes a node "load" of the step graph, which runs in every evaluation
 /// of the accelerations, beside what else of the system is independent of it; a load for each blade
 /// lets the blades stay independent.
-class Load {
+class SPOKE_EXPORT Load {
  public:
   virtual ~Load() = default;
   /// Names the load in errors.
@@ -66,7 +68,7 @@ using LoadFunction =
     std::function<void(double t, std::span<const MarkerMotion> in, std::span<Wrench> out)>;
 
 /// A load from a function.
-std::shared_ptr<const Load> make_load(std::string name, std::vector<Marker> markers,
-                                      LoadFunction function);
+SPOKE_EXPORT std::shared_ptr<const Load> make_load(std::string name, std::vector<Marker> markers,
+                                                   LoadFunction function);
 
 }  // namespace spoke
