@@ -72,7 +72,9 @@ Events sort_out(const json& file) {
 }
 
 void check_no_overlap(Events& events) {
-  for (auto& [track, intervals] : events.tracks) {
+  for (auto& entry : events.tracks) {
+    const auto& track = entry.first;
+    auto& intervals = entry.second;
     CAPTURE(track);
     CHECK(events.named.count(track) == 1);
     std::sort(intervals.begin(), intervals.end(), [](const Interval& one, const Interval& other) {

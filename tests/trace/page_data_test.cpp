@@ -38,9 +38,9 @@ TEST_CASE("the page's data tell settings, graph, steps and slices") {
     CHECK(graph[edges]["from"].size() > 0);
     CHECK(graph[edges]["from"].size() == graph[edges]["to"].size());
   }
-  for (const auto& [name, column] : data["slices"].items()) {
-    CAPTURE(name);
-    CHECK(column.size() == trace.steps.slices.size());
+  for (const auto& slices : data["slices"].items()) {
+    CAPTURE(slices.key());
+    CHECK(slices.value().size() == trace.steps.slices.size());
   }
   CHECK(data["slices"].size() == 7);
 }
