@@ -1,7 +1,6 @@
 #include "engine/checkpoint.h"
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -12,29 +11,13 @@
 
 #include "rotors.h"
 #include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 using namespace spoke;
 using namespace spoke::test;
 
 namespace {
-
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(fs::temp_directory_path() / ("spoke_checkpoint_test_" + std::to_string(getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directory(path_);
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  fs::path operator/(const char* name) const { return path_ / name; }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 Simulation make_simulation() {
   Scenario scenario = spin_up_scenario(wu_haug_blade(2, 2), 0.01);

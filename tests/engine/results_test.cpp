@@ -14,28 +14,14 @@
 
 #include "engine/machine.h"
 #include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 using namespace spoke;
 using spoke::test::message_of;
+using spoke::test::TemporaryFolder;
 
 namespace {
-
-class TemporaryFolder {
- public:
-  TemporaryFolder()
-      : path_(fs::temp_directory_path() / ("spoke_results_test_" + std::to_string(getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directory(path_);
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string read_file(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
