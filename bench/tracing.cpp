@@ -100,12 +100,14 @@ class Model {
 
 using ModelPointer = std::shared_ptr<Model>;
 
-/// A batch; the first part of it, untimed, wakes what slept.
+/// A batch; the first part of it, untimed, wakes what slept. Making room for the records takes long
+/// enough for a thread to fall asleep, so that comes before.
 Alternative make_alternative(const ModelPointer& model, bool is_recorded, int steps,
                              int reference) {
   const auto prepare = [model, is_recorded, steps] {
-    model->advance((steps + 3) / 4);
-    if (is_recorded) model->record(steps);
+    const int first = (steps + 3) / 4;
+    if (is_recorded) model->record(first + steps);
+    model->advance(first);
   };
   return {std::string(model->name()) + (is_recorded ? ", on" : ", off"),
           [model, steps] { model->advance(steps); }, prepare, 1.0 / steps, reference};
