@@ -195,8 +195,8 @@ class AutoExecutor final : public Executor {
     for (const Alternative& alternative : alternatives_) samples.push_back(alternative.samples);
     const double seconds = median(samples[0]);
     const Choice choice = choose_plan(samples, least_gain(seconds));
+    doubt(choice.speedup);
     if (choice.index == 0) {
-      doubt_serial(choice.speedup);
       description_ = text_of("serial: 1 run takes %s, the best of %d plans was %.2g x",
                              duration(seconds).c_str(), tried_, choice.speedup);
     } else {
@@ -213,7 +213,7 @@ class AutoExecutor final : public Executor {
 
   // A gain that was foreseen and not found tells of a machine busy with other things: tunes again,
   // soon at first, then after many times as many runs, so that it costs little if it was true.
-  void doubt_serial(double speedup) {
+  void doubt(double speedup) {
     constexpr double doubtful = 1.3;  // foreseen / found
     constexpr std::uint64_t soon = 4, late = 20;
     if (foreseen_speedup_ <= doubtful * speedup) return;
