@@ -203,10 +203,12 @@ std::vector<std::unique_ptr<Subject>> make_subjects(const QuestionOptions& optio
 void measure_predict(const QuestionOptions& options, Report& report) {
   const graph::RuntimeCosts& runtime = graph::runtime_costs();
   report.add_remark(fmt::format(
-      "  flow graph: {} a cluster, {} a handover, {} a run; OpenMP barrier of two threads: {}; "
-      "{:.3g} ns a byte",
-      duration(runtime.flow_graph.per_cluster), duration(runtime.flow_graph.handover),
-      duration(runtime.flow_graph_run), duration(runtime.barrier), runtime.per_byte * 1e9));
+      "  flow graph: {} a cluster and up to {} more among threads, {} a handover, {} a run; OpenMP "
+      "barrier of two threads: {}; data {} and {:.3g} ns a byte",
+      duration(runtime.flow_graph.per_cluster), duration(runtime.contention),
+      duration(runtime.flow_graph.handover), duration(runtime.flow_graph_run),
+      duration(runtime.barrier), duration(runtime.transfer.latency),
+      runtime.transfer.per_byte * 1e9));
   Table table{"Predicted / measured time of a run, nodes measured in the same rounds",
               {"model", "serial run"},
               {}};

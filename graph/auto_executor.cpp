@@ -38,12 +38,6 @@ struct Alternative {
   Samples samples;  // s per run
 };
 
-// The speedup from which a plan beats the serial loop. A run of few handovers' length loses most
-// when other programs take a processor, so it must promise more.
-double least_gain(double seconds_per_run) {
-  return 1.05 + 2.0 * flow_graph_overheads().handover / std::max(seconds_per_run, 1e-7);
-}
-
 double median(Samples samples) {
   const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
   std::nth_element(samples.begin(), middle, samples.end());
@@ -194,7 +188,8 @@ class AutoExecutor final : public Executor {
     std::vector<Samples> samples;
     for (const Alternative& alternative : alternatives_) samples.push_back(alternative.samples);
     const double seconds = median(samples[0]);
-    const Choice choice = choose_plan(samples, least_gain(seconds));
+    const Choice choice =
+        choose_plan(samples, least_gain(seconds, flow_graph_overheads().handover));
     doubt(choice.speedup);
     if (choice.index == 0) {
       description_ = text_of("serial: 1 run takes %s, the best of %d plans was %.2g x",

@@ -23,13 +23,17 @@ double speedup_of(const Samples& serial, const Samples& other) {
 
 }  // namespace
 
-Choice choose_plan(std::span<const Samples> samples, double least_gain) {
+double least_gain(double seconds_per_run, double handover) {
+  return 1.05 + 2.0 * handover / std::max(seconds_per_run, 1e-7);
+}
+
+Choice choose_plan(std::span<const Samples> samples, double least) {
   Choice best{0, 0.0};
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const double speedup = speedup_of(samples[0], samples[k]);
     if (speedup > best.speedup) best = {k, speedup};
   }
-  if (best.speedup < least_gain) best.index = 0;
+  if (best.speedup < least) best.index = 0;
   return best;
 }
 

@@ -14,10 +14,14 @@ struct Choice {
   double speedup = 1.0;   ///< over serial, of the best that is not serial
 };
 
+/// The speedup from which a plan is worth its threads. A run of few handovers' length loses most
+/// when other programs take a processor, so it must promise more. `handover` in seconds.
+double least_gain(double seconds_per_run, double handover);
+
 /// Chooses among alternatives that took turns: `samples[0]` are those of the serial one, all have
 /// the same number of samples. Each alternative's speedup is the median over the rounds of the
 /// ratio within a round, so that what disturbs whole rounds cancels. The largest wins, but serial
-/// does unless the gain is `least_gain` or more.
-Choice choose_plan(std::span<const Samples> samples, double least_gain = 1.05);
+/// does unless the gain is `least` or more.
+Choice choose_plan(std::span<const Samples> samples, double least = 1.05);
 
 }  // namespace spoke::graph

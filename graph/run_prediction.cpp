@@ -7,6 +7,7 @@
 
 #include "graph/level_rounds.h"
 #include "graph/plan_candidates.h"
+#include "graph/plan_choice.h"
 
 namespace spoke::graph {
 namespace {
@@ -106,11 +107,14 @@ double RunPredictor::flow_graph_seconds(const Plan& plan, int threads,
                                         const Assumptions& assumed) const {
   const int width = level_width(plan);
   if (width <= 1) return work_of(assumed.costs);  // the executor then does without a flow graph
-  DataTraffic traffic(graph_, assumed.runtime.per_byte);
+  const int used_threads = std::min(threads, width);
+  Overheads overheads = assumed.runtime.flow_graph;
+  if (used_threads > 1)
+    overheads.per_cluster =
+        cluster_among_threads(assumed.runtime, work_of(assumed.costs) / plan.cluster_count());
+  DataTraffic traffic(graph_, assumed.runtime.transfer);
   const auto makespan = [&] {
-    return simulate_work_stealing(plan, assumed.costs, std::min(threads, width),
-                                  assumed.runtime.flow_graph, &traffic)
-        .makespan;
+    return simulate_work_stealing(plan, assumed.costs, used_threads, overheads, &traffic).makespan;
   };
   makespan();  // leaves the data where a run finds them
   return assumed.runtime.flow_graph_run + makespan();
@@ -133,11 +137,13 @@ PredictedRun RunPredictor::predict_plan(const Plan& plan, int threads) const {
 PredictedRun RunPredictor::predict_auto(int threads) const {
   const PredictedRun serial = predict_serial();
   if (threads == 1) return serial;
+  const double worth_while =
+      serial.expected / least_gain(serial.expected, runtime_.flow_graph.handover);
   PredictedRun best = serial;
   for (const Candidate& candidate :
        find_candidates(graph_, node_costs_, threads, runtime_.flow_graph, 1)) {
     const PredictedRun run = predict_plan(candidate.plan, threads);
-    if (run.expected < best.expected) best = run;
+    if (run.expected < std::min(best.expected, worth_while)) best = run;
   }
   best.pessimistic = std::min(best.pessimistic, serial.pessimistic);  // it would notice
   return best;
@@ -147,7 +153,7 @@ PredictedRun RunPredictor::predict_levels(int threads) const {
   const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
   return in_band(
       [&](const Assumptions& assumed) {
-        DataTraffic traffic(graph_, assumed.runtime.per_byte);
+        DataTraffic traffic(graph_, assumed.runtime.transfer);
         critical_shares(rounds, assumed.costs, traffic);  // leaves the data where a run finds them
         return critical_shares(rounds, assumed.costs, traffic) +
                barriers_of(rounds) * assumed.barrier(threads);

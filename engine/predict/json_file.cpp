@@ -18,11 +18,13 @@ Json describe(const Quartiles& quartiles) {
 Json describe_runtime(const graph::RuntimeCosts& runtime) {
   return {{"flow_graph_per_node_s", runtime.flow_graph.per_node},
           {"flow_graph_per_cluster_s", runtime.flow_graph.per_cluster},
+          {"flow_graph_contention_s", runtime.contention},
           {"flow_graph_handover_s", runtime.flow_graph.handover},
           {"flow_graph_run_s", runtime.flow_graph_run},
           {"openmp_barrier_s", runtime.barrier > 0.0 ? Json(runtime.barrier) : Json()},
           {"openmp_barrier_alone_s", runtime.barrier > 0.0 ? Json(runtime.barrier_alone) : Json()},
-          {"transfer_s_per_byte", runtime.per_byte}};
+          {"transfer_s", runtime.transfer.latency},
+          {"transfer_s_per_byte", runtime.transfer.per_byte}};
 }
 
 Json describe_model(const Prediction& prediction) {

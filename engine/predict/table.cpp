@@ -69,10 +69,13 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
                             prediction.nodes.steps, prediction.nodes.spread.low,
                             prediction.nodes.spread.high, duration_text(nodes.between_runs))},
       {"flow graph",
-       fmt::format("{} a cluster, {} a handover, {} a run", duration_text(flow_graph.per_cluster),
+       fmt::format("{} a cluster and up to {} more among threads, {} a handover, {} a run",
+                   duration_text(flow_graph.per_cluster), duration_text(runtime.contention),
                    duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run))}};
-  facts.emplace_back("data", fmt::format("{:.3g} ns a byte that another processor touched last",
-                                         runtime.per_byte * 1e9));
+  facts.emplace_back(
+      "data",
+      fmt::format("{} and {:.3g} ns a byte, if another processor touched it last",
+                  duration_text(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
   if (runtime.barrier > 0.0)
     facts.emplace_back("OpenMP", duration_text(runtime.barrier) + " a barrier of two threads, " +
                                      duration_text(runtime.barrier_alone) + " of one");

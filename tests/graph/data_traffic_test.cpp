@@ -10,7 +10,7 @@ using namespace spoke::graph;
 
 namespace {
 
-constexpr double kPerByte = 1e-9;  // s
+constexpr Transfer kPerByte{0.0, 1e-9};
 
 // "write" makes 10 doubles, "read" needs them and something without memory.
 struct Pair {
@@ -37,6 +37,22 @@ TEST_CASE("data traffic: what another processor touched last is waited for, in p
   CHECK(traffic.run({1}, 0) == doctest::Approx(80e-9));
   CHECK(traffic.run({1}, 0) == 0.0);
   CHECK(traffic.run({0}, 3) == doctest::Approx(80e-9));
+}
+
+TEST_CASE("data traffic: the first of a node's data is waited for once") {
+  std::array<double, 10> one{}, other{};
+  StepGraphBuilder builder;
+  const PartId a = builder.add_part("a", {one});
+  const PartId b = builder.add_part("b", {other});
+  const PartId nothing = builder.add_part("nothing", {});
+  builder.add_node({"both"}, {}, writes(a, b, nothing), []() noexcept {});
+  builder.add_node({"nothing"}, reads(nothing), {}, []() noexcept {});
+  const StepGraph graph = builder.build();
+  DataTraffic traffic(graph, {100e-9, 1e-9});
+  CHECK(traffic.run({0}, 0) == 0.0);
+  CHECK(traffic.run({0}, 1) == doctest::Approx(260e-9));
+  CHECK(traffic.run({0}, 1) == 0.0);
+  CHECK(traffic.run({1}, 0) == 0.0);
 }
 
 TEST_CASE("data traffic: a stolen cluster waits for its data") {
