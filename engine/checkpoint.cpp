@@ -5,11 +5,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <system_error>
 
 #include "engine/byte_order.h"
+#include "engine/log.h"
 #include "engine/output_file.h"
 #include "models/error.h"
 
@@ -92,6 +95,14 @@ RunRecord take_record(ByteReader& content) {
   return record;
 }
 
+void tell(const std::string& file, const char* what, const SavedState& state, std::size_t bytes) {
+  if (!is_heard(LogLevel::debug)) return;
+  std::ostringstream text;
+  text << file << ": " << what << " a checkpoint: t = " << state.time << " s, step " << state.steps
+       << ", " << bytes << " bytes";
+  log(LogLevel::debug, text.str());
+}
+
 std::string hexadecimal(std::uint32_t number) {
   char text[16];
   std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(number));
@@ -153,21 +164,25 @@ Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name) {
   return checkpoint;
 }
 
-void save_checkpoint(const std::filesystem::path& file, const SavedState& state,
+void save_checkpoint(const std::string& file, const SavedState& state,
                      const std::optional<RunRecord>& record) {
-  replace_file(file, make_checkpoint(state, record));
+  const std::string bytes = make_checkpoint(state, record);
+  replace_file(file, bytes);
+  tell(file, "wrote", state, bytes.size());
 }
 
-Checkpoint load_checkpoint(const std::filesystem::path& file) {
+Checkpoint load_checkpoint(const std::string& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
-    refuse(file.string(), "is a directory, expected a checkpoint");
+    refuse(file, "is a directory, expected a checkpoint");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse(file.string(), std::string("cannot be read: ") + std::strerror(errno));
+  if (!stream) refuse(file, std::string("cannot be read: ") + std::strerror(errno));
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) refuse(file.string(), std::string("cannot be read: ") + std::strerror(errno));
-  return parse_checkpoint(bytes, file.string());
+  if (stream.bad()) refuse(file, std::string("cannot be read: ") + std::strerror(errno));
+  Checkpoint checkpoint = parse_checkpoint(bytes, file);
+  tell(file, "read", checkpoint.state, bytes.size());
+  return checkpoint;
 }
 
 }  // namespace spoke

@@ -3,7 +3,6 @@
 // Checkpoints: a state in a file, and what `spoke run` has recorded up to it. docs/checkpoint.md
 // describes the format.
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,9 +32,10 @@ struct RunRecord {
   SensorFileMark rows;              ///< how far sensors.csv went
 };
 
+/// What a checkpoint file holds.
 struct Checkpoint {
-  std::string program;  ///< version of Spoke that wrote it
-  SavedState state;
+  std::string program;              ///< version of Spoke that wrote it
+  SavedState state;                 ///< of the simulation
   std::optional<RunRecord> record;  ///< absent if no `spoke run` wrote it
 };
 
@@ -50,10 +50,10 @@ SPOKE_EXPORT Checkpoint parse_checkpoint(std::string_view bytes, const std::stri
 
 /// Writes a checkpoint so that, whenever the process or the machine stops, the file is the old one
 /// or the new one as a whole. Throws InputError if it cannot be written.
-SPOKE_EXPORT void save_checkpoint(const std::filesystem::path& file, const SavedState& state,
+SPOKE_EXPORT void save_checkpoint(const std::string& file, const SavedState& state,
                                   const std::optional<RunRecord>& record = {});
 
 /// Throws InputError like parse_checkpoint(), or if the file cannot be read.
-SPOKE_EXPORT Checkpoint load_checkpoint(const std::filesystem::path& file);
+SPOKE_EXPORT Checkpoint load_checkpoint(const std::string& file);
 
 }  // namespace spoke

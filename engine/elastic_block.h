@@ -6,6 +6,7 @@
 
 #include "engine/lanes.h"
 #include "models/flexible_body.h"
+#include "models/space.h"
 
 namespace spoke {
 

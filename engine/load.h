@@ -20,23 +20,24 @@ struct Marker {
   int body = 0;          ///< from 0, at the root
   double station = 0.0;  ///< along the body: 0 at its inboard end, 1 at its outboard end
 
+  /// Whether all three are equal.
   friend bool operator==(const Marker&, const Marker&) = default;
 };
 
 /// The motion of a marker's cross section, in the inertial frame.
 struct MarkerMotion {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m]
   /// Takes vectors from the section's frame (x along the deformed axis, outward; z as the inertial
   /// one) to the inertial frame.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< [m/s]
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d velocity{0.0, 0.0, 0.0};          ///< [m/s]
+  Eigen::Vector3d angular_velocity{0.0, 0.0, 0.0};  ///< [rad/s]
 };
 
 /// A force and a moment.
 struct Wrench {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [N m]
+  Eigen::Vector3d force{0.0, 0.0, 0.0};   ///< [N]
+  Eigen::Vector3d moment{0.0, 0.0, 0.0};  ///< [N m]
 };
 
 /// A load on one blade. It becomes a node "load" of the step graph, which runs in every evaluation
@@ -47,7 +48,8 @@ class SPOKE_EXPORT Load {
   virtual ~Load() = default;
   /// Names the load in errors.
   virtual std::string name() const = 0;
-  /// Where it acts and what it knows of: one or more points of one blade. Asked once.
+  /// Where it acts and what it knows of: one or more points of one blade. A load on several blades
+  /// would chain them to one another; it is refused with InputError. Asked once.
   virtual std::vector<Marker> markers() const = 0;
   /// Sets what acts on the body at each marker at time t [s], in the inertial frame, the moment
   /// about the marker. `out` is zero beforehand; both spans are in the order of markers(). Forces

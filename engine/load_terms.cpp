@@ -12,7 +12,34 @@
 namespace spoke {
 namespace {
 
-std::string called(const Load& load) { return "the load \"" + load.name() + "\""; }
+std::string reason_of(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "it threw what is no std::exception";
+  }
+}
+
+std::string name_of(const Load& load) {
+  try {
+    return load.name();
+  } catch (...) {
+    return "(without a name: " + reason_of(std::current_exception()) + ")";
+  }
+}
+
+std::string called(const Load& load) { return "the load \"" + name_of(load) + "\""; }
+
+std::vector<Marker> ask_markers(const Load& load) {
+  try {
+    return load.markers();
+  } catch (...) {
+    throw LoadError(called(load) +
+                    " does not tell its markers: " + reason_of(std::current_exception()));
+  }
+}
 
 /// Throws InputError unless 0 <= index < count.
 void demand_index(const std::string& whose, const char* what, int index, std::size_t count) {
@@ -74,16 +101,6 @@ void call(double t, const Subsystem& subsystem, const SubsystemData& data, LoadD
   }
 }
 
-std::string reason_of(const std::exception_ptr& thrown) {
-  try {
-    std::rethrow_exception(thrown);
-  } catch (const std::exception& error) {
-    return error.what();
-  } catch (...) {
-    return "it threw what is no std::exception";
-  }
-}
-
 /// Applies to all loads, until one is true.
 template <class Check>
 bool any_load(const StepData& data, Check&& check) {
@@ -117,7 +134,7 @@ LoadData& find_load(int index, StepData& data) {
 
 void demand_same_markers(const std::shared_ptr<const Load>& load, const LoadData& data) {
   if (!load) throw InputError("a load is a null pointer");
-  if (load->markers() != data.given)
+  if (ask_markers(*load) != data.given)
     throw InputError(called(*load) + ": its markers are not those of the load that it replaces");
 }
 
@@ -125,7 +142,7 @@ void place_loads(const Loads& loads, StepData& data) {
   int number = 0;
   for (const std::shared_ptr<const Load>& load : loads) {
     if (!load) throw InputError("a load is a null pointer");
-    const std::vector<Marker> markers = load->markers();
+    const std::vector<Marker> markers = ask_markers(*load);
     const int blade = demand_blade(*load, markers);
     LoadData placed = make_load_data(load, markers, data);
     SubsystemData& subsystem = data.subsystems[static_cast<std::size_t>(blade)];
@@ -175,7 +192,7 @@ void clear_load_failures(StepData& data) noexcept {
 FailedLoad find_failed_load(const StepData& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     for (const LoadData& load : data.subsystems[i].loads)
-      if (load.thrown) return {static_cast<int>(i), load.load->name(), reason_of(load.thrown)};
+      if (load.thrown) return {static_cast<int>(i), name_of(*load.load), reason_of(load.thrown)};
   return {};
 }
 

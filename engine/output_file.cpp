@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -15,11 +16,11 @@
 namespace spoke {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason) {
-  throw InputError(file.string() + ": cannot be written: " + reason);
+[[noreturn]] void fail(const std::string& file, const std::string& reason) {
+  throw InputError(file + ": cannot be written: " + reason);
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file) { fail(file, std::strerror(errno)); }
+[[noreturn]] void fail(const std::string& file) { fail(file, std::strerror(errno)); }
 
 /// Repeats a system call that a signal interrupted.
 template <class Call>
@@ -36,8 +37,8 @@ bool is_synchronised(int descriptor) {
 }
 
 /// Lets a new name in a folder survive a crash.
-void sync_folder(const std::filesystem::path& file) {
-  std::filesystem::path folder = file.parent_path();
+void sync_folder(const std::string& file) {
+  std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (folder.empty()) folder = ".";
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0 && errno == EACCES) return;  // may be written to, not read
@@ -51,7 +52,7 @@ void sync_folder(const std::filesystem::path& file) {
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path file, Start start) : file_(std::move(file)) {
+OutputFile::OutputFile(std::string file, Start start) : file_(std::move(file)) {
   const int flags = start == Start::empty ? O_CREAT | O_TRUNC : O_APPEND;
   descriptor_ =
       without_interruption([&] { return open(file_.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666); });
@@ -98,9 +99,8 @@ void OutputFile::demand_not_removed() const {
     fail(file_, "it was removed meanwhile");
 }
 
-void replace_file(const std::filesystem::path& file, std::string_view bytes) {
-  std::filesystem::path temporary = file;
-  temporary += ".tmp";
+void replace_file(const std::string& file, std::string_view bytes) {
+  const std::string temporary = file + ".tmp";
   try {
     OutputFile output(temporary);
     output.append(bytes);
@@ -110,8 +110,8 @@ void replace_file(const std::filesystem::path& file, std::string_view bytes) {
   } catch (const InputError& error) {
     unlink(temporary.c_str());
     // The message names the file that was asked for.
-    const std::string text = error.what(), name = temporary.string();
-    throw InputError(text.starts_with(name) ? file.string() + text.substr(name.size()) : text);
+    const std::string text = error.what();
+    throw InputError(text.starts_with(temporary) ? file + text.substr(temporary.size()) : text);
   }
   sync_folder(file);
 }

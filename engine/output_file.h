@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "spoke/export.h"
@@ -12,11 +12,13 @@ namespace spoke {
 /// be done throws InputError, "FILE: cannot be written: REASON", with the system's reason.
 class SPOKE_EXPORT OutputFile {
  public:
+  /// What becomes of a file of that name.
   enum class Start {
     empty,    ///< made, or emptied
     existing  ///< must be there; goes on at its end
   };
-  explicit OutputFile(std::filesystem::path file, Start start = Start::empty);
+  /// Opens the file.
+  explicit OutputFile(std::string file, Start start = Start::empty);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -32,18 +34,19 @@ class SPOKE_EXPORT OutputFile {
   void close();
 
   std::uint64_t size() const { return size_; }  ///< [bytes]
-  const std::filesystem::path& path() const { return file_; }
+  /// As it was given.
+  const std::string& path() const { return file_; }
 
  private:
   void demand_not_removed() const;
 
-  std::filesystem::path file_;
+  std::string file_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };
 
 /// Replaces a file as a whole, or leaves it as it was: readers, and whoever starts after a crash,
 /// see the old file or the new one. Throws InputError if it cannot be written.
-SPOKE_EXPORT void replace_file(const std::filesystem::path& file, std::string_view bytes);
+SPOKE_EXPORT void replace_file(const std::string& file, std::string_view bytes);
 
 }  // namespace spoke

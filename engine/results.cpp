@@ -104,8 +104,6 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  replace_file(file, text);
-}
+void write_file(const std::string& file, const std::string& text) { replace_file(file, text); }
 
 }  // namespace spoke

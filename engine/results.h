@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <span>
 #include <string>
@@ -20,16 +19,17 @@ namespace spoke {
 
 /// Extremes of one sensor over all steps, t = 0 included, and its value at the last.
 struct SensorRange {
-  double min = std::numeric_limits<double>::infinity();
-  double t_min = 0.0;  ///< when it was first reached [s]
-  double max = -std::numeric_limits<double>::infinity();
-  double t_max = 0.0;  ///< when it was first reached [s]
-  double final = 0.0;
+  double min = std::numeric_limits<double>::infinity();   ///< smallest value
+  double t_min = 0.0;                                     ///< when it was first reached [s]
+  double max = -std::numeric_limits<double>::infinity();  ///< largest value
+  double t_max = 0.0;                                     ///< when it was first reached [s]
+  double final = 0.0;                                     ///< value at the last step
 };
 
 /// Gathers the extremes of all sensors. Values that are not numbers count only as final ones.
 class SPOKE_EXPORT SensorStatistics {
  public:
+  /// Of so many sensors, without a value yet.
   explicit SensorStatistics(std::size_t sensors) : ranges_(sensors) {}
   /// Goes on with what was gathered up to last_time [s].
   SensorStatistics(std::vector<SensorRange> ranges, double last_time)
@@ -37,7 +37,9 @@ class SPOKE_EXPORT SensorStatistics {
 
   /// values: one for each sensor, at time t [s]. Does not allocate.
   void add(double t, std::span<const double> values);
+  /// By sensor.
   const std::vector<SensorRange>& ranges() const { return ranges_; }
+  /// Of the values last added [s].
   double last_time() const { return last_time_; }
   /// The values last added.
   std::vector<double> final_values() const;
@@ -79,6 +81,6 @@ SPOKE_EXPORT std::string make_summary(const Simulation& simulation,
                                       const RunOutcome& outcome);
 
 /// Writes a whole file or nothing. Throws InputError if it cannot be written.
-SPOKE_EXPORT void write_file(const std::filesystem::path& file, const std::string& text);
+SPOKE_EXPORT void write_file(const std::string& file, const std::string& text);
 
 }  // namespace spoke

@@ -13,8 +13,8 @@ struct SavedState {
   /// What decides how a state goes on, as JSON: model, formulation, method and step size. Executor,
   /// threads, window, duration, title and output do not.
   std::shared_ptr<const std::string> model;
-  double time = 0.0;  ///< [s]
-  std::int64_t steps = 0;
+  double time = 0.0;             ///< [s]
+  std::int64_t steps = 0;        ///< made since t = 0
   std::int64_t evaluations = 0;  ///< of the accelerations, so far
   double work = 0.0;             ///< by drive and loads since t = 0 [J]
   double dissipated = 0.0;       ///< since t = 0 [J]

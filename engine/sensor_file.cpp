@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -15,8 +16,6 @@
 
 namespace spoke {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kBuffer = 64 * 1024;  // bytes of rows that are written together
 
@@ -31,14 +30,14 @@ void append_number(std::string& text, double number) {
   text.append(buffer.data(), end);
 }
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& reason) {
-  throw InputError(file.string() + ": cannot be continued: " + reason);
+[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+  throw InputError(file + ": cannot be continued: " + reason);
 }
 
 /// Hands the marked beginning of a file on, piece by piece. Throws InputError if the file is
 /// shorter, cannot be read, or holds something else.
 template <class Take>
-void read_marked(const fs::path& file, const SensorFileMark& mark, const Take& take) {
+void read_marked(const std::string& file, const SensorFileMark& mark, const Take& take) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(file, std::strerror(errno));
@@ -62,23 +61,25 @@ void read_marked(const fs::path& file, const SensorFileMark& mark, const Take& t
 }
 
 /// The file with the marked beginning of `source`, and nothing behind.
-OutputFile open_behind(const fs::path& file, const SensorFileMark& mark, const fs::path& source) {
+OutputFile open_behind(const std::string& file, const SensorFileMark& mark,
+                       const std::string& source) {
   read_marked(source, mark, [](std::string_view) {});
   std::error_code ignored;
-  if (fs::equivalent(file, source, ignored)) return OutputFile(file, OutputFile::Start::existing);
+  if (std::filesystem::equivalent(file, source, ignored))
+    return OutputFile(file, OutputFile::Start::existing);
   return OutputFile(file);
 }
 
 }  // namespace
 
-SensorFile::SensorFile(fs::path file, const std::vector<std::string>& names)
+SensorFile::SensorFile(std::string file, const std::vector<std::string>& names)
     : output_(std::move(file)) {
   lines_ += 't';
   for (const std::string& name : names) lines_ += ',' + name;
   end_line();
 }
 
-SensorFile::SensorFile(fs::path file, const SensorFileMark& mark, const fs::path& source)
+SensorFile::SensorFile(std::string file, const SensorFileMark& mark, const std::string& source)
     : output_(open_behind(file, mark, source)), checksum_(mark.checksum) {
   if (output_.size() == 0)
     read_marked(source, mark, [this](std::string_view piece) { output_.append(piece); });
@@ -128,7 +129,7 @@ void SensorFile::close() {
   output_.close();
 }
 
-void read_rows(const std::filesystem::path& file,
+void read_rows(const std::string& file,
                const std::function<void(double t, std::span<const double> values)>& visit) {
   std::ifstream stream(file);
   std::string line;
@@ -144,7 +145,7 @@ void read_rows(const std::filesystem::path& file,
     }
     if (!numbers.empty()) visit(numbers.front(), std::span(numbers).subspan(1));
   }
-  if (!stream.eof()) throw InputError(file.string() + ": cannot be read");
+  if (!stream.eof()) throw InputError(file + ": cannot be read");
 }
 
 }  // namespace spoke

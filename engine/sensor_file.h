@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -14,7 +13,7 @@ namespace spoke {
 
 /// How far a sensors.csv has been written, and a checksum by which that much of it is known again.
 struct SensorFileMark {
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0;     ///< written so far
   std::uint32_t checksum = 0;  ///< CRC-32 of these bytes
 };
 
@@ -23,12 +22,12 @@ struct SensorFileMark {
 class SPOKE_EXPORT SensorFile {
  public:
   /// Creates the file.
-  SensorFile(std::filesystem::path file, const std::vector<std::string>& names);
+  SensorFile(std::string file, const std::vector<std::string>& names);
   /// Goes on behind a mark: with what `source` holds up to there, which may be the file itself.
   /// Changes nothing if that is not what was marked.
-  SensorFile(std::filesystem::path file, const SensorFileMark& mark,
-             const std::filesystem::path& source);
+  SensorFile(std::string file, const SensorFileMark& mark, const std::string& source);
 
+  /// One row: the time [s], then a value for each name.
   void write_row(double t, std::span<const double> values);
   /// Hands all rows so far to the disk, and tells how far the file goes.
   SensorFileMark sync();
@@ -47,7 +46,7 @@ class SPOKE_EXPORT SensorFile {
 /// Calls `visit` for every row of a sensors.csv that a SensorFile has written. Throws InputError if
 /// it cannot be read.
 SPOKE_EXPORT void read_rows(
-    const std::filesystem::path& file,
+    const std::string& file,
     const std::function<void(double t, std::span<const double> values)>& visit);
 
 }  // namespace spoke

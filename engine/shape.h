@@ -13,15 +13,15 @@ struct SubsystemData;
 
 /// A node of a blade. All vectors are resolved in the hub frame.
 struct ShapeNode {
-  Position p = Position::Zero();             ///< place in the hub frame [m]
-  Position displacement = Position::Zero();  ///< from its undeformed place [m]
-  Position velocity = Position::Zero();      ///< relative to the inertial frame [m/s]
+  Position p{0.0, 0.0};             ///< place in the hub frame [m]
+  Position displacement{0.0, 0.0};  ///< from its undeformed place [m]
+  Position velocity{0.0, 0.0};      ///< relative to the inertial frame [m/s]
 };
 
 /// A blade at one time. Nodes count from 0 at the root; the last node of a body is the first one of
 /// the next. Element e of body j joins nodes j elements + e and the next.
 struct BladeShape {
-  int bodies = 0;
+  int bodies = 0;                    ///< of the blade
   int elements = 0;                  ///< of each body
   std::vector<ShapeNode> nodes;      ///< bodies * elements + 1
   std::vector<double> axial_forces;  ///< of each element its mean, positive in tension [N]

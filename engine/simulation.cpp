@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/diagnosis.h"
@@ -17,11 +16,14 @@
 #include "engine/observations.h"
 #include "engine/pass_ends.h"
 #include "engine/sensors.h"
+#include "engine/simulation_log.h"
 #include "engine/state_values.h"
 #include "engine/step_runner.h"
 #include "graph/declaration_check.h"
 #include "graph/measuring_executor.h"
 #include "models/error.h"
+#include "models/nearest_name.h"
+#include "models/scenario_check.h"
 
 namespace spoke {
 namespace {
@@ -79,6 +81,32 @@ Wrench wrench_in_space(const Twist& wrench) {
   return {{wrench[0], wrench[1], 0.0}, {0.0, 0.0, wrench[kRotation]}};
 }
 
+[[noreturn]] void throw_no_sensor(std::string_view name, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto nearest = nearest_name(name, known);
+  throw InputError("no sensor is named \"" + std::string(name) + "\"" +
+                   (nearest ? ", did you mean \"" + std::string(*nearest) + "\"?"
+                            : ", expected one of sensor_names()"));
+}
+
+/// Throws InputError unless least <= value <= greatest.
+void demand_range(const char* what, std::int64_t value, std::int64_t least, std::int64_t greatest) {
+  if (value < least || value > greatest)
+    throw InputError(std::string(what) + " is " + std::to_string(value) + ", expected " +
+                     std::to_string(least) + " to " + std::to_string(greatest));
+}
+
+const Scenario& checked(const Scenario& scenario) {
+  check_scenario(scenario);
+  return scenario;
+}
+
+const SimulationOptions& checked(const SimulationOptions& options) {
+  demand_range("SimulationOptions::window", options.window, 0, kMostWindow);
+  graph::check_threads(options.executor, options.threads);
+  return options;
+}
+
 /// Throws InputError unless a drive can take over from another at time t [s].
 void demand_continuation(const Drive& before, const Drive& after, double t) {
   if (prescribes_motion(before) != prescribes_motion(after))
@@ -119,6 +147,7 @@ struct Simulation::Impl {
   void evaluate();
   void renew();
   PlacedMarker place(const Marker& marker) const;
+  const BodyData& find_body(int blade, int body) const;
 
   Scenario scenario;
   SimulationOptions options;
@@ -130,6 +159,7 @@ struct Simulation::Impl {
   std::int64_t evaluations = 0;
   WorkDone work;
   Observations seen;
+  SimulationLog told;
   Sensors sensors;
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
@@ -144,14 +174,15 @@ struct Simulation::Impl {
   bool stops_on_growth() const;
   void count_step(std::int64_t step);
   void complete_step(std::int64_t step, const StepObserver& observe);
+  void tell_news();
   template <class Advance>
   void demand_done(const Advance& advance);
   [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
 };
 
 Simulation::Impl::Impl(const Scenario& given, const SimulationOptions& chosen, const Loads& loads)
-    : scenario(given),
-      options(chosen),
+    : scenario(checked(given)),
+      options(checked(chosen)),
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
       identity(std::make_shared<const std::string>(
@@ -186,7 +217,7 @@ void Simulation::Impl::prepare(const Loads& loads) {
   constexpr int kLargest = 500;  // nodes: the check costs their number times the memory
   if (runner->step_graph().node_count() > kLargest) return;
   for (const graph::DeclarationFault& fault : graph::check_declarations(runner->step_graph()))
-    throw std::logic_error(fault.message);
+    throw Error(ErrorCode::internal, fault.message);
   clear_load_failures(context.data);
 }
 
@@ -234,8 +265,8 @@ void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
 void Simulation::Impl::demand_state(const char* use) const {
   const StepData& data = context.data;
   if (!are_together(data) || last_complete_step(data) != runner->steps())
-    throw std::logic_error(std::string("there is no state to ") + use +
-                           ": a step failed or was not brought to its end");
+    throw StateError(std::string("there is no state to ") + use +
+                     ": a step failed or was not brought to its end");
 }
 
 /// Brings accelerations and wrenches to the state at the last step's end.
@@ -256,6 +287,14 @@ void Simulation::Impl::renew() {
 
 PlacedMarker Simulation::Impl::place(const Marker& marker) const {
   return place_marker("the marker", marker, context.data);
+}
+
+const BodyData& Simulation::Impl::find_body(int blade, int body) const {
+  const auto& blades = context.data.subsystems;
+  demand_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
+  const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
+  demand_range("the index of the body", body, 0, static_cast<std::int64_t>(bodies.size()) - 1);
+  return bodies[static_cast<std::size_t>(body)];
 }
 
 SavedState Simulation::Impl::save() {
@@ -281,31 +320,31 @@ std::vector<double> Simulation::Impl::take_values(std::int64_t steps) {
 void Simulation::Impl::restore(const SavedState& state) {
   StepData& data = context.data;
   constexpr std::int64_t most_steps = std::int64_t{1} << 53;  // clocks count in doubles
-  if (!state.model) throw std::invalid_argument("the saved state is empty");
+  if (!state.model) throw InputError("the saved state is empty");
   if (state.steps < 0 || state.steps > most_steps)
-    throw std::invalid_argument("the saved state has made " + std::to_string(state.steps) +
-                                " steps, expected 0 to 2^53");
+    throw InputError("the saved state has made " + std::to_string(state.steps) +
+                     " steps, expected 0 to 2^53");
   if (state.model != identity) {
     const std::string difference = find_difference(*state.model, *identity);
-    if (!difference.empty())
-      throw std::invalid_argument("the saved state is of another model: " + difference);
+    if (!difference.empty()) throw InputError("the saved state is of another model: " + difference);
   }
   const std::size_t count = count_state_values(data) + doubles(seen).size();
   if (state.values.size() != count)
-    throw std::invalid_argument("the saved state has " + std::to_string(state.values.size()) +
-                                " values, expected " + std::to_string(count));
+    throw InputError("the saved state has " + std::to_string(state.values.size()) +
+                     " values, expected " + std::to_string(count));
   Observations before;
   const std::span<double> observed = doubles(before);
   std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),
             observed.begin());
   if (!is_possible(before, scenario.rotor))
-    throw std::invalid_argument("the saved state names a body that there is not");
+    throw InputError("the saved state names a body that there is not");
   seen = before;
   put_state_values(state.values, state.steps, data);
   runner->continue_from(state.steps);
   evaluations = state.evaluations;
   work = {state.work, state.dissipated};
   measured_step = evaluated_step = -1;
+  SimulationLog::tell_restored(scenario, static_cast<double>(state.steps) * step_size, state.steps);
 }
 
 /// Whether the energies of every step are looked at.
@@ -334,12 +373,22 @@ void Simulation::Impl::count_step(std::int64_t step) {
 /// The samples of the step must be in the table if it is observed, or growth of the energy stops.
 void Simulation::Impl::complete_step(std::int64_t step, const StepObserver& observe) {
   count_step(step);
+  tell_news();
   if (!observe && !stops_on_growth()) return;
   const std::vector<double>& values = sensors.measure(context.system, work, step, context.data);
   const bool has_grown = observe_energy(static_cast<double>(step), sensors.balance(),
                                         scenario.limits.energy_growth, seen);
+  if (has_grown) tell_news();
   if (observe) observe(static_cast<double>(step) * step_size, values);
   if (has_grown && stops_on_growth()) throw EnergyHasGrown();
+}
+
+/// Tells the log what a complete step has brought. No more than some comparisons if there is
+/// nothing.
+void Simulation::Impl::tell_news() {
+  if (told.has_warnings(seen)) told.tell_warnings(scenario, step_size, seen);
+  if (!told.has_told_choice() && runner->steps() > 0 && runner->has_chosen())
+    told.tell_choice(scenario, runner->describe());
 }
 
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
@@ -350,15 +399,20 @@ void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
     text << "the load \"" << load.name << "\" of blade " << load.blade + 1
          << " failed at t = " << static_cast<double>(step) * step_size << " s, step " << step
          << ": " << load.reason;
+    SimulationLog::tell_failure(scenario, text.str());
     throw LoadError(text.str());
   }
-  throw DivergenceError(describe_failure(
-      scenario, context, {outcome, static_cast<double>(step) * step_size, step, seen}));
+  const std::string text = describe_failure(
+      scenario, context, {outcome, static_cast<double>(step) * step_size, step, seen});
+  SimulationLog::tell_failure(scenario, text);
+  throw DivergenceError(text);
 }
 
 Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options,
                        const Loads& loads)
-    : impl_(std::make_unique<Impl>(scenario, options, loads)) {}
+    : impl_(std::make_unique<Impl>(scenario, options, loads)) {
+  SimulationLog::tell_built(*this);
+}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -414,10 +468,12 @@ SavedState Simulation::save() const { return impl_->save(); }
 void Simulation::restore(const SavedState& state) { impl_->restore(state); }
 StepTrace Simulation::trace(std::int64_t step_count, const StepObserver& observe,
                             const TraceOptions& options) {
+  demand_range("the number of steps to trace", step_count, 1, planned_steps() - steps());
   return impl_->trace(steps() + step_count, observe, options);
 }
 
 NodeMeasurement Simulation::measure_nodes(std::int64_t step_count) {
+  demand_range("the number of steps to measure", step_count, 1, planned_steps() - steps());
   graph::MeasuringExecutor executor(run_graph());
   impl_->measure(steps() + step_count, executor);
   return {executor.node_costs(), executor.run_times(), executor.between_runs(),
@@ -440,7 +496,7 @@ std::span<const double> Simulation::sensor_values() const {
 std::size_t Simulation::sensor_index(std::string_view name) const {
   const auto& names = sensor_names();
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw std::out_of_range("no sensor is named " + std::string(name));
+  if (found == names.end()) throw_no_sensor(name, names);
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -459,15 +515,17 @@ HubMotion Simulation::hub() const {
 }
 
 BodyState Simulation::body(int blade, int body) const {
-  const BodyData& data = impl_->context.data.subsystems.at(blade).bodies.at(body);
+  const BodyData& data = impl_->find_body(blade, body);
   return {unpadded(data.coordinates.q, data.layout), unpadded(data.coordinates.v, data.layout),
           unpadded(data.coordinates.a, data.layout)};
 }
 
 void Simulation::calc_shape(int blade, BladeShape& shape) const {
+  impl_->find_body(blade, 0);
   StepContext& context = impl_->context;
-  spoke::calc_shape(impl_->scenario.rotor.blades.at(blade), context.system.subsystems.at(blade),
-                    context.data.subsystems.at(blade), shape);
+  const auto index = static_cast<std::size_t>(blade);
+  spoke::calc_shape(impl_->scenario.rotor.blades[index], context.system.subsystems[index],
+                    context.data.subsystems[index], shape);
 }
 
 MarkerState Simulation::marker(const Marker& marker) const {
@@ -520,6 +578,7 @@ const Drive& Simulation::drive() const { return impl_->context.system.hub.drive;
 
 void Simulation::set_drive(const Drive& drive) {
   impl_->demand_state("go on from with another drive");
+  check_drive(drive);
   Drive& in_force = impl_->context.system.hub.drive;
   demand_continuation(in_force, drive, time());
   const Drive before = std::exchange(in_force, drive);

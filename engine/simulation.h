@@ -3,7 +3,6 @@
 // The engine's front door: load or build a system, step, read sensors and states.
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -27,23 +26,28 @@ namespace spoke {
 using graph::ExecutorKind;
 using graph::name_of;
 
+/// The widest window of steps that may be asked for.
+inline constexpr int kMostWindow = 1000;
+
+/// How a simulation is run. Only the formulation matters to the results, by round-off.
 struct SimulationOptions {
-  Formulation formulation = Formulation::structured;
-  ExecutorKind executor = ExecutorKind::automatic;
+  Formulation formulation = Formulation::structured;  ///< of the equations
+  ExecutorKind executor = ExecutorKind::automatic;    ///< what runs the step graph
   graph::Threads threads;  ///< unless set: the cores available to the process
   /// Steps that one run of the executor may make where the hub's whole motion is prescribed; there
-  /// blades need not wait for one another between steps. 0: as the executor chooses.
+  /// blades need not wait for one another between steps. At most kMostWindow; 0: as the executor
+  /// chooses.
   int window = 0;
 };
 
 /// The size of a model.
 struct ModelSize {
-  int subsystems = 0;
+  int subsystems = 0;   ///< blades
   int bodies = 0;       ///< flexible bodies (without the hub)
   int coordinates = 0;  ///< independent coordinates: free hub coordinates and all deformations
-  int joints = 0;
+  int joints = 0;       ///< between bodies, and to the hub
   int graph_nodes = 0;  ///< of the step graph, one pass
-  int graph_edges = 0;
+  int graph_edges = 0;  ///< likewise
   std::size_t memory_bytes = 0;  ///< of one step's data and the constants
 };
 
@@ -57,27 +61,27 @@ struct LinearProperties {
 /// A view of one body's deformation coordinates: 3 E values, the E axial ones (u) first, then the
 /// 2 E of bending (v, psi by node, without those that the reference frame fixes) [m, rad].
 struct BodyState {
-  std::vector<double> coordinates;
+  std::vector<double> coordinates;    ///< [m, rad]
   std::vector<double> velocities;     ///< [m/s, rad/s]
   std::vector<double> accelerations;  ///< [m/s^2, rad/s^2]
 };
 
 /// A hub's motion in the inertial frame: x [m], y [m], angle [rad] and their derivatives.
 struct HubMotion {
-  Twist position = Twist::Zero();
-  Twist velocity = Twist::Zero();
-  Twist acceleration = Twist::Zero();
+  Twist position{0.0, 0.0, 0.0};      ///< [m, rad]
+  Twist velocity{0.0, 0.0, 0.0};      ///< [m/s, rad/s]
+  Twist acceleration{0.0, 0.0, 0.0};  ///< [m/s^2, rad/s^2]
 };
 
 /// What is known of a marker.
 struct MarkerState : MarkerMotion {
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();          ///< [m/s^2]
-  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< [rad/s^2]
+  Eigen::Vector3d acceleration{0.0, 0.0, 0.0};          ///< [m/s^2]
+  Eigen::Vector3d angular_acceleration{0.0, 0.0, 0.0};  ///< [rad/s^2]
   /// From its place on the undeformed blade, which turns with the hub; hub frame [m].
-  Eigen::Vector3d deflection = Eigen::Vector3d::Zero();
+  Eigen::Vector3d deflection{0.0, 0.0, 0.0};
   /// What a model with geometric stiffening accounts for in its energies, not in its places: the
   /// tip's sensors show the deflection less this; hub frame [m].
-  Eigen::Vector3d foreshortening = Eigen::Vector3d::Zero();
+  Eigen::Vector3d foreshortening{0.0, 0.0, 0.0};
 };
 
 /// Told of the end of a step: time [s] and the sensors there, in the order of
@@ -89,41 +93,47 @@ struct NodeMeasurement {
   std::vector<double> costs;      ///< of run_graph(), by index of the node, mean per run [s]
   std::vector<double> run_times;  ///< of all nodes, in the runs without time stamps [s]
   double between_runs = 0.0;      ///< from the end of a run to the start of the next [s]
-  double runs_per_step = 0.0;
+  double runs_per_step = 0.0;     ///< of the graph, mean
 };
 
 /// Simulates one system. Not copyable; different Simulations may run in different threads.
 class SPOKE_EXPORT Simulation {
  public:
   /// Builds the system's constants, its step graph and executor, and evaluates the accelerations
-  /// at t = 0. Throws InputError if the scenario does not fit this machine's memory.
-  /// `loads` act besides those of the scenario. Throws InputError if one has no place on the
-  /// system, LoadError if one fails at t = 0.
+  /// at t = 0. `loads` act besides those of the scenario. Throws InputError if the scenario could
+  /// not stand in a file as it is (docs/scenario.md), naming the key; if an option is none; if the
+  /// model does not fit this machine's memory; if a load has no place on the system. Throws
+  /// LoadError if a load fails at t = 0, DivergenceError if there is no acceleration.
   explicit Simulation(const Scenario& scenario, const SimulationOptions& options = {},
                       const Loads& loads = {});
   ~Simulation();
+  /// The other one is only to be destroyed or assigned to.
   Simulation(Simulation&&) noexcept;
+  /// The same.
   Simulation& operator=(Simulation&&) noexcept;
 
-  const Scenario& scenario() const;
-  const SimulationOptions& options() const;
-  ModelSize size() const;
+  const Scenario& scenario() const;          ///< as given
+  const SimulationOptions& options() const;  ///< as given
+  ModelSize size() const;                    ///< of the model and its graph
   /// The graph that the executor runs; valid while this lives.
   const graph::StepGraph& step_graph() const;
   /// The graph that run_until() runs: of one pass, or of the passes of a window of steps. Valid
   /// while this lives.
   const graph::StepGraph& run_graph() const;
+  /// Of the rotor at rest. Takes a while for large ones.
   LinearProperties linear_properties() const;
+  /// The kind of the executor: "auto", "serial", ...
   std::string_view executor_name() const;
   /// In one line what runs the steps; of "auto" what it chose so far, and why.
   std::string executor_description() const;
   graph::Threads threads() const;  ///< in use by the executor
 
-  double time() const;         ///< [s]
-  double step_size() const;    ///< in use [s]
-  std::int64_t steps() const;  ///< done so far
-  std::int64_t planned_steps() const;
-  std::int64_t evaluations() const;  ///< of the accelerations, so far
+  double time() const;                 ///< [s]
+  double step_size() const;            ///< in use [s]
+  std::int64_t steps() const;          ///< done so far
+  std::int64_t planned_steps() const;  ///< in the whole duration
+  std::int64_t evaluations() const;    ///< of the accelerations, so far
+  /// Whether the duration is over.
   bool done() const { return steps() >= planned_steps(); }
 
   /// One time step. Throws DivergenceError, after which the simulation stays at the failed step and
@@ -143,21 +153,22 @@ class SPOKE_EXPORT Simulation {
   /// and records which thread ran which node when; `options.finished` is told of every step's
   /// slices as it is finished. An executor that chooses waits with it meanwhile: run_until()
   /// before, to see what it chooses. Throws like run_until(), and then tells nothing of the steps.
-  /// Precondition: 1 <= steps <= planned_steps() - this->steps().
+  /// Throws InputError unless 1 <= steps <= planned_steps() - this->steps().
   StepTrace trace(std::int64_t steps, const StepObserver& observe = {},
                   const TraceOptions& options = TraceOptions());
   /// Makes `steps` steps as run_until() does, to the same bits, but serially and in half of the
-  /// runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws DivergenceError.
-  /// Precondition: 2 windows <= steps <= planned_steps() - steps().
+  /// runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws DivergenceError,
+  /// and InputError unless 1 <= steps <= planned_steps() - this->steps(); should be 2 windows or
+  /// more.
   NodeMeasurement measure_nodes(std::int64_t steps);
 
-  /// Copies the state, at the cost of some vectors of coordinates. Throws std::logic_error after a
-  /// step that could not be completed.
+  /// Copies the state, at the cost of some vectors of coordinates. Throws StateError after a step
+  /// that could not be completed.
   SavedState save() const;
   /// Goes back, or on, to a saved state of any simulation of the same model, formulation and step
   /// size, whatever its executor, threads and window: what follows has the bits of the run that was
-  /// saved. Also after DivergenceError. Throws std::invalid_argument, saying what differs, if the
-  /// state is of another model; the simulation then stays as it is.
+  /// saved. Also after DivergenceError. Throws InputError, saying what differs, if the state is of
+  /// another model; the simulation then stays as it is.
   void restore(const SavedState& state);
 
   /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual".
@@ -167,9 +178,9 @@ class SPOKE_EXPORT Simulation {
   /// The sensors at time(). The span is valid until the next step.
   std::span<const double> sensor_values() const;
   /// A sensor's place in sensor_values(), which it keeps: the handle of those who read it often.
-  /// Throws std::out_of_range for an unknown name.
+  /// Throws InputError for an unknown name.
   std::size_t sensor_index(std::string_view name) const;
-  /// One sensor at time(). Throws std::out_of_range for an unknown name.
+  /// One sensor at time(). Throws InputError for an unknown name.
   double sensor(std::string_view name) const;
 
   /// What makes the results doubtful so far, at most one of each kind, in the order of kinds; a
@@ -178,16 +189,17 @@ class SPOKE_EXPORT Simulation {
   /// DivergenceError is thrown, and the simulation stands at the end of that step.
   std::vector<Warning> warnings() const;
 
+  /// The hub's motion at time().
   HubMotion hub() const;
-  /// Precondition: 0 <= blade < subsystems, 0 <= body < bodies of that blade.
+  /// The deformation of a body. Throws InputError if there is none, both counted from 0.
   BodyState body(int blade, int body) const;
   /// Where the nodes of a blade stand at time(), and the tension of its elements. `shape` keeps its
-  /// memory from call to call. Precondition: 0 <= blade < subsystems.
+  /// memory from call to call. Throws InputError if there is no such blade, counted from 0.
   void calc_shape(int blade, BladeShape& shape) const;
 
   // What follows is of the state at time(), and takes one evaluation of the accelerations when
   // first asked for at a state. Places that do not exist throw InputError; after a step that
-  // failed, std::logic_error.
+  // failed, StateError.
 
   /// Motion and deflection of a point anywhere on a body.
   MarkerState marker(const Marker& marker) const;

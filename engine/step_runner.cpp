@@ -193,6 +193,12 @@ void StepRunner::choose_stepping() {
   stepping_ = std::make_unique<Runner>(context_, 1, ExecutorKind::automatic, threads_);
 }
 
+bool StepRunner::has_chosen() const {
+  if (window_) return is_automatic() && !window_->executor->tuning();
+  if (stepping_) return !stepping_->executor->tuning();
+  return is_automatic() && !reason_.empty();
+}
+
 std::string StepRunner::describe() const {
   if (window_) {
     const std::string how = window_->executor->describe();

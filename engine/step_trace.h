@@ -26,6 +26,7 @@ struct NodeSlice {
   std::int64_t end = 0;    ///< [ns]
 };
 
+/// A step that was recorded.
 struct TracedStep {
   std::int64_t step = 0;  ///< its number
   double time = 0.0;      ///< at its end [s]
@@ -38,9 +39,10 @@ struct TracedRun {
   std::int64_t end = 0;    ///< [ns]
 };
 
+/// An edge of the graph, by the indices of its nodes.
 struct NodeEdge {
-  int from = 0;
-  int to = 0;
+  int from = 0;  ///< runs first
+  int to = 0;    ///< waits for it
 };
 
 /// The graph of one pass of a step, as data: nodes by index.
@@ -51,6 +53,7 @@ struct TracedGraph {
   std::vector<NodeEdge> edges;            ///< within a pass; from a lower index to a higher one
   std::vector<NodeEdge> next_pass_edges;  ///< from a node of a pass to one of the next pass
 
+  /// As many as there are labels and names.
   int node_count() const { return static_cast<int>(labels.size()); }
 };
 
@@ -59,7 +62,7 @@ struct TracedGraph {
 /// (window_steps > 1 under a prescribed hub) the node "hub solve" runs once for all steps that a
 /// run completes, and its slice belongs to the last of them.
 struct SPOKE_EXPORT StepTrace {
-  TracedGraph graph;
+  TracedGraph graph;               ///< of one pass
   std::vector<TracedStep> steps;   ///< those recorded as a whole, ascending
   std::vector<NodeSlice> slices;   ///< by begin; of these steps, and of surplus passes
   std::vector<TracedRun> runs;     ///< of the executor

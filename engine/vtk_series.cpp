@@ -10,6 +10,7 @@
 
 #include "engine/results.h"
 #include "models/error.h"
+#include "models/space.h"
 
 namespace spoke {
 namespace {

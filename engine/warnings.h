@@ -4,6 +4,7 @@
 
 namespace spoke {
 
+/// What a warning is about.
 enum class WarningKind {
   linear_range,   ///< a body bends beyond the range of linear elasticity in its frame
   energy_growth,  ///< the energy has grown beyond the work done
@@ -11,9 +12,9 @@ enum class WarningKind {
 
 /// What a simulation has come across that does not end it, but makes its results doubtful.
 struct Warning {
-  WarningKind kind = WarningKind::linear_range;
-  double time = 0.0;  ///< when it was noticed first [s]
-  std::string text;   ///< one sentence, with the largest value so far and what to try
+  WarningKind kind = WarningKind::linear_range;  ///< what it is about
+  double time = 0.0;                             ///< when it was noticed first [s]
+  std::string text;  ///< one sentence, with the largest value so far and what to try
 };
 
 }  // namespace spoke

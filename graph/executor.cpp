@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "graph/cgroup_processors.h"
 #include "graph/executor_kinds.h"
+#include "spoke/error.h"
 
 #ifdef __linux__
 #include <sched.h>
@@ -57,10 +57,9 @@ std::string known_names() {
 void check_in_build(ExecutorKind kind) {
   const auto known = executor_kinds();
   if (std::find(known.begin(), known.end(), kind) != known.end()) return;
-  throw std::invalid_argument(
-      std::string(name_of(kind)) +
-      " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known here: " +
-      known_names());
+  throw InputError(std::string(name_of(kind)) +
+                   " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known here: " +
+                   known_names());
 }
 
 bool has_nested_teams(ExecutorKind kind) {
@@ -120,8 +119,8 @@ ExecutorKind executor_kind(std::string_view name) {
   const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
                                  [name](ExecutorKind k) { return name_of(k) == name; });
   if (kind == kKinds.end()) {
-    throw std::invalid_argument("no executor is named \"" + std::string(name) +
-                                "\"; known here: " + known_names());
+    throw InputError("no executor is named \"" + std::string(name) +
+                     "\"; known here: " + known_names());
   }
   check_in_build(*kind);
   return *kind;
@@ -129,13 +128,12 @@ ExecutorKind executor_kind(std::string_view name) {
 
 void check_threads(ExecutorKind kind, const Threads& threads) {
   if (threads.outer < 0 || threads.inner < 1) {
-    throw std::invalid_argument("number of threads: expected 0 (all available) or more, got " +
-                                name_of(threads));
+    throw InputError("number of threads: expected 0 (all available) or more, got " +
+                     name_of(threads));
   }
   if (threads.inner != 1 && !has_nested_teams(kind)) {
-    throw std::invalid_argument(std::string(name_of(kind)) +
-                                " has one layer of threads, expected a number, got " +
-                                name_of(threads));
+    throw InputError(std::string(name_of(kind)) +
+                     " has one layer of threads, expected a number, got " + name_of(threads));
   }
 }
 
@@ -163,7 +161,7 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
       break;
 #endif
   }
-  throw std::invalid_argument("unknown kind of executor");
+  throw InputError("unknown kind of executor");
 }
 
 }  // namespace spoke::graph

@@ -17,11 +17,15 @@ class NodeRecorder;
 /// give each of `outer` threads a team of `inner`; all others know one layer only.
 struct Threads {
   int outer = 0;  ///< 0: as many as are available
-  int inner = 1;
+  int inner = 1;  ///< threads of each team
 
+  /// As many as are available.
   Threads() = default;
+  /// So many, or teams of so many.
   Threads(int outer_threads, int inner_threads = 1) : outer(outer_threads), inner(inner_threads) {}
+  /// Of all teams.
   int total() const { return outer * inner; }
+  /// Whether both layers are equal.
   friend bool operator==(const Threads&, const Threads&) = default;
 };
 /// "2", or "3x2" of nested teams.
@@ -58,6 +62,7 @@ class SPOKE_EXPORT Executor {
   virtual void set_recorder(NodeRecorder* recorder) { recorder_ = recorder; }
 
  protected:
+  /// Who records, or nullptr.
   NodeRecorder* recorder() const { return recorder_; }
 
  private:
@@ -82,15 +87,15 @@ enum class ExecutorKind {
 SPOKE_EXPORT std::span<const ExecutorKind> executor_kinds();
 /// "auto", "flow_graph", "serial" and so on, as above.
 SPOKE_EXPORT std::string_view name_of(ExecutorKind kind);
-/// The kind of this name. Throws std::invalid_argument, with the names to choose from, if there is
+/// The kind of this name. Throws InputError, with the names to choose from, if there is
 /// none or this build is without it.
 SPOKE_EXPORT ExecutorKind executor_kind(std::string_view name);
-/// Throws std::invalid_argument if a number of threads is negative, or of nested teams that this
+/// Throws InputError if a number of threads is negative, or of nested teams that this
 /// kind does not have.
 SPOKE_EXPORT void check_threads(ExecutorKind kind, const Threads& threads);
 
 /// Makes an executor with `threads` threads (0 = available_threads()). It refers to `graph`, which
-/// must outlive it and stay in place. Throws std::invalid_argument if this build is without the
+/// must outlive it and stay in place. Throws InputError if this build is without the
 /// kind, and as check_threads().
 SPOKE_EXPORT std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
                                                      Threads threads = {});

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <stdexcept>
 
 #include "graph/reachability.h"
+#include "spoke/error.h"
 
 namespace spoke::graph {
 namespace {
@@ -156,8 +156,8 @@ NodeId StepGraphBuilder::add_declared_node(Node node, std::function<void()> body
     sort_unique(*list);
     if (list->empty()) continue;
     if (list->front().index < 0 || list->back().index >= static_cast<int>(parts_.size())) {
-      throw std::invalid_argument("node \"" + name_of(node.label, subsystem_word_) +
-                                  "\" declares a part that was not added");
+      throw InputError("node \"" + name_of(node.label, subsystem_word_) +
+                       "\" declares a part that was not added");
     }
   }
   nodes_.push_back(std::move(node));

@@ -17,17 +17,18 @@ namespace spoke::graph {
 
 /// Handle of one node: its place in the order of insertion, 0-based.
 struct NodeId {
-  int index = -1;
+  int index = -1;  ///< in the order of insertion
+  /// By index.
   friend auto operator<=>(const NodeId&, const NodeId&) = default;
 };
 
 /// A node's coordinates: what it does, for which subsystem and body, and in which of several passes
 /// (0-based, -1 = none).
 struct NodeLabel {
-  std::string stage;
-  int subsystem = -1;
-  int body = -1;
-  int pass = -1;
+  std::string stage;   ///< what it does
+  int subsystem = -1;  ///< of which one; -1: of none
+  int body = -1;       ///< of the subsystem
+  int pass = -1;       ///< of several
 };
 
 /// A node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", or "hub solve" for
@@ -38,28 +39,32 @@ SPOKE_EXPORT std::string name_of(const NodeLabel& label,
 
 /// A part of the step's data: one or several ranges of doubles under one name.
 struct Part {
-  std::string name;
-  std::vector<std::span<double>> memory;
+  std::string name;                       ///< unique, for people
+  std::vector<std::span<double>> memory;  ///< where it lies
 };
 
 /// A node as it was declared. `reads` and `writes` are sorted and free of repetitions; a part in
 /// both is updated in place.
 struct Node {
-  NodeLabel label;
-  std::vector<PartId> reads;
-  std::vector<PartId> writes;
+  NodeLabel label;             ///< its coordinates
+  std::vector<PartId> reads;   ///< what it needs
+  std::vector<PartId> writes;  ///< what it changes
 };
 
 /// Per node a list of nodes, all lists in one array (compressed rows), each list ascending.
 class SPOKE_EXPORT Adjacency {
  public:
+  /// Of no nodes.
   Adjacency() = default;
+  /// By node.
   explicit Adjacency(const std::vector<std::vector<NodeId>>& lists);
 
+  /// The list of a node.
   std::span<const NodeId> of(NodeId node) const {
     const auto row = static_cast<std::size_t>(node.index);
     return {targets_.data() + begins_[row], targets_.data() + begins_[row + 1]};
   }
+  /// Entries of all lists.
   int size() const { return static_cast<int>(targets_.size()); }
 
  private:
@@ -72,17 +77,22 @@ class SPOKE_EXPORT Adjacency {
 /// run by an Executor (graph/executor.h).
 class SPOKE_EXPORT StepGraph {
  public:
-  int node_count() const { return static_cast<int>(nodes_.size()); }
+  int node_count() const { return static_cast<int>(nodes_.size()); }  ///< of all passes
+  /// Without implied edges.
   int edge_count() const { return successors_.size(); }
 
   /// All nodes in the order of insertion, which is a topological order.
   std::span<const Node> nodes() const { return nodes_; }
+  /// One of them.
   const Node& node(NodeId id) const { return nodes_[static_cast<std::size_t>(id.index)]; }
+  /// What the nodes read and write, in the order of addition.
   std::span<const Part> parts() const { return parts_; }
+  /// One of them.
   const Part& part(PartId id) const { return parts_[static_cast<std::size_t>(id.index)]; }
 
-  /// The nodes that wait for `node`, and those it waits for; ascending, without implied edges.
+  /// The nodes that wait for `node`; ascending, without implied edges, as all these lists.
   std::span<const NodeId> successors(NodeId node) const { return successors_.of(node); }
+  /// Those it waits for.
   std::span<const NodeId> predecessors(NodeId node) const { return predecessors_.of(node); }
 
   /// A topological order for one thread, depth first: a node is followed by what it made ready,
@@ -125,7 +135,7 @@ class SPOKE_EXPORT StepGraphBuilder {
   PartId add_part(std::string name, std::vector<std::span<double>> memory);
 
   /// Adds a node that runs `body`, a copyable, nothrow `void()`. It sees every part as left by the
-  /// nodes added before it. Throws std::invalid_argument at a part this builder does not know.
+  /// nodes added before it. Throws InputError at a part this builder does not know.
   template <class Body>
   NodeId add_node(NodeLabel label, Reads reads, Writes writes, Body&& body) {
     static_assert(std::is_nothrow_invocable_v<std::decay_t<Body>&>,
@@ -138,6 +148,7 @@ class SPOKE_EXPORT StepGraphBuilder {
   /// label but for the pass.
   NodeId repeat_node(NodeId node, int pass);
 
+  /// Added so far.
   int node_count() const { return static_cast<int>(nodes_.size()); }
 
   /// Builds the graph of everything added; the builder is empty afterwards.

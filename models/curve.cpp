@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <string>
 #include <utility>
+
+#include "models/quantity.h"
+#include "spoke/error.h"
 
 namespace spoke {
 namespace {
@@ -48,16 +51,19 @@ std::vector<double> calc_slopes(const std::vector<double>& times,
 }
 
 void check_points(const std::vector<double>& times, const std::vector<double>& values) {
-  if (times.empty() || times.size() != values.size()) {
-    throw std::invalid_argument("a curve needs as many times as values, at least one");
-  }
-  const auto finite = [](double x) { return std::isfinite(x); };
-  if (!std::all_of(times.begin(), times.end(), finite) ||
-      !std::all_of(values.begin(), values.end(), finite)) {
-    throw std::invalid_argument("a curve needs finite times and values");
-  }
-  if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end()) {
-    throw std::invalid_argument("a curve needs strictly increasing times");
+  if (times.empty() || times.size() != values.size())
+    throw InputError("a curve has " + std::to_string(times.size()) + " times and " +
+                     std::to_string(values.size()) +
+                     " values, expected as many of each, at least one");
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const bool is_time = !std::isfinite(times[k]);
+    if (is_time || !std::isfinite(values[k]))
+      throw InputError(std::string(is_time ? "time " : "value ") + std::to_string(k + 1) +
+                       " of a curve is " + describe(is_time ? times[k] : values[k]) +
+                       ", expected a finite number");
+    if (k > 0 && times[k] <= times[k - 1])
+      throw InputError("time " + std::to_string(k + 1) + " of a curve is " + describe(times[k]) +
+                       ", expected more than the one before it, " + describe(times[k - 1]));
   }
 }
 

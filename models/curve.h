@@ -16,17 +16,20 @@ class SPOKE_EXPORT Curve {
   Curve() : Curve(0.0) {}
   /// A constant.
   explicit Curve(double value) : Curve({0.0}, {value}) {}
-  /// times: strictly increasing [s]; values: as many, in any unit. Precondition, checked by an
-  /// exception std::invalid_argument: sizes equal and not zero, times increasing, all finite.
+  /// times: strictly increasing [s]; values: as many, in any unit. Throws InputError unless the
+  /// sizes are equal and not zero, times increase, and all is finite.
   Curve(std::vector<double> times, std::vector<double> values);
 
+  /// At time t [s].
   double value(double t) const;
   /// At the first and the last point the one-sided derivative inside; 0 before and after.
   double derivative(double t) const;
   /// Integral from 0 to t [unit of values * s].
   double integral(double t) const;
 
+  /// Of its points [s].
   const std::vector<double>& times() const { return times_; }
+  /// At its points.
   const std::vector<double>& values() const { return values_; }
 
  private:

@@ -25,12 +25,12 @@ struct SpinUpHoldSpinDown {
 
 /// The hub's speed is a given curve [rad/s].
 struct SpeedTable {
-  Curve speed;
+  Curve speed;  ///< over time [rad/s]
 };
 
 /// A torque acts on the hub [N m]; its rotation is an unknown of (P 9).
 struct TorqueDrive {
-  Curve torque;
+  Curve torque;                ///< over time [N m]
   double initial_speed = 0.0;  ///< [rad/s]
 };
 
@@ -39,6 +39,7 @@ struct FreeDrive {
   double initial_speed = 0.0;  ///< [rad/s]
 };
 
+/// What turns the hub.
 using Drive = std::variant<SpinUp, SpinUpHoldSpinDown, SpeedTable, TorqueDrive, FreeDrive>;
 
 /// A prescribed rotation of the hub at one time.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "models/drive.h"
-#include "models/space.h"
+#include "models/vectors.h"
 
 namespace spoke {
 
@@ -27,22 +27,26 @@ struct Blade {
   double area = 0.0;            ///< cross section [m^2]
   double second_moment = 0.0;   ///< second moment of area for bending in the plane [m^4]
   double youngs_modulus = 0.0;  ///< [Pa]
+  /// Whether rotation stiffens the bending within a body.
   bool geometric_stiffening = true;
+  /// Of each of its bodies.
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
   double azimuth = 0.0;  ///< direction of the undeformed blade in the hub frame [rad]
 };
 
+/// How the hub is held.
 enum class HubSupport {
   axle,  ///< rotates about a fixed point
   free,  ///< moves in the plane
 };
 
+/// What the blades are fixed to.
 struct Hub {
-  HubSupport support = HubSupport::axle;
-  double radius = 0.0;   ///< from the hub's axis to the blade roots [m]
-  double mass = 0.0;     ///< [kg]; > 0 for a free hub
-  double inertia = 1.0;  ///< about the hub's axis [kg m^2]
-  Drive drive = SpinUp{};
+  HubSupport support = HubSupport::axle;  ///< how it is held
+  double radius = 0.0;                    ///< from the hub's axis to the blade roots [m]
+  double mass = 0.0;                      ///< [kg]; > 0 for a free hub
+  double inertia = 1.0;                   ///< about the hub's axis [kg m^2]
+  Drive drive{};                          ///< what turns it; SpinUp unless set
 };
 
 /// Damping D = mass_factor Mff + stiffness_factor K of the deformation coordinates (Rayleigh).
@@ -63,18 +67,19 @@ struct PointLoad {
   int blade = -1;  ///< index from 0; -1: every blade
   double position =
       0.0;  ///< distance of the node from the blade root [m]; the nearest node is taken
-  LoadFrame frame = LoadFrame::hub;
-  Position force = Position::Zero();  ///< [N]
-  double moment = 0.0;                ///< about z [N m]
-  Curve factor{1.0};                  ///< dimensionless function of time
+  LoadFrame frame = LoadFrame::hub;  ///< in which the force is resolved
+  Position force{0.0, 0.0};          ///< [N]
+  double moment = 0.0;               ///< about z [N m]
+  Curve factor{1.0};                 ///< dimensionless function of time
 };
 
+/// A hub with its blades, and what acts on them.
 struct Rotor {
-  Hub hub;
-  std::vector<Blade> blades;
-  Position gravity = Position::Zero();  ///< acceleration, inertial frame [m/s^2]
-  Damping damping;
-  std::vector<PointLoad> loads;
+  Hub hub;                       ///< in the middle
+  std::vector<Blade> blades;     ///< one or more
+  Position gravity{0.0, 0.0};    ///< acceleration, inertial frame [m/s^2]
+  Damping damping;               ///< of all bodies
+  std::vector<PointLoad> loads;  ///< given as data; spoke::Load is for functions
 };
 
 }  // namespace spoke

@@ -3,7 +3,6 @@
 // A scenario file: the rotor, how it is integrated and what is written. The file format (TOML, SI
 // units) is documented in docs/scenario.md.
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,10 +12,15 @@
 
 namespace spoke {
 
-enum class IntegrationMethod { generalized_alpha, rk4 };
+/// How a step is made.
+enum class IntegrationMethod {
+  generalized_alpha,  ///< implicit, of second order
+  rk4,                ///< explicit, of fourth order
+};
 
+/// How the motion is integrated.
 struct Integration {
-  IntegrationMethod method = IntegrationMethod::generalized_alpha;
+  IntegrationMethod method = IntegrationMethod::generalized_alpha;  ///< of a step
   double step = 0.005;           ///< [s]; shortened to divide the duration
   double duration = 1.0;         ///< [s]
   double spectral_radius = 0.8;  ///< of generalized_alpha at infinite frequency, 0 to 1
@@ -26,15 +30,19 @@ struct Integration {
 };
 
 /// What becomes of a simulation whose energy grows beyond the work done on it.
-enum class EnergyGrowth { warn, stop };
+enum class EnergyGrowth {
+  warn,  ///< it goes on, and Simulation::warnings() tells
+  stop,  ///< it ends with DivergenceError
+};
 
 /// Beyond which results are to be doubted.
 struct Limits {
   double deflection = 0.1;      ///< of a body in its frame, by its length; 0: none
   double energy_growth = 0.01;  ///< by the largest energy so far; 0: none
-  EnergyGrowth on_energy_growth = EnergyGrowth::warn;
+  EnergyGrowth on_energy_growth = EnergyGrowth::warn;  ///< beyond that limit
 };
 
+/// What is written.
 struct Output {
   double interval = 0.05;  ///< between rows of sensors.csv [s]; 0: every step
 };
@@ -42,13 +50,15 @@ struct Output {
 /// One "key=value" of the command line, overriding a key of the file.
 using Overrides = std::vector<std::string>;
 
+/// Everything about a simulation that a scenario file says. Simulation checks what is filled in
+/// code as the reader checks a file.
 struct SPOKE_EXPORT Scenario {
-  std::string title;
-  std::string name;  ///< the file's name without folder and ending; names the results folder
-  Rotor rotor;
-  Integration integration;
-  Limits limits;
-  Output output;
+  std::string title;        ///< for people
+  std::string name;         ///< the file's name without folder and ending; names the results folder
+  Rotor rotor;              ///< what is simulated
+  Integration integration;  ///< how, and for how long
+  Limits limits;            ///< beyond which results are doubted
+  Output output;            ///< what spoke run writes
 
   /// Every key with the value in force (defaults included), as a JSON object shaped like the file;
   /// blades always one by one, under "blades".
@@ -64,8 +74,7 @@ SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
 
 /// Reads and validates a scenario. Throws InputError, its text "file:line:column: key: what is
 /// wrong, what is expected".
-SPOKE_EXPORT Scenario read_scenario(const std::filesystem::path& file,
-                                    const Overrides& overrides = {});
+SPOKE_EXPORT Scenario read_scenario(const std::string& file, const Overrides& overrides = {});
 
 /// The same from a string; `name` stands for the file in messages.
 SPOKE_EXPORT Scenario parse_scenario(const std::string& text, const std::string& name,

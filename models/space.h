@@ -1,28 +1,16 @@
 #pragma once
 
-// Sizes, rotations and twist algebra of the plane. What is built on these names (chains, hub,
+// Rotations and twist algebra of the plane. What is built on these names (chains, hub,
 // dense formulations, step graph, integrators, sensors) is written for kTwist components. What else
 // knows the plane is a body by itself: the finite element (flexible_body, beam_elements), its terms
 // (body_terms, elastic_block), its two-port (condense_body and recover_body in structured.cpp) and
 // the names of its coordinates (pass_ends, diagnosis). A spatial body brings its own of these.
 
-#include <Eigen/Core>
 #include <cmath>
 
+#include "models/vectors.h"
+
 namespace spoke {
-
-/// Components of a position: x, y.
-inline constexpr int kPosition = 2;
-/// Components of a twist: velocity (x, y) and angular velocity. Also the coordinates of a node.
-inline constexpr int kTwist = 3;
-/// Index of the (last) rotational component of a twist.
-inline constexpr int kRotation = 2;
-
-// Unaligned, so that structures of these hold nothing but doubles side by side (no padding): the
-// step graph's declaration check compares their memory.
-using Position = Eigen::Matrix<double, kPosition, 1, Eigen::DontAlign>;
-using Twist = Eigen::Matrix<double, kTwist, 1>;
-using TwistMatrix = Eigen::Matrix<double, kTwist, kTwist>;
 
 /// Rotation R_AB in the plane: takes components resolved in frame B to frame A.
 struct Rotation {

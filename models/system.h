@@ -9,6 +9,7 @@
 
 #include "models/flexible_body.h"
 #include "models/rotor.h"
+#include "models/space.h"
 
 namespace spoke {
 

@@ -1,15 +1,14 @@
 #include "models/toml_document.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <utility>
 
 #include "models/error.h"
+#include "models/quantity.h"
 #include "models/toml_depth.h"
 
 namespace spoke {
@@ -163,12 +162,6 @@ std::string read_text(const std::filesystem::path& file) {
     throw InputError(file.string() + ": is larger than 16 MiB" + expected);
   }
   return text;
-}
-
-std::string describe(double number) {
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-  return {buffer.data(), end};
 }
 
 std::string describe(const toml::node& node) {

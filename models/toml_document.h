@@ -17,9 +17,6 @@ std::string read_text(const std::filesystem::path& file);
 /// A value as an error message quotes it: -8, "clampd", an array of 3 values, a table.
 std::string describe(const toml::node& node);
 
-/// A number as a person would write it, in as many digits as it needs.
-std::string describe(double number);
-
 /// A TOML text and the overrides of its keys. Keys are named by paths of names and of indices from
 /// 1: "hub.drive.speed", "blades.2.length".
 class TomlDocument {

@@ -1,29 +1,12 @@
 #include "models/toml_section.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "models/nearest_name.h"
 
 namespace spoke {
 namespace {
-
-// Numbers outside are no physics, and their products would leave the range of a double.
-constexpr double kSmallest = 1e-40;
-constexpr double kLargest = 1e30;
-
-bool is_sensible(double value) {
-  return value == 0.0 || (std::abs(value) >= kSmallest && std::abs(value) <= kLargest);
-}
-
-std::string in_parentheses(std::string_view unit) {
-  return unit.empty() ? "" : " (" + std::string(unit) + ')';
-}
-
-std::string one_integer(int least, int greatest) {
-  return "a whole number from " + std::to_string(least) + " to " + std::to_string(greatest);
-}
 
 const toml::table& empty_table() {
   static const toml::table empty;
@@ -39,22 +22,6 @@ std::string join_names(const TomlSection::Keys& names) {
     list += '"' + std::string(names[i]) + '"';
   }
   return list;
-}
-
-bool Quantity::holds(double value) const {
-  return (least_included ? value >= least : value > least) && value <= greatest;
-}
-
-std::string Quantity::expectation() const {
-  std::string text = "a number";
-  if (std::isfinite(least) && std::isfinite(greatest)) {
-    text += (least_included ? " from " : " greater than ") + describe(least) +
-            (least_included ? " to " : " and at most ") + describe(greatest);
-  } else if (std::isfinite(least)) {
-    text +=
-        least_included ? " of " + describe(least) + " or more" : " greater than " + describe(least);
-  }
-  return text + in_parentheses(unit);
 }
 
 TomlSection::TomlSection(const TomlDocument& document, const Keys& known)
@@ -128,27 +95,19 @@ double TomlSection::checked_number(const toml::node& node, const std::string& pa
   if (!node.is_number()) complain(quantity.expectation());
   const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
                                          : node.as_floating_point()->get();
-  if (!std::isfinite(value)) complain("a finite number" + in_parentheses(quantity.unit));
-  if (!quantity.holds(value)) complain(quantity.expectation());
-  if (!is_sensible(value)) {
-    complain("0 or a magnitude from " + describe(kSmallest) + " to " + describe(kLargest) +
-             in_parentheses(quantity.unit));
-  }
+  const std::string expected = quantity.expectation_instead_of(value);
+  if (!expected.empty()) complain(expected);
   return value;
 }
 
-int TomlSection::integer(std::string_view key, int least, int greatest) const {
-  const std::string expected = one_integer(least, greatest);
-  const toml::node& node = required(key, expected);
-  const auto* value = node.as_integer();
-  if (value == nullptr || value->get() < least || value->get() > greatest) {
-    fail_expected(key, expected);
-  }
+int TomlSection::integer(std::string_view key, const Count& count) const {
+  const auto* value = required(key, count.expectation()).as_integer();
+  if (value == nullptr || !count.holds(value->get())) fail_expected(key, count.expectation());
   return static_cast<int>(value->get());
 }
 
-int TomlSection::integer(std::string_view key, int least, int greatest, int fallback) const {
-  return has(key) ? integer(key, least, greatest) : fallback;
+int TomlSection::integer(std::string_view key, const Count& count, int fallback) const {
+  return has(key) ? integer(key, count) : fallback;
 }
 
 bool TomlSection::flag(std::string_view key, bool fallback) const {

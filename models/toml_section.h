@@ -2,33 +2,14 @@
 
 #include <cstddef>
 #include <initializer_list>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "models/quantity.h"
 #include "models/toml_document.h"
 
 namespace spoke {
-
-/// What a number of a scenario file must be.
-struct Quantity {
-  std::string_view unit;  ///< empty: dimensionless
-  double least = -std::numeric_limits<double>::infinity();
-  double greatest = std::numeric_limits<double>::infinity();
-  bool least_included = true;
-
-  static Quantity any(std::string_view unit) { return {unit}; }
-  static Quantity positive(std::string_view unit) {
-    return {unit, 0.0, std::numeric_limits<double>::infinity(), false};
-  }
-  static Quantity not_negative(std::string_view unit) { return {unit, 0.0}; }
-  static Quantity between(double least, double greatest) { return {"", least, greatest}; }
-
-  bool holds(double value) const;
-  /// "a number greater than 0 (m)".
-  std::string expectation() const;
-};
 
 /// One table of a scenario file: typed access to its keys. Every complaint is an InputError naming
 /// place, key, value and what was expected. Valid as long as its document.
@@ -53,8 +34,8 @@ class TomlSection {
   // Values that must be there, or may be missing where there is a fallback.
   double number(std::string_view key, const Quantity& quantity) const;
   double number(std::string_view key, const Quantity& quantity, double fallback) const;
-  int integer(std::string_view key, int least, int greatest) const;
-  int integer(std::string_view key, int least, int greatest, int fallback) const;
+  int integer(std::string_view key, const Count& count) const;
+  int integer(std::string_view key, const Count& count, int fallback) const;
   bool flag(std::string_view key, bool fallback) const;
   std::string text(std::string_view key, const std::string& fallback) const;
   /// An array of numbers, of `count` of them unless it is 0 (then at least one).

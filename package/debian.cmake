@@ -51,7 +51,7 @@ if(BUILD_SHARED_LIBS)
     ", ${runtime_package} (= ${PROJECT_VERSION}-${release})")
 else()
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    ", libtbb-dev (>= 2021), libtomlplusplus-dev, zlib1g-dev")
+    ", libspdlog-dev, libtbb-dev (>= 2021), libtomlplusplus-dev, zlib1g-dev")
 endif()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "g++, pkg-config")
 

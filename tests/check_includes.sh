@@ -30,7 +30,7 @@ refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of 
 # Layers of the engine, lowest first: no file includes a header of a later layer.
 layers=(
   'report/'
-  'apart lanes flex_layout elastic_block clock load.h load.cpp section load_data step_data step_trace memory'
+  'apart lanes log flex_layout elastic_block clock load.h load.cpp section load_data step_data step_trace memory'
   'kinematics body_terms hub natural_frequencies marker_motion load_terms'
   'formulation/'
   'integrator/generalized_alpha integrator/rk4 integrator/method integrator/step_control'

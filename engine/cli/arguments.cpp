@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
-#include <stdexcept>
 #include <utility>
 
 #include "engine/cli/compare_arguments.h"
@@ -14,7 +13,6 @@
 namespace spoke::cli {
 namespace {
 
-constexpr int kMostWindow = 1000;
 constexpr const char* kCommands = "run, check, compare, predict, trace or reproduce";
 
 constexpr const char* kStatusText = R"(Exit status:
@@ -192,7 +190,7 @@ void add_executor(CLI::App& run, Arguments& arguments) {
     try {
       graph::executor_kind(name);
       return {};
-    } catch (const std::invalid_argument& error) {
+    } catch (const InputError& error) {
       return error.what();
     }
   };
@@ -208,7 +206,7 @@ void add_executor(CLI::App& run, Arguments& arguments) {
 void check_threads(const SimulationOptions& options) {
   try {
     graph::check_threads(options.executor, options.threads);
-  } catch (const std::invalid_argument& error) {
+  } catch (const InputError& error) {
     throw CLI::ValidationError("--threads", error.what());
   }
 }

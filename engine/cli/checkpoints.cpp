@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "models/error.h"
@@ -37,7 +36,7 @@ Checkpoint resume(const std::filesystem::path& file, Simulation& simulation) {
     refuse(file, "it holds a state without the records of a run: expected one of spoke run");
   try {
     simulation.restore(checkpoint.state);
-  } catch (const std::invalid_argument& error) {
+  } catch (const InputError& error) {
     refuse(file, error.what());
   }
   demand_fit(file, *checkpoint.record, simulation);

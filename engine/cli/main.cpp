@@ -23,7 +23,9 @@ namespace {
 using namespace spoke;
 
 void start_logging(const cli::Arguments& arguments) {
-  spdlog::set_default_logger(spdlog::stderr_color_mt("spoke"));
+  // Not as "spoke", where the library would hear it: the program says these things itself.
+  spdlog::set_default_logger(spdlog::stderr_color_mt("program"));
+  spdlog::set_pattern("[%Y-%m-%d %H:%M:%S.%e] [spoke] [%^%l%$] %v");
   const auto level = arguments.verbosity > 1    ? spdlog::level::debug
                      : arguments.verbosity == 1 ? spdlog::level::info
                                                 : spdlog::level::warn;

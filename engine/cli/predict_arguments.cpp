@@ -5,11 +5,10 @@
 #include <string>
 
 #include "engine/cli/threads_option.h"
+#include "engine/simulation.h"
 
 namespace spoke::cli {
 namespace {
-
-constexpr int kMostWindow = 1000;
 
 /// "1,2,4" in ascending order, each once.
 std::vector<int> parse_counts(const std::string& list) {

@@ -221,7 +221,7 @@ TEST_CASE("a saved state whose observations name no body of the model is refused
   for (const double blade : {2.0, -1.0, 0.5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
     SavedState bad = saved;
     bad.values[first + 2] = blade;  // after step and ratio
-    CHECK_THROWS_AS(simulation.restore(bad), std::invalid_argument);
+    CHECK_THROWS_AS(simulation.restore(bad), InputError);
   }
   simulation.restore(saved);
 }

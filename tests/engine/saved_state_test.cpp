@@ -201,7 +201,7 @@ TEST_CASE("after a divergence a state is restored, and nothing of the failure is
           *message = error.what();
         }
         CHECK_FALSE(message->empty());
-        CHECK_THROWS_AS(simulation.save(), std::logic_error);
+        CHECK_THROWS_AS(simulation.save(), StateError);
         simulation.restore(saved);
         CHECK(simulation.time() == 9.0);
         simulation.run_until(9.5);
@@ -300,7 +300,7 @@ TEST_CASE("a state of another model is refused, with what differs") {
     const std::uint64_t before = simulation.state_hash();
     try {
       simulation.restore(saved);
-    } catch (const std::invalid_argument& error) {
+    } catch (const InputError& error) {
       CHECK(simulation.state_hash() == before);
       return std::string(error.what());
     }
@@ -333,17 +333,17 @@ TEST_CASE("a saved state that was tampered with is refused") {
   CHECK_THROWS_WITH(simulation.restore({}), "the saved state is empty");
   SavedState saved = simulation.save();
   saved.values.pop_back();
-  CHECK_THROWS_AS(simulation.restore(saved), std::invalid_argument);
+  CHECK_THROWS_AS(simulation.restore(saved), InputError);
   saved = simulation.save();
   for (const std::string& text : {std::string("[["), std::string("{}"), std::string(1 << 20, '['),
                                   std::string("{\"blades\":") + std::string(1 << 20, '[') +
                                       std::string(1 << 20, ']') + "}"}) {
     saved.model = std::make_shared<const std::string>(text);
-    CHECK_THROWS_AS(simulation.restore(saved), std::invalid_argument);
+    CHECK_THROWS_AS(simulation.restore(saved), InputError);
   }
   saved = simulation.save();
   for (const std::int64_t steps : {std::int64_t{-1}, std::numeric_limits<std::int64_t>::max()}) {
     saved.steps = steps;
-    CHECK_THROWS_AS(simulation.restore(saved), std::invalid_argument);
+    CHECK_THROWS_AS(simulation.restore(saved), InputError);
   }
 }

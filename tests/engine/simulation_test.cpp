@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "models/error.h"
 #include "rotors.h"
+#include "tests/message_of.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -35,7 +35,7 @@ TEST_CASE("a sensor has a handle") {
   CHECK(simulation.sensor_names()[speed] == "hub.speed");
   CHECK(simulation.sensor_values()[speed] == simulation.sensor("hub.speed"));
   CHECK(simulation.sensor("hub.speed") == simulation.hub().velocity[kRotation]);
-  CHECK_THROWS_AS(simulation.sensor_index("hub.sped"), std::out_of_range);
+  CHECK_THROWS_AS(simulation.sensor_index("hub.sped"), InputError);
 }
 
 TEST_CASE("the hub follows its drive exactly and time does not drift") {
@@ -129,7 +129,7 @@ TEST_CASE("sensors have names and units, and an unknown name is refused") {
   CHECK(simulation.sensor_names().size() == simulation.sensor_units().size());
   CHECK(simulation.sensor_names().size() == simulation.sensor_values().size());
   CHECK(simulation.sensor_names().front() == "blade1.tip.x");
-  CHECK_THROWS_AS(simulation.sensor("blade9.tip.x"), std::out_of_range);
+  CHECK_THROWS_AS(simulation.sensor("blade9.tip.x"), InputError);
 }
 
 TEST_CASE("the state of a body is told in the order axial, bending") {
@@ -139,8 +139,8 @@ TEST_CASE("the state of a body is told in the order axial, bending") {
   REQUIRE(tip.coordinates.size() == 12);
   CHECK(std::abs(tip.coordinates[3]) < 1e-3);  // u: stretched little
   CHECK(tip.coordinates[10] < -1e-3);          // v: lags
-  CHECK_THROWS_AS(simulation.body(0, 4), std::out_of_range);
-  CHECK_THROWS_AS(simulation.body(3, 0), std::out_of_range);
+  CHECK_THROWS_AS(simulation.body(0, 4), InputError);
+  CHECK_THROWS_AS(simulation.body(3, 0), InputError);
 }
 
 TEST_CASE("a model beyond the machine's memory is refused before anything is allocated") {
@@ -157,4 +157,74 @@ TEST_CASE("simulations may be moved") {
   Simulation second = std::move(first);
   second.step();
   CHECK(second.steps() == 2);
+}
+
+TEST_CASE("a scenario filled in code with nonsense is refused, by its key") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.005);
+  scenario.rotor.blades[1].length = -8.0;
+  CHECK(message_of([&] { Simulation(scenario, kSerial); }) ==
+        "blades.2.length: is -8, expected a number greater than 0 (m)");
+  scenario.rotor.blades.clear();
+  CHECK(message_of([&] { Simulation(scenario, kSerial); }) ==
+        "blades: there are none, expected one or more");
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  CHECK(message_of([&] {
+          simulation.set_drive(SpinUp{4.0, -1.0});
+        }) == "hub.drive.ramp: is -1, expected a number greater than 0 (s)");
+}
+
+TEST_CASE("options that are none are refused") {
+  const Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.005);
+  CHECK(message_of([&] {
+          Simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1, -1});
+        }) == "SimulationOptions::window is -1, expected 0 to 1000");
+  CHECK(message_of([&] {
+          Simulation(scenario, {Formulation::structured, ExecutorKind::flow_graph, -2});
+        }) == "number of threads: expected 0 (all available) or more, got -2");
+}
+
+TEST_CASE("what does not exist is refused with what was expected") {
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);
+  CHECK(message_of([&] { simulation.sensor("blade1.tip.w"); }) ==
+        "no sensor is named \"blade1.tip.w\", did you mean \"blade1.tip.x\"?");
+  CHECK(message_of([&] { simulation.sensor("temperature"); }) ==
+        "no sensor is named \"temperature\", expected one of sensor_names()");
+  CHECK(message_of([&] { simulation.body(3, 0); }) ==
+        "the index of the blade is 3, expected 0 to 2");
+  CHECK(message_of([&] { simulation.body(0, -1); }) ==
+        "the index of the body is -1, expected 0 to 3");
+  BladeShape shape;
+  CHECK(message_of([&] { simulation.calc_shape(-1, shape); }) ==
+        "the index of the blade is -1, expected 0 to 2");
+  CHECK(message_of([&] { simulation.trace(0); }) ==
+        "the number of steps to trace is 0, expected 1 to 4000");
+  CHECK(message_of([&] { simulation.measure_nodes(4001); }) ==
+        "the number of steps to measure is 4001, expected 1 to 4000");
+}
+
+TEST_CASE("every error of the library has a code") {
+  const auto code_of = [](const auto& function) {
+    try {
+      function();
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::internal;
+  };
+  const Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.005);
+  Simulation simulation(scenario, kSerial);
+  CHECK(code_of([&] { simulation.sensor("none"); }) == ErrorCode::bad_input);
+  CHECK(code_of([&] { simulation.restore({}); }) == ErrorCode::bad_input);
+  CHECK(code_of([] { Curve({}, {}); }) == ErrorCode::bad_input);
+  CHECK(code_of([] { graph::executor_kind("none"); }) == ErrorCode::bad_input);
+  const auto load = [](auto function) { return make_load("broken", {Marker{}}, function); };
+  CHECK(code_of([&] {
+          Simulation(scenario, kSerial, {load([](double, auto, auto) { throw 1; })});
+        }) == ErrorCode::load_failed);
+  Scenario hopeless = scenario;
+  hopeless.integration.max_iterations = 1;
+  hopeless.integration.step = 0.05;
+  Simulation diverging(hopeless, kSerial);
+  CHECK(code_of([&] { diverging.run_until(5.0); }) == ErrorCode::diverged);
+  CHECK(code_of([&] { diverging.save(); }) == ErrorCode::no_state);
 }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
-#include <stdexcept>
 #include <thread>
 
+#include "spoke/error.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/recorded_graph.h"
 
@@ -114,7 +114,7 @@ TEST_CASE("executors tell their name and threads, and refuse a negative number")
   CHECK(make_executor(graph, ExecutorKind::flow_graph, 3)->threads() == Threads(3));
   CHECK(make_executor(graph, ExecutorKind::flow_graph)->threads() == Threads(available_threads()));
   CHECK(make_executor(graph, ExecutorKind::flow_graph)->name() == "flow_graph");
-  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, -1), std::invalid_argument);
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, -1), spoke::InputError);
 }
 
 TEST_CASE("kinds are found by name, and one that this build is without is refused, and why") {
@@ -124,22 +124,22 @@ TEST_CASE("kinds are found by name, and one that this build is without is refuse
   CHECK_THROWS_WITH_AS(
       executor_kind("openmp"),
       doctest::Contains("no executor is named \"openmp\"; known here: auto, flow_graph"),
-      std::invalid_argument);
+      spoke::InputError);
   for (const ExecutorKind kind :
        {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
     const std::string why = std::string(name_of(kind)) +
                             " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known "
                             "here: auto, flow_graph, serial";
-    CHECK_THROWS_WITH_AS(executor_kind(name_of(kind)), why.c_str(), std::invalid_argument);
-    CHECK_THROWS_WITH_AS(make_executor(graph, kind), why.c_str(), std::invalid_argument);
+    CHECK_THROWS_WITH_AS(executor_kind(name_of(kind)), why.c_str(), spoke::InputError);
+    CHECK_THROWS_WITH_AS(make_executor(graph, kind), why.c_str(), spoke::InputError);
   }
 }
 
 TEST_CASE("executors of one layer of threads refuse nested teams") {
   const StepGraph graph = StepGraphBuilder().build();
-  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, {3, 2}), std::invalid_argument);
-  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::serial, {1, 0}), std::invalid_argument);
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::flow_graph, {3, 2}), spoke::InputError);
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::serial, {1, 0}), spoke::InputError);
 }
 
 TEST_CASE("the available threads are at least one and at most the processors") {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "graph/executor.h"
+#include "spoke/error.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/recorded_graph.h"
 
@@ -189,7 +190,6 @@ TEST_CASE("openmp: threads are those available unless given, and levels have one
         Threads(available_threads(), 3));
   CHECK(make_executor(graph, ExecutorKind::openmp_levels)->threads() ==
         Threads(available_threads()));
-  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_levels, {3, 2}), std::invalid_argument);
-  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_scheme2, {3, 0}),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_levels, {3, 2}), spoke::InputError);
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_scheme2, {3, 0}), spoke::InputError);
 }

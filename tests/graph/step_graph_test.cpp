@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
+#include "spoke/error.h"
 #include "tests/graph/arithmetic_graph.h"
 
 using namespace spoke::graph;
@@ -141,10 +141,8 @@ TEST_CASE("declarations mix parts and ranges of parts, sorted and without repeti
 
 TEST_CASE("a part that was not added is refused") {
   StepGraphBuilder builder;
-  CHECK_THROWS_AS(builder.add_node({"n"}, reads(PartId{0}), writes(), nothing),
-                  std::invalid_argument);
-  CHECK_THROWS_AS(builder.add_node({"n"}, reads(), writes(PartId{}), nothing),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(builder.add_node({"n"}, reads(PartId{0}), writes(), nothing), spoke::InputError);
+  CHECK_THROWS_AS(builder.add_node({"n"}, reads(), writes(PartId{}), nothing), spoke::InputError);
 }
 
 TEST_CASE("the builder is empty after building, and an empty graph is a graph") {

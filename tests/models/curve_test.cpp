@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "tests/message_of.h"
 
 using doctest::Approx;
 using spoke::Curve;
@@ -119,10 +122,16 @@ TEST_CASE("derivative and integral of a curve belong to its value") {
 
 TEST_CASE("a curve refuses points that are none") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(Curve({}, {}), std::invalid_argument);
-  CHECK_THROWS_AS(Curve({0.0, 1.0}, {1.0}), std::invalid_argument);
-  CHECK_THROWS_AS(Curve({0.0, 0.0}, {1.0, 2.0}), std::invalid_argument);
-  CHECK_THROWS_AS(Curve({1.0, 0.0}, {1.0, 2.0}), std::invalid_argument);
-  CHECK_THROWS_AS(Curve({0.0, nan}, {1.0, 2.0}), std::invalid_argument);
-  CHECK_THROWS_AS(Curve({0.0, 1.0}, {1.0, nan}), std::invalid_argument);
+  const auto message = [](std::vector<double> times, std::vector<double> values) {
+    return spoke::test::message_of([&] { Curve(std::move(times), std::move(values)); });
+  };
+  const std::string sizes = " values, expected as many of each, at least one";
+  CHECK(message({}, {}) == "a curve has 0 times and 0" + sizes);
+  CHECK(message({0.0, 1.0}, {1.0}) == "a curve has 2 times and 1" + sizes);
+  CHECK(message({0.0, 0.0}, {1.0, 2.0}) ==
+        "time 2 of a curve is 0, expected more than the one before it, 0");
+  CHECK(message({1.0, 0.5}, {1.0, 2.0}) ==
+        "time 2 of a curve is 0.5, expected more than the one before it, 1");
+  CHECK(message({0.0, nan}, {1.0, 2.0}) == "time 2 of a curve is nan, expected a finite number");
+  CHECK(message({0.0, 1.0}, {1.0, nan}) == "value 2 of a curve is nan, expected a finite number");
 }

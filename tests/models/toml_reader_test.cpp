@@ -20,7 +20,7 @@ TEST_CASE("numbers are read with integers accepted for floats") {
   CHECK(root.number("a", Quantity::any("m")) == 3.0);
   CHECK(root.number("b", Quantity::positive("m")) == 2.5);
   CHECK(root.number("d", Quantity::any("m"), 7.0) == 7.0);
-  CHECK(root.integer("a", 1, 3) == 3);
+  CHECK(root.integer("a", {1, 3}) == 3);
   CHECK(root.numbers("c", Quantity::any("m")) == std::vector<double>{1.0, 2.5});
 }
 
@@ -33,8 +33,9 @@ TEST_CASE("complaints name place and key and value and expectation") {
         "f.toml:1:1: a.z: is missing, expected a number from 0 to 1");
   CHECK(message_of([&] { a.numbers("y", Quantity::any("s")); }) ==
         "f.toml:3:11: a.y.2: is \"two\", expected a number (s)");
-  CHECK(message_of([&] { a.integer("x", 1, 9); }) ==
-        "f.toml:2:7: a.x: is -1, expected a whole number from 1 to 9");
+  CHECK(message_of([&] {
+          a.integer("x", {1, 9});
+        }) == "f.toml:2:7: a.x: is -1, expected a whole number from 1 to 9");
   CHECK(message_of([&] { a.text("x", ""); }) == "f.toml:2:7: a.x: is -1, expected text in quotes");
   CHECK(message_of([&] { a.flag("x", true); }) == "f.toml:2:7: a.x: is -1, expected true or false");
 }

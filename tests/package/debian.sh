@@ -23,6 +23,12 @@ demand libspoke-dev Depends libeigen3-dev
 # All that the program is linked with, by the packages that dpkg says own it.
 dpkg-deb --extract "$work"/packages/spoke_*.deb "$work/spoke"
 dpkg-deb --extract "$work"/packages/libspoke-dev_*.deb "$work/libspoke-dev"
+# Whoever links the static library links what it needs.
+if [ -n "$(find "$work/libspoke-dev" -name libspoke.a)" ]; then
+  for package in libspdlog-dev libtbb-dev libtomlplusplus-dev zlib1g-dev; do
+    demand libspoke-dev Depends "$package"
+  done
+fi
 program=$work/spoke/usr/bin/spoke
 for library in $(objdump -p "$program" | awk '/NEEDED/ { print $2 }'); do
   owner=$(dpkg-query -S "*/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/$library" | head -1 | cut -d: -f1)

@@ -46,7 +46,8 @@ Trace make_trace(const Sample& sample) {
 
 Trace small_trace() {
   Trace trace;
-  trace.scenario = trace.title = "small";
+  trace.title = std::string("small");  // GCC 12 misjudges the assignment of the text itself
+  trace.scenario = trace.title;
   trace.threads = "2";
   trace.step_size = 0.5;
   trace.created = "2026-01-01T00:00:00Z";

@@ -1,0 +1,39 @@
+#pragma once
+
+// What a simulation says to the logger of the program that embeds it (engine/log.h).
+
+#include <string>
+
+#include "engine/observations.h"
+#include "engine/simulation.h"
+
+namespace spoke {
+
+/// Says everything once in a simulation's life, also if states are restored: rollouts would repeat
+/// it without end.
+class SimulationLog {
+ public:
+  /// Its size, and what solves it.
+  static void tell_built(const Simulation& simulation);
+  /// That a state was restored.
+  static void tell_restored(const Scenario& scenario, double t, std::int64_t steps);
+  /// That it diverged, or a load failed.
+  static void tell_failure(const Scenario& scenario, const std::string& text);
+
+  bool has_told_choice() const { return has_told_choice_; }
+  /// What the executor "auto" has chosen.
+  void tell_choice(const Scenario& scenario, const std::string& description);
+
+  /// Whether there is something to warn of that has not been told.
+  bool has_warnings(const Observations& seen) const {
+    return (seen.first_bend.step >= 0.0 && !has_told_bend_) ||
+           (seen.growth.step >= 0.0 && !has_told_growth_);
+  }
+  /// Tells it, as Simulation::warnings() does.
+  void tell_warnings(const Scenario& scenario, double step_size, const Observations& seen);
+
+ private:
+  bool has_told_choice_ = false, has_told_bend_ = false, has_told_growth_ = false;
+};
+
+}  // namespace spoke
