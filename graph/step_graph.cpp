@@ -139,6 +139,11 @@ Adjacency::Adjacency(const std::vector<std::vector<NodeId>>& lists) {
   }
 }
 
+// Not in the header: what makes a span of a vector takes long to compile.
+std::span<const Node> StepGraph::nodes() const { return nodes_; }
+std::span<const Part> StepGraph::parts() const { return parts_; }
+std::span<const NodeId> StepGraph::serial_order() const { return serial_order_; }
+
 std::string StepGraph::name_of(NodeId node) const {
   return graph::name_of(this->node(node).label, subsystem_word_);
 }

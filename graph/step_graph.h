@@ -82,11 +82,11 @@ class SPOKE_EXPORT StepGraph {
   int edge_count() const { return successors_.size(); }
 
   /// All nodes in the order of insertion, which is a topological order.
-  std::span<const Node> nodes() const { return nodes_; }
+  std::span<const Node> nodes() const;
   /// One of them.
   const Node& node(NodeId id) const { return nodes_[static_cast<std::size_t>(id.index)]; }
   /// What the nodes read and write, in the order of addition.
-  std::span<const Part> parts() const { return parts_; }
+  std::span<const Part> parts() const;
   /// One of them.
   const Part& part(PartId id) const { return parts_[static_cast<std::size_t>(id.index)]; }
 
@@ -97,7 +97,7 @@ class SPOKE_EXPORT StepGraph {
 
   /// A topological order for one thread, depth first: a node is followed by what it made ready,
   /// so that one subsystem is worked on while its data are in cache.
-  std::span<const NodeId> serial_order() const { return serial_order_; }
+  std::span<const NodeId> serial_order() const;
 
   /// The node's name for people, e.g. "blade 2 / body 3 / inverse".
   std::string name_of(NodeId node) const;
