@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <filesystem>
+
 namespace spoke::bench {
 
 std::string RotorSize::name() const { return fmt::format("({},{},{})", blades, bodies, elements); }
