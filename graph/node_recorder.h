@@ -38,7 +38,7 @@ class NodeRecorder {
  public:
   /// The records of one thread. Members are plain, so that graph/flow_graph_executor.cpp, which the
   /// thread sanitizer does not watch, shares no function with files that it does.
-  struct alignas(128) Lane {
+  struct alignas(128) Lane {     // 128: processors fetch cache lines in pairs
     NodeRecord* next = nullptr;  ///< where the next record goes
     std::vector<NodeRecord> records;
   };

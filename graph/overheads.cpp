@@ -8,34 +8,12 @@
 
 #include "graph/executor_kinds.h"
 #include "graph/time_stamp.h"
+#include "graph/timed_runs.h"
 
 namespace spoke::graph {
 namespace {
 
 constexpr double kBusy = 20e-6;  // s
-
-void be_busy() noexcept {
-  const auto ticks = static_cast<std::uint64_t>(kBusy / time_stamp_scale().seconds_per_tick);
-  const std::uint64_t begin = time_stamp();
-  while (time_stamp() - begin < ticks) {
-  }
-}
-
-double seconds_since(std::uint64_t begin) {
-  return static_cast<double>(time_stamp() - begin) * time_stamp_scale().seconds_per_tick;
-}
-
-// The lower quartile: what disturbs only adds.
-double seconds_per_run(Executor& executor, int runs) {
-  std::vector<double> seconds;
-  for (int k = 0; k < runs; ++k) {
-    const std::uint64_t begin = time_stamp();
-    executor.run();
-    seconds.push_back(seconds_since(begin));
-  }
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[seconds.size() / 4];
-}
 
 // Two chains, since a single one would need no flow graph.
 double measure_cluster() {
@@ -57,7 +35,8 @@ double measure_handover() {
   const PartId root = builder.add_part("root", {});
   const std::vector<PartId> ends{builder.add_part("a", {}), builder.add_part("b", {})};
   builder.add_node({"root"}, {}, writes(root), []() noexcept {});
-  for (const PartId end : ends) builder.add_node({"busy"}, reads(root), writes(end), be_busy);
+  for (const PartId end : ends)
+    builder.add_node({"busy"}, reads(root), writes(end), []() noexcept { be_busy(kBusy); });
   builder.add_node({"join"}, reads(ends), {}, []() noexcept {});
   const StepGraph graph = builder.build();
   const auto executor = make_flow_graph_executor(graph, plan_of_single_nodes(graph), 2);

@@ -12,6 +12,7 @@
 #include "graph/executor_kinds.h"
 #include "graph/overheads.h"
 #include "graph/time_stamp.h"
+#include "graph/timed_runs.h"
 
 namespace spoke::graph {
 namespace {
@@ -19,24 +20,6 @@ namespace {
 bool has_openmp() {
   const auto kinds = executor_kinds();
   return std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_levels) != kinds.end();
-}
-
-double seconds_since(std::uint64_t begin) {
-  return static_cast<double>(time_stamp() - begin) * time_stamp_scale().seconds_per_tick;
-}
-
-// The lower quartile: what disturbs only adds.
-double seconds_per_run(Executor& executor, int runs) {
-  executor.run();
-  std::vector<std::uint64_t> ticks(static_cast<std::size_t>(runs));
-  for (std::uint64_t& tick : ticks) {
-    const std::uint64_t begin = time_stamp();
-    executor.run();
-    tick = time_stamp() - begin;
-  }
-  const auto quartile = ticks.begin() + runs / 4;
-  std::nth_element(ticks.begin(), quartile, ticks.end());
-  return static_cast<double>(*quartile) * time_stamp_scale().seconds_per_tick;
 }
 
 // Levels of two empty nodes, each of which waits for both nodes of the level before.
@@ -58,12 +41,6 @@ double measure_flow_graph_run(double per_cluster) {
   const StepGraph graph = make_ladder(1);
   const auto executor = make_executor(graph, ExecutorKind::flow_graph, 1);
   return seconds_per_run(*executor, 200) - 2.0 * per_cluster;
-}
-
-void be_busy(double seconds) noexcept {
-  const std::uint64_t begin = time_stamp();
-  while (seconds_since(begin) < seconds) {
-  }
 }
 
 // Levels of short nodes, each of which waits for two of the level before: both threads start nodes
