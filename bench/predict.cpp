@@ -21,6 +21,7 @@ namespace spoke::bench {
 namespace {
 
 using graph::Executor;
+using graph::NodeOrder;
 using graph::StepGraph;
 
 // Long against the milliseconds that a sleeping thread takes to wake.
@@ -34,10 +35,10 @@ class Subject {
   virtual const StepGraph& graph() const = 0;
   /// What makes a turn with an executor, settled.
   virtual std::function<void()> turn(ExecutorKind kind, int threads) = 0;
-  /// Makes a turn serially and measures the nodes.
-  virtual void measure_turn() = 0;
-  /// Mean over the measured turns, per run [s].
-  virtual std::vector<double> node_costs() const = 0;
+  /// Makes a turn on one thread and measures the nodes.
+  virtual void measure_turn(NodeOrder order) = 0;
+  /// Over the measured turns, per run [s].
+  virtual graph::OrderedCosts node_costs() const = 0;
   virtual double between_runs() const = 0;
   virtual double runs_per_turn() const = 0;
 };
@@ -48,7 +49,8 @@ class Synthetic final : public Subject {
   Synthetic(const StepShape& shape, double node_seconds)
       : name_(shape.name() + ", nodes of " + duration(node_seconds)),
         graph_(make_busy_graph(shape, node_seconds)),
-        nodes_(graph_),
+        serial_(graph_),
+        levels_(graph_, NodeOrder::levels),
         runs_(static_cast<int>(std::max(1.0, kBatch / (node_seconds * graph_.node_count())))) {}
 
   std::string name() const override { return name_; }
@@ -58,9 +60,13 @@ class Synthetic final : public Subject {
     while (executor->tuning()) executor->run();
     return [executor, runs = runs_] { run_repeatedly(*executor, runs); };
   }
-  void measure_turn() override { run_repeatedly(nodes_, runs_); }
-  std::vector<double> node_costs() const override { return nodes_.node_costs(); }
-  double between_runs() const override { return nodes_.between_runs(); }
+  void measure_turn(NodeOrder order) override {
+    run_repeatedly(order == NodeOrder::serial ? serial_ : levels_, runs_);
+  }
+  graph::OrderedCosts node_costs() const override {
+    return {serial_.node_costs(), levels_.node_costs()};
+  }
+  double between_runs() const override { return serial_.between_runs(); }
   double runs_per_turn() const override { return runs_; }
 
  private:
@@ -71,7 +77,7 @@ class Synthetic final : public Subject {
 
   std::string name_;
   StepGraph graph_;
-  graph::MeasuringExecutor nodes_;
+  graph::MeasuringExecutor serial_, levels_;
   int runs_;
 };
 
@@ -104,20 +110,30 @@ class Steps final : public Subject {
       for (int k = 0; k < 40; ++k) turn();
     return turn;
   }
-  void measure_turn() override { measured_.push_back(simulation_->measure_nodes(steps_)); }
-  std::vector<double> node_costs() const override {
-    std::vector<double> mean(measured_.front().costs.size(), 0.0);
-    for (const NodeMeasurement& turn : measured_)
-      for (std::size_t k = 0; k < mean.size(); ++k)
-        mean[k] += turn.costs[k] / static_cast<double>(measured_.size());
-    return mean;
+  void measure_turn(NodeOrder order) override {
+    turns_of(order).push_back(simulation_->measure_nodes(steps_, order));
   }
-  double between_runs() const override { return measured_.back().between_runs; }
+  graph::OrderedCosts node_costs() const override { return {medians(serial_), medians(levels_)}; }
+  double between_runs() const override { return serial_.back().between_runs; }
   double runs_per_turn() const override {
-    return measured_.back().runs_per_step * static_cast<double>(steps_);
+    return serial_.back().runs_per_step * static_cast<double>(steps_);
   }
 
  private:
+  static std::vector<double> medians(const std::vector<NodeMeasurement>& turns) {
+    std::vector<double> costs(turns.front().costs.size());
+    std::vector<double> cost(turns.size());
+    for (std::size_t node = 0; node < costs.size(); ++node) {
+      for (std::size_t k = 0; k < turns.size(); ++k) cost[k] = turns[k].costs[node];
+      const auto middle = cost.begin() + static_cast<std::ptrdiff_t>(cost.size() / 2);
+      std::nth_element(cost.begin(), middle, cost.end());
+      costs[node] = *middle;
+    }
+    return costs;
+  }
+  std::vector<NodeMeasurement>& turns_of(NodeOrder order) {
+    return order == NodeOrder::serial ? serial_ : levels_;
+  }
   std::unique_ptr<Simulation> make(ExecutorKind kind, int threads) const {
     return std::make_unique<Simulation>(scenario_,
                                         SimulationOptions{formulation_, kind, threads, window_});
@@ -129,7 +145,7 @@ class Steps final : public Subject {
   int window_;
   std::unique_ptr<Simulation> simulation_;
   long steps_ = 1;
-  std::vector<NodeMeasurement> measured_;
+  std::vector<NodeMeasurement> serial_, levels_;  // per turn
 };
 
 /// A turn behind a pause and a warm-up: threads that still spin after other turns end meanwhile.
@@ -148,7 +164,9 @@ struct Configuration {
   std::string name() const { return fmt::format("{} on {}", graph::name_of(kind), threads); }
 };
 
-std::vector<Configuration> configurations_of(const graph::RunPredictor& predictor) {
+std::vector<Configuration> configurations_of(const StepGraph& graph) {
+  const std::vector<double> costs(static_cast<std::size_t>(graph.node_count()));
+  const graph::RunPredictor predictor(graph, {costs, costs}, graph::runtime_costs());
   std::vector<Configuration> list{{ExecutorKind::serial, 1}};
   for (const ExecutorKind kind :
        {ExecutorKind::flow_graph, ExecutorKind::automatic, ExecutorKind::openmp_levels})
@@ -159,13 +177,15 @@ std::vector<Configuration> configurations_of(const graph::RunPredictor& predicto
 
 void compare(Subject& subject, const QuestionOptions& options, Table& table, Report& report) {
   const graph::RuntimeCosts& runtime = graph::runtime_costs();
-  const auto configurations = configurations_of(
-      {subject.graph(), std::vector<double>(subject.graph().node_count()), runtime});
+  const auto configurations = configurations_of(subject.graph());
   std::vector<Alternative> alternatives;
   for (const Configuration& configuration : configurations)
     alternatives.push_back(
         after_pause(configuration.name(), subject.turn(configuration.kind, configuration.threads)));
-  alternatives.push_back(after_pause("node by node", [&subject] { subject.measure_turn(); }));
+  for (const NodeOrder order : {NodeOrder::serial, NodeOrder::levels})
+    alternatives.push_back(
+        after_pause(order == NodeOrder::serial ? "node by node" : "node by node, level by level",
+                    [&subject, order] { subject.measure_turn(order); }));
   const std::vector<Timing> timings =
       measure(alternatives, options.quick ? Effort{5, kBatch, 0.5} : Effort{15, kBatch, 3.0});
   const graph::RunPredictor predictor(subject.graph(), subject.node_costs(), runtime);
@@ -215,8 +235,7 @@ void measure_predict(const QuestionOptions& options, Report& report) {
   for (const std::unique_ptr<Subject>& subject : make_subjects(options)) {
     show_progress(subject->name());
     if (table.columns.size() == 2)
-      for (const Configuration& configuration : configurations_of(
-               {subject->graph(), std::vector<double>(subject->graph().node_count()), runtime}))
+      for (const Configuration& configuration : configurations_of(subject->graph()))
         table.columns.push_back(configuration.name());
     compare(*subject, options, table, report);
   }

@@ -255,10 +255,9 @@ StepTrace Simulation::Impl::trace(std::int64_t target, const StepObserver& obser
 }
 
 void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
-  // Without the sensors, which would be measured, too.
   demand_done([&] {
     return runner->advance_by(executor, std::min(target, planned_steps),
-                              [this](std::int64_t step) { count_step(step); });
+                              [this](std::int64_t step) { complete_step(step, {}); });
   });
 }
 
@@ -472,9 +471,9 @@ StepTrace Simulation::trace(std::int64_t step_count, const StepObserver& observe
   return impl_->trace(steps() + step_count, observe, options);
 }
 
-NodeMeasurement Simulation::measure_nodes(std::int64_t step_count) {
+NodeMeasurement Simulation::measure_nodes(std::int64_t step_count, graph::NodeOrder order) {
   demand_range("the number of steps to measure", step_count, 1, planned_steps() - steps());
-  graph::MeasuringExecutor executor(run_graph());
+  graph::MeasuringExecutor executor(run_graph(), order);
   impl_->measure(steps() + step_count, executor);
   return {executor.node_costs(), executor.run_times(), executor.between_runs(),
           static_cast<double>(executor.runs()) / static_cast<double>(step_count)};

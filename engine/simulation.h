@@ -18,6 +18,7 @@
 #include "engine/step_trace.h"
 #include "engine/warnings.h"
 #include "graph/executor.h"
+#include "graph/node_order.h"
 #include "models/scenario.h"
 #include "spoke/export.h"
 
@@ -156,11 +157,12 @@ class SPOKE_EXPORT Simulation {
   /// Throws InputError unless 1 <= steps <= planned_steps() - this->steps().
   StepTrace trace(std::int64_t steps, const StepObserver& observe = {},
                   const TraceOptions& options = TraceOptions());
-  /// Makes `steps` steps as run_until() does, to the same bits, but serially and in half of the
-  /// runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws DivergenceError,
-  /// and InputError unless 1 <= steps <= planned_steps() - this->steps(); should be 2 windows or
-  /// more.
-  NodeMeasurement measure_nodes(std::int64_t steps);
+  /// Makes `steps` steps as run_until() does, to the same bits, but on one thread and in half of
+  /// the runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws
+  /// DivergenceError, and InputError unless 1 <= steps <= planned_steps() - this->steps(); should
+  /// be 2 windows or more.
+  NodeMeasurement measure_nodes(std::int64_t steps,
+                                graph::NodeOrder order = graph::NodeOrder::serial);
 
   /// Copies the state, at the cost of some vectors of coordinates. Throws StateError after a step
   /// that could not be completed.

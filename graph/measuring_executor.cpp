@@ -18,21 +18,39 @@ double seconds_of(std::uint64_t ticks) {
 // passes of a step.
 bool has_stamps(int run) { return std::popcount(static_cast<unsigned>(run)) % 2 == 0; }
 
-// Without the dearest twentieth.
-double robust_mean(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  values.resize((19 * values.size() + 19) / 20);
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+// The median over stretches of their means: dear runs count as cheap ones do, but not the stretches
+// that another program disturbed. Short of two whole stretches it is the mean.
+double robust_mean(const std::vector<double>& times) {
+  constexpr double stretch = 20e-3;  // s
+  const double seconds = std::accumulate(times.begin(), times.end(), 0.0);
+  const auto count =
+      std::clamp<std::size_t>(static_cast<std::size_t>(seconds / stretch), 1, times.size());
+  std::vector<double> means(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto begin = times.begin() + static_cast<std::ptrdiff_t>(k * times.size() / count);
+    const auto end = times.begin() + static_cast<std::ptrdiff_t>((k + 1) * times.size() / count);
+    means[k] = std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
+  }
+  const auto middle = means.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(means.begin(), middle, means.end());
+  return *middle;
+}
+
+std::vector<double> in_seconds(const std::vector<std::uint64_t>& ticks) {
+  std::vector<double> times(ticks.size());
+  std::transform(ticks.begin(), ticks.end(), times.begin(), seconds_of);
+  return times;
 }
 
 }  // namespace
 
-MeasuringExecutor::MeasuringExecutor(const StepGraph& graph) : graph_(graph), costs_(graph) {}
+MeasuringExecutor::MeasuringExecutor(const StepGraph& graph, NodeOrder order)
+    : graph_(graph), costs_(graph, order) {}
 
 void MeasuringExecutor::run() {
   if (has_stamps(runs())) return costs_.run();
   const std::uint64_t begin = time_stamp();
-  for (const NodeId node : graph_.serial_order()) graph_.run_node(node);
+  for (const NodeId node : costs_.order()) graph_.run_node(node);
   plain_ticks_.push_back(time_stamp() - begin);
 }
 
@@ -58,18 +76,10 @@ std::vector<double> MeasuringExecutor::node_costs() const {
   return costs;
 }
 
-std::vector<double> MeasuringExecutor::run_times() const {
-  std::vector<double> times(plain_ticks_.size());
-  std::transform(plain_ticks_.begin(), plain_ticks_.end(), times.begin(), seconds_of);
-  return times;
-}
+std::vector<double> MeasuringExecutor::run_times() const { return in_seconds(plain_ticks_); }
 
 double MeasuringExecutor::between_runs() const {
-  if (ticks_between_.empty()) return 0.0;
-  std::vector<std::uint64_t> sorted = ticks_between_;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return seconds_of(*middle);
+  return ticks_between_.empty() ? 0.0 : robust_mean(in_seconds(ticks_between_));
 }
 
 }  // namespace spoke::graph

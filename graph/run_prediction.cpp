@@ -12,8 +12,9 @@
 namespace spoke::graph {
 namespace {
 
-std::vector<double> times(std::vector<double> costs, double factor) {
-  for (double& cost : costs) cost *= factor;
+OrderedCosts times(OrderedCosts costs, double factor) {
+  for (double& cost : costs.serial) cost *= factor;
+  for (double& cost : costs.levels) cost *= factor;
   return costs;
 }
 
@@ -45,7 +46,7 @@ double critical_shares(const std::vector<Round>& rounds, const std::vector<doubl
 
 /// One set of costs, and how a barrier of two threads grows with their number.
 struct RunPredictor::Assumptions {
-  std::vector<double> costs;
+  OrderedCosts costs;
   RuntimeCosts runtime;
   double (*barrier_growth)(int threads);
 
@@ -54,7 +55,7 @@ struct RunPredictor::Assumptions {
   }
 };
 
-RunPredictor::RunPredictor(const StepGraph& graph, std::vector<double> node_costs,
+RunPredictor::RunPredictor(const StepGraph& graph, OrderedCosts node_costs,
                            const RuntimeCosts& runtime, CostSpread spread)
     : graph_(graph),
       node_costs_(std::move(node_costs)),
@@ -62,8 +63,8 @@ RunPredictor::RunPredictor(const StepGraph& graph, std::vector<double> node_cost
       spread_(spread),
       single_nodes_(plan_of_single_nodes(graph)) {}
 
-double RunPredictor::work() const { return work_of(node_costs_); }
-double RunPredictor::span() const { return span_of(single_nodes_, node_costs_); }
+double RunPredictor::work() const { return work_of(node_costs_.serial); }
+double RunPredictor::span() const { return span_of(single_nodes_, node_costs_.serial); }
 
 // Threads that meet in a tree; all at one counter, one after the other; at no more cost than two.
 RunPredictor::Assumptions RunPredictor::expected() const {
@@ -78,7 +79,8 @@ RunPredictor::Assumptions RunPredictor::pessimistic() const {
 }
 
 bool RunPredictor::can_predict(ExecutorKind kind) const {
-  if (kind == ExecutorKind::openmp_levels) return runtime_.barrier > 0.0;
+  if (kind == ExecutorKind::openmp_levels)
+    return runtime_.barrier > 0.0 && !node_costs_.levels.empty();
   return kind == ExecutorKind::serial || kind == ExecutorKind::flow_graph ||
          kind == ExecutorKind::automatic;
 }
@@ -106,15 +108,17 @@ PredictedRun RunPredictor::predict_serial() const {
 double RunPredictor::flow_graph_seconds(const Plan& plan, int threads,
                                         const Assumptions& assumed) const {
   const int width = level_width(plan);
-  if (width <= 1) return work_of(assumed.costs);  // the executor then does without a flow graph
+  if (width <= 1)
+    return work_of(assumed.costs.serial);  // the executor then does without a flow graph
   const int used_threads = std::min(threads, width);
   Overheads overheads = assumed.runtime.flow_graph;
   if (used_threads > 1)
-    overheads.per_cluster =
-        cluster_among_threads(assumed.runtime, work_of(assumed.costs) / plan.cluster_count());
+    overheads.per_cluster = cluster_among_threads(
+        assumed.runtime, work_of(assumed.costs.serial) / plan.cluster_count());
   DataTraffic traffic(graph_, assumed.runtime.transfer);
   const auto makespan = [&] {
-    return simulate_work_stealing(plan, assumed.costs, used_threads, overheads, &traffic).makespan;
+    return simulate_work_stealing(plan, assumed.costs.serial, used_threads, overheads, &traffic)
+        .makespan;
   };
   makespan();  // leaves the data where a run finds them
   return assumed.runtime.flow_graph_run + makespan();
@@ -141,7 +145,7 @@ PredictedRun RunPredictor::predict_auto(int threads) const {
       serial.expected / least_gain(serial.expected, runtime_.flow_graph.handover);
   PredictedRun best = serial;
   for (const Candidate& candidate :
-       find_candidates(graph_, node_costs_, threads, runtime_.flow_graph, 1)) {
+       find_candidates(graph_, node_costs_.serial, threads, runtime_.flow_graph, 1)) {
     const PredictedRun run = predict_plan(candidate.plan, threads);
     if (run.expected < std::min(best.expected, worth_while)) best = run;
   }
@@ -154,8 +158,9 @@ PredictedRun RunPredictor::predict_levels(int threads) const {
   return in_band(
       [&](const Assumptions& assumed) {
         DataTraffic traffic(graph_, assumed.runtime.transfer);
-        critical_shares(rounds, assumed.costs, traffic);  // leaves the data where a run finds them
-        return critical_shares(rounds, assumed.costs, traffic) +
+        critical_shares(rounds, assumed.costs.levels,
+                        traffic);  // leaves the data where a run finds them
+        return critical_shares(rounds, assumed.costs.levels, traffic) +
                barriers_of(rounds) * assumed.barrier(threads);
       },
       0);

@@ -15,6 +15,13 @@ struct PredictedRun {
   int clusters = 0;  ///< of the plan that is run; 1: serially; 0: the executor knows no plans
 };
 
+/// What the nodes cost on one thread, by index of the node [s], in the orders that executors run
+/// them.
+struct OrderedCosts {
+  std::vector<double> serial;
+  std::vector<double> levels;  ///< for openmp_levels; empty: that one is not predicted
+};
+
 /// What the costs of nodes may be off by, as factors.
 struct CostSpread {
   double low = 1.0;   ///< <= 1
@@ -28,15 +35,15 @@ struct CostSpread {
 /// costs with nodes at their dearest.
 class RunPredictor {
  public:
-  /// `node_costs`: by index of the node [s]. Refers to `graph`, which must outlive it.
-  RunPredictor(const StepGraph& graph, std::vector<double> node_costs, const RuntimeCosts& runtime,
+  /// Refers to `graph`, which must outlive it.
+  RunPredictor(const StepGraph& graph, OrderedCosts node_costs, const RuntimeCosts& runtime,
                CostSpread spread = {});
 
   double work() const;  ///< T1 [s]
   double span() const;  ///< Tinf [s]
 
   /// Whether runs of this executor can be predicted: serial, flow_graph, auto, and openmp_levels if
-  /// its barrier was measured.
+  /// its barrier and the nodes in its order were measured.
   bool can_predict(ExecutorKind kind) const;
   /// Precondition: can_predict(kind), threads >= 1. Each thread has a processor of its own. `auto`
   /// runs the plan that the simulator finds best, or serially if no plan is faster.
@@ -56,7 +63,7 @@ class RunPredictor {
   PredictedRun predict_levels(int threads) const;
 
   const StepGraph& graph_;
-  std::vector<double> node_costs_;
+  OrderedCosts node_costs_;
   RuntimeCosts runtime_;
   CostSpread spread_;
   Plan single_nodes_;

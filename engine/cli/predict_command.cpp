@@ -43,7 +43,8 @@ Subject make_subject(const Arguments& arguments, const Scenario& scenario) {
   const auto batch = std::max<std::int64_t>(
       1, std::llround(static_cast<double>(steps) * kBatchSeconds / kNodeSeconds));
   const std::int64_t all =
-      std::max(2 * steps, compare::steps_of(batch, kRounds)) + arguments.predict.window;
+      std::max(2 * predict::NodeTimer::orders() * steps, compare::steps_of(batch, kRounds)) +
+      arguments.predict.window;
   return {Simulation(compare::with_steps(given, all), options), steps, batch};
 }
 
@@ -114,12 +115,13 @@ int predict(const Arguments& arguments) {
   show_progress("timing nodes");
   Subject subject = make_subject(arguments, scenario);
   predict::Prediction prediction = describe(arguments, subject.simulation);
-  std::vector<NodeMeasurement> timed{subject.simulation.measure_nodes(subject.steps)};
+  predict::NodeTimer timer(subject.simulation);
+  timer.measure(subject.steps);
   const auto measurements = measure(arguments, subject, prediction.machine.cores);
   prediction.rounds = kRounds;
   show_progress("timing nodes");
-  timed.push_back(subject.simulation.measure_nodes(subject.steps));
-  prediction.nodes = predict::summarise(timed, subject.steps);
+  timer.measure(subject.steps);
+  prediction.nodes = timer.summarise();
   prediction.runtime = graph::runtime_costs();
   prediction.load_after = load_average();
   show_progress("predicting");

@@ -45,7 +45,8 @@ Json describe_nodes(const Nodes& nodes) {
           {"runs_per_step", nodes.mean.runs_per_step},
           {"between_runs_s", nodes.mean.between_runs},
           {"spread", {nodes.spread.low, nodes.spread.high}},
-          {"costs_s", nodes.mean.costs}};
+          {"costs_s", nodes.mean.costs},
+          {"level_costs_s", nodes.level_costs.empty() ? Json(nullptr) : Json(nodes.level_costs)}};
 }
 
 Json describe_point(const Prediction& prediction, ExecutorKind executor, const Point& point) {

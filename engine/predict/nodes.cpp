@@ -5,6 +5,31 @@
 #include "engine/compare/statistics.h"
 
 namespace spoke::predict {
+namespace {
+
+bool has_levels() {
+  const auto kinds = graph::executor_kinds();
+  return std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_levels) != kinds.end();
+}
+
+NodeMeasurement mean_of(const std::vector<NodeMeasurement>& measurements) {
+  NodeMeasurement mean = measurements.front();
+  for (std::size_t k = 1; k < measurements.size(); ++k) {
+    const NodeMeasurement& more = measurements[k];
+    for (std::size_t node = 0; node < mean.costs.size(); ++node)
+      mean.costs[node] += more.costs[node];
+    mean.between_runs += more.between_runs;
+    mean.runs_per_step += more.runs_per_step;
+    mean.run_times.insert(mean.run_times.end(), more.run_times.begin(), more.run_times.end());
+  }
+  const double share = 1.0 / static_cast<double>(measurements.size());
+  for (double& cost : mean.costs) cost *= share;
+  mean.between_runs *= share;
+  mean.runs_per_step *= share;
+  return mean;
+}
+
+}  // namespace
 
 std::int64_t choose_steps(Simulation& simulation, double seconds) {
   constexpr double kMostStamps = 8e6;  // 64 MB of them
@@ -19,25 +44,22 @@ std::int64_t choose_steps(Simulation& simulation, double seconds) {
   return window * static_cast<std::int64_t>(windows);
 }
 
-Nodes summarise(const std::vector<NodeMeasurement>& measurements, std::int64_t steps) {
-  Nodes nodes{measurements.front(), {}, steps * static_cast<std::int64_t>(measurements.size())};
-  NodeMeasurement& mean = nodes.mean;
-  for (std::size_t k = 1; k < measurements.size(); ++k) {
-    const NodeMeasurement& more = measurements[k];
-    for (std::size_t node = 0; node < mean.costs.size(); ++node)
-      mean.costs[node] += more.costs[node];
-    mean.between_runs += more.between_runs;
-    mean.runs_per_step += more.runs_per_step;
-    mean.run_times.insert(mean.run_times.end(), more.run_times.begin(), more.run_times.end());
-  }
-  const double share = 1.0 / static_cast<double>(measurements.size());
-  for (double& cost : mean.costs) cost *= share;
-  mean.between_runs *= share;
-  mean.runs_per_step *= share;
-  const double median = compare::median(mean.run_times);
+int NodeTimer::orders() { return has_levels() ? 2 : 1; }
+
+void NodeTimer::measure(std::int64_t steps) {
+  serial_.push_back(simulation_.measure_nodes(steps));
+  if (has_levels()) levels_.push_back(simulation_.measure_nodes(steps, graph::NodeOrder::levels));
+  steps_ += steps;
+}
+
+Nodes NodeTimer::summarise() const {
+  Nodes nodes{mean_of(serial_), {}, {}, steps_};
+  if (!levels_.empty()) nodes.level_costs = mean_of(levels_).costs;
+  const std::vector<double>& times = nodes.mean.run_times;
+  const double median = compare::median(times);
   if (median > 0.0)
-    nodes.spread = {compare::quantile(mean.run_times, 0.25) / median,
-                    compare::quantile(mean.run_times, 0.75) / median};
+    nodes.spread = {compare::quantile(times, 0.25) / median,
+                    compare::quantile(times, 0.75) / median};
   return nodes;
 }
 

@@ -47,7 +47,7 @@ std::vector<ExecutorKind> predictable_executors() {
 void predict(Prediction& prediction, const graph::StepGraph& graph,
              const std::vector<int>& threads) {
   const NodeMeasurement& nodes = prediction.nodes.mean;
-  const graph::RunPredictor predictor(graph, nodes.costs, prediction.runtime,
+  const graph::RunPredictor predictor(graph, prediction.nodes.costs(), prediction.runtime,
                                       prediction.nodes.spread);
   prediction.work = nodes.runs_per_step * predictor.work();
   prediction.span = nodes.runs_per_step * predictor.span();

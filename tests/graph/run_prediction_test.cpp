@@ -24,7 +24,7 @@ RuntimeCosts costly() {
 
 RunPredictor predictor_of(const StepGraph& graph, const RuntimeCosts& runtime,
                           CostSpread spread = {}) {
-  return {graph, equal_costs(graph, kNode), runtime, spread};
+  return {graph, {equal_costs(graph, kNode), equal_costs(graph, kNode)}, runtime, spread};
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ TEST_CASE("prediction: the band holds the expected time and grows with the sprea
 
 TEST_CASE("prediction: auto is never slower than serial") {
   const StepGraph graph = make_fan(8, 4);
-  const RunPredictor tiny(graph, equal_costs(graph, 10e-9), costly());
+  const RunPredictor tiny(graph, {equal_costs(graph, 10e-9), {}}, costly());
   for (const int threads : {1, 2, 8}) {
     const PredictedRun run = tiny.predict(ExecutorKind::automatic, threads);
     CHECK(run.expected == doctest::Approx(tiny.work()));
