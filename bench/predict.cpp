@@ -187,7 +187,7 @@ void compare(Subject& subject, const QuestionOptions& options, Table& table, Rep
         after_pause(order == NodeOrder::serial ? "node by node" : "node by node, level by level",
                     [&subject, order] { subject.measure_turn(order); }));
   const std::vector<Timing> timings =
-      measure(alternatives, options.quick ? Effort{5, kBatch, 0.5} : Effort{15, kBatch, 3.0});
+      measure(alternatives, options.quick ? Effort{5, kBatch, 0.5} : Effort{25, kBatch, 4.0});
   const graph::RunPredictor predictor(subject.graph(), subject.node_costs(), runtime);
   const double serial = timings.front().median / subject.runs_per_turn();
   std::vector<std::string> row{subject.name(), duration(serial)};
