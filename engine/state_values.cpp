@@ -3,6 +3,16 @@
 #include <algorithm>
 
 namespace spoke {
+namespace {
+
+std::uint64_t hash(std::uint64_t value, const double* first, int count) {
+  constexpr std::uint64_t kPrime = 1099511628211u;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(first);
+  for (std::size_t k = 0; k < count * sizeof(double); ++k) value = (value ^ bytes[k]) * kPrime;
+  return value;
+}
+
+}  // namespace
 
 std::size_t count_state_values(StepData& data) {
   std::size_t count = 0;
@@ -30,6 +40,19 @@ void put_state_values(const std::vector<double>& values, std::int64_t step, Step
     std::copy_n(next, part.size(), part.begin());
     next += part.size();
   });
+}
+
+std::uint64_t hash_state(const StepData& data) {
+  std::uint64_t value = 14695981039346656037u;
+  value = hash(value, data.hub_coordinates.q, kTwist);
+  value = hash(value, data.hub_coordinates.v, kTwist);
+  for (const SubsystemData& subsystem : data.subsystems)
+    for (const BodyData& body : subsystem.bodies)
+      for (const double* flex : {body.coordinates.q, body.coordinates.v}) {
+        value = hash(value, flex + body.layout.u(), body.layout.axial);
+        value = hash(value, flex + body.layout.v(), body.layout.bending);
+      }
+  return value;
 }
 
 }  // namespace spoke

@@ -41,4 +41,7 @@ std::vector<double> take_state_values(std::int64_t step, StepData& data);
 /// TimeStepper::continue_from(). Precondition: values.size() == count_state_values(data).
 void put_state_values(const std::vector<double>& values, std::int64_t step, StepData& data);
 
+/// A hash (FNV-1a, 64 bits) of all coordinates and velocities, to compare runs bit by bit.
+std::uint64_t hash_state(const StepData& data);
+
 }  // namespace spoke

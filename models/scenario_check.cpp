@@ -1,5 +1,8 @@
 #include "models/scenario_check.h"
 
+#include <cmath>
+#include <sstream>
+#include <string>
 #include <variant>
 
 #include "models/scenario_fields.h"
@@ -86,6 +89,24 @@ void check_drive(const Drive& drive) {
           check_fields(path, fields);
       },
       drive);
+}
+
+void check_continuation(const Drive& before, const Drive& after, double t) {
+  if (prescribes_motion(before) != prescribes_motion(after))
+    throw InputError("a drive " + std::string(name_of(after)) + " cannot take over from " +
+                     std::string(name_of(before)) +
+                     ": expected one that prescribes the hub's rotation as well, or one that does "
+                     "not as well");
+  if (!prescribes_motion(after)) return;
+  const DriveMotion old = calc_motion(before, t), next = calc_motion(after, t);
+  constexpr double slack = 1e-9;
+  if (std::abs(old.angle - next.angle) <= slack && std::abs(old.speed - next.speed) <= slack)
+    return;
+  std::ostringstream text;
+  text << "the drive " << name_of(after) << " does not go on from where the hub is at t = " << t
+       << " s: it begins at " << next.angle << " rad and " << next.speed << " rad/s, expected "
+       << old.angle << " rad and " << old.speed << " rad/s";
+  throw InputError(text.str());
 }
 
 void check_scenario(const Scenario& scenario) {

@@ -11,4 +11,8 @@ void check_scenario(const Scenario& scenario);
 /// The same of a drive.
 void check_drive(const Drive& drive);
 
+/// Throws InputError unless `after` can take over from `before` at time t [s]: prescribes the hub's
+/// rotation or leaves it free as `before` does, and goes on from where the hub then is.
+void check_continuation(const Drive& before, const Drive& after, double t);
+
 }  // namespace spoke

@@ -34,7 +34,7 @@ layers=(
   'kinematics body_terms hub natural_frequencies marker_motion load_terms'
   'formulation/'
   'integrator/generalized_alpha integrator/rk4 integrator/method integrator/step_control'
-  'step_context state_copy state_values pass_ends samples shape'
+  'step_context model_memory state_copy state_values pass_ends samples shape'
   'step_parts step_graph_builder'
   'integrator/time_stepper'
   'step_recording'
