@@ -1,0 +1,104 @@
+#include "engine/cli/help_texts.h"
+
+namespace spoke::cli {
+
+const char* const kStatusText = R"(Exit status:
+  0  done
+  1  a fault in spoke itself
+  2  bad command line or scenario, or output that cannot be written;
+     the message on stderr says file:line:column, key, what is wrong and what is expected
+  3  the simulation diverged; results so far are kept
+  130, 143  SIGINT or SIGTERM ended a run; results so far are kept
+)";
+
+const char* const kRunText = R"(Output files, in the folder of --out:
+  sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies
+  summary.json  all values in force, machine, steps, wall time, hash of the final state, and
+                the extremes of every sensor over all steps
+  report.html   a page to look at: plots over time, the rotor moving, all numbers; needs no network
+  vtk/          with --vtk: blades.pvd for ParaView and a file for each output time
+  checkpoint.spoke  with --checkpoint-every: what --resume goes on from, see docs/checkpoint.md
+
+The first Ctrl-C (SIGINT) or SIGTERM completes the step, writes rows, summary and checkpoint, and
+ends; the second SIGINT ends at once.
+
+Examples:
+  spoke run models/wu_haug_rotor.toml --set blade.bodies=8 --set integration.step=0.01
+  spoke run long.toml --checkpoint-every 60
+  spoke run long.toml --checkpoint-every 60 --resume results/long/checkpoint.spoke
+)";
+
+const char* const kCheckText =
+    R"(Prints subsystems, bodies, coordinates and joints, nodes and edges of the step graph, lowest and
+highest natural frequency at rest, the largest step that rk4 is stable at, and the step in force.
+Writes no files. Warns on stderr if the scenario's method is rk4 and its step is not stable.
+
+Example:
+  spoke check models/wu_haug_rotor.toml --set blade.elements=8
+)";
+
+const char* const kCompareText =
+    R"(Measures all combinations in interleaved rounds, each in a process of its own, and compares times
+per step and bits with those of the executor serial. Takes a minute or so.
+
+Output files, in the folder of --out:
+  compare.html  conclusion, charts and tables
+  compare.csv   a row of figures per combination
+  compare.json  everything, all samples included
+
+Example:
+  spoke compare models/wu_haug_rotor.toml --threads 1,2 --formulations subsystem
+)";
+
+const char* const kPredictText =
+    R"(Times the nodes of a step one by one on one thread and simulates what executors make of them on
+other numbers of threads; measures those that this machine has processors for beside it.
+
+Output files, in the folder of --out:
+  predict.html  conclusion, charts and table
+  predict.csv   a row per executor and number of threads
+  predict.json  everything, the costs of all nodes included
+
+Example:
+  spoke predict models/wu_haug_rotor.toml --formulation subsystem --window 8
+)";
+
+const char* const kTraceText =
+    R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
+steps are those of spoke run: same graph, same executor, same bits.
+
+Output files, in the folder of --out:
+  trace.json  Chrome trace events, for https://ui.perfetto.dev and chrome://tracing
+  graph.dot   the step graph, coloured by share of the time, with its longest path
+  graph.svg   the same as a picture, if Graphviz is installed
+  trace.html  graph and threads side by side, in one page, if the program was built with it
+
+Example:
+  spoke trace models/wu_haug_rotor.toml --formulation subsystem --executor flow_graph
+)";
+
+const char* const kReproduceText =
+    R"(Tables and figures of Han, Song and Kim (2017), computed and measured on this machine, beside the
+paper's own numbers: operation counts, drive, deflection, two schemes of nested threads, methods.
+The model is built in. Takes one to three minutes; --quick less than 20 s, with rough times.
+
+Output files, in the folder of --out:
+  reproduce.html  tables, charts, and for each what agrees and what differs
+  reproduce.json  all of it, samples included
+
+Example:
+  spoke reproduce --out results/paper
+)";
+
+const char* const kProgramText = R"(Examples:
+  spoke run models/wu_haug_rotor.toml
+  spoke check models/wu_haug_rotor.toml
+  spoke compare models/wu_haug_rotor.toml
+  spoke predict models/wu_haug_rotor.toml
+  spoke trace models/wu_haug_rotor.toml
+  spoke reproduce
+
+"spoke run --help" and so on explain options and output of the commands.
+)";
+
+}  // namespace spoke::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace spoke::cli {
+
+// What --help says below the options: of the program, of each command, and of the exit status.
+extern const char* const kStatusText;
+extern const char* const kRunText;
+extern const char* const kCheckText;
+extern const char* const kCompareText;
+extern const char* const kPredictText;
+extern const char* const kTraceText;
+extern const char* const kReproduceText;
+extern const char* const kProgramText;
+
+}  // namespace spoke::cli
