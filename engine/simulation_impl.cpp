@@ -255,8 +255,8 @@ void Simulation::Impl::complete_step(std::int64_t step, const StepObserver& obse
 /// nothing.
 void Simulation::Impl::tell_news() {
   if (told.has_warnings(seen)) told.tell_warnings(scenario, step_size, seen);
-  if (!told.has_told_choice() && runner->steps() > 0 && runner->has_chosen())
-    told.tell_choice(scenario, runner->describe());
+  if (runner->choices() > told.told_choices() && runner->steps() > 0)
+    told.tell_choice(scenario, runner->choices(), runner->describe());
 }
 
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {

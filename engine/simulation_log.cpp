@@ -40,8 +40,9 @@ void SimulationLog::tell_failure(const Scenario& scenario, const std::string& te
   if (is_heard(LogLevel::error)) log(LogLevel::error, begin(scenario) + text);
 }
 
-void SimulationLog::tell_choice(const Scenario& scenario, const std::string& description) {
-  has_told_choice_ = true;
+void SimulationLog::tell_choice(const Scenario& scenario, int choices,
+                                const std::string& description) {
+  told_choices_ = choices;
   if (is_heard(LogLevel::info))
     log(LogLevel::info, begin(scenario) + "executor auto: " + description);
 }

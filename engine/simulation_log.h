@@ -9,8 +9,8 @@
 
 namespace spoke {
 
-/// Says everything once in a simulation's life, also if states are restored: rollouts would repeat
-/// it without end.
+/// Says everything but choices once in a simulation's life, also if states are restored: rollouts
+/// would repeat it without end.
 class SimulationLog {
  public:
   /// Its size, and what solves it.
@@ -20,9 +20,10 @@ class SimulationLog {
   /// That it diverged, or a load failed.
   static void tell_failure(const Scenario& scenario, const std::string& text);
 
-  bool has_told_choice() const { return has_told_choice_; }
-  /// What the executor "auto" has chosen.
-  void tell_choice(const Scenario& scenario, const std::string& description);
+  /// How many choices of the executor "auto" have been made at the last that was told.
+  int told_choices() const { return told_choices_; }
+  /// What "auto" has chosen, its choice number `choices`: it chooses anew when it doubts.
+  void tell_choice(const Scenario& scenario, int choices, const std::string& description);
 
   /// Whether there is something to warn of that has not been told.
   bool has_warnings(const Observations& seen) const {
@@ -33,7 +34,8 @@ class SimulationLog {
   void tell_warnings(const Scenario& scenario, double step_size, const Observations& seen);
 
  private:
-  bool has_told_choice_ = false, has_told_bend_ = false, has_told_growth_ = false;
+  int told_choices_ = 0;
+  bool has_told_bend_ = false, has_told_growth_ = false;
 };
 
 }  // namespace spoke

@@ -193,10 +193,11 @@ void StepRunner::choose_stepping() {
   stepping_ = std::make_unique<Runner>(context_, 1, ExecutorKind::automatic, threads_);
 }
 
-bool StepRunner::has_chosen() const {
-  if (window_) return is_automatic() && !window_->executor->tuning();
-  if (stepping_) return !stepping_->executor->tuning();
-  return is_automatic() && !reason_.empty();
+int StepRunner::choices() const {
+  if (!is_automatic()) return 0;
+  if (window_) return window_->executor->choices();
+  if (stepping_) return stepping_->executor->choices();
+  return reason_.empty() ? 0 : 1;
 }
 
 std::string StepRunner::describe() const {

@@ -64,8 +64,8 @@ class StepRunner {
   /// Of a window, if there is one, else of one pass.
   const graph::StepGraph& run_graph() const { return window_ ? window_->graph : single_.graph; }
   graph::Threads threads() const { return threads_; }
-  /// Whether `automatic` has made its choice.
-  bool has_chosen() const;
+  /// How many times `automatic` has chosen; 0 for the others.
+  int choices() const;
   /// In one line what runs the steps, and if it was chosen, why.
   std::string describe() const;
 

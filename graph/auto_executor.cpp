@@ -108,6 +108,7 @@ class AutoExecutor final : public Executor {
     return chosen_ ? description_ : "still tuning on " + name_of(threads()) + " threads";
   }
   bool tuning() const override { return !chosen_; }
+  int choices() const override { return choices_; }
   bool settled_on_serial() const override { return chosen_ && is_serial_ && next_tuning_ <= runs_; }
 
   void set_recorder(NodeRecorder* recorder) override {
@@ -133,6 +134,7 @@ class AutoExecutor final : public Executor {
     chosen_ = make_serial_executor(graph_);
     is_serial_ = true;
     description_ = std::move(description);
+    ++choices_;
   }
 
   void measure_costs() {
@@ -202,6 +204,7 @@ class AutoExecutor final : public Executor {
     }
     chosen_ = std::move(alternatives_[choice.index].executor);
     is_serial_ = choice.index == 0;
+    ++choices_;
     alternatives_.clear();
     round_ = 0;
   }
@@ -221,6 +224,7 @@ class AutoExecutor final : public Executor {
   std::unique_ptr<Executor> chosen_;  // none while tuning
   bool is_serial_ = false;            // what is chosen
   std::string description_;
+  int choices_ = 0;
   std::uint64_t runs_ = 0;
   std::uint64_t next_tuning_ = 0;  // in runs_, 0 = never
   bool doubted_ = false;           // once

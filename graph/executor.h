@@ -53,6 +53,8 @@ class SPOKE_EXPORT Executor {
   virtual std::string describe() const;
   /// Whether it tries alternatives at present, so that the time of a run tells little.
   virtual bool tuning() const { return false; }
+  /// How many times it has chosen among alternatives.
+  virtual int choices() const { return 0; }
   /// Whether it has found, for good, that a loop on the calling thread is fastest.
   virtual bool settled_on_serial() const { return false; }
 

@@ -89,7 +89,7 @@ TEST_CASE("the logger hears of the model, and only who listens to its level") {
   CHECK(listener.lines("").empty());
 }
 
-TEST_CASE("the choice of the executor auto is told once") {
+TEST_CASE("a choice of the executor auto is told once") {
   const Listener listener;
   Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005),
                         {Formulation::structured, ExecutorKind::automatic, 1});

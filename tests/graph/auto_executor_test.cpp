@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <chrono>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "graph/executor.h"
@@ -66,7 +69,33 @@ TEST_CASE("auto: one thread is serial at once") {
   const StepGraph graph = make_fan(4, 3);
   const auto executor = make_executor(graph, ExecutorKind::automatic, 1);
   CHECK_FALSE(executor->tuning());
+  CHECK(executor->choices() == 1);
   CHECK(executor->describe() == "serial: one thread");
+}
+
+TEST_CASE("auto: a gain that was foreseen and not found is looked for again") {
+  std::mutex obstacle;
+  bool is_disturbed = true;
+  StepGraphBuilder builder;
+  for (int k = 0; k < 2; ++k)
+    builder.add_node({"asleep"}, {}, writes(builder.add_part("part", {})), [&]() noexcept {
+      std::unique_lock lock(obstacle, std::defer_lock);
+      if (is_disturbed) lock.lock();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  const StepGraph graph = builder.build();
+  const auto executor = make_executor(graph, ExecutorKind::automatic, 2);
+  CHECK(executor->choices() == 0);
+  const int runs = settle(*executor);
+  CHECK(executor->choices() == 1);
+  if (available_threads() == 1) return;
+  CHECK(executor->describe().rfind("serial: ", 0) == 0);
+  is_disturbed = false;
+  for (int run = 0; run <= 3 * runs && !executor->tuning(); ++run) executor->run();
+  REQUIRE(executor->tuning());
+  settle(*executor);
+  CHECK(executor->choices() == 2);
+  CHECK(executor->describe().rfind("2 threads, ", 0) == 0);
 }
 
 TEST_CASE("auto: an empty graph runs") {
