@@ -23,6 +23,13 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+// The thread sanitizer puts off signals that arrive while the program waits to write.
+#ifdef SPOKE_THREAD_SANITIZER
+constexpr bool kPutsOffSignals = true;
+#else
+constexpr bool kPutsOffSignals = false;
+#endif
+
 /// A run with a row for each of 2000 steps a second; what differs. 150 s are for runs that do not
 /// come to their end.
 Words long_run(const Words& more, const std::string& seconds = "150") {
@@ -111,7 +118,7 @@ TEST_CASE("an interrupted run with checkpoints is resumed where it was left") {
   check_whole(rows, duration);
 }
 
-TEST_CASE("a second SIGINT ends at once") {
+TEST_CASE("a second SIGINT ends at once" * doctest::skip(kPutsOffSignals)) {
   // A pipe in place of sensors.csv that nobody empties: the run waits there for ever.
   const WorkFolder folder;
   fs::create_directory(folder.path() / "o");
