@@ -40,16 +40,17 @@ struct Wrench {
   Eigen::Vector3d moment{0.0, 0.0, 0.0};  ///< [N m]
 };
 
-/// A load on one blade. It becomes a node "load" of the step graph, which runs in every evaluation
-/// of the accelerations, beside what else of the system is independent of it; a load for each blade
-/// lets the blades stay independent.
+/// A load at points of one blade or of several. It becomes a node "load" of the step graph, which
+/// runs in every evaluation of the accelerations, beside what else of the system is independent of
+/// it. A load on several blades, a damper between two say, ties all blades to one another: they
+/// then make every evaluation together, as they do on a free hub, also if the hub's motion is
+/// prescribed. A load for each blade lets them stay independent.
 class SPOKE_EXPORT Load {
  public:
   virtual ~Load() = default;
   /// Names the load in errors.
   virtual std::string name() const = 0;
-  /// Where it acts and what it knows of: one or more points of one blade. A load on several blades
-  /// would chain them to one another; it is refused with InputError. Asked once.
+  /// Where it acts and what it knows of: one or more points. Asked once.
   virtual std::vector<Marker> markers() const = 0;
   /// Sets what acts on the body at each marker at time t [s], in the inertial frame, the moment
   /// about the marker. `out` is zero beforehand; both spans are in the order of markers(). Forces

@@ -1,6 +1,6 @@
 #pragma once
 
-// A load of the user's, as it acts on one subsystem.
+// A load of the user's, as it acts on the subsystems.
 
 #include <exception>
 #include <memory>
@@ -20,14 +20,22 @@ struct SectionWrench {
 
 /// A marker on its body.
 struct PlacedMarker {
+  int blade = 0;
   int body = 0;
   Section section;
+};
+
+/// A load, and the markers that it asked for.
+struct AskedLoad {
+  std::shared_ptr<const Load> load;
+  std::vector<Marker> markers;
 };
 
 struct LoadData {
   int number = 0;  ///< in the list that it was given in
   std::shared_ptr<const Load> load;
   std::vector<Marker> given;
+  std::vector<int> blades;  ///< those of the markers, each once, ascending
   std::vector<PlacedMarker> markers;
   ArenaVector<SectionWrench> wrenches;  ///< by marker
   // What the load is handed and hands back: rewritten at every evaluation, no part of the table.

@@ -48,35 +48,48 @@ void demand_index(const std::string& whose, const char* what, int index, std::si
                    std::to_string(static_cast<int>(count) - 1));
 }
 
-/// The one blade of a load's markers.
-int demand_blade(const Load& load, const std::vector<Marker>& markers) {
-  if (markers.empty()) throw InputError(called(load) + ": it has no marker, expected one or more");
-  for (const Marker& marker : markers)
-    if (marker.blade != markers.front().blade)
-      throw InputError(called(load) +
-                       ": its markers are on different blades, expected one load for each blade");
-  return markers.front().blade;
+std::vector<int> blades_of(const std::vector<Marker>& markers) {
+  std::vector<int> blades;
+  for (const Marker& marker : markers) blades.push_back(marker.blade);
+  std::sort(blades.begin(), blades.end());
+  blades.erase(std::unique(blades.begin(), blades.end()), blades.end());
+  return blades;
+}
+
+/// "blade 2", "blades 1, 2 and 3"
+std::string text_of(const std::vector<int>& blades) {
+  std::string text = blades.size() == 1 ? "blade " : "blades ";
+  for (std::size_t k = 0; k < blades.size(); ++k) {
+    if (k > 0) text += k + 1 == blades.size() ? " and " : ", ";
+    text += std::to_string(blades[k] + 1);
+  }
+  return text;
 }
 
 /// Lists a load's wrenches with the bodies that they act on.
-void apply(LoadData& load, SubsystemData& subsystem) {
-  for (std::size_t k = 0; k < load.markers.size(); ++k)
-    subsystem.bodies[static_cast<std::size_t>(load.markers[k].body)].applied.push_back(
-        {&load.markers[k].section, &load.wrenches[k]});
+void apply(LoadData& load, StepData& data) {
+  for (std::size_t k = 0; k < load.markers.size(); ++k) {
+    const PlacedMarker& marker = load.markers[k];
+    data.subsystems[static_cast<std::size_t>(marker.blade)]
+        .bodies[static_cast<std::size_t>(marker.body)]
+        .applied.push_back({&marker.section, &load.wrenches[k]});
+  }
 }
 
-LoadData make_load_data(const std::shared_ptr<const Load>& load, const std::vector<Marker>& markers,
-                        StepData& table) {
+/// The load of one of its blades, the first, in the table: there its data lie.
+LoadData& add_load_data(const AskedLoad& asked, StepData& table) {
+  const std::vector<Marker>& markers = asked.markers;
   LoadData data;
-  data.load = load;
+  data.load = asked.load;
   data.given = markers;
+  data.blades = blades_of(markers);
   for (const Marker& marker : markers)
-    data.markers.push_back(place_marker(called(*load), marker, table));
-  SubsystemData& subsystem = table.subsystems[static_cast<std::size_t>(markers.front().blade)];
+    data.markers.push_back(place_marker(called(*asked.load), marker, table));
+  SubsystemData& subsystem = table.subsystems[static_cast<std::size_t>(data.blades.front())];
   data.wrenches = ArenaVector<SectionWrench>(markers.size(), *subsystem.arena);
   data.motions.resize(markers.size());
   data.forces.resize(markers.size());
-  return data;
+  return subsystem.loads.emplace_back(std::move(data));
 }
 
 void demand_planar(const Wrench& wrench) {
@@ -87,15 +100,20 @@ void demand_planar(const Wrench& wrench) {
         "the system moves in the x-y plane, expected no force along z and no moment about x or y");
 }
 
-void call(double t, const Subsystem& subsystem, const SubsystemData& data, LoadData& load) {
-  for (std::size_t k = 0; k < load.markers.size(); ++k)
-    load.motions[k] = calc_marker_motion(subsystem, data, load.markers[k]);
+void call(double t, const System& system, const StepData& data, LoadData& load) {
+  for (std::size_t k = 0; k < load.markers.size(); ++k) {
+    const auto blade = static_cast<std::size_t>(load.markers[k].blade);
+    load.motions[k] =
+        calc_marker_motion(system.subsystems[blade], data.subsystems[blade], load.markers[k]);
+  }
   std::fill(load.forces.begin(), load.forces.end(), Wrench{});
   load.load->evaluate(t, load.motions, load.forces);
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
     const Wrench& wrench = load.forces[k];
     demand_planar(wrench);
-    const Rotation R = data.hub->R * calc_rotation_to_hub(data, load.markers[k].body);
+    const SubsystemData& subsystem =
+        data.subsystems[static_cast<std::size_t>(load.markers[k].blade)];
+    const Rotation R = subsystem.hub->R * calc_rotation_to_hub(subsystem, load.markers[k].body);
     load.wrenches[k].force = R.inverse() * Position{wrench.force.x(), wrench.force.y()};
     load.wrenches[k].moment = wrench.moment.z();
   }
@@ -118,7 +136,7 @@ PlacedMarker place_marker(const std::string& whose, const Marker& marker, const 
   if (!(marker.station >= 0.0 && marker.station <= 1.0))
     throw InputError(whose + ": station " + std::to_string(marker.station) + ", expected 0 to 1");
   const BodyData& body = subsystem.bodies[static_cast<std::size_t>(marker.body)];
-  return {marker.body, make_section(*body.model->body, body.layout, marker.station)};
+  return {marker.blade, marker.body, make_section(*body.model->body, body.layout, marker.station)};
 }
 
 LoadData& find_load(int index, StepData& data) {
@@ -138,25 +156,35 @@ void demand_same_markers(const std::shared_ptr<const Load>& load, const LoadData
     throw InputError(called(*load) + ": its markers are not those of the load that it replaces");
 }
 
-void place_loads(const Loads& loads, StepData& data) {
-  int number = 0;
+std::vector<AskedLoad> ask_loads(const Loads& loads) {
+  std::vector<AskedLoad> asked;
   for (const std::shared_ptr<const Load>& load : loads) {
     if (!load) throw InputError("a load is a null pointer");
-    const std::vector<Marker> markers = ask_markers(*load);
-    const int blade = demand_blade(*load, markers);
-    LoadData placed = make_load_data(load, markers, data);
-    SubsystemData& subsystem = data.subsystems[static_cast<std::size_t>(blade)];
-    subsystem.loads.push_back(std::move(placed));
-    subsystem.loads.back().number = number++;
+    asked.push_back({load, ask_markers(*load)});
+    if (asked.back().markers.empty())
+      throw InputError(called(*load) + ": it has no marker, expected one or more");
   }
-  for (SubsystemData& subsystem : data.subsystems)
-    for (LoadData& load : subsystem.loads) apply(load, subsystem);
+  return asked;
 }
 
-void evaluate_load(double t, const Subsystem& subsystem, const SubsystemData& data,
-                   LoadData& load) noexcept {
+bool ties_blades(const std::vector<AskedLoad>& loads) noexcept {
+  return std::any_of(loads.begin(), loads.end(), [](const AskedLoad& asked) {
+    const int first = asked.markers.front().blade;
+    return std::any_of(asked.markers.begin(), asked.markers.end(),
+                       [first](const Marker& marker) { return marker.blade != first; });
+  });
+}
+
+void place_loads(const std::vector<AskedLoad>& loads, StepData& data) {
+  int number = 0;
+  for (const AskedLoad& asked : loads) add_load_data(asked, data).number = number++;
+  for (SubsystemData& subsystem : data.subsystems)
+    for (LoadData& load : subsystem.loads) apply(load, data);
+}
+
+void evaluate_load(double t, const System& system, const StepData& data, LoadData& load) noexcept {
   try {
-    call(t, subsystem, data, load);
+    call(t, system, data, load);
   } catch (...) {
     if (!load.thrown) load.thrown = std::current_exception();
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -189,11 +217,15 @@ void clear_load_failures(StepData& data) noexcept {
     for (LoadData& load : subsystem.loads) load.thrown = nullptr;
 }
 
-FailedLoad find_failed_load(const StepData& data) {
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
-    for (const LoadData& load : data.subsystems[i].loads)
-      if (load.thrown) return {static_cast<int>(i), name_of(*load.load), reason_of(load.thrown)};
-  return {};
+std::string describe_failed_load(const StepData& data, const std::string& at) {
+  std::string text;
+  any_load(data, [&](const LoadData& load) {
+    if (!load.thrown) return false;
+    text = called(*load.load) + " of " + text_of(load.blades) + " failed " + at + ": " +
+           reason_of(load.thrown);
+    return true;
+  });
+  return text;
 }
 
 bool has_loads(const StepData& data) noexcept {

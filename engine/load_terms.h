@@ -4,14 +4,22 @@
 // bodies' equations of motion.
 
 #include <string>
+#include <vector>
 
 #include "engine/step_data.h"
 
 namespace spoke {
 
-/// Puts loads on the table of `system`, which is allocated. Throws InputError, naming the load, if
-/// a marker is on no body of the system, or markers are on several blades.
-void place_loads(const Loads& loads, StepData& data);
+/// Asks loads for their markers. Throws InputError if a load is none or has no marker, LoadError if
+/// it throws.
+std::vector<AskedLoad> ask_loads(const Loads& loads);
+
+/// Whether a load has markers on several blades: these are then coupled (StepData::is_coupled).
+bool ties_blades(const std::vector<AskedLoad>& loads) noexcept;
+
+/// Puts loads on the table of a system, which is allocated, coupled if a load ties blades. Throws
+/// InputError, naming the load, if a marker is on no body of the system.
+void place_loads(const std::vector<AskedLoad>& loads, StepData& data);
 
 /// A marker on the table; `whose` begins the message. Throws InputError if it is on no body.
 PlacedMarker place_marker(const std::string& whose, const Marker& marker, const StepData& data);
@@ -24,8 +32,7 @@ void demand_same_markers(const std::shared_ptr<const Load>& load, const LoadData
 
 /// Evaluates a load at time `t` [s] and the state in the table. If it fails, its wrenches are no
 /// numbers, which ends the step, and `load.thrown` says why.
-void evaluate_load(double t, const Subsystem& subsystem, const SubsystemData& data,
-                   LoadData& load) noexcept;
+void evaluate_load(double t, const System& system, const StepData& data, LoadData& load) noexcept;
 
 /// Adds the wrenches on a body to its right-hand side, and their power; `twist`: of its frame.
 void add_applied(const Twist& twist, BodyData& body) noexcept;
@@ -33,14 +40,9 @@ void add_applied(const Twist& twist, BodyData& body) noexcept;
 /// Forgets what loads have thrown.
 void clear_load_failures(StepData& data) noexcept;
 
-/// A load that has thrown since.
-struct FailedLoad {
-  int blade = -1;  ///< -1: none has
-  std::string name;
-  std::string reason;
-};
-/// The first one, in the order of the blades. What std::exception it threw says the reason.
-FailedLoad find_failed_load(const StepData& data);
+/// "the load NAME of blade 2 failed AT: REASON" of the first load that has thrown since, in the
+/// order of the blades; `at` says when. Precondition: is_any_load_failed().
+std::string describe_failed_load(const StepData& data, const std::string& at);
 
 bool has_loads(const StepData& data) noexcept;
 bool is_any_load_failed(const StepData& data) noexcept;

@@ -75,8 +75,10 @@ void Simulation::Impl::prepare(const Loads& loads) {
                          scenario.integration.max_iterations}};
   demand_memory(context.system, context.formulation);
   const RunnerOptions how{options.executor, options.threads, options.window, planned_steps};
+  const std::vector<AskedLoad> asked = ask_loads(loads);
+  context.loads_tie_blades = ties_blades(asked);
   allocate(context, window_records(how, context.system));
-  place_loads(loads, context.data);
+  place_loads(asked, context.data);
   runner = std::make_unique<StepRunner>(context, how);
 #ifndef NDEBUG
   demand_kept_declarations();
@@ -262,13 +264,11 @@ void Simulation::Impl::tell_news() {
 void Simulation::Impl::throw_failure(StepOutcome outcome, std::int64_t step) {
   evaluated_step = -1;
   if (outcome == StepOutcome::load_failed) {
-    const FailedLoad load = find_failed_load(context.data);
-    std::ostringstream text;
-    text << "the load \"" << load.name << "\" of blade " << load.blade + 1
-         << " failed at t = " << static_cast<double>(step) * step_size << " s, step " << step
-         << ": " << load.reason;
-    SimulationLog::tell_failure(scenario, text.str());
-    throw LoadError(text.str());
+    std::ostringstream at;
+    at << "at t = " << static_cast<double>(step) * step_size << " s, step " << step;
+    const std::string text = describe_failed_load(context.data, at.str());
+    SimulationLog::tell_failure(scenario, text);
+    throw LoadError(text);
   }
   const std::string text = describe_failure(
       scenario, context, {outcome, static_cast<double>(step) * step_size, step, seen});

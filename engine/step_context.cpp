@@ -21,8 +21,8 @@ void allocate(StepContext& context, int window_steps) {
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const int history = alpha ? int{GeneralizedAlpha::count} : int{Rk4::count};
   StepData& data = context.data;
-  const bool is_coupled =
-      context.formulation == Formulation::augmented || !is_prescribed(context.system.hub);
+  const bool is_coupled = context.formulation == Formulation::augmented ||
+                          !is_prescribed(context.system.hub) || context.loads_tie_blades;
   allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
   for (SubsystemData& subsystem : data.subsystems)
     for (BodyData& body : subsystem.bodies) {

@@ -18,6 +18,7 @@ struct StepContext {
   Formulation formulation = Formulation::structured;
   Integrator integrator;
   double linear_range = std::numeric_limits<double>::infinity();  ///< see TableOptions
+  bool loads_tie_blades = false;                                  ///< see StepData::is_coupled
   StepData data;
   FormulationWork work;
 };

@@ -156,7 +156,7 @@ struct alignas(kApart) SubsystemData {
   ArenaVector<HandleWrenches> wrenches;
   ArenaVector<Pose> poses;      ///< in the hub frame; for sensors, no part of a step
   ArenaVector<double> storage;  ///< of all flex vectors
-  std::vector<LoadData> loads;  ///< of the user's, on this subsystem
+  std::vector<LoadData> loads;  ///< of the user's, whose first blade this is
 
   // What the subsystem's nodes follow: the system's if it is coupled, else its own.
   Clock* clock = nullptr;
@@ -170,8 +170,9 @@ struct alignas(kApart) SubsystemData {
 
 struct StepData {
   Window window;
-  /// One clock and one hub motion for all subsystems, because the hub has a free coordinate or the
-  /// formulation solves for all at once. Else each has its own.
+  /// One clock and one hub motion for all subsystems, because the hub has a free coordinate, the
+  /// formulation solves for all at once, or a load of the user's acts between subsystems. Else each
+  /// has its own.
   bool is_coupled = false;
   std::vector<Clock> clocks;  ///< one, or one for each subsystem
   HubState hub;

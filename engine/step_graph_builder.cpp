@@ -21,7 +21,8 @@
 //                                  |               +- recovery 2 <------------------+
 //                                  +-> hub solve, once, behind all passes of all blades
 //
-// A load of the user's on the blade is a node between "velocity" and the "mass" of its bodies.
+// A load of the user's on the blade is a node between "velocity" and the "mass" of its bodies. One
+// between blades is a node of no blade, and makes the passes of all blades one, as below.
 //
 // Nothing that a blade's next pass reads comes from another blade: the passes of a graph, and with
 // them the steps of a window, are one chain for each blade, on its own clock. The hub solve only
@@ -136,26 +137,34 @@ void add_velocity(const Assembly& g, int i) {
                      }));
 }
 
-/// What the place of a load's outermost marker depends on: the bodies up to its own.
-PartList load_inputs(const Assembly& g, int i, const LoadData& load) {
-  const SubsystemParts& blade = g.blade(i);
-  int last = 0;
-  for (const PlacedMarker& marker : load.markers) last = std::max(last, marker.body);
-  PartList inputs{blade.clock, blade.rotations, blade.twists, blade.hub_state};
-  for (int j = 0; j <= last; ++j)
-    inputs.push_back(blade.bodies[static_cast<std::size_t>(j)].coordinates);
+/// What the places of a load's markers depend on: on each of its blades the bodies up to the
+/// outermost marker's own.
+PartList load_inputs(const Assembly& g, const LoadData& load) {
+  const SubsystemParts& first = g.blade(load.blades.front());
+  PartList inputs{first.clock, first.hub_state};
+  for (const int i : load.blades) {
+    const SubsystemParts& blade = g.blade(i);
+    int last = 0;
+    for (const PlacedMarker& marker : load.markers)
+      if (marker.blade == i) last = std::max(last, marker.body);
+    inputs.push_back(blade.rotations);
+    inputs.push_back(blade.twists);
+    for (int j = 0; j <= last; ++j)
+      inputs.push_back(blade.bodies[static_cast<std::size_t>(j)].coordinates);
+  }
   return inputs;
 }
 
+/// Those whose first blade this is. A load between blades is a node of no blade.
 void add_loads_of_user(const Assembly& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const Subsystem& subsystem = g.c.system.subsystems[i];
+  const StepContext& c = g.c;
   SubsystemData& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < data.loads.size(); ++k) {
     LoadData& load = data.loads[k];
-    g.builder.add_node(g.label("load", i), reads(load_inputs(g, i, load)), writes(blade.loads[k]),
-                       unless_halted(*data.clock, [&subsystem, &data, &load]() noexcept {
-                         evaluate_load(data.clock->control.time, subsystem, data, load);
+    const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
+    g.builder.add_node(label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
+                       unless_halted(*data.clock, [&c, &clock = *data.clock, &load]() noexcept {
+                         evaluate_load(clock.control.time, c.system, c.data, load);
                        }));
   }
 }
@@ -163,11 +172,14 @@ void add_loads_of_user(const Assembly& g, int i) {
 /// The loads of the user's that act on a body.
 PartList loads_on(const Assembly& g, int i, int j) {
   PartList list;
-  const SubsystemData& data = g.c.data.subsystems[i];
-  for (std::size_t k = 0; k < data.loads.size(); ++k)
-    if (std::any_of(data.loads[k].markers.begin(), data.loads[k].markers.end(),
-                    [j](const PlacedMarker& marker) { return marker.body == j; }))
-      list.push_back(g.blade(i).loads[k]);
+  for (std::size_t first = 0; first < g.parts.subsystems.size(); ++first) {
+    const std::vector<LoadData>& loads = g.c.data.subsystems[first].loads;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      if (std::any_of(
+              loads[k].markers.begin(), loads[k].markers.end(),
+              [i, j](const PlacedMarker& marker) { return marker.blade == i && marker.body == j; }))
+        list.push_back(g.parts.subsystems[first].loads[k]);
+  }
   return list;
 }
 
@@ -448,14 +460,16 @@ void add_sensors(const Assembly& g, int i) {
       });
 }
 
-/// From the coordinates to the inverses, or to the effective inertia where there is one.
-void add_condensation(const Assembly& g, int i) {
-  const int bodies = static_cast<int>(g.blade(i).bodies.size());
+void add_motion(const Assembly& g, int i) {
   if (!g.c.data.is_coupled) add_prescribed_hub_motion(g, i);
   add_coordinates(g, i);
   add_position(g, i);
   add_velocity(g, i);
-  add_loads_of_user(g, i);
+}
+
+/// From the masses to the inverses, or to the effective inertia where there is one.
+void add_condensation(const Assembly& g, int i) {
+  const int bodies = static_cast<int>(g.blade(i).bodies.size());
   for (int j = 0; j < bodies; ++j) add_mass(g, i, j);
   if (g.c.formulation == Formulation::augmented) return;
   for (int j = 0; j < bodies; ++j) add_inverse(g, i, j);
@@ -470,6 +484,8 @@ void add_recoveries(const Assembly& g, int i) {
 
 void add_coupled_pass(const Assembly& g, int blades) {
   add_hub_motion(g);
+  for (int i = 0; i < blades; ++i) add_motion(g, i);
+  for (int i = 0; i < blades; ++i) add_loads_of_user(g, i);  // which may be between blades
   for (int i = 0; i < blades; ++i) add_condensation(g, i);
   if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
@@ -481,6 +497,8 @@ void add_coupled_pass(const Assembly& g, int blades) {
 }
 
 void add_pass_of_blade(const Assembly& g, int i) {
+  add_motion(g, i);
+  add_loads_of_user(g, i);
   add_condensation(g, i);
   add_recoveries(g, i);
   add_subsystem_finish(g, i);

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "engine/integrator/time_stepper.h"
+#include "engine/load_terms.h"
 #include "engine/sensors.h"
 #include "engine/step_graph_builder.h"
 #include "lagrangian.h"
+#include "load_rotors.h"
 #include "rotors.h"
 
 using namespace spoke;
@@ -47,8 +49,8 @@ Rotor free_rotor() {
 /// A run of `duration` from a random bent state.
 class Run {
  public:
-  Run(const Rotor& rotor, const Method& method, double step)
-      : step_(step), sensors_(prepare(rotor, method)), lagrangian_(context_.system) {}
+  Run(const Rotor& rotor, const Method& method, double step, const Loads& loads = {})
+      : step_(step), sensors_(prepare(rotor, method, loads)), lagrangian_(context_.system) {}
 
   /// Visits the state after every step.
   template <class Visit>
@@ -84,8 +86,9 @@ class Run {
   const StepContext& context() const { return context_; }
 
  private:
-  const System& prepare(const Rotor& rotor, const Method& method) {
+  const System& prepare(const Rotor& rotor, const Method& method, const Loads& loads) {
     make_context(rotor, Formulation::structured, method, context_);
+    place_loads(ask_loads(loads), context_.data);
     std::mt19937 random(21);
     randomize_state(random, context_);
     return context_.system;
@@ -110,8 +113,8 @@ double largest_residual(const Rotor& rotor, MakeMethod make, double step) {
   return largest;
 }
 
-double largest_momentum_change(MakeMethod make, double step) {
-  Run run(free_rotor(), make(step), step);
+double largest_momentum_change(MakeMethod make, double step, const Loads& loads = {}) {
+  Run run(free_rotor(), make(step), step, loads);
   const Twist before = run.momentum();
   double largest = 0.0;
   run.to(0.24,
@@ -165,6 +168,13 @@ TEST_CASE("a free rotor keeps its linear and angular momentum, to the order of t
   CHECK(order([](double h) { return largest_momentum_change(rk4, h); }, 2e-4) > 3.8);
   CHECK(largest_momentum_change(rk4, 2e-5) < 1e-9);
   CHECK(order([](double h) { return largest_momentum_change(generalized_alpha, h); }, 2e-4) > 1.8);
+}
+
+TEST_CASE("a spring and damper between blades leave a free rotor its momentum") {
+  const Loads loads{spring({0, 1, 1.0}, {1, 0, 0.4}, 1.0, 5.0, 0.2)};
+  const auto change = [&](double h) { return largest_momentum_change(rk4, h, loads); };
+  CHECK(order(change, 2e-4) > 3.8);
+  CHECK(change(2e-5) < 1e-9);
 }
 
 TEST_CASE("the hub of a free rotor is pulled about while its momentum is kept") {

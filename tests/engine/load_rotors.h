@@ -64,4 +64,29 @@ inline std::shared_ptr<const Load> demanding_load(int blade) {
                    });
 }
 
+/// The same at markers of two blades.
+inline std::shared_ptr<const Load> demanding_load_between() {
+  return make_load("between", {{1, 0, 0.4}, {0, 1, 0.7}},
+                   [](double t, std::span<const MarkerMotion> in, std::span<Wrench> out) {
+                     out[0].force = -0.01 * in[1].velocity + 0.001 * t * in[1].position;
+                     out[0].moment = -0.001 * in[1].angular_velocity;
+                     out[1].force = in[0].rotation * Eigen::Vector3d(0.0, 0.02, 0.0) +
+                                    0.02 * (in[0].position - in[1].position);
+                     out[1].moment = -0.002 * in[0].angular_velocity;
+                   });
+}
+
+/// A spring [N/m] and a damper [N s/m] between two markers, on the line through them.
+inline std::shared_ptr<const Load> spring(const Marker& a, const Marker& b, double length,
+                                          double stiffness, double damping) {
+  return make_load("spring", {a, b},
+                   [=](double, std::span<const MarkerMotion> in, std::span<Wrench> out) {
+                     const Eigen::Vector3d line = in[1].position - in[0].position;
+                     const Eigen::Vector3d along = line.normalized();
+                     const double speed = along.dot(in[1].velocity - in[0].velocity);
+                     out[0].force = (stiffness * (line.norm() - length) + damping * speed) * along;
+                     out[1].force = -out[0].force;
+                   });
+}
+
 }  // namespace spoke::test

@@ -18,7 +18,7 @@ namespace {
 
 /// A rotor whose nodes depend on all they can: roots off the axis, stiffening, loads in every
 /// frame, damping, gravity, two blades that differ, and a hub that is free or driven.
-Rotor demanding_rotor(bool is_coupled) {
+Rotor demanding_rotor(bool is_free) {
   Rotor rotor = make_rotor(wu_haug_blade(2, 3), 2);
   rotor.blades[1].reference_frame = ReferenceFrame::chord;
   rotor.blades[1].bodies = 3;
@@ -26,7 +26,7 @@ Rotor demanding_rotor(bool is_coupled) {
   rotor.hub.inertia = 2.0;
   rotor.hub.radius = 0.2;
   rotor.hub.drive = SpinUp{4.0, 1.0};
-  if (is_coupled) {
+  if (is_free) {
     rotor.hub.support = HubSupport::free;
     rotor.hub.drive = TorqueDrive{Curve(2.0), 1.0};
   }
@@ -43,8 +43,11 @@ Rotor demanding_rotor(bool is_coupled) {
   return rotor;
 }
 
+/// What ties blades to one another: nothing, a load of the user's, or that and the hub.
+enum class Tie { none, load, hub };
+
 struct Case {
-  bool is_coupled;
+  Tie tie;
   Formulation formulation;
   Method method;
   std::vector<PassControl> controls;
@@ -54,10 +57,9 @@ std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const Formulation formulation :
        {Formulation::structured, Formulation::subsystem, Formulation::augmented})
-    for (const bool is_coupled : {true, false}) {
-      cases.push_back(
-          {is_coupled, formulation, Rk4{1e-5}, {{0.1, 1, 0.0}, {0.1, 2, 0.0}, {0.1, 0, 0.0}}});
-      cases.push_back({is_coupled,
+    for (const Tie tie : {Tie::none, Tie::load, Tie::hub}) {
+      cases.push_back({tie, formulation, Rk4{1e-5}, {{0.1, 1, 0.0}, {0.1, 2, 0.0}, {0.1, 0, 0.0}}});
+      cases.push_back({tie,
                        formulation,
                        make_generalized_alpha(0.8, 0.005),
                        {{0.1, 0, 1.0}, {0.1, 1, 1.0}, {0.1, -1, 0.0}}});
@@ -81,9 +83,13 @@ void set_clocks(const PassControl& control, StepContext& context) {
 }
 
 void prepare(const Case& which, StepContext& context) {
-  make_context(demanding_rotor(which.is_coupled), which.formulation, which.method, context);
   // Loads of the user's that depend on all they may.
-  place_loads({demanding_load(0), demanding_load(1)}, context.data);
+  Loads loads{demanding_load(0), demanding_load(1)};
+  if (which.tie != Tie::none) loads.push_back(demanding_load_between());
+  const std::vector<AskedLoad> asked = ask_loads(loads);
+  context.loads_tie_blades = ties_blades(asked);
+  make_context(demanding_rotor(which.tie == Tie::hub), which.formulation, which.method, context);
+  place_loads(asked, context.data);
   std::mt19937 random(4);
   randomize_state(random, context);
   // Histories and accelerations as after some steps, so that every term of the integrator counts.
