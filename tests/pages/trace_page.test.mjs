@@ -219,7 +219,7 @@ for (const [kind, file] of [['trace.html', write('other.html', pageWith(builtPag
       assert.ok(Math.abs(parseFloat(shown) - work) <= 0.5, `${shown}, not ${work}`);
     }
     assert.match(await page.textContent('#chartname1'), /openmp_scheme2/);
-    const scales = await page.evaluate(() => window.spokeViewer.gantts.map((gantt) => gantt.scale));
+    const scales = await page.evaluate(() => window.spokeViewer.gantts.map((gantt) => gantt.geometry.scale));
     assert.equal(scales[0], scales[1]);
     assert.ok(await page.locator('#stagetable th:has-text("total B")').isVisible());
     const node = await placeOf(page, 'graph', 'blade 1 / effective');
@@ -302,7 +302,7 @@ onPage('wheel zooms, drag pans, double click fits', rotorFile, async (page) => {
 onPage('steps of a window overlap and are named', write('window.html', pageWith(builtPage, rotorTrace({ window: true, seed: 3 }))), async (page) => {
   assert.equal(await page.textContent('#othersteps'), 'overlapping steps');
   assert.match(await page.textContent('#figures td[data-figure=makespan]'), /a step$/);
-  assert.ok(await page.evaluate(() => Math.max(...window.spokeViewer.gantts[0].steps.map((step) => step.line))) > 0);
+  assert.ok(await page.evaluate(() => Math.max(...window.spokeViewer.gantts[0].shown.steps.map((step) => step.line))) > 0);
 });
 
 onPage('a page without a trace asks for one', write('empty.html', builtPage), async (page) => {
