@@ -231,6 +231,10 @@ for (const [kind, file] of [['trace.html', write('other.html', pageWith(builtPag
     await page.click('#remove');
     assert.equal(await page.isVisible('#chart1'), false);
     assert.equal(await page.locator('#figures tr[data-trace]').count(), 1);
+    const left = await placeOf(page, 'graph', 'blade 1 / effective');
+    await page.mouse.move(left.x, left.y);
+    await frame(page);
+    assert.ok(await drawn(page, 'gantt0') > 0, 'highlighted in the one that is left');
   });
 }
 
