@@ -192,7 +192,9 @@ void measure_tracing(const QuestionOptions& options, Report& report) {
     add_targets(model, which, timings, report);
   }
   report.add_table(table);
-  report.add_remark("  off: the executor serial against a loop without recorder; on: against the same executor, off");
+  report.add_remark(
+      "  off: the executor serial against a loop without recorder; on: against the same executor, "
+      "off");
 }
 
 }  // namespace spoke::bench
