@@ -157,8 +157,8 @@ class SPOKE_EXPORT Simulation {
   /// Throws InputError unless 1 <= steps <= planned_steps() - this->steps().
   StepTrace trace(std::int64_t steps, const StepObserver& observe = {},
                   const TraceOptions& options = TraceOptions());
-  /// Makes `steps` steps as run_until() does, to the same bits, but on one thread and in half of
-  /// the runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws
+  /// Makes `steps` steps as run_until() does, to the same bits, but on one thread, nodes in
+  /// `order`, in half of the runs with a time stamp between any two, 8 bytes each meanwhile. Throws
   /// DivergenceError, and InputError unless 1 <= steps <= planned_steps() - this->steps(); should
   /// be 2 windows or more.
   NodeMeasurement measure_nodes(std::int64_t steps,

@@ -36,9 +36,9 @@ double largest_difference(const Simulation& a, const Simulation& b) {
   return largest_difference(a, b, a.sensor_values().size());
 }
 
-}  // namespace
-
-TEST_CASE("a load equal to a scenario's point load moves the rotor as that does") {
+/// Visits a soft scenario of 0.04 s with each formulation, method and kind of hub.
+template <class Visit>
+void for_each_kind(Visit visit) {
   for (const Formulation formulation :
        {Formulation::structured, Formulation::subsystem, Formulation::augmented})
     for (const IntegrationMethod method :
@@ -47,22 +47,29 @@ TEST_CASE("a load equal to a scenario's point load moves the rotor as that does"
         CAPTURE(hub);
         Scenario scenario = soft_scenario(method, 0.04);
         make_hub(hub, scenario.rotor);
-        Scenario with_load = scenario;
-        PointLoad point;
-        point.blade = 1;
-        point.position = 1.5;  // the middle of the second body
-        point.frame = LoadFrame::inertial;
-        point.force = {0.3, -0.5};
-        point.moment = 0.02;
-        with_load.rotor.loads = {point};
-        const SimulationOptions options{formulation, ExecutorKind::serial, 1, 1};
-        Simulation of_scenario(with_load, options), unloaded(scenario, options);
-        Simulation of_user(scenario, options, {steady_load({1, 1, 0.5}, 0.3, -0.5, 0.02)});
-        for (Simulation* simulation : {&of_scenario, &unloaded, &of_user})
-          simulation->run_until(0.04);
-        CHECK(largest_difference(of_scenario, of_user) < 1e-12);
-        CHECK(largest_difference(of_scenario, unloaded) > 1e-4);
+        visit(scenario, formulation);
       }
+}
+
+}  // namespace
+
+TEST_CASE("a load equal to a scenario's point load moves the rotor as that does") {
+  for_each_kind([](const Scenario& scenario, Formulation formulation) {
+    Scenario with_load = scenario;
+    PointLoad point;
+    point.blade = 1;
+    point.position = 1.5;  // the middle of the second body
+    point.frame = LoadFrame::inertial;
+    point.force = {0.3, -0.5};
+    point.moment = 0.02;
+    with_load.rotor.loads = {point};
+    const SimulationOptions options{formulation, ExecutorKind::serial, 1, 1};
+    Simulation of_scenario(with_load, options), unloaded(scenario, options);
+    Simulation of_user(scenario, options, {steady_load({1, 1, 0.5}, 0.3, -0.5, 0.02)});
+    for (Simulation* simulation : {&of_scenario, &unloaded, &of_user}) simulation->run_until(0.04);
+    CHECK(largest_difference(of_scenario, of_user) < 1e-12);
+    CHECK(largest_difference(of_scenario, unloaded) > 1e-4);
+  });
 }
 
 TEST_CASE("the work of a follower load is the change of energy, to the order of the method") {
@@ -135,31 +142,24 @@ TEST_CASE("a load on two blades moves them as a load on each does, and nothing b
                 -0.01 * in[k].angular_velocity};
   };
   const auto nothing = [](double, std::span<const MarkerMotion>, std::span<Wrench>) {};
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
-    for (const IntegrationMethod method :
-         {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
-      for (const int hub : {0, 1, 2}) {
-        CAPTURE(hub);
-        Scenario scenario = soft_scenario(method, 0.04);
-        scenario.integration.tolerance = 1e-13;  // blades by themselves iterate less
-        make_hub(hub, scenario.rotor);
-        const auto run = [&](const Loads& loads) {
-          Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 1}, loads);
-          simulation.run_until(0.04);
-          return simulation;
-        };
-        const Simulation none = run({});
-        const Simulation each = run({make_load("a", {one}, drag), make_load("b", {other}, drag)});
-        const Simulation both = run({make_load("both", {one, other}, drag)});
-        const Simulation idle = run({make_load("idle", {one, other}, nothing)});
-        // All but the work and the residual: that of the hub's inertia is summed up in another way
-        // where blades are tied and the hub is prescribed.
-        const std::size_t count = none.sensor_index("energy.work");
-        CHECK(largest_difference(both, each, count) < 1e-11);
-        CHECK(largest_difference(idle, none, count) < 1e-11);
-        CHECK(largest_difference(each, none) > 1e-4);
-      }
+  for_each_kind([&](Scenario scenario, Formulation formulation) {
+    scenario.integration.tolerance = 1e-13;  // blades by themselves iterate less
+    const auto run = [&](const Loads& loads) {
+      Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 1}, loads);
+      simulation.run_until(0.04);
+      return simulation;
+    };
+    const Simulation none = run({});
+    const Simulation each = run({make_load("a", {one}, drag), make_load("b", {other}, drag)});
+    const Simulation both = run({make_load("both", {one, other}, drag)});
+    const Simulation idle = run({make_load("idle", {one, other}, nothing)});
+    // To round-off: all but the work and the residual: that of the hub's inertia is summed up in
+    // another way where blades are tied and the hub is prescribed.
+    const std::size_t count = none.sensor_index("energy.work");
+    CHECK(largest_difference(both, each, count) < 1e-11);
+    CHECK(largest_difference(idle, none, count) < 1e-11);
+    CHECK(largest_difference(each, none) > 1e-4);
+  });
 }
 
 TEST_CASE("what a spring between blades stores is what the rotor loses") {
