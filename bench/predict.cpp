@@ -35,11 +35,8 @@ class Subject {
   virtual const StepGraph& graph() const = 0;
   /// What makes a turn with an executor, settled.
   virtual std::function<void()> turn(ExecutorKind kind, int threads) = 0;
-  /// Makes a turn on one thread and measures the nodes.
-  virtual void measure_turn(NodeOrder order) = 0;
-  /// Over the measured turns, per run [s].
-  virtual graph::OrderedCosts node_costs() const = 0;
-  virtual double between_runs() const = 0;
+  /// Makes a turn on one thread, node by node.
+  virtual NodeMeasurement measure_turn(NodeOrder order) = 0;
   virtual double runs_per_turn() const = 0;
 };
 
@@ -49,8 +46,6 @@ class Synthetic final : public Subject {
   Synthetic(const StepShape& shape, double node_seconds)
       : name_(shape.name() + ", nodes of " + duration(node_seconds)),
         graph_(make_busy_graph(shape, node_seconds)),
-        serial_(graph_),
-        levels_(graph_, NodeOrder::levels),
         runs_(static_cast<int>(std::max(1.0, kBatch / (node_seconds * graph_.node_count())))) {}
 
   std::string name() const override { return name_; }
@@ -60,13 +55,11 @@ class Synthetic final : public Subject {
     while (executor->tuning()) executor->run();
     return [executor, runs = runs_] { run_repeatedly(*executor, runs); };
   }
-  void measure_turn(NodeOrder order) override {
-    run_repeatedly(order == NodeOrder::serial ? serial_ : levels_, runs_);
+  NodeMeasurement measure_turn(NodeOrder order) override {
+    graph::MeasuringExecutor executor(graph_, order);
+    run_repeatedly(executor, runs_);
+    return {executor.node_costs(), executor.run_times(), executor.between_runs(), 1.0};
   }
-  graph::OrderedCosts node_costs() const override {
-    return {serial_.node_costs(), levels_.node_costs()};
-  }
-  double between_runs() const override { return serial_.between_runs(); }
   double runs_per_turn() const override { return runs_; }
 
  private:
@@ -77,7 +70,6 @@ class Synthetic final : public Subject {
 
   std::string name_;
   StepGraph graph_;
-  graph::MeasuringExecutor serial_, levels_;
   int runs_;
 };
 
@@ -91,10 +83,12 @@ class Steps final : public Subject {
         formulation_(formulation),
         window_(window) {
     scenario_.integration.duration = 1e9 * scenario_.integration.step;
+    scenario_.integration.iterations = 2;  // a turn is the same work at any time
     simulation_ = make(ExecutorKind::serial, 1);
     simulation_->measure_nodes(16L * window);  // memory is touched
     const NodeMeasurement warm = simulation_->measure_nodes(16L * window);
-    const double seconds = graph::work_of(warm.costs) * warm.runs_per_step;
+    runs_per_step_ = warm.runs_per_step;
+    const double seconds = graph::work_of(warm.costs) * runs_per_step_;
     steps_ = window * std::max(1L, std::lround(kBatch / (seconds * window)));
   }
 
@@ -110,30 +104,12 @@ class Steps final : public Subject {
       for (int k = 0; k < 40; ++k) turn();
     return turn;
   }
-  void measure_turn(NodeOrder order) override {
-    turns_of(order).push_back(simulation_->measure_nodes(steps_, order));
+  NodeMeasurement measure_turn(NodeOrder order) override {
+    return simulation_->measure_nodes(steps_, order);
   }
-  graph::OrderedCosts node_costs() const override { return {medians(serial_), medians(levels_)}; }
-  double between_runs() const override { return serial_.back().between_runs; }
-  double runs_per_turn() const override {
-    return serial_.back().runs_per_step * static_cast<double>(steps_);
-  }
+  double runs_per_turn() const override { return runs_per_step_ * static_cast<double>(steps_); }
 
  private:
-  static std::vector<double> medians(const std::vector<NodeMeasurement>& turns) {
-    std::vector<double> costs(turns.front().costs.size());
-    std::vector<double> cost(turns.size());
-    for (std::size_t node = 0; node < costs.size(); ++node) {
-      for (std::size_t k = 0; k < turns.size(); ++k) cost[k] = turns[k].costs[node];
-      const auto middle = cost.begin() + static_cast<std::ptrdiff_t>(cost.size() / 2);
-      std::nth_element(cost.begin(), middle, cost.end());
-      costs[node] = *middle;
-    }
-    return costs;
-  }
-  std::vector<NodeMeasurement>& turns_of(NodeOrder order) {
-    return order == NodeOrder::serial ? serial_ : levels_;
-  }
   std::unique_ptr<Simulation> make(ExecutorKind kind, int threads) const {
     return std::make_unique<Simulation>(scenario_,
                                         SimulationOptions{formulation_, kind, threads, window_});
@@ -144,16 +120,47 @@ class Steps final : public Subject {
   Formulation formulation_;
   int window_;
   std::unique_ptr<Simulation> simulation_;
+  double runs_per_step_ = 1.0;
   long steps_ = 1;
-  std::vector<NodeMeasurement> serial_, levels_;  // per turn
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Of each node.
+std::vector<double> median_costs(const std::vector<NodeMeasurement>& turns) {
+  std::vector<double> costs(turns.front().costs.size());
+  std::vector<double> cost(turns.size());
+  for (std::size_t node = 0; node < costs.size(); ++node) {
+    for (std::size_t k = 0; k < turns.size(); ++k) cost[k] = turns[k].costs[node];
+    costs[node] = median(cost);
+  }
+  return costs;
+}
+
+/// The nodes of a subject, turn by turn.
+struct NodeTurns {
+  std::vector<NodeMeasurement> serial, levels;
+  double serial_turn = 0.0;       ///< the latest one of the executor serial [s]
+  std::vector<double> agreement;  ///< a run by its nodes / by the serial turn of the same round
+
+  void add_serial(NodeMeasurement measured, double runs_per_turn) {
+    agreement.push_back((graph::work_of(measured.costs) + measured.between_runs) * runs_per_turn /
+                        serial_turn);
+    serial.push_back(std::move(measured));
+  }
 };
 
 /// A turn behind a pause and a warm-up: threads that still spin after other turns end meanwhile.
-Alternative after_pause(std::string name, std::function<void()> turn) {
-  return {std::move(name), turn,
-          [turn] {
+Alternative after_pause(std::string name, const std::function<void()>& warm_up,
+                        std::function<void()> turn) {
+  return {std::move(name), std::move(turn),
+          [warm_up] {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            turn();
+            warm_up();
           },
           1.0, 0};
 }
@@ -175,26 +182,50 @@ std::vector<Configuration> configurations_of(const StepGraph& graph) {
   return list;
 }
 
-void compare(Subject& subject, const QuestionOptions& options, Table& table, Report& report) {
-  const graph::RuntimeCosts& runtime = graph::runtime_costs();
-  const auto configurations = configurations_of(subject.graph());
+/// The configurations, `serial` first, then the nodes.
+std::vector<Alternative> make_alternatives(Subject& subject,
+                                           const std::vector<Configuration>& configurations,
+                                           NodeTurns& turns) {
   std::vector<Alternative> alternatives;
-  for (const Configuration& configuration : configurations)
-    alternatives.push_back(
-        after_pause(configuration.name(), subject.turn(configuration.kind, configuration.threads)));
-  for (const NodeOrder order : {NodeOrder::serial, NodeOrder::levels})
-    alternatives.push_back(
-        after_pause(order == NodeOrder::serial ? "node by node" : "node by node, level by level",
-                    [&subject, order] { subject.measure_turn(order); }));
+  for (const Configuration& configuration : configurations) {
+    const auto turn = subject.turn(configuration.kind, configuration.threads);
+    alternatives.push_back(after_pause(configuration.name(), turn, turn));
+  }
+  alternatives.front().run = [turn = alternatives.front().run, &turns] {
+    const auto begin = std::chrono::steady_clock::now();
+    turn();
+    turns.serial_turn =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  alternatives.push_back(after_pause(
+      "node by node", [&] { subject.measure_turn(NodeOrder::serial); },
+      [&] { turns.add_serial(subject.measure_turn(NodeOrder::serial), subject.runs_per_turn()); }));
+  alternatives.push_back(after_pause(
+      "node by node, level by level", [&] { subject.measure_turn(NodeOrder::levels); },
+      [&] { turns.levels.push_back(subject.measure_turn(NodeOrder::levels)); }));
+  return alternatives;
+}
+
+// Processors change their speed from one second to the next: predictions and measurements are both
+// compared with serial runs of the same rounds.
+void compare(Subject& subject, const QuestionOptions& options, Table& table, Report& report) {
+  const auto configurations = configurations_of(subject.graph());
+  NodeTurns turns;
   const std::vector<Timing> timings =
-      measure(alternatives, options.quick ? Effort{5, kBatch, 0.5} : Effort{25, kBatch, 4.0});
-  const graph::RunPredictor predictor(subject.graph(), subject.node_costs(), runtime);
-  const double serial = timings.front().median / subject.runs_per_turn();
-  std::vector<std::string> row{subject.name(), duration(serial)};
+      measure(make_alternatives(subject, configurations, turns),
+              options.quick ? Effort{5, kBatch, 0.5} : Effort{25, kBatch, 4.0});
+  const graph::RunPredictor predictor(subject.graph(),
+                                      {median_costs(turns.serial), median_costs(turns.levels)},
+                                      graph::runtime_costs());
+  const double between_runs = turns.serial.back().between_runs;
+  const double serial = predictor.work() + between_runs;
+  const double agreement = median(turns.agreement);
+  std::vector<std::string> row{subject.name(),
+                               duration(timings.front().median / subject.runs_per_turn())};
   for (std::size_t k = 0; k < configurations.size(); ++k) {
     const auto [kind, threads] = configurations[k];
-    const double predicted = predictor.predict(kind, threads).expected + subject.between_runs();
-    const double ratio = predicted / (serial * timings[k].ratio);
+    const double predicted = predictor.predict(kind, threads).expected + between_runs;
+    const double ratio = agreement * (predicted / serial) / timings[k].ratio;
     row.push_back(figure(ratio));
     report.add_timing(subject.name(), timings[k]);
     const double margin = threads == 1 ? 0.05 : 0.10;
@@ -223,12 +254,13 @@ std::vector<std::unique_ptr<Subject>> make_subjects(const QuestionOptions& optio
 void measure_predict(const QuestionOptions& options, Report& report) {
   const graph::RuntimeCosts& runtime = graph::runtime_costs();
   report.add_remark(fmt::format(
-      "  flow graph: {} a cluster and up to {} more among threads, {} a handover, {} a run; OpenMP "
-      "barrier of two threads: {}; data {} and {:.3g} ns a byte",
-      duration(runtime.flow_graph.per_cluster), duration(runtime.contention),
+      "  flow graph: {} a cluster and {} more after one of another thread, {} a handover, {} a run "
+      "of one thread, {} of several; OpenMP barrier of two threads: {}; data {} and {:.3g} ns a "
+      "byte",
+      duration(runtime.flow_graph.per_cluster), duration(runtime.flow_graph.contention),
       duration(runtime.flow_graph.handover), duration(runtime.flow_graph_run),
-      duration(runtime.barrier), duration(runtime.transfer.latency),
-      runtime.transfer.per_byte * 1e9));
+      duration(runtime.flow_graph_run_among_threads), duration(runtime.barrier),
+      duration(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
   Table table{"Predicted / measured time of a run, nodes measured in the same rounds",
               {"model", "serial run"},
               {}};

@@ -1,11 +1,11 @@
 #include "graph/data_traffic.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace spoke::graph {
 
 DataTraffic::DataTraffic(const StepGraph& graph, const Transfer& transfer)
-    : graph_(graph), latency_(transfer.latency), holders_(graph.parts().size(), -1) {
+    : graph_(graph), latency_(transfer.latency), holders_(graph.parts().size()) {
   seconds_.reserve(holders_.size());
   for (const Part& part : graph.parts()) {
     std::size_t bytes = 0;
@@ -14,18 +14,28 @@ DataTraffic::DataTraffic(const StepGraph& graph, const Transfer& transfer)
   }
 }
 
+/// Gives the processor a copy. Whether it has to wait for it.
+bool DataTraffic::fetch(std::size_t part, int processor) {
+  std::vector<int>& holders = holders_[part];
+  if (std::find(holders.begin(), holders.end(), processor) != holders.end()) return false;
+  holders.push_back(processor);
+  return holders.size() > 1 && !graph_.parts()[part].memory.empty();
+}
+
 double DataTraffic::run(NodeId node, int processor) {
   double seconds = 0.0;
   bool is_waiting = false;
   const auto touch = [&](PartId part) {
     const auto index = static_cast<std::size_t>(part.index);
-    const int before = std::exchange(holders_[index], processor);
-    if (before < 0 || before == processor || graph_.parts()[index].memory.empty()) return;
+    if (!fetch(index, processor)) return;
     seconds += seconds_[index];
     is_waiting = true;
   };
   for (const PartId part : graph_.node(node).reads) touch(part);
-  for (const PartId part : graph_.node(node).writes) touch(part);
+  for (const PartId part : graph_.node(node).writes) {
+    touch(part);
+    holders_[static_cast<std::size_t>(part.index)].assign(1, processor);
+  }
   return is_waiting ? latency_ + seconds : seconds;
 }
 

@@ -12,9 +12,10 @@ struct Transfer {
   double per_byte = 0.0;  ///< [s/byte]
 };
 
-/// Which processor holds which part of a graph's data in its caches, in a simulated run: the one
-/// that touched it last. A node that touches parts held by another processor waits for them: once
-/// for the first of the data, and in proportion to their size. Parts without memory cost nothing.
+/// Which processors hold which part of a graph's data in their caches, in a simulated run: the one
+/// that wrote it last, and those that have read it since. A node whose processor does not hold all
+/// that it reads and writes waits for it: once for the first of the data, and in proportion to
+/// their size. Parts without memory cost nothing.
 class DataTraffic {
  public:
   DataTraffic(const StepGraph& graph, const Transfer& transfer);
@@ -23,10 +24,12 @@ class DataTraffic {
   double run(NodeId node, int processor);
 
  private:
+  bool fetch(std::size_t part, int processor);
+
   const StepGraph& graph_;
   double latency_;
-  std::vector<double> seconds_;  // per part, without the latency
-  std::vector<int> holders_;     // per part, -1: nobody yet
+  std::vector<double> seconds_;            // per part, without the latency
+  std::vector<std::vector<int>> holders_;  // per part; of data that nobody has touched yet, empty
 };
 
 }  // namespace spoke::graph

@@ -5,8 +5,9 @@
 namespace spoke::graph {
 
 /// What the flow graph's clusters cost on this machine, measured once per process on small graphs
-/// of its own, in a few milliseconds: starting a cluster on chains of empty nodes, a handover on a
-/// fork and join of two nodes of 20 us. Bounded to what is plausible, for busy machines.
+/// of its own, in a few milliseconds: starting a cluster on forks and joins of empty nodes, a
+/// handover on a fork and join of two nodes of 20 us. Bounded to what is plausible, for busy
+/// machines.
 const Overheads& flow_graph_overheads();
 
 }  // namespace spoke::graph

@@ -111,17 +111,16 @@ double RunPredictor::flow_graph_seconds(const Plan& plan, int threads,
   if (width <= 1)
     return work_of(assumed.costs.serial);  // the executor then does without a flow graph
   const int used_threads = std::min(threads, width);
-  Overheads overheads = assumed.runtime.flow_graph;
-  if (used_threads > 1)
-    overheads.per_cluster = cluster_among_threads(
-        assumed.runtime, work_of(assumed.costs.serial) / plan.cluster_count());
-  DataTraffic traffic(graph_, assumed.runtime.transfer);
+  const RuntimeCosts& runtime = assumed.runtime;
+  DataTraffic traffic(graph_, runtime.transfer);
   const auto makespan = [&] {
-    return simulate_work_stealing(plan, assumed.costs.serial, used_threads, overheads, &traffic)
+    return simulate_work_stealing(plan, assumed.costs.serial, used_threads, runtime.flow_graph,
+                                  &traffic)
         .makespan;
   };
   makespan();  // leaves the data where a run finds them
-  return assumed.runtime.flow_graph_run + makespan();
+  return makespan() +
+         (used_threads > 1 ? runtime.flow_graph_run_among_threads : runtime.flow_graph_run);
 }
 
 // The band holds the expected time even where dearer nodes happen to make a better schedule.

@@ -29,7 +29,7 @@ struct CostSpread {
 };
 
 /// Predicts how long executors take for a run on any number of processors, equal to the one on
-/// which nodes and runtimes were measured. Data that another processor touched last are waited for
+/// which nodes and runtimes were measured. Data that another processor wrote last are waited for
 /// (DataTraffic); what processors share beyond that, cache capacity and memory, is not modelled.
 /// The band is that of half the runtimes' costs with nodes at their cheapest, and of twice these
 /// costs with nodes at their dearest.

@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "graph/calibration_graphs.h"
 #include "graph/executor_kinds.h"
 #include "graph/overheads.h"
 #include "graph/time_stamp.h"
@@ -22,80 +23,47 @@ bool has_openmp() {
   return std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_levels) != kinds.end();
 }
 
-// Levels of two empty nodes, each of which waits for both nodes of the level before.
-StepGraph make_ladder(int levels) {
-  StepGraphBuilder builder;
-  std::vector<PartId> before;
-  for (int level = 0; level < levels; ++level) {
-    std::vector<PartId> parts;
-    for (int k = 0; k < 2; ++k) {
-      parts.push_back(builder.add_part("part", {}));
-      builder.add_node({"rung"}, reads(before), writes(parts.back()), []() noexcept {});
-    }
-    before = std::move(parts);
-  }
-  return builder.build();
-}
-
 double measure_flow_graph_run(double per_cluster) {
   const StepGraph graph = make_ladder(1);
   const auto executor = make_executor(graph, ExecutorKind::flow_graph, 1);
   return seconds_per_run(*executor, 200) - 2.0 * per_cluster;
 }
 
-// Levels of short nodes, each of which waits for two of the level before: both threads start nodes
-// all the time, and each for the other.
-class Weave {
- public:
-  Weave() : graph_(make_graph()), plan_(plan_of_single_nodes(graph_)) {}
+// Long enough for a sleeping thread to join, which takes milliseconds.
+double measure_flow_graph(const StepGraph& graph, int threads) {
+  constexpr double time = 15e-3;  // s
+  const auto executor = make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads);
+  double least = seconds_per_run(*executor, 50);
+  for (const std::uint64_t begin = time_stamp(); seconds_since(begin) < time;)
+    least = std::min(least, seconds_per_run(*executor, 50));
+  return least;
+}
 
-  double measure(int threads) const {
-    const auto executor = make_flow_graph_executor(graph_, plan_, threads);
-    const double seconds = seconds_per_run(*executor, 600);
-    return std::min(seconds, seconds_per_run(*executor, 600));  // a thread may join late
-  }
-  double simulate(double node, double per_cluster, double handover) const {
-    const std::vector<double> costs(static_cast<std::size_t>(graph_.node_count()), node);
-    return simulate_work_stealing(plan_, costs, 2, {0.0, per_cluster, handover}).makespan;
-  }
-  double nodes() const { return graph_.node_count(); }
+// What two threads lack at each node to be twice as fast on two chains that share nothing.
+double measure_contention(double runs_and_handovers) {
+  constexpr int links = 100;
+  constexpr double busy = 0.3e-6;  // s
+  const StepGraph graph = make_chains(2, links, busy);
+  const double alone = measure_flow_graph(graph, 1);
+  const double together = measure_flow_graph(graph, 2) - runs_and_handovers;
+  return (2.0 * together - alone) / (2 * links);
+}
 
- private:
-  static StepGraph make_graph() {
-    constexpr std::size_t width = 8, levels = 24;
-    StepGraphBuilder builder;
-    std::vector<PartId> before;
-    for (std::size_t level = 0; level < levels; ++level) {
-      std::vector<PartId> parts;
-      for (std::size_t k = 0; k < width; ++k) {
-        std::vector<PartId> needed;
-        if (level > 0) needed = {before[k], before[(k + 1) % width]};
-        parts.push_back(builder.add_part("part", {}));
-        builder.add_node({"thread"}, reads(needed), writes(parts.back()),
-                         []() noexcept { be_busy(0.1e-6); });
-      }
-      before = std::move(parts);
-    }
-    return builder.build();
-  }
-
-  StepGraph graph_;
-  Plan plan_;
-};
-
-// What a node costs is found on one thread; what starting it costs among threads is what the
-// simulator needs to take as long as two threads did.
-double measure_contention(const Overheads& overheads) {
-  const Weave weave;
-  const double alone = overheads.per_cluster;
-  const double node = weave.measure(1) / weave.nodes() - alone;
-  const double measured = weave.measure(2);
-  double low = alone, high = 20.0 * alone;
-  for (int k = 0; k < 20; ++k) {
-    const double middle = 0.5 * (low + high);
-    (weave.simulate(node, middle, overheads.handover) < measured ? low : high) = middle;
-  }
-  return (low - alone) * (low + node) / low;  // cluster_among_threads() turned round
+// Fork-joins, of which each hands over once, in runs that have one of them and many.
+void measure_among_threads(RuntimeCosts& costs) {
+  constexpr int count = 8;
+  constexpr double busy = 3e-6;  // s
+  const auto seconds = [&](int fork_joins) {
+    return measure_flow_graph(make_fork_joins(fork_joins, busy), 2);
+  };
+  const double one = seconds(1);
+  const double each = (seconds(count) - one) / (count - 1);
+  const double cluster = costs.flow_graph.per_cluster;
+  costs.flow_graph_run_among_threads = std::clamp(one - each - cluster, 0.05e-6, 5e-6);
+  const double handover = each - busy - 2.0 * cluster;
+  costs.flow_graph.contention =
+      std::clamp(measure_contention(costs.flow_graph_run_among_threads + handover), 0.0, 1e-6);
+  costs.flow_graph.handover = std::clamp(handover - costs.flow_graph.contention, 0.1e-6, 5e-6);
 }
 
 double measure_barrier() {
@@ -121,7 +89,9 @@ double measure_barrier_alone() {
 }
 
 // A node that changes data of its own, and how long it took where. The data lie in pieces of four
-// cache lines, as the parts of a step do: a processor that fetches ahead gains little.
+// cache lines, as the parts of a step do, and where a piece lies is read from the one before: what
+// a real node does with one part needs results of another, so that a processor cannot fetch all of
+// them at once.
 struct Toucher {
   static constexpr std::size_t kPieces = 16, kPiece = 32, kStride = 160;  // doubles
   std::array<double, kPieces * kStride> data{};
@@ -131,8 +101,11 @@ struct Toucher {
 
   void touch() noexcept {
     const std::uint64_t begin = time_stamp();
+    std::size_t displaced = 0;  // always, but only the data tell
     for (std::size_t piece = 0; piece < pieces; ++piece) {
-      for (std::size_t k = 0; k < kPiece; ++k) data[7 * piece % kPieces * kStride + k] += 1.0;
+      double* const first = &data[7 * piece % kPieces * kStride + displaced];
+      for (std::size_t k = 1; k < kPiece; ++k) first[k] += 1.0;
+      displaced = static_cast<std::size_t>(first[0]);
     }
     std::atomic_thread_fence(std::memory_order_seq_cst);  // what is under way arrives
     seconds = seconds_since(begin);
@@ -192,7 +165,7 @@ RuntimeCosts measure() {
   costs.flow_graph = flow_graph_overheads();
   costs.flow_graph_run =
       std::clamp(measure_flow_graph_run(costs.flow_graph.per_cluster), 0.05e-6, 5e-6);
-  costs.contention = std::clamp(measure_contention(costs.flow_graph), 0.0, 1e-6);
+  measure_among_threads(costs);
   costs.transfer = measure_transfer();
   if (has_openmp()) {
     costs.barrier_alone = std::clamp(measure_barrier_alone(), 1e-9, 5e-6);
@@ -208,19 +181,13 @@ const RuntimeCosts& runtime_costs() {
   return costs;
 }
 
-// t = per_cluster + contention * t / (t + mean_work)
-double cluster_among_threads(const RuntimeCosts& costs, double mean_work) {
-  const double alone = costs.flow_graph.per_cluster;
-  const double half = 0.5 * (mean_work - alone - costs.contention);
-  return std::sqrt(half * half + alone * mean_work) - half;
-}
-
 RuntimeCosts scaled(const RuntimeCosts& costs, double factor) {
   RuntimeCosts result = costs;
   for (double* cost :
        {&result.flow_graph.per_node, &result.flow_graph.per_cluster, &result.flow_graph.handover,
-        &result.contention, &result.flow_graph_run, &result.barrier, &result.barrier_alone,
-        &result.transfer.latency, &result.transfer.per_byte})
+        &result.flow_graph.contention, &result.flow_graph_run, &result.flow_graph_run_among_threads,
+        &result.barrier, &result.barrier_alone, &result.transfer.latency,
+        &result.transfer.per_byte})
     *cost *= factor;
   return result;
 }

@@ -114,6 +114,7 @@ class WorkStealer {
       : plan_(plan),
         traffic_(traffic),
         handover_(overheads.handover),
+        contention_(overheads.contention),
         durations_(durations(plan, node_costs, overheads)),
         waiting_for_(count_predecessors(plan)),
         kept_(at(processors)),
@@ -138,8 +139,17 @@ class WorkStealer {
   }
 
  private:
+  // The time at which the start that is made at `now` has been counted: one more under way, one
+  // less. If another processor is just counting, the counter goes to and fro between the two.
+  double count_start(int processor, double now) {
+    if (processor == counter_holder_) return now;
+    counter_holder_ = processor;
+    const bool is_disputed = counter_free_ > now;
+    return counter_free_ = std::max(now, counter_free_) + (is_disputed ? 2.0 : 1.0) * contention_;
+  }
+
   void start(int cluster, int processor, double start) {
-    double end = start + durations_[at(cluster)];
+    double end = count_start(processor, start) + durations_[at(cluster)];
     if (traffic_) {
       for (const NodeId node : plan_.nodes(cluster)) end += traffic_->run(node, processor);
     }
@@ -192,6 +202,9 @@ class WorkStealer {
   const Plan& plan_;
   DataTraffic* traffic_;
   double handover_;
+  double contention_;
+  int counter_holder_ = 0;     // the processor that counted last
+  double counter_free_ = 0.0;  // when it has [s]
   std::vector<double> durations_;
   std::vector<int> waiting_for_;
   std::vector<std::deque<int>> kept_;  // per processor

@@ -2,8 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <cmath>
-
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/progress_line.h"
@@ -20,15 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kNodeSeconds = 0.3;  // of timing nodes, before the rounds and again after them
 constexpr double kBatchSeconds = 0.05;
 constexpr int kRounds = 15;
 
-/// The simulation whose nodes are timed, with as many steps as that and the rounds may take.
+/// The simulation whose nodes are timed, which makes the steps of a measured process.
 struct Subject {
   Simulation simulation;
-  std::int64_t steps = 1;  ///< of one timing of the nodes
-  std::int64_t batch = 1;  ///< steps of a round
+  std::int64_t batch = 2;  ///< steps of a round
 };
 
 Subject make_subject(const Arguments& arguments, const Scenario& scenario) {
@@ -39,13 +35,9 @@ Subject make_subject(const Arguments& arguments, const Scenario& scenario) {
                                   .window = arguments.predict.window};
   const Simulation given = build_simulation(arguments.scenario, scenario, options);
   Simulation probe(compare::with_steps(given, kEnoughToProbe), options);
-  const std::int64_t steps = predict::choose_steps(probe, kNodeSeconds);
-  const auto batch = std::max<std::int64_t>(
-      1, std::llround(static_cast<double>(steps) * kBatchSeconds / kNodeSeconds));
-  const std::int64_t all =
-      std::max(2 * predict::NodeTimer::orders() * steps, compare::steps_of(batch, kRounds)) +
-      arguments.predict.window;
-  return {Simulation(compare::with_steps(given, all), options), steps, batch};
+  const std::int64_t batch = predict::choose_steps(probe, kBatchSeconds);
+  const std::int64_t all = compare::steps_of(batch, kRounds) + arguments.predict.window;
+  return {Simulation(compare::with_steps(given, all), options), batch};
 }
 
 predict::Prediction describe(const Arguments& arguments, const Simulation& simulation) {
@@ -63,9 +55,16 @@ predict::Prediction describe(const Arguments& arguments, const Simulation& simul
   return prediction;
 }
 
-/// Executors on the numbers of threads that this machine has, in child processes.
-std::vector<compare::Measurement> measure(const Arguments& arguments, const Subject& subject,
-                                          int cores) {
+/// The steps that a measured process makes before its first round.
+void warm_up(Subject& subject) {
+  const std::int64_t steps = compare::steps_of(subject.batch, 0);
+  subject.simulation.run_until(static_cast<double>(steps) * subject.simulation.step_size());
+}
+
+/// Executors on the numbers of threads that this machine has, in child processes; in the same
+/// rounds the nodes, over the same steps.
+std::vector<compare::Measurement> measure(const Arguments& arguments, Subject& subject,
+                                          predict::NodeTimer& timer, int cores) {
   compare::Axes axes{.formulations = {arguments.options.formulation},
                      .executors = predict::predictable_executors(),
                      .threads = {},
@@ -86,7 +85,11 @@ std::vector<compare::Measurement> measure(const Arguments& arguments, const Subj
       },
       [&](Formulation) { return subject.batch; },
       {.rounds = kRounds, .most_seconds = std::max(1.5, 4.0 * kBatchSeconds * kRounds)},
-      show_progress);
+      show_progress,
+      [&] {
+        show_progress("timing nodes");
+        timer.measure(subject.batch);
+      });
 }
 
 void write(const predict::Prediction& prediction, const fs::path& folder) {
@@ -112,15 +115,13 @@ int predict(const Arguments& arguments) {
   const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "predict"
                                                 : fs::path(arguments.out);
   demand_folder(folder);
-  show_progress("timing nodes");
+  show_progress("warming up: nodes");
   Subject subject = make_subject(arguments, scenario);
   predict::Prediction prediction = describe(arguments, subject.simulation);
+  warm_up(subject);
   predict::NodeTimer timer(subject.simulation);
-  timer.measure(subject.steps);
-  const auto measurements = measure(arguments, subject, prediction.machine.cores);
+  const auto measurements = measure(arguments, subject, timer, prediction.machine.cores);
   prediction.rounds = kRounds;
-  show_progress("timing nodes");
-  timer.measure(subject.steps);
   prediction.nodes = timer.summarise();
   prediction.runtime = graph::runtime_costs();
   prediction.load_after = load_average();

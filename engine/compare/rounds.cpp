@@ -144,10 +144,12 @@ std::int64_t steps_of(std::int64_t batch, int rounds) {
 
 std::vector<Measurement> measure(const std::vector<Configuration>& configurations,
                                  const MakeCommand& make_command, const BatchSize& batch_size,
-                                 const Effort& effort, const Progress& progress) {
+                                 const Effort& effort, const Progress& progress,
+                                 const BeforeRound& before_round) {
   std::vector<Contender> contenders =
       start_all(configurations, make_command, batch_size, effort, progress);
-  for (int round = 0; round < effort.rounds; ++round)
+  for (int round = 0; round < effort.rounds; ++round) {
+    if (before_round) before_round();
     for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
       // The first to take a turn moves on with the rounds.
       Contender& contender =
@@ -157,6 +159,7 @@ std::vector<Measurement> measure(const std::vector<Configuration>& configuration
                ": " + full_name(contender.measurement.configuration));
       take_turn(contender, round, effort);
     }
+  }
   progress("");
   std::vector<Measurement> measurements;
   for (Contender& contender : contenders) measurements.push_back(std::move(contender.measurement));

@@ -56,10 +56,14 @@ using BatchSize = std::function<std::int64_t(Formulation)>;
 /// Says what is being done.
 using Progress = std::function<void(const std::string&)>;
 
+/// Takes part in every round before the configurations do; all processes are halted meanwhile.
+using BeforeRound = std::function<void()>;
+
 /// Precondition: configurations as by make_configurations(). Throws DivergenceError if a
-/// process says that the scenario diverged.
+/// process says that the scenario diverged, and what `before_round` throws.
 std::vector<Measurement> measure(const std::vector<Configuration>& configurations,
                                  const MakeCommand& make_command, const BatchSize& batch_size,
-                                 const Effort& effort, const Progress& progress);
+                                 const Effort& effort, const Progress& progress,
+                                 const BeforeRound& before_round = {});
 
 }  // namespace spoke::compare

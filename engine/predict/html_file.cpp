@@ -125,11 +125,12 @@ void add_facts(report::Page& page, const Prediction& prediction) {
 
 constexpr const char* kMethod =
     "The nodes of the step graph were timed one by one on one thread while it made real steps, "
-    "half of them before the measured rounds and half after. A simulator then runs the graph on "
+    "the same ones as the measured processes and in the same rounds. A simulator then runs the "
+    "graph on "
     "any number of processors equal to this one: flow_graph and auto by work stealing, as oneTBB "
     "does it, with the calibrated costs of starting a cluster, alone or while other threads do, "
     "and of handing it to another processor; openmp_levels level by level, the costliest thread "
-    "of each and a barrier. A node waits for declared data that another processor touched last: "
+    "of each and a barrier. A node waits for declared data that another processor wrote last: "
     "for the first of them, and in proportion to their size. The band is that of half these costs "
     "with nodes at their cheapest, and of twice these costs with nodes at their dearest; a "
     "barrier is taken to grow as the logarithm of the threads, in the band not at all and in "

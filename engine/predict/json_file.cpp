@@ -18,9 +18,10 @@ Json describe(const Quartiles& quartiles) {
 Json describe_runtime(const graph::RuntimeCosts& runtime) {
   return {{"flow_graph_per_node_s", runtime.flow_graph.per_node},
           {"flow_graph_per_cluster_s", runtime.flow_graph.per_cluster},
-          {"flow_graph_contention_s", runtime.contention},
+          {"flow_graph_contention_s", runtime.flow_graph.contention},
           {"flow_graph_handover_s", runtime.flow_graph.handover},
           {"flow_graph_run_s", runtime.flow_graph_run},
+          {"flow_graph_run_among_threads_s", runtime.flow_graph_run_among_threads},
           {"openmp_barrier_s", runtime.barrier > 0.0 ? Json(runtime.barrier) : Json()},
           {"openmp_barrier_alone_s", runtime.barrier > 0.0 ? Json(runtime.barrier_alone) : Json()},
           {"transfer_s", runtime.transfer.latency},
@@ -42,10 +43,10 @@ Json describe_model(const Prediction& prediction) {
 
 Json describe_nodes(const Nodes& nodes) {
   return {{"steps", nodes.steps},
-          {"runs_per_step", nodes.mean.runs_per_step},
-          {"between_runs_s", nodes.mean.between_runs},
+          {"runs_per_step", nodes.serial.runs_per_step},
+          {"between_runs_s", nodes.serial.between_runs},
           {"spread", {nodes.spread.low, nodes.spread.high}},
-          {"costs_s", nodes.mean.costs},
+          {"costs_s", nodes.serial.costs},
           {"level_costs_s", nodes.level_costs.empty() ? Json(nullptr) : Json(nodes.level_costs)}};
 }
 

@@ -12,21 +12,27 @@ bool has_levels() {
   return std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_levels) != kinds.end();
 }
 
-NodeMeasurement mean_of(const std::vector<NodeMeasurement>& measurements) {
-  NodeMeasurement mean = measurements.front();
-  for (std::size_t k = 1; k < measurements.size(); ++k) {
-    const NodeMeasurement& more = measurements[k];
-    for (std::size_t node = 0; node < mean.costs.size(); ++node)
-      mean.costs[node] += more.costs[node];
-    mean.between_runs += more.between_runs;
-    mean.runs_per_step += more.runs_per_step;
-    mean.run_times.insert(mean.run_times.end(), more.run_times.begin(), more.run_times.end());
-  }
-  const double share = 1.0 / static_cast<double>(measurements.size());
-  for (double& cost : mean.costs) cost *= share;
-  mean.between_runs *= share;
-  mean.runs_per_step *= share;
-  return mean;
+/// Of one quantity, over all measurements.
+template <class Quantity>
+double median_of(const std::vector<NodeMeasurement>& measurements, Quantity quantity) {
+  std::vector<double> values(measurements.size());
+  std::transform(measurements.begin(), measurements.end(), values.begin(), quantity);
+  return compare::median(values);
+}
+
+NodeMeasurement medians_of(const std::vector<NodeMeasurement>& measurements) {
+  NodeMeasurement medians;
+  for (std::size_t node = 0; node < measurements.front().costs.size(); ++node)
+    medians.costs.push_back(
+        median_of(measurements, [node](const NodeMeasurement& m) { return m.costs[node]; }));
+  medians.between_runs =
+      median_of(measurements, [](const NodeMeasurement& m) { return m.between_runs; });
+  medians.runs_per_step =
+      median_of(measurements, [](const NodeMeasurement& m) { return m.runs_per_step; });
+  for (const NodeMeasurement& measurement : measurements)
+    medians.run_times.insert(medians.run_times.end(), measurement.run_times.begin(),
+                             measurement.run_times.end());
+  return medians;
 }
 
 }  // namespace
@@ -44,18 +50,18 @@ std::int64_t choose_steps(Simulation& simulation, double seconds) {
   return window * static_cast<std::int64_t>(windows);
 }
 
-int NodeTimer::orders() { return has_levels() ? 2 : 1; }
-
 void NodeTimer::measure(std::int64_t steps) {
-  serial_.push_back(simulation_.measure_nodes(steps));
-  if (has_levels()) levels_.push_back(simulation_.measure_nodes(steps, graph::NodeOrder::levels));
+  const std::int64_t by_levels = has_levels() ? steps / 2 : 0;
+  serial_.push_back(simulation_.measure_nodes(steps - by_levels));
+  if (by_levels > 0)
+    levels_.push_back(simulation_.measure_nodes(by_levels, graph::NodeOrder::levels));
   steps_ += steps;
 }
 
 Nodes NodeTimer::summarise() const {
-  Nodes nodes{mean_of(serial_), {}, {}, steps_};
-  if (!levels_.empty()) nodes.level_costs = mean_of(levels_).costs;
-  const std::vector<double>& times = nodes.mean.run_times;
+  Nodes nodes{medians_of(serial_), {}, {}, steps_};
+  if (!levels_.empty()) nodes.level_costs = medians_of(levels_).costs;
+  const std::vector<double>& times = nodes.serial.run_times;
   const double median = compare::median(times);
   if (median > 0.0)
     nodes.spread = {compare::quantile(times, 0.25) / median,

@@ -9,16 +9,16 @@ namespace spoke::predict {
 
 /// What the nodes of a simulation's step cost.
 struct Nodes {
-  NodeMeasurement mean = {};             ///< serially; `run_times` of all measurements
-  std::vector<double> level_costs = {};  ///< as `mean.costs`, level by level; empty without OpenMP
+  NodeMeasurement serial = {};           ///< medians; `run_times` of all measurements
+  std::vector<double> level_costs = {};  ///< as `serial.costs`, level by level, or none: no OpenMP
   graph::CostSpread spread = {};         ///< quartiles of the times of runs over their median
-  std::int64_t steps = 0;                ///< measured in all, per order
+  std::int64_t steps = 0;                ///< measured in all
 
-  graph::OrderedCosts costs() const { return {mean.costs, level_costs}; }
+  graph::OrderedCosts costs() const { return {serial.costs, level_costs}; }
 };
 
-/// Steps that take about `seconds` node by node, as a whole number of windows; at least 8 windows,
-/// and no more stamps than some memory holds. Makes a few steps of the simulation to find out.
+/// Steps that take about `seconds`, as a whole number of windows; at least 8 windows, and no more
+/// stamps than some memory holds. Makes a few steps of the simulation to find out.
 std::int64_t choose_steps(Simulation& simulation, double seconds);
 
 /// Times the nodes of one simulation, in each order that an executor to be predicted runs them.
@@ -26,13 +26,10 @@ class NodeTimer {
  public:
   explicit NodeTimer(Simulation& simulation) : simulation_(simulation) {}
 
-  /// Makes that many steps per order.
+  /// Makes that many steps, at least 2, an equal share of them in each order.
   void measure(std::int64_t steps);
-  /// The mean of all that was measured. Precondition: measure() was called.
+  /// Medians over the calls of measure(), of which there must be one.
   Nodes summarise() const;
-
-  /// How many times the steps of measure() are made.
-  static int orders();
 
  private:
   Simulation& simulation_;

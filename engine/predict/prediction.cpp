@@ -46,7 +46,7 @@ std::vector<ExecutorKind> predictable_executors() {
 
 void predict(Prediction& prediction, const graph::StepGraph& graph,
              const std::vector<int>& threads) {
-  const NodeMeasurement& nodes = prediction.nodes.mean;
+  const NodeMeasurement& nodes = prediction.nodes.serial;
   const graph::RunPredictor predictor(graph, prediction.nodes.costs(), prediction.runtime,
                                       prediction.nodes.spread);
   prediction.work = nodes.runs_per_step * predictor.work();

@@ -51,7 +51,7 @@ report::Table make_table(const Prediction& prediction) {
 }
 
 std::vector<report::Fact> make_facts(const Prediction& prediction) {
-  const NodeMeasurement& nodes = prediction.nodes.mean;
+  const NodeMeasurement& nodes = prediction.nodes.serial;
   const graph::RuntimeCosts& runtime = prediction.runtime;
   const auto& flow_graph = runtime.flow_graph;
   std::vector<report::Fact> facts{
@@ -69,12 +69,14 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
                             prediction.nodes.steps, prediction.nodes.spread.low,
                             prediction.nodes.spread.high, duration_text(nodes.between_runs))},
       {"flow graph",
-       fmt::format("{} a cluster and up to {} more among threads, {} a handover, {} a run",
-                   duration_text(flow_graph.per_cluster), duration_text(runtime.contention),
-                   duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run))}};
+       fmt::format("{} a cluster and {} more after one of another thread, {} a handover, {} a run "
+                   "of one thread, {} of several",
+                   duration_text(flow_graph.per_cluster), duration_text(flow_graph.contention),
+                   duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run),
+                   duration_text(runtime.flow_graph_run_among_threads))}};
   facts.emplace_back(
       "data",
-      fmt::format("{} and {:.3g} ns a byte, if another processor touched it last",
+      fmt::format("{} and {:.3g} ns a byte, if another processor wrote it last",
                   duration_text(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
   if (runtime.barrier > 0.0)
     facts.emplace_back("OpenMP", duration_text(runtime.barrier) + " a barrier of two threads, " +

@@ -66,6 +66,20 @@ TEST_CASE("the slow leave after two rounds or the trial, the silent and the fail
   CHECK(measurements[6].hashes == std::vector<std::uint64_t>{1, 2});
 }
 
+TEST_CASE("the caller takes part in every round, before the others") {
+  std::string told;
+  measure(
+      {Configuration{}},
+      [](const Configuration&) {
+        return Command{"/bin/sh", {"-c", kObedient}, {}};
+      },
+      [](Formulation) { return 10; }, {.rounds = 2},
+      [&](const std::string& progress) { told += progress + '\n'; }, [&] { told += "caller\n"; });
+  const auto first = told.find("caller\nround 1 of 2");
+  CHECK(first != std::string::npos);
+  CHECK(told.find("caller\nround 2 of 2", first) != std::string::npos);
+}
+
 TEST_CASE("divergence ends it all") {
   CHECK_THROWS_WITH_AS(
       measure_scripts({kObedient, "echo ready; read w; echo diverged at t = 3 s"}, {}),

@@ -29,14 +29,18 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("data traffic: what another processor touched last is waited for, in proportion") {
+TEST_CASE("data traffic: what another processor wrote is waited for once, in proportion") {
   const Pair pair;
   DataTraffic traffic(pair.graph, kPerByte);
   CHECK(traffic.run({0}, 3) == 0.0);  // nobody's yet
   CHECK(traffic.run({1}, 3) == 0.0);
   CHECK(traffic.run({1}, 0) == doctest::Approx(80e-9));
   CHECK(traffic.run({1}, 0) == 0.0);
-  CHECK(traffic.run({0}, 3) == doctest::Approx(80e-9));
+  CHECK(traffic.run({1}, 3) == 0.0);  // reading takes nothing from others
+  CHECK(traffic.run({1}, 0) == 0.0);
+  CHECK(traffic.run({0}, 3) == 0.0);  // who writes has the only copy
+  CHECK(traffic.run({1}, 0) == doctest::Approx(80e-9));
+  CHECK(traffic.run({0}, 1) == doctest::Approx(80e-9));
 }
 
 TEST_CASE("data traffic: the first of a node's data is waited for once") {

@@ -104,24 +104,12 @@ TEST_CASE("runtime costs are positive and scale") {
   CHECK((costs.barrier > 0.0) == has_levels);
   const RuntimeCosts twice = scaled(costs, 2.0);
   CHECK(twice.flow_graph.handover == doctest::Approx(2.0 * costs.flow_graph.handover));
-  CHECK(costs.contention >= 0.0);
-  CHECK(twice.contention == doctest::Approx(2.0 * costs.contention));
+  CHECK(costs.flow_graph.contention >= 0.0);
+  CHECK(twice.flow_graph.contention == doctest::Approx(2.0 * costs.flow_graph.contention));
+  CHECK(costs.flow_graph_run_among_threads > 0.0);
   CHECK(costs.transfer.latency >= 0.0);
   CHECK(twice.transfer.latency == doctest::Approx(2.0 * costs.transfer.latency));
   CHECK(costs.transfer.per_byte >= 0.0);
   CHECK(twice.transfer.per_byte == doctest::Approx(2.0 * costs.transfer.per_byte));
   CHECK(twice.barrier == doctest::Approx(2.0 * costs.barrier));
-}
-
-TEST_CASE("starting a cluster among threads costs more, the shorter the clusters' work") {
-  RuntimeCosts costs;
-  costs.flow_graph.per_cluster = 50e-9;
-  CHECK(cluster_among_threads(costs, 1e-6) == doctest::Approx(50e-9));
-  costs.contention = 200e-9;
-  // Of no work: both threads start clusters all the time.
-  CHECK(cluster_among_threads(costs, 0.0) == doctest::Approx(250e-9));
-  // t = 50 + 200 t / (t + w) holds for t = 150 at w = 150, for t = 100 at w = 300 [ns]
-  CHECK(cluster_among_threads(costs, 150e-9) == doctest::Approx(150e-9));
-  CHECK(cluster_among_threads(costs, 300e-9) == doctest::Approx(100e-9));
-  CHECK(cluster_among_threads(costs, 1e-3) == doctest::Approx(50e-9).epsilon(1e-2));
 }

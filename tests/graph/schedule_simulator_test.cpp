@@ -120,6 +120,20 @@ TEST_CASE("simulator: a thief takes what was kept longest, and pays for it") {
   CHECK(schedule.makespan == doctest::Approx(40e-6));
 }
 
+TEST_CASE("simulator: processors that start clusters in turns contend, twice as much at once") {
+  const StepGraph graph = make_fan(2, 2);
+  const Plan plan = plan_of_single_nodes(graph);
+  constexpr Overheads contention{0.0, 0.0, 0.0, 0.1e-6};
+  const auto makespan = [&](double node, int processors) {
+    return simulate_work_stealing(plan, equal_costs(graph, node), processors, contention).makespan;
+  };
+  CHECK(makespan(1e-6, 1) == doctest::Approx(6e-6));
+  // The thief at 1, the other at 2, the thief at 2.1 us; it also runs the join.
+  CHECK(makespan(1e-6, 2) == doctest::Approx(4.2e-6));
+  // The thief counts from 0.05 to 0.15, the other, disputed, to 0.35, the thief again to 0.55 us.
+  CHECK(makespan(0.05e-6, 2) == doctest::Approx(0.65e-6));
+}
+
 TEST_CASE("simulator: the span is the costliest path") {
   const StepGraph graph = make_fan(5, 3);
   const auto costs = equal_costs(graph, 1e-6);

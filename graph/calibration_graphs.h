@@ -1,0 +1,18 @@
+#pragma once
+
+// Small graphs on which the costs of runtimes are measured, none of them a model's.
+
+#include "graph/step_graph.h"
+
+namespace spoke::graph {
+
+/// `count` chains of `links` nodes each, which are busy for that long [s].
+StepGraph make_chains(int count, int links, double busy);
+
+/// `count` times one node that two busy ones wait for; a last one joins the last two.
+StepGraph make_fork_joins(int count, double busy);
+
+/// Levels of two empty nodes, each of which waits for both nodes of the level before.
+StepGraph make_ladder(int levels);
+
+}  // namespace spoke::graph
