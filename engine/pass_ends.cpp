@@ -71,6 +71,11 @@ void add_record(const StepRecord& record, double blade, StepRecord& sum) {
   if (record.bend.ratio > sum.bend.ratio) sum.bend = {record.bend.ratio, blade, record.bend.body};
 }
 
+/// On the hub's own inertia, which turns faster [J].
+double work_on_hub(const System& system, double speed_before, double speed) {
+  return 0.5 * system.hub.inertia * (speed * speed - speed_before * speed_before);
+}
+
 Twist position_of(const CoordinateBlock& hub) { return {hub.q[0], hub.q[1], hub.q[2]}; }
 Twist velocity_of(const CoordinateBlock& hub) { return {hub.v[0], hub.v[1], hub.v[2]}; }
 
@@ -149,11 +154,15 @@ void finish_subsystem(const Integrator& integrator, const Window& window,
   end_pass(integrator, window, report, clock, record);
 }
 
-void finish_system(const Integrator& integrator, StepData& data) noexcept {
+void finish_system(const System& system, const Integrator& integrator, StepData& data) noexcept {
   Clock& clock = data.clocks[0];
   const HubSolution& hub = data.hub_solution;
   PassReport report;
-  report.power.applied = (hub.reaction[kRotation] + hub.applied_torque) * data.hub.twist[kRotation];
+  // Of a prescribed rotation the step's work on the hub's own inertia is known.
+  const bool is_turned = is_prescribed(system.hub, kRotation);
+  const double known = is_turned ? system.hub.inertia * hub.acceleration[kRotation] : 0.0;
+  report.power.applied =
+      (hub.reaction[kRotation] - known + hub.applied_torque) * data.hub.twist[kRotation];
   report.change = hub.change;
   report.failed = is_finite(hub.acceleration) ? 0.0 : 1.0;
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
@@ -163,6 +172,11 @@ void finish_system(const Integrator& integrator, StepData& data) noexcept {
   SystemRecord& record = of_step(data.records, static_cast<std::int64_t>(clock.step));
   end_pass(integrator, data.window, report, clock, record.step);
   if (clock.completed < 0.0) return;
+  if (is_turned && clock.completed > 0.0) {
+    const double before = (clock.completed - 1.0) * step_size(integrator);
+    record.step.work += work_on_hub(system, calc_motion(system.hub.drive, before).speed,
+                                    data.hub_coordinates.v[kRotation]);
+  }
   record.step.reaction = hub.reaction;
   record.applied_torque = hub.applied_torque;
   record.position = position_of(data.hub_coordinates);
@@ -182,9 +196,7 @@ void record_reactions(const System& system, const Integrator& integrator, StepDa
     record.position = position_of(hub);
     record.velocity = velocity_of(hub);
     // Its own inertia takes what the subsystems leave of the drive's work.
-    const double speed = hub.v[kRotation];
-    if (step > 0)
-      record.step.work = 0.5 * system.hub.inertia * (speed * speed - speed_before * speed_before);
+    if (step > 0) record.step.work = work_on_hub(system, speed_before, hub.v[kRotation]);
     const Rotation R = has_gravity ? Rotation::from_angle(hub.q[kRotation]) : Rotation{};
     const Twist a = calc_prescribed_acceleration(system, R, hub.a[kRotation]);
     record.step.reaction =

@@ -32,7 +32,7 @@ void finish_subsystem(const Integrator& integrator, const Window& window,
                       SubsystemData& subsystem) noexcept;
 
 /// Coupled: ends the pass of the system.
-void finish_system(const Integrator& integrator, StepData& data) noexcept;
+void finish_system(const System& system, const Integrator& integrator, StepData& data) noexcept;
 
 /// Not coupled: (P 9) where the hub's whole motion is prescribed, for every step that all
 /// subsystems have completed since the window began: the reaction, from the shares of the

@@ -201,7 +201,8 @@ void Simulation::Impl::restore(const SavedState& state) {
   const std::size_t count = count_state_values(data) + doubles(seen).size();
   if (state.values.size() != count)
     throw InputError("the saved state has " + std::to_string(state.values.size()) +
-                     " values, expected " + std::to_string(count));
+                     " values, expected " + std::to_string(count) +
+                     ": loads between blades act on one of the two simulations only");
   Observations before;
   const std::span<double> observed = doubles(before);
   std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),

@@ -416,7 +416,7 @@ void add_finish(const Assembly& g) {
                          clock.completed = -1.0;
                          return;
                        }
-                       finish_system(c.integrator, c.data);
+                       finish_system(c.system, c.integrator, c.data);
                        // For the sensors: the last correction has moved the hub once more.
                        if (is_corrected && clock.completed >= 0.0)
                          c.data.hub = calc_hub_state(c.data.hub_coordinates);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "rotors.h"
+#include "tests/message_of.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -325,6 +327,20 @@ TEST_CASE("a state of another model is refused, with what differs") {
   CHECK(refusal(scenario, Formulation::subsystem)
             .find("formulation is \"structured\" in the saved state and \"subsystem\" here") !=
         std::string::npos);
+}
+
+TEST_CASE("a state is refused if loads between blades act on one of two simulations only") {
+  const Scenario scenario = make_scenario(IntegrationMethod::generalized_alpha, false);
+  const SimulationOptions options{Formulation::structured, ExecutorKind::serial, 1};
+  const auto nothing = [](double, std::span<const MarkerMotion>, std::span<Wrench>) {};
+  Simulation untied(scenario, options);
+  Simulation tied(scenario, options, {make_load("none", {{0, 0, 1.0}, {1, 0, 1.0}}, nothing)});
+  const SavedState saved = untied.save(), saved_tied = tied.save();
+  constexpr const char* reason = "loads between blades act on one of the two simulations only";
+  CHECK(test::message_of([&] { tied.restore(saved); }).find(reason) != std::string::npos);
+  CHECK(test::message_of([&] { untied.restore(saved_tied); }).find(reason) != std::string::npos);
+  tied.restore(saved_tied);
+  untied.restore(saved);
 }
 
 TEST_CASE("a saved state that was tampered with is refused") {
