@@ -55,8 +55,7 @@ std::string known_names() {
 }
 
 void check_in_build(ExecutorKind kind) {
-  const auto known = executor_kinds();
-  if (std::find(known.begin(), known.end(), kind) != known.end()) return;
+  if (has_executor(kind)) return;
   throw InputError(std::string(name_of(kind)) +
                    " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known here: " +
                    known_names());
@@ -95,6 +94,11 @@ std::string Executor::describe() const {
 
 std::span<const ExecutorKind> executor_kinds() {
   return std::span(kKinds).first(kHasOpenMp ? kKinds.size() : kKinds.size() - kOpenMpKinds);
+}
+
+bool has_executor(ExecutorKind kind) {
+  const auto kinds = executor_kinds();
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
 std::string_view name_of(ExecutorKind kind) {

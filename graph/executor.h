@@ -87,6 +87,8 @@ enum class ExecutorKind {
 
 /// All kinds of this build. Without OpenMP there are none of the kinds "openmp_...".
 SPOKE_EXPORT std::span<const ExecutorKind> executor_kinds();
+/// Whether this build has the kind.
+SPOKE_EXPORT bool has_executor(ExecutorKind kind);
 /// "auto", "flow_graph", "serial" and so on, as above.
 SPOKE_EXPORT std::string_view name_of(ExecutorKind kind);
 /// The kind of this name. Throws InputError, with the names to choose from, if there is

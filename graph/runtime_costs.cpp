@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <thread>
@@ -17,11 +16,6 @@
 
 namespace spoke::graph {
 namespace {
-
-bool has_openmp() {
-  const auto kinds = executor_kinds();
-  return std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_levels) != kinds.end();
-}
 
 double measure_flow_graph_run(double per_cluster) {
   const StepGraph graph = make_ladder(1);
@@ -167,7 +161,7 @@ RuntimeCosts measure() {
       std::clamp(measure_flow_graph_run(costs.flow_graph.per_cluster), 0.05e-6, 5e-6);
   measure_among_threads(costs);
   costs.transfer = measure_transfer();
-  if (has_openmp()) {
+  if (has_executor(ExecutorKind::openmp_levels)) {
     costs.barrier_alone = std::clamp(measure_barrier_alone(), 1e-9, 5e-6);
     costs.barrier = std::clamp(measure_barrier(), 1e-9, 5e-6);
   }

@@ -7,11 +7,6 @@
 namespace spoke::predict {
 namespace {
 
-bool has_levels() {
-  const auto kinds = graph::executor_kinds();
-  return std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_levels) != kinds.end();
-}
-
 /// Of one quantity, over all measurements.
 template <class Quantity>
 double median_of(const std::vector<NodeMeasurement>& measurements, Quantity quantity) {
@@ -51,7 +46,7 @@ std::int64_t choose_steps(Simulation& simulation, double seconds) {
 }
 
 void NodeTimer::measure(std::int64_t steps) {
-  const std::int64_t by_levels = has_levels() ? steps / 2 : 0;
+  const std::int64_t by_levels = graph::has_executor(ExecutorKind::openmp_levels) ? steps / 2 : 0;
   serial_.push_back(simulation_.measure_nodes(steps - by_levels));
   if (by_levels > 0)
     levels_.push_back(simulation_.measure_nodes(by_levels, graph::NodeOrder::levels));

@@ -1,6 +1,5 @@
 #include "engine/reproduce/timings.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/compare/statistics.h"
@@ -22,10 +21,7 @@ std::string_view name_of(Work work) {
   return "run";
 }
 
-bool has_schemes() {
-  const auto kinds = graph::executor_kinds();
-  return std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_scheme1) != kinds.end();
-}
+bool has_schemes() { return graph::has_executor(ExecutorKind::openmp_scheme1); }
 
 Configuration scheme(int number, graph::Threads threads) {
   return {Formulation::subsystem,

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "tests/graph/shapes.h"
 
 using namespace spoke::graph;
@@ -98,10 +96,7 @@ TEST_CASE("runtime costs are positive and scale") {
   CHECK(costs.flow_graph.per_cluster > 0.0);
   CHECK(costs.flow_graph.handover > 0.0);
   CHECK(costs.flow_graph_run > 0.0);
-  const auto kinds = executor_kinds();
-  const bool has_levels =
-      std::find(kinds.begin(), kinds.end(), ExecutorKind::openmp_levels) != kinds.end();
-  CHECK((costs.barrier > 0.0) == has_levels);
+  CHECK((costs.barrier > 0.0) == has_executor(ExecutorKind::openmp_levels));
   const RuntimeCosts twice = scaled(costs, 2.0);
   CHECK(twice.flow_graph.handover == doctest::Approx(2.0 * costs.flow_graph.handover));
   CHECK(costs.flow_graph.contention >= 0.0);
