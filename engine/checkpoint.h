@@ -44,7 +44,7 @@ SPOKE_EXPORT std::string make_checkpoint(const SavedState& state,
                                          const std::optional<RunRecord>& record = {});
 
 /// Reads the bytes of a checkpoint file called `name`. Throws InputError, "NAME: " and the reason,
-/// if they are damaged, truncated, no checkpoint, or of a newer format. Whether the state fits a
+/// if they are damaged, truncated, no checkpoint, or of another format. Whether the state fits a
 /// simulation is left to Simulation::restore().
 SPOKE_EXPORT Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name);
 

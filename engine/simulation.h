@@ -225,11 +225,12 @@ class SPOKE_EXPORT Simulation {
   const Drive& drive() const;
   /// Replaces the drive, by one that prescribes the hub's rotation if and only if the present one
   /// does, and then goes on from the hub's angle and speed (to 1e-9 rad and rad/s). Throws
-  /// InputError.
+  /// InputError, StateError after a step that failed, LoadError or DivergenceError if there is no
+  /// acceleration with it; the simulation then stays as it is.
   void set_drive(const Drive& drive);
   /// Replaces load number `index` of those given to the constructor, by one with the same markers.
   /// To change the parameters of a load of one's own, change them and set it again. Throws
-  /// InputError, and LoadError if the load fails here; the simulation then stays as it is.
+  /// like set_drive().
   void set_load(int index, std::shared_ptr<const Load> load);
 
   /// 64-bit hash (FNV-1a) of the state: hub position and velocity, all coordinates and velocities.

@@ -9,3 +9,9 @@
 #include "graph/executor.h"
 #include "models/error.h"
 #include "models/scenario.h"
+
+/// Systems of flexible bodies, and their simulation.
+namespace spoke {}
+
+/// Step graphs, and the executors that run them.
+namespace spoke::graph {}

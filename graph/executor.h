@@ -71,11 +71,12 @@ class SPOKE_EXPORT Executor {
   NodeRecorder* recorder_ = nullptr;
 };
 
+/// What an executor runs a graph on.
 enum class ExecutorKind {
   /// Measures the nodes on the first runs, lets the most promising plans and a serial loop take
   /// turns on the next ones, then keeps to the fastest; serial unless another is 5 % faster, or
-  /// more where runs are as short as some handovers between threads. Tunes again only if serial won
-  /// although a clear gain was foreseen: after 4 times as many runs, then after 20 times as many,
+  /// more where runs are as short as some handovers between threads. Tunes again only if a clearly
+  /// larger gain was foreseen than found: after 4 times as many runs, then after 20 times as many,
   /// and so on. Uses at most the available threads. With one thread serial from the start.
   automatic,
   flow_graph,      ///< a oneTBB flow graph in an arena of its own

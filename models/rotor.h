@@ -57,9 +57,9 @@ struct Damping {
 
 /// Frame in which a load's force is resolved.
 enum class LoadFrame {
-  inertial,
-  hub,
-  section,  ///< follows the loaded cross section
+  inertial,  ///< keeps its direction in space
+  hub,       ///< turns with the hub
+  section,   ///< follows the loaded cross section
 };
 
 /// A point force and moment on a node of a blade, scaled by a function of time.

@@ -65,11 +65,15 @@ struct SPOKE_EXPORT Scenario {
   std::string to_json() const;
 };
 
-// The names that scenario files use.
+/// The names that scenario files use: "generalized_alpha", "rk4".
 SPOKE_EXPORT std::string_view name_of(IntegrationMethod method);
+/// "warn", "stop".
 SPOKE_EXPORT std::string_view name_of(EnergyGrowth growth);
+/// "axle", "free".
 SPOKE_EXPORT std::string_view name_of(HubSupport support);
+/// "clamped", "chord".
 SPOKE_EXPORT std::string_view name_of(ReferenceFrame frame);
+/// "inertial", "hub", "section".
 SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
 
 /// Reads and validates a scenario. Throws InputError, its text "file:line:column: key: what is

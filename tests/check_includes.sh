@@ -2,7 +2,7 @@
 # Checks who includes whom:
 #   examples, bench, tests -> engine -> models, graph     (models and graph do not know each other)
 # and inside engine: report knows nothing of it; kernels below formulations, these below the step
-# graph, integration, simulation, cli. Threads (oneTBB, OpenMP) are seen in graph/*.cpp only.
+# graph, integration, simulation, cli. Threads (oneTBB, OpenMP) are seen in graph/*.cpp only, tests apart.
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 failures=0

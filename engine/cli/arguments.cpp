@@ -54,7 +54,7 @@ void add_run(CLI::App& program, Arguments& arguments) {
                  "Record the first 20 steps, node by node, and write the files of\n"
                  "spoke trace to this folder, too\n(with --vtk only up to the first output time)")
       ->type_name("DIR");
-  run.add_flag("--quiet", arguments.quiet, "Print nothing but errors");
+  run.add_flag("--quiet", arguments.quiet, "Print nothing but warnings and errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] {
     arguments.command = Arguments::Command::run;

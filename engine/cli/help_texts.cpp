@@ -20,7 +20,7 @@ const char* const kRunText = R"(Output files, in the folder of --out:
   checkpoint.spoke  with --checkpoint-every: what --resume goes on from, see docs/checkpoint.md
 
 The first Ctrl-C (SIGINT) or SIGTERM completes the step, writes rows, summary and checkpoint, and
-ends; the second SIGINT ends at once.
+ends; a second one ends at once.
 
 Examples:
   spoke run models/wu_haug_rotor.toml --set blade.bodies=8 --set integration.step=0.01

@@ -63,7 +63,7 @@ int complain(const std::string& message, int status) {
 int main(int argc, char** argv) {
   try {
     const std::vector<std::string> words(argv + 1, argv + argc);
-    // What `compare` and `reproduce` start; no command for people, so it is in no help.
+    // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
     start_logging(arguments);
