@@ -17,12 +17,6 @@
 namespace spoke::graph {
 namespace {
 
-double measure_flow_graph_run(double per_cluster) {
-  const StepGraph graph = make_ladder(1);
-  const auto executor = make_executor(graph, ExecutorKind::flow_graph, 1);
-  return seconds_per_run(*executor, 200) - 2.0 * per_cluster;
-}
-
 // Long enough for a sleeping thread to join, which takes milliseconds.
 double measure_flow_graph(const StepGraph& graph, int threads) {
   constexpr double time = 15e-3;  // s
@@ -31,6 +25,10 @@ double measure_flow_graph(const StepGraph& graph, int threads) {
   for (const std::uint64_t begin = time_stamp(); seconds_since(begin) < time;)
     least = std::min(least, seconds_per_run(*executor, 50));
   return least;
+}
+
+double measure_flow_graph_run(double per_cluster) {
+  return measure_flow_graph(make_ladder(1), 1) - 2.0 * per_cluster;
 }
 
 // What two threads lack at each node to be twice as fast on two chains that share nothing.

@@ -144,8 +144,8 @@ class WorkStealer {
   double count_start(int processor, double now) {
     if (processor == counter_holder_) return now;
     counter_holder_ = processor;
-    const bool is_disputed = counter_free_ > now;
-    return counter_free_ = std::max(now, counter_free_) + (is_disputed ? 2.0 : 1.0) * contention_;
+    const double ahead = std::max(0.0, counter_free_ - now);
+    return counter_free_ = now + ahead + contention_ + std::min(ahead, contention_);
   }
 
   void start(int cluster, int processor, double start) {

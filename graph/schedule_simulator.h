@@ -14,7 +14,7 @@ struct Overheads {
   double per_cluster = 0.0;  ///< starting a cluster
   double handover = 0.0;     ///< a cluster starts on another processor than made it ready
   /// A cluster starts after one on another processor: under work stealing all are counted at one
-  /// place, one after the other, and at twice this cost behind one that is just being counted.
+  /// place, one after the other, and at up to twice this cost behind one that is being counted.
   double contention = 0.0;
 };
 
