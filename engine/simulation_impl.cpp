@@ -202,7 +202,7 @@ void Simulation::Impl::restore(const SavedState& state) {
   if (state.values.size() != count)
     throw InputError("the saved state has " + std::to_string(state.values.size()) +
                      " values, expected " + std::to_string(count) +
-                     ": loads between blades act on one of the two simulations only");
+                     ", as where loads between blades act on one of the two simulations only");
   Observations before;
   const std::span<double> observed = doubles(before);
   std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),

@@ -94,7 +94,8 @@ TEST_CASE("auto: a gain that was foreseen and not found is looked for again") {
   for (int run = 0; run <= 3 * runs && !executor->tuning(); ++run) executor->run();
   REQUIRE(executor->tuning());
   settle(*executor);
-  CHECK(executor->choices() == 2);  // of what it may be, on a machine that does other work
+  // Which plan it then chooses depends on what else the machine does.
+  CHECK(executor->choices() == 2);
 }
 
 TEST_CASE("auto: an empty graph runs") {

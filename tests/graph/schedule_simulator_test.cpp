@@ -120,7 +120,8 @@ TEST_CASE("simulator: a thief takes what was kept longest, and pays for it") {
   CHECK(schedule.makespan == doctest::Approx(40e-6));
 }
 
-TEST_CASE("simulator: processors that start clusters in turns contend, twice as much at once") {
+TEST_CASE(
+    "simulator: processors that start clusters in turns contend, up to twice as much at once") {
   const StepGraph graph = make_fan(2, 2);
   const Plan plan = plan_of_single_nodes(graph);
   constexpr Overheads contention{0.0, 0.0, 0.0, 0.1e-6};
