@@ -74,9 +74,8 @@ Model torque_model() {
   return model;
 }
 
-Model satellite_model() {
-  return {"free_hub_satellite",
-          read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / "free_hub_satellite.toml")};
+Model shipped_model(const std::string& name) {
+  return {name, read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"))};
 }
 
 std::vector<Model> make_models(bool quick) {
@@ -86,10 +85,13 @@ std::vector<Model> make_models(bool quick) {
   models.push_back(rotor_model({3, 16, 4}));
   models.push_back(rotor_model({3, 16, 4}, Formulation::subsystem));
   models.push_back(rotor_model({24, 8, 8}));
+  models.push_back(rotor_model({24, 8, 8}, Formulation::subsystem));
   models.push_back(rotor_model({96, 8, 8}));
+  models.push_back(rotor_model({96, 8, 8}, Formulation::subsystem));
   models.push_back(unequal_model());
   models.push_back(torque_model());
-  models.push_back(satellite_model());
+  models.push_back(shipped_model("free_hub_satellite"));
+  models.push_back(shipped_model("simo_vu_quoc_beam"));  // one subsystem: nothing to gain
   return models;
 }
 
@@ -275,16 +277,29 @@ std::string speedup_with_spread(Timing timing) {
   return ratio_with_spread(timing);
 }
 
-/// What was promised of single models.
+/// What was promised of a model's speedup by auto; 0: nothing but that it is no slower.
+double promised(const std::string& model) {
+  struct Promise {
+    const char* model;
+    double speedup;
+  };
+  // Nodes of 24 and 96 blades take 0.1 to 0.2 us structured, over 1 us with dense blocks.
+  constexpr std::array kPromises{
+      Promise{"(3,4,4) structured", 1.7},  Promise{"(2,4,4) structured", 1.8},
+      Promise{"(3,4,4) subsystem", 1.8},   Promise{"(24,8,8) structured", 1.55},
+      Promise{"(24,8,8) subsystem", 1.85}, Promise{"(96,8,8) structured", 1.7},
+      Promise{"(96,8,8) subsystem", 1.93}};
+  for (const Promise& promise : kPromises)
+    if (model == promise.model) return promise.speedup;
+  return 0.0;
+}
+
 void add_targets(const Model& model, const Measured& measured, Report& report) {
   const double speedup = measured.speedup(ExecutorKind::automatic);
   report.add_target(at_least("auto is never slower than serial, " + model.name, speedup, 0.97));
-  if (model.name == "(3,4,4) structured")
-    report.add_target(at_least("auto / serial, " + model.name, speedup, 1.7));
-  if (model.name == "(2,4,4) structured")
-    report.add_target(at_least("auto / serial, " + model.name, speedup, 1.8));
+  if (const double least = promised(model.name); least > 0.0)
+    report.add_target(at_least("auto / serial, " + model.name, speedup, least));
   if (model.name != "(3,4,4) subsystem") return;
-  report.add_target(at_least("auto / serial, " + model.name, speedup, 1.8));
   // The work of three blades shared by two threads bounds a window, not the path through a step.
   report.add_target(at_most("auto: time / (serial / 2), " + model.name, kThreads / speedup, 1.1));
   const double levels = measured.speedup(ExecutorKind::openmp_levels);
@@ -329,9 +344,28 @@ void compare_executors(const QuestionOptions& options, Report& report) {
                near_best, count - 1));
 }
 
+/// Nested teams of more threads than processors: whoever waits must make room for those that work.
+void measure_nested_teams(const QuestionOptions& options, Report& report) {
+  if (!graph::has_executor(ExecutorKind::openmp_scheme1)) return;
+  const Model model = rotor_model({3, 4, 4}, Formulation::subsystem);
+  const std::vector<RunnerPointer> runners{
+      make_runner(model, ExecutorKind::serial, 1),
+      make_runner(model, ExecutorKind::openmp_scheme1, {3, 4})};
+  const std::int64_t batch = steps_per_batch(*runners.front());
+  std::vector<Alternative> alternatives;
+  for (const RunnerPointer& runner : runners) {
+    runner->advance_to(runners.front()->simulation().steps(), batch);
+    alternatives.push_back(after_pause(runner, batch));
+  }
+  const std::vector<Timing> timings = measure(alternatives, effort_of(options));
+  demand_same_state(model, runners, batch);
+  report.add_timing(model.name + ", 3x4 threads", timings[1]);
+  report.add_target(
+      at_least("openmp_scheme1 3x4 / serial, " + model.name, 1.0 / timings[1].ratio, 1.0 / 3.0));
+}
+
 /// More threads than processors.
-void measure_oversubscription(const QuestionOptions& options, Report& report) {
-  const Model model = rotor_model({24, 8, 8});
+void measure_oversubscription(const Model& model, const QuestionOptions& options, Report& report) {
   constexpr std::array kCounts{kThreads, 6, 12};
   for (const ExecutorKind kind : {ExecutorKind::automatic, ExecutorKind::flow_graph}) {
     std::vector<RunnerPointer> runners;
@@ -362,7 +396,10 @@ void measure_oversubscription(const QuestionOptions& options, Report& report) {
 
 void measure_executors(const QuestionOptions& options, Report& report) {
   compare_executors(options, report);
-  measure_oversubscription(options, report);
+  for (const Model& model : {rotor_model({3, 4, 4}, Formulation::subsystem),
+                             rotor_model({24, 8, 8}), rotor_model({96, 8, 8})})
+    measure_oversubscription(model, options, report);
+  measure_nested_teams(options, report);
 }
 
 }  // namespace spoke::bench
