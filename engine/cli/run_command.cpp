@@ -273,6 +273,14 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
   return written;
 }
 
+/// Refuses what could not be written, while the files of an earlier run are still there.
+void demand_places(const Arguments& arguments, const fs::path& folder) {
+  if (!arguments.trace_out.empty()) demand_folder(arguments.trace_out);
+  if (arguments.writes_vtk) demand_folder(folder / "vtk");
+  for (const char* file : {"sensors.csv", "summary.json", "report.html", "checkpoint.spoke"})
+    demand_no_folder(folder / file);
+}
+
 fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario) {
   if (!arguments.out.empty()) return arguments.out;
   if (arguments.resume.empty()) return fs::path("results") / scenario.name;
@@ -309,8 +317,7 @@ int run(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
-  const fs::path trace_folder = arguments.trace_out;
-  if (!trace_folder.empty()) demand_folder(trace_folder);
+  demand_places(arguments, folder);
   Recording recording = open_recording(arguments, folder, simulation);
   remove_stale(folder, arguments);
   spdlog::info("results go to {}", folder.string());
@@ -321,12 +328,12 @@ int run(const Arguments& arguments) {
                                       simulation.time(), simulation.steps()));
   const Interruption interruption;
   const RunOutcome outcome =
-      integrate(simulation, recording, checkpoints, !trace_folder.empty(), !arguments.quiet);
+      integrate(simulation, recording, checkpoints, !arguments.trace_out.empty(), !arguments.quiet);
   const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
   if (!arguments.quiet) print_result(simulation, recording, outcome, written);
   if (recording.trace)
-    write_trace(simulation, std::move(*recording.trace), trace_folder, !arguments.quiet);
+    write_trace(simulation, std::move(*recording.trace), arguments.trace_out, !arguments.quiet);
   std::fflush(stdout);
   for (const Warning& warning : simulation.warnings())
     fmt::print(stderr, "warning: {}\n", warning.text);
