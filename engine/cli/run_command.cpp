@@ -159,10 +159,14 @@ void record_shape(const Simulation& simulation, const Stops& stops, Recording& r
   recording.writing_time += seconds_since(start);
 }
 
-/// How many steps --trace records: no output time of files of shapes is passed.
-std::int64_t traced_steps(const Simulation& simulation, const Stops& stops) {
-  const std::int64_t end = stops.has_outputs ? stops.next(simulation.steps()) : stops.end;
-  return std::min(kTracedSteps, end - simulation.steps());
+/// Steps to the end of step `target` as run_until() does, and adds what was recorded to the trace.
+void trace_to(std::int64_t target, const StepObserver& observe, Simulation& simulation,
+              Recording& recording) {
+  StepTrace steps = simulation.trace(target - simulation.steps(), observe);
+  if (recording.trace)
+    recording.trace->append(steps);
+  else
+    recording.trace = std::move(steps);
 }
 
 /// Steps to the end, to divergence or to a signal.
@@ -171,6 +175,7 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   RunOutcome outcome;
   ProgressBar bar(simulation.time(), simulation.scenario().integration.duration, show_progress);
   const Stops stops(simulation, recording);
+  const std::int64_t traced_end = traces ? simulation.steps() + kTracedSteps : 0;
   if (recording.last_row < 0.0) record(simulation.time(), simulation.sensor_values(), recording);
   record_shape(simulation, stops, recording);
   recording.writing_time = 0.0;
@@ -184,14 +189,12 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
     if (Interruption::signal() != 0 || checkpoints.is_due()) simulation.stop();
   };
   try {
-    if (traces && !simulation.done()) {
-      recording.trace = simulation.trace(traced_steps(simulation, stops), observe);
-      if (stops.next(simulation.steps() - 1) == simulation.steps())
-        record_shape(simulation, stops, recording);
-    }
     while (!simulation.done() && Interruption::signal() == 0) {
       const std::int64_t stop = stops.next(simulation.steps());
-      simulation.run_until(static_cast<double>(stop) * simulation.step_size(), observe);
+      if (simulation.steps() < traced_end)
+        trace_to(std::min(stop, traced_end), observe, simulation, recording);
+      else
+        simulation.run_until(static_cast<double>(stop) * simulation.step_size(), observe);
       if (simulation.steps() == stop) record_shape(simulation, stops, recording);
       if (checkpoints.is_due() && !simulation.done())
         write_checkpoint(simulation, wall_time(), recording, checkpoints);
