@@ -15,4 +15,19 @@ std::vector<NodeSlice> StepTrace::slices_of(std::int64_t step) const {
   return found;
 }
 
+void StepTrace::append(const StepTrace& later) {
+  std::int64_t end = runs.empty() ? 0 : runs.back().end;
+  for (const NodeSlice& slice : slices) end = std::max(end, slice.end);
+  steps.insert(steps.end(), later.steps.begin(), later.steps.end());
+  for (NodeSlice slice : later.slices) {
+    slice.begin += end;
+    slice.end += end;
+    slices.push_back(slice);
+  }
+  for (const TracedRun& run : later.runs) runs.push_back({run.begin + end, run.end + end});
+  threads = std::max(threads, later.threads);
+  window_steps = std::max(window_steps, later.window_steps);
+  dropped_steps += later.dropped_steps;
+}
+
 }  // namespace spoke

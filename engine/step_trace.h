@@ -74,6 +74,9 @@ struct SPOKE_EXPORT StepTrace {
 
   /// The slices of a step, by begin; none of a step that is not in `steps`.
   std::vector<NodeSlice> slices_of(std::int64_t step) const;
+  /// Adds what was recorded of later steps of the same simulation. Their times go on where these
+  /// end: the time that passed between the two recordings is left out.
+  void append(const StepTrace& later);
 };
 
 /// Told of a step that is complete, and of its slices by begin, valid during the call.

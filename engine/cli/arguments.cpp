@@ -34,10 +34,10 @@ void add_checkpoints(CLI::App& run, Arguments& arguments) {
          "Write checkpoint.spoke each time so many seconds\nof wall time have passed, and at the "
          "end")
       ->type_name("SECONDS");
-  run.add_option("--resume", arguments.resume,
-                 "Go on from a checkpoint, with the rows beside it\n"
-                 "(the same SCENARIO and --set; --out unless given: its folder)")
-      ->type_name("FILE");
+  add_path(run, "--resume", arguments.resume,
+           "Go on from a checkpoint, with the rows beside it\n"
+           "(the same SCENARIO and --set; --out unless given: its folder)",
+           "FILE");
 }
 
 void add_run(CLI::App& program, Arguments& arguments) {
@@ -50,10 +50,10 @@ void add_run(CLI::App& program, Arguments& arguments) {
       "--no-report", [&] { arguments.writes_report = false; }, "Do not write report.html");
   run.add_flag("--vtk", arguments.writes_vtk,
                "Write the deformed blades at all output times for ParaView");
-  run.add_option("--trace", arguments.trace_out,
-                 "Record the first 20 steps, node by node, and write the files of\n"
-                 "spoke trace to this folder, too\n(with --vtk only up to the first output time)")
-      ->type_name("DIR");
+  add_path(run, "--trace", arguments.trace_out,
+           "Record the first 20 steps, node by node, and write the files of\n"
+           "spoke trace to this folder, too",
+           "DIR");
   run.add_flag("--quiet", arguments.quiet, "Print nothing but warnings and errors");
   run.footer(std::string(kRunText) + '\n' + kStatusText);
   run.callback([&] {

@@ -32,15 +32,11 @@ Interruption::Interruption() {
   noted = 0;
   note(SIGINT, interrupt_);
   note(SIGTERM, terminate_);
-  struct sigaction ignore {};
-  ignore.sa_handler = SIG_IGN;
-  sigaction(SIGXFSZ, &ignore, &file_size_);
 }
 
 Interruption::~Interruption() {
   sigaction(SIGINT, &interrupt_, nullptr);
   sigaction(SIGTERM, &terminate_, nullptr);
-  sigaction(SIGXFSZ, &file_size_, nullptr);
 }
 
 int Interruption::signal() { return noted; }

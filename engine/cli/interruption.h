@@ -6,8 +6,7 @@
 namespace spoke::cli {
 
 /// While it lives, the first SIGINT or SIGTERM is only noted, and a second one ends the process as
-/// it would without. A signal that the process was started to ignore stays ignored. Files that
-/// become too large are an error of writing, not a signal. One at a time.
+/// it would without. A signal that the process was started to ignore stays ignored. One at a time.
 class Interruption {
  public:
   Interruption();
@@ -20,7 +19,7 @@ class Interruption {
 
  private:
   using Action = struct sigaction;
-  Action interrupt_{}, terminate_{}, file_size_{};  ///< before
+  Action interrupt_{}, terminate_{};  ///< before
 };
 
 /// "SIGINT" or "SIGTERM".

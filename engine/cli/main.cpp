@@ -3,7 +3,10 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -58,16 +61,26 @@ int complain(const std::string& message, int status) {
   return status;
 }
 
+/// The status of a command that ended with `status`, once what it printed has gone out.
+int finish_output(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  const char* reason = std::strerror(errno);
+  fmt::print(stderr, "standard output: cannot be written: {}\n", reason);
+  return status == 0 ? 2 : status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file beyond the process's limit is then an error of writing, with its message.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const std::vector<std::string> words(argv + 1, argv + argc);
     // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
     start_logging(arguments);
-    return execute(arguments);
+    return finish_output(execute(arguments));
   } catch (const InputError& error) {
     return complain(error.what(), 2);
   } catch (const DivergenceError& error) {
@@ -75,6 +88,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("spoke: the model does not fit into this machine's memory", 2);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return finish_output(0);
     return complain(std::string("spoke: internal error: ") + error.what(), 1);
   }
 }

@@ -8,6 +8,9 @@ namespace spoke::cli {
 /// command that fails.
 void demand_folder(const std::filesystem::path& folder);
 
+/// Throws InputError if a folder stands where a file is to be written.
+void demand_no_folder(const std::filesystem::path& file);
+
 /// Makes the folder and those above it, unless they exist. Throws InputError.
 void make_folder(const std::filesystem::path& folder);
 

@@ -159,10 +159,14 @@ void record_shape(const Simulation& simulation, const Stops& stops, Recording& r
   recording.writing_time += seconds_since(start);
 }
 
-/// How many steps --trace records: no output time of files of shapes is passed.
-std::int64_t traced_steps(const Simulation& simulation, const Stops& stops) {
-  const std::int64_t end = stops.has_outputs ? stops.next(simulation.steps()) : stops.end;
-  return std::min(kTracedSteps, end - simulation.steps());
+/// Steps to the end of step `target` as run_until() does, and adds what was recorded to the trace.
+void trace_to(std::int64_t target, const StepObserver& observe, Simulation& simulation,
+              Recording& recording) {
+  StepTrace steps = simulation.trace(target - simulation.steps(), observe);
+  if (recording.trace)
+    recording.trace->append(steps);
+  else
+    recording.trace = std::move(steps);
 }
 
 /// Steps to the end, to divergence or to a signal.
@@ -171,6 +175,7 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   RunOutcome outcome;
   ProgressBar bar(simulation.time(), simulation.scenario().integration.duration, show_progress);
   const Stops stops(simulation, recording);
+  const std::int64_t traced_end = traces ? simulation.steps() + kTracedSteps : 0;
   if (recording.last_row < 0.0) record(simulation.time(), simulation.sensor_values(), recording);
   record_shape(simulation, stops, recording);
   recording.writing_time = 0.0;
@@ -184,14 +189,12 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
     if (Interruption::signal() != 0 || checkpoints.is_due()) simulation.stop();
   };
   try {
-    if (traces && !simulation.done()) {
-      recording.trace = simulation.trace(traced_steps(simulation, stops), observe);
-      if (stops.next(simulation.steps() - 1) == simulation.steps())
-        record_shape(simulation, stops, recording);
-    }
     while (!simulation.done() && Interruption::signal() == 0) {
       const std::int64_t stop = stops.next(simulation.steps());
-      simulation.run_until(static_cast<double>(stop) * simulation.step_size(), observe);
+      if (simulation.steps() < traced_end)
+        trace_to(std::min(stop, traced_end), observe, simulation, recording);
+      else
+        simulation.run_until(static_cast<double>(stop) * simulation.step_size(), observe);
       if (simulation.steps() == stop) record_shape(simulation, stops, recording);
       if (checkpoints.is_due() && !simulation.done())
         write_checkpoint(simulation, wall_time(), recording, checkpoints);
@@ -273,6 +276,14 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
   return written;
 }
 
+/// Refuses what could not be written, while the files of an earlier run are still there.
+void demand_places(const Arguments& arguments, const fs::path& folder) {
+  if (!arguments.trace_out.empty()) demand_folder(arguments.trace_out);
+  if (arguments.writes_vtk) demand_folder(folder / "vtk");
+  for (const char* file : {"sensors.csv", "summary.json", "report.html", "checkpoint.spoke"})
+    demand_no_folder(folder / file);
+}
+
 fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario) {
   if (!arguments.out.empty()) return arguments.out;
   if (arguments.resume.empty()) return fs::path("results") / scenario.name;
@@ -309,8 +320,7 @@ int run(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
-  const fs::path trace_folder = arguments.trace_out;
-  if (!trace_folder.empty()) demand_folder(trace_folder);
+  demand_places(arguments, folder);
   Recording recording = open_recording(arguments, folder, simulation);
   remove_stale(folder, arguments);
   spdlog::info("results go to {}", folder.string());
@@ -321,12 +331,12 @@ int run(const Arguments& arguments) {
                                       simulation.time(), simulation.steps()));
   const Interruption interruption;
   const RunOutcome outcome =
-      integrate(simulation, recording, checkpoints, !trace_folder.empty(), !arguments.quiet);
+      integrate(simulation, recording, checkpoints, !arguments.trace_out.empty(), !arguments.quiet);
   const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
   if (!arguments.quiet) print_result(simulation, recording, outcome, written);
   if (recording.trace)
-    write_trace(simulation, std::move(*recording.trace), trace_folder, !arguments.quiet);
+    write_trace(simulation, std::move(*recording.trace), arguments.trace_out, !arguments.quiet);
   std::fflush(stdout);
   for (const Warning& warning : simulation.warnings())
     fmt::print(stderr, "warning: {}\n", warning.text);

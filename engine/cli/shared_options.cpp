@@ -101,9 +101,20 @@ void add_integrator(CLI::App& command, Arguments& arguments) {
                                 [&](IntegrationMethod method) { arguments.integrator = method; });
 }
 
+void add_path(CLI::App& command, const std::string& option, std::string& path,
+              const std::string& text, const std::string& kind) {
+  const std::string expected = kind == "DIR" ? "a folder" : "a file";
+  command.add_option(option, path, text)
+      ->check(CLI::Validator(
+          [expected](const std::string& name) {
+            return name.empty() ? "expected the name of " + expected + ", got an empty one" : "";
+          },
+          ""))
+      ->type_name(kind);
+}
+
 void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_given) {
-  command.add_option("--out", arguments.out, "Folder of the results [" + unless_given + "]")
-      ->type_name("DIR");
+  add_path(command, "--out", arguments.out, "Folder of the results [" + unless_given + "]", "DIR");
 }
 
 void add_running(CLI::App& command, Arguments& arguments) {

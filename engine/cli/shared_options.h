@@ -14,6 +14,10 @@ namespace spoke::cli {
 
 /// SCENARIO, --set and --verbose.
 void add_common(CLI::App& command, Arguments& arguments);
+/// An option that names a folder ("DIR") or a file ("FILE"). An empty name is refused: it is what a
+/// variable of the shell gives that is not set.
+void add_path(CLI::App& command, const std::string& option, std::string& path,
+              const std::string& text, const std::string& kind);
 /// --out; `unless_given` is what --help says of the folder otherwise.
 void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_given);
 void add_formulation(CLI::App& command, Arguments& arguments);

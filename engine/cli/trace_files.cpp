@@ -69,6 +69,8 @@ void write_trace(const Simulation& simulation, StepTrace steps, const std::files
   print_line("traced on", trace.steps.executor);
   print_summary(trace.steps);
   for (const std::string& remark : written.remarks) print_line("", remark);
+  const std::string on_size = trace::remark_on_size(trace.steps.slices.size());
+  if (!on_size.empty()) print_line("", on_size);
   print_line("written", folder.string() + ": " + list(written.names));
 }
 

@@ -1,5 +1,6 @@
 #include "engine/trace/files.h"
 
+#include <string>
 #include <system_error>
 
 #include "engine/results.h"
@@ -29,6 +30,13 @@ WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder
     written.remarks.emplace_back("no trace.html: this program was built without its page");
   }
   return written;
+}
+
+std::string remark_on_size(std::size_t slices) {
+  constexpr std::size_t many = 1'000'000;
+  if (slices <= many) return {};
+  return std::to_string(slices) +
+         " slices: browsers are slow to open so many; spoke trace --steps K records fewer";
 }
 
 }  // namespace spoke::trace

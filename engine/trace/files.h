@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -19,5 +20,8 @@ struct WrittenFiles {
 /// be written. Precondition: there is a step.
 WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder,
                          std::string_view viewer_page);
+
+/// What a reader should know of the files of so many slices, in a line; empty: nothing.
+std::string remark_on_size(std::size_t slices);
 
 }  // namespace spoke::trace

@@ -42,6 +42,20 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
   check_refused({"run", scenario, "--set"}, "--set: 1 required KEY=VALUE missing");
 }
 
+TEST_CASE("an empty name of a folder or file is refused, as of a variable that is not set") {
+  const std::string scenario = shipped("wu_haug_rotor");
+  const std::string out = "--out: expected the name of a folder, got an empty one (see spoke ";
+  for (const std::string command : {"run", "compare", "predict", "trace"}) {
+    check_refused({command, scenario, "--out", ""}, out + command + " --help)");
+    check_refused({command, scenario, "--out="}, "spoke " + command + ": ");
+  }
+  check_refused({"reproduce", "--out", ""}, out + "reproduce --help)");
+  check_refused({"run", scenario, "--trace", ""},
+                "spoke run: --trace: expected the name of a folder, got an empty one");
+  check_refused({"run", scenario, "--resume", ""},
+                "spoke run: --resume: expected the name of a file, got an empty one");
+}
+
 TEST_CASE("a bad scenario is refused with its place and nothing is written") {
   const WorkFolder folder;
   const std::string file = folder.write("bad.toml", "[hub]\nradius = -1\n").string();

@@ -4,11 +4,13 @@
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -174,6 +176,36 @@ TEST_CASE(
   CHECK(ended.err == "o/checkpoint.spoke: cannot be written: File too large\n");
   CHECK(folder.entries() == 2);
   check_complete_rows(folder.path() / "o" / "sensors.csv");
+}
+
+TEST_CASE("what other commands write and does not fit on the disk is told, and nothing is left") {
+  const auto ends = [](const Words& words, const std::string& file) {
+    const WorkFolder folder;
+    Child child(words, folder, 3000);
+    const ChildEnded ended = child.wait();
+    CHECK(ended.status == 2);
+    CHECK(ended.err == file + ": cannot be written: File too large\n");
+    CHECK(folder.entries() == 1);
+  };
+  ends({"trace", shipped("wu_haug_rotor"), "--out", "o"}, "o/trace.json");
+  ends({"compare", shipped("simo_vu_quoc_beam"), "--set", "blade.bodies=1", "--executors", "serial",
+        "--formulations", "structured", "--repeat", "2", "--out", "o"},
+       "o/compare.json");
+}
+
+TEST_CASE("text that standard output does not take is told, with status 2") {
+  for (const char* words : {"check", "run --set integration.duration=0.1", "check --help"}) {
+    CAPTURE(words);
+    const WorkFolder folder;
+    const std::string place = "'" + folder.path().string() + "'";
+    const std::string command = "cd " + place + " && '" SPOKE_PROGRAM "' " + words + " '" +
+                                shipped("wu_haug_rotor") + "' >/dev/full 2>err";
+    const int status = std::system(command.c_str());
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 2);
+    CHECK(read_file(folder.path() / "err") ==
+          "standard output: cannot be written: No space left on device\n");
+  }
 }
 
 TEST_CASE("a folder that vanishes while the run goes on is told") {

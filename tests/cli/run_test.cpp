@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -223,4 +224,29 @@ TEST_CASE("a file in place of the folder of --vtk is refused") {
   REQUIRE(lines_of(ended.err).size() == 1);
   CHECK(ended.err.find("o/vtk: cannot be the folder of results") != std::string::npos);
   CHECK(read_file(folder.path() / "o" / "vtk") == "no folder");
+  CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("a run that is refused for its folder leaves the results of an earlier one as they are") {
+  const WorkFolder folder;
+  const std::vector<std::string> run = {"run",   shipped("wu_haug_rotor"),  "--quiet", "--out", "o",
+                                        "--set", "integration.duration=0.1"};
+  REQUIRE(run_spoke(run, folder).status == 0);
+  const fs::path results = folder.path() / "o";
+  const std::string rows = read_file(results / "sensors.csv");
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& message) {
+    std::vector<std::string> arguments = run;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    check_refused(arguments, message, folder);
+    CHECK(read_file(results / "sensors.csv") == rows);
+    CHECK(fs::exists(results / "report.html"));
+  };
+  folder.write("o/vtk", "no folder");
+  refused({"--vtk"}, "o/vtk: cannot be the folder of results: ");
+  refused({"--trace", "o/vtk"}, "o/vtk: cannot be the folder of results: ");
+  fs::remove(results / "vtk");
+  fs::create_symlink("nowhere", results / "vtk");
+  refused({"--vtk"}, "o/vtk: cannot be the folder of results: ");
+  fs::create_directories(results / "checkpoint.spoke" / "inside");
+  refused({}, "o/checkpoint.spoke: cannot be written: Is a directory");
 }

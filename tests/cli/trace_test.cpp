@@ -19,6 +19,16 @@ bool contains(const std::string& text, const std::string& part) {
 
 json trace_in(const fs::path& folder) { return json::parse(read_file(folder / "trace.json")); }
 
+/// The pictures in the page of a run.
+json film_in(const fs::path& folder) {
+  const std::string page = read_file(folder / "report.html");
+  const std::string mark = "id=\"run-data\">";
+  const std::size_t begin = page.find(mark);
+  REQUIRE(begin != std::string::npos);
+  const std::size_t end = page.find("</script>", begin);
+  return json::parse(page.substr(begin + mark.size(), end - begin - mark.size()))["film"];
+}
+
 /// Of the files of two runs.
 std::string hash_in(const fs::path& folder) {
   return json::parse(read_file(folder / "summary.json"))["state_hash"];
@@ -115,6 +125,40 @@ TEST_CASE("run --trace writes the trace, too, and the same results") {
         read_file(folder.path() / "traced" / "sensors.csv"));
   traced.insert(traced.end(), {"--quiet"});
   CHECK(run_spoke(traced, folder).out.empty());
+}
+
+TEST_CASE("run --trace leaves pictures, files for ParaView and checkpoints, and traces 20 steps") {
+  using Words = std::vector<std::string>;
+  const WorkFolder folder;
+  const auto run = [&](Words words, const std::string& out) {
+    words.insert(words.begin(),
+                 {"run", shipped("wu_haug_rotor"), "--set", "integration.duration=0.15", "--set",
+                  "output.interval=0.005", "--threads", "2", "--out", out});
+    const Ended ended = run_spoke(words, folder);
+    CHECK(ended.status == 0);
+    return ended.out;
+  };
+  for (const Words& words :
+       {Words{}, Words{"--vtk"}, Words{"--executor", "flow_graph", "--window", "8"},
+        Words{"--vtk", "--executor", "flow_graph", "--window", "8", "--set",
+              "output.interval=0.035"},
+        Words{"--checkpoint-every", "1e-9"}}) {
+    CAPTURE(words.size());
+    const fs::path plain = folder.path() / "plain", traced = folder.path() / "traced";
+    run(words, "plain");
+    Words more = words;
+    more.insert(more.end(), {"--trace", "t"});
+    CHECK(contains(run(more, "traced"), "20 steps from t = 0.005 s on"));
+    const json steps = trace_in(folder.path() / "t")["spoke"]["steps"];
+    REQUIRE(steps.size() == 20);
+    for (std::size_t k = 0; k < steps.size(); ++k) CHECK(steps[k]["step"] == k + 1);
+    CHECK(film_in(plain)["times"] != "");
+    CHECK(film_in(plain) == film_in(traced));
+    for (const char* file : {"sensors.csv", "vtk/blades.pvd", "vtk/blades_000003.vtp"})
+      CHECK(read_file(plain / file) == read_file(traced / file));
+    CHECK(fs::exists(plain / "checkpoint.spoke") == fs::exists(traced / "checkpoint.spoke"));
+    CHECK(hash_in(plain) == hash_in(traced));
+  }
 }
 
 TEST_CASE("a run shorter than the trace is traced as a whole") {

@@ -184,6 +184,47 @@ TEST_CASE("traces of all formulations and of rk4, and of a single blade") {
   }
 }
 
+TEST_CASE("traces of steps that follow one another become one") {
+  const Scenario scenario =
+      unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha);
+  for (const int window : {1, 4}) {
+    Simulation simulation(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2, window});
+    StepTrace all = simulation.trace(8);
+    const std::size_t slices = all.slices.size(), runs = all.runs.size();
+    const std::int64_t end = all.runs.back().end;
+    const StepTrace one = simulation.trace(1), last = simulation.trace(7);
+    all.append(one);
+    CHECK(all.window_steps == window);  // of the first; a single step is made without a window
+    all.append(last);
+    CHECK(all.slices.size() == slices + one.slices.size() + last.slices.size());
+    CHECK(all.runs.size() == runs + one.runs.size() + last.runs.size());
+    CHECK(all.runs[runs].begin >= end);
+    CHECK(all.runs[runs].end - all.runs[runs].begin == one.runs[0].end - one.runs[0].begin);
+    REQUIRE(all.steps.size() == 16);
+    for (std::size_t k = 0; k < all.steps.size(); ++k)
+      CHECK(all.steps[k].step == static_cast<std::int64_t>(k) + 1);
+    const Times times = times_of(all, window > 1);
+    check_threads(all);
+    check_order(all, times);
+    check_complete(all, times, window > 1);
+  }
+}
+
+TEST_CASE("parts of a trace that had no room count as dropped in the whole") {
+  Simulation simulation(unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha),
+                        {Formulation::structured, ExecutorKind::serial, 1, 1});
+  TraceOptions no_room;
+  no_room.buffer_bytes = 0;
+  StepTrace all = simulation.trace(3, {}, no_room);
+  all.append(simulation.trace(2));
+  all.append(simulation.trace(4, {}, no_room));
+  CHECK(all.dropped_steps == 7);
+  REQUIRE(all.steps.size() == 2);
+  CHECK(all.steps[0].step == 4);
+  CHECK_FALSE(all.slices_of(4).empty());
+  CHECK_FALSE(all.slices_of(5).empty());
+}
+
 TEST_CASE("a trace tells the observer what run_until() tells") {
   const Scenario scenario =
       unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha);
