@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <sstream>
 
@@ -94,6 +95,19 @@ std::vector<Choice<Value>> choices_of(std::initializer_list<Value> values) {
   return choices;
 }
 
+compare::Spin parse_spin(const std::string& word) {
+  using compare::Spin;
+  for (const Spin named : {Spin{}, Spin{Spin::kInfinite}})
+    if (word == name_of(named)) return named;
+  std::int64_t count = 0;
+  const char* const last = word.data() + word.size();
+  const auto [end, fault] = std::from_chars(word.data(), last, count);
+  if (fault != std::errc{} || end != last || count < 0 || count > Spin::kMost)
+    throw CLI::ValidationError("--spin", "expected default, infinite or a count from 0 to " +
+                                             name_of(Spin{Spin::kMost}) + ", got \"" + word + '"');
+  return {count};
+}
+
 }  // namespace
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
@@ -110,8 +124,13 @@ void add_compare_options(CLI::App& command, CompareArguments& arguments) {
                            "[powers of two up to the processors available; a thread per blade]",
                            axes.threads, parse_threads_option);
   add_choices<compare::Wait>(
-      command, "--wait", "How idle threads of OpenMP wait [all]", axes.waits,
+      command, "--wait", "How idle threads of OpenMP wait\n[all; default, with a spin count]",
+      axes.waits,
       choices_of({compare::Wait::runtime_default, compare::Wait::passive, compare::Wait::active}));
+  add_list<compare::Spin>(command, "--spin",
+                          "How many times idle threads of OpenMP look for work before they\n"
+                          "sleep, or infinite; default: as --wait says [default]",
+                          axes.spins, parse_spin);
   add_choices<bool>(command, "--bind", "Whether OpenMP binds threads to processors [false]",
                     axes.binds, {{"false", false}, {"true", true}});
   command.add_option("--repeat", arguments.rounds, "Rounds [20]")

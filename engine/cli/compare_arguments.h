@@ -14,7 +14,7 @@ struct CompareArguments {
   int rounds = 20;
 };
 
-/// Adds --executors, --threads, --formulations, --wait, --bind and --repeat to the command.
+/// Adds --executors, --threads, --formulations, --wait, --spin, --bind and --repeat to the command.
 void add_compare_options(CLI::App& command, CompareArguments& arguments);
 
 }  // namespace spoke::cli

@@ -37,6 +37,41 @@ void demand_use_of_nested_threads(const Axes& axes) {
                        " is of nested teams, but the executors compared have one layer of threads");
 }
 
+/// The wait policies that a spin count goes with.
+std::vector<Wait> waits_with(Spin spin, const Axes& axes) {
+  if (!axes.waits.empty()) return axes.waits;
+  // A count says itself what the policies say.
+  if (spin.count) return {Wait::runtime_default};
+  return {Wait::runtime_default, Wait::passive, Wait::active};
+}
+
+/// The count in force: a policy of which the runtime is told is one, too.
+std::optional<std::int64_t> spin_count_of(const Configuration& configuration) {
+  if (configuration.spin.count) return configuration.spin.count;
+  if (configuration.wait == Wait::passive) return 0;
+  if (configuration.wait == Wait::active) return Spin::kInfinite;
+  return std::nullopt;
+}
+
+bool waits_alike(const Configuration& a, const Configuration& b) {
+  return a.wait == b.wait && spin_count_of(a) == spin_count_of(b);
+}
+
+/// The ways of waiting along the axes, each once.
+std::vector<Configuration> with_waiting(Configuration configuration, const Axes& axes) {
+  std::vector<Configuration> list;
+  for (const Spin spin : axes.spins)
+    for (const Wait wait : waits_with(spin, axes)) {
+      configuration.wait = wait;
+      configuration.spin = spin;
+      if (std::none_of(list.begin(), list.end(), [&](const Configuration& other) {
+            return waits_alike(configuration, other);
+          }))
+        list.push_back(configuration);
+    }
+  return list;
+}
+
 /// Adds the configurations of one executor on one number of threads.
 void append_variants(std::vector<Configuration>& list, Configuration configuration,
                      const Axes& axes) {
@@ -44,17 +79,29 @@ void append_variants(std::vector<Configuration>& list, Configuration configurati
     list.push_back(configuration);
     return;
   }
-  for (const Wait wait : axes.waits)
+  for (Configuration& waiting : with_waiting(configuration, axes))
     for (const bool bind : axes.binds) {
-      configuration.wait = wait;
-      configuration.bind = bind;
-      list.push_back(configuration);
+      waiting.bind = bind;
+      list.push_back(waiting);
     }
 }
 
 bool is_of_openmp(std::string_view variable) {
   return variable.starts_with("OMP_") || variable.starts_with("GOMP_") ||
          variable.starts_with("KMP_");
+}
+
+/// The value of GOMP_SPINCOUNT: libgomp counts looks.
+std::string looks_text(std::int64_t count) {
+  return count == Spin::kInfinite ? "infinity" : std::to_string(count);
+}
+
+/// The value of KMP_BLOCKTIME: libomp looks for a time in whole milliseconds. How long a look takes
+/// is libgomp's own estimate.
+std::string milliseconds_text(std::int64_t count) {
+  constexpr std::int64_t kLooksPerMillisecond = 100'000;
+  if (count == Spin::kInfinite) return "infinite";
+  return std::to_string((count + kLooksPerMillisecond - 1) / kLooksPerMillisecond);
 }
 
 }  // namespace
@@ -71,6 +118,11 @@ std::string_view name_of(Wait wait) {
   return "default";
 }
 
+std::string name_of(Spin spin) {
+  if (!spin.count) return "default";
+  return *spin.count == Spin::kInfinite ? "infinite" : std::to_string(*spin.count);
+}
+
 bool is_openmp(ExecutorKind kind) { return graph::name_of(kind).starts_with("openmp"); }
 
 bool has_two_layers(ExecutorKind kind) { return graph::name_of(kind).starts_with("openmp_scheme"); }
@@ -81,6 +133,7 @@ std::string name_of(const Configuration& configuration) {
   name += ' ' + graph::name_of(configuration.threads);
   if (configuration.wait != Wait::runtime_default)
     name.append(" ").append(name_of(configuration.wait));
+  if (configuration.spin.count) name.append(" spin ").append(name_of(configuration.spin));
   if (configuration.bind) name += " bound";
   return name;
 }
@@ -91,13 +144,13 @@ std::vector<std::string> environment_of(const Configuration& configuration) {
     if (!is_of_openmp(*variable)) variables.emplace_back(*variable);
   if (!is_openmp(configuration.executor)) return variables;
   variables.emplace_back(configuration.bind ? "OMP_PROC_BIND=true" : "OMP_PROC_BIND=false");
+  if (configuration.wait != Wait::runtime_default)
+    variables.push_back("OMP_WAIT_POLICY=" + std::string(name_of(configuration.wait)));
   // Runtimes read their own variables first: say the same in each one's words.
-  if (configuration.wait == Wait::passive)
-    variables.insert(variables.end(),
-                     {"OMP_WAIT_POLICY=passive", "GOMP_SPINCOUNT=0", "KMP_BLOCKTIME=0"});
-  if (configuration.wait == Wait::active)
-    variables.insert(variables.end(), {"OMP_WAIT_POLICY=active", "GOMP_SPINCOUNT=infinity",
-                                       "KMP_BLOCKTIME=infinite"});
+  if (const auto count = spin_count_of(configuration)) {
+    variables.push_back("GOMP_SPINCOUNT=" + looks_text(*count));
+    variables.push_back("KMP_BLOCKTIME=" + milliseconds_text(*count));
+  }
   return variables;
 }
 

@@ -2,6 +2,9 @@
 
 // What is compared: one way to run a scenario's step, and the matrix of all of them.
 
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,11 +22,25 @@ enum class Wait {
 /// "default", "passive", "active".
 std::string_view name_of(Wait wait);
 
+/// How many times an idle thread of an OpenMP runtime looks for work before it sleeps; read when
+/// the runtime starts.
+struct Spin {
+  static constexpr std::int64_t kInfinite = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::int64_t kMost =
+      100'000'000'000;  ///< of those that end: a quarter of an hour
+
+  std::optional<std::int64_t> count = {};  ///< none: as Wait says
+  bool operator==(const Spin&) const = default;
+};
+/// "default", "1000", "infinite".
+std::string name_of(Spin spin);
+
 struct Configuration {
   Formulation formulation = Formulation::structured;
   ExecutorKind executor = ExecutorKind::serial;
   graph::Threads threads = 1;
   Wait wait = Wait::runtime_default;  ///< of OpenMP executors
+  Spin spin = {};                     ///< likewise
   bool bind = false;                  ///< OpenMP threads to processors
 };
 
@@ -32,7 +49,7 @@ struct Configuration {
 bool is_openmp(ExecutorKind kind);
 bool has_two_layers(ExecutorKind kind);
 
-/// "flow_graph 2", "openmp_scheme2 3x2 active bound": all but the formulation.
+/// "flow_graph 2", "openmp_scheme2 3x2 active spin 1000 bound": all but the formulation.
 std::string name_of(const Configuration& configuration);
 
 /// The whole environment for a process that measures the configuration, as "NAME=value": that of
@@ -44,15 +61,17 @@ struct Axes {
   std::vector<Formulation> formulations{Formulation::structured, Formulation::subsystem};
   std::vector<ExecutorKind> executors{graph::executor_kinds().begin(),
                                       graph::executor_kinds().end()};
-  std::vector<graph::Threads> threads;  ///< empty: what suits executor, model and machine
-  std::vector<Wait> waits{Wait::runtime_default, Wait::passive, Wait::active};
+  std::vector<graph::Threads> threads = {};  ///< empty: what suits executor, model and machine
+  std::vector<Wait> waits = {};  ///< empty: all, but with a spin count the runtime's default
+  std::vector<Spin> spins{Spin{}};
   std::vector<bool> binds{false};
 };
 
 /// All configurations by formulation, in each the serial one first, as the reference (also if it is
-/// not among the executors). Nested threads go to executors that know them; waiting and binding are
-/// varied where an OpenMP executor has more than one thread. Throws InputError if a nested number
-/// of threads suits none of the executors.
+/// not among the executors). Nested threads go to executors that know them; waiting, spinning and
+/// binding are varied where an OpenMP executor has more than one thread, but what tells the runtime
+/// the same comes once. Throws InputError if a nested number of threads suits none of the
+/// executors.
 std::vector<Configuration> make_configurations(const Axes& axes, int subsystems, int available);
 
 }  // namespace spoke::compare

@@ -68,7 +68,7 @@ report::LineChart scaling_chart(const Comparison& comparison, const Model& model
     const Configuration& configuration = result.measurement.configuration;
     const bool plain = configuration.executor != ExecutorKind::serial &&
                        configuration.threads.inner == 1 && !configuration.bind &&
-                       configuration.wait == Wait::runtime_default;
+                       configuration.wait == Wait::runtime_default && !configuration.spin.count;
     if (!belongs_to(result, model.formulation) || !result.figures || !plain) continue;
     const std::string name(name_of(configuration.executor));
     auto series = std::find_if(chart.series.begin(), chart.series.end(),

@@ -50,6 +50,7 @@ Json describe_result(const Result& result) {
                {"outer_threads", configuration.threads.outer},
                {"inner_threads", configuration.threads.inner},
                {"wait", name_of(configuration.wait)},
+               {"spin", name_of(configuration.spin)},
                {"bind", configuration.bind},
                {"oversubscribed", result.oversubscribed},
                {"status", name_of(measurement.status)}};

@@ -25,6 +25,12 @@ std::vector<std::string> quick(const std::vector<std::string>& more) {
   return arguments;
 }
 
+/// Whether the program knows executors on OpenMP: its help lists them.
+bool has_openmp() {
+  const WorkFolder folder;
+  return run_spoke({"compare", "--help"}, folder).out.find("openmp_levels") != std::string::npos;
+}
+
 }  // namespace
 
 TEST_CASE("compare measures every configuration and all end in the same bits") {
@@ -61,6 +67,34 @@ TEST_CASE("compare measures every configuration and all end in the same bits") {
   CHECK(read_file(results / "compare.html").starts_with("<!DOCTYPE html>"));
 }
 
+TEST_CASE("spin counts are an axis of OpenMP's executors, shown wherever configurations are") {
+  if (!has_openmp()) return;
+  const WorkFolder folder;
+  const Ended ended =
+      run_spoke({"compare", shipped("simo_vu_quoc_beam"), "--set", "blade.bodies=1",
+                 "--formulations", "subsystem", "--executors", "flow_graph,openmp_levels",
+                 "--threads", "2", "--spin", "0,1000", "--repeat", "2", "--out", "o"},
+                folder);
+  CHECK(ended.status == 0);
+  const std::vector<std::string> names{"serial", "flow_graph 2", "openmp_levels 2 spin 0",
+                                       "openmp_levels 2 spin 1000"};
+  const std::vector<std::string> spins{"default", "default", "0", "1000"};
+  const json all = json::parse(read_file(folder.path() / "o" / "compare.json"));
+  const auto rows = lines_of(read_file(folder.path() / "o" / "compare.csv"));
+  const std::string page = read_file(folder.path() / "o" / "compare.html");
+  REQUIRE(all["configurations"].size() == names.size());
+  REQUIRE(rows.size() == names.size() + 1);
+  CHECK(rows[0].ends_with(",spin"));
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    CAPTURE(names[k]);
+    CHECK(all["configurations"][k]["name"] == names[k]);
+    CHECK(all["configurations"][k]["spin"] == spins[k]);
+    CHECK(rows[k + 1].ends_with("," + spins[k]));
+    CHECK(ended.out.find(names[k]) != std::string::npos);
+    CHECK(page.find(names[k]) != std::string::npos);
+  }
+}
+
 TEST_CASE("compare goes on where the scenario would end") {
   const WorkFolder folder;
   const Ended ended =
@@ -90,6 +124,9 @@ TEST_CASE("compare refuses a bad command line in one line and writes nothing") {
           "--formulations: unknown \"dense\", expected some of structured, subsystem, augmented");
   refused({"--wait", "sleepy"}, "--wait: unknown \"sleepy\", expected some of default, passive");
   refused({"--bind", "yes"}, "--bind: unknown \"yes\", expected some of false, true");
+  for (const std::string spin : {"-1", "1.5", "3ms", "", "1,,2", "100000000001", "often"})
+    refused({"--spin", spin},
+            "--spin: expected default, infinite or a count from 0 to 100000000000, got \"");
   for (const std::string threads : {"0", "3x", "-1", "100000", "1,,2", "two"})
     refused({"--threads", threads}, "--threads: expected a number from 1 to 1024");
   refused({"--threads", "3x2", "--executors", "flow_graph"}, "--threads: 3x2 is of nested teams");
@@ -114,8 +151,9 @@ TEST_CASE("compare --help explains; the child's command is in no help") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"compare", "--help"}, folder);
   CHECK(ended.status == 0);
-  for (const char* part : {"--executors", "--threads", "--formulations", "--wait", "--bind",
-                           "--repeat", "--out", "compare.json", "compare.csv", "compare.html"}) {
+  for (const char* part :
+       {"--executors", "--threads", "--formulations", "--wait", "--spin", "--bind", "--repeat",
+        "--out", "compare.json", "compare.csv", "compare.html"}) {
     CAPTURE(part);
     CHECK(ended.out.find(part) != std::string::npos);
   }

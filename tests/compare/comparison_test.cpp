@@ -82,7 +82,7 @@ TEST_CASE("the files hold what was found") {
   std::istringstream lines(make_csv(comparison));
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count)
-    CHECK(std::count(line.begin(), line.end(), ',') == 17);
+    CHECK(std::count(line.begin(), line.end(), ',') == 18);
   CHECK(count == 5);
 
   const std::string html = make_html(comparison);
