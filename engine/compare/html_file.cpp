@@ -111,12 +111,12 @@ void add_method(report::Page& page, const Comparison& comparison) {
   page.add_heading("How this was measured");
   page.add_paragraph(fmt::format(
       "Every configuration simulates the same steps from t = 0 in a process of its own. After {} "
-      "untimed batches of steps come up to {} rounds; in each, every process runs one batch while "
-      "all others are halted. Speedups are ratios of times within a round. T1 is the median serial "
-      "time of a step, Tinf the share of it that lies on the costliest path through the step "
-      "graph; no execution on P processors takes less than max(T1/P, Tinf), if nodes cost the same "
-      "on each. Bits are equal if the state is the same as serial's after every batch, to the last "
-      "bit.",
+      "untimed batches of steps, fewer of what is slow, come up to {} rounds; in each, every "
+      "process runs one batch while all others are halted. Speedups are ratios of times within a "
+      "round. T1 is the median serial time of a step, Tinf the share of it that lies on the "
+      "costliest path through the step graph; no execution on P processors takes less than "
+      "max(T1/P, Tinf), if nodes cost the same on each. Bits are equal if the state is the same as "
+      "serial's after every batch, to the last bit.",
       kWarmUpBatches, comparison.rounds));
 }
 

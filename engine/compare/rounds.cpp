@@ -76,6 +76,19 @@ bool is_serial(const Contender& contender) {
   return contender.measurement.configuration.executor == ExecutorKind::serial;
 }
 
+/// Who will leave the rounds early, at the pace of its last batch, spends no more on its warm-up
+/// than half of what it may spend on them.
+void warm_up(Contender& contender, const Effort& effort) {
+  double last = 0.0, spent = 0.0;
+  for (int k = 0; k < kWarmUpBatches && contender.takes_part(); ++k) {
+    const bool slow = last * effort.rounds > effort.most_seconds;
+    if (!is_serial(contender) && slow && spent > 0.5 * effort.most_seconds) return;
+    last = run_steps(contender, contender.batch, effort.answer_seconds) *
+           static_cast<double>(contender.batch);
+    spent += last;
+  }
+}
+
 void start(Contender& contender, const Command& command, const Effort& effort) {
   contender.child = std::make_unique<Child>(command);
   std::string rest;
@@ -88,8 +101,7 @@ void start(Contender& contender, const Command& command, const Effort& effort) {
     contender.measurement.step_times.push_back(step);
     leave(contender, Status::slow, "");
   }
-  for (int k = 0; k < kWarmUpBatches && contender.takes_part(); ++k)
-    run_steps(contender, contender.batch, effort.answer_seconds);
+  warm_up(contender, effort);
 }
 
 void take_turn(Contender& contender, int round, const Effort& effort) {

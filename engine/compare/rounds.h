@@ -33,16 +33,17 @@ struct Measurement {
 /// Quarters of a batch at the very start: the last one tells what is too slow to go on with.
 constexpr int kTrials = 2;
 /// Untimed batches before the first round: memory is touched, and an executor that tunes itself has
-/// done so.
+/// done so. Fewer of a configuration that is slow.
 constexpr int kWarmUpBatches = 12;
-/// All steps of a process, trials and warm-ups included.
+/// All steps of a process, trials and warm-ups included; what leaves early does fewer.
 std::int64_t steps_of(std::int64_t batch, int rounds);
 
 struct Effort {
   int rounds = 20;
-  /// Of a configuration, after which it leaves the rounds, two of which it does. If a batch takes
-  /// more than half of that, it leaves before the first, and the trial is its only sample. The
-  /// serial one never leaves.
+  /// Of a configuration, after which it leaves the rounds, two of which it does. If it will, it
+  /// spends half of that on its warm-up at most, but for the last batch. If a batch takes more than
+  /// half of that, it leaves before the first, and the trial is its only sample. The serial one
+  /// never leaves.
   double most_seconds = 6.0;
   double start_seconds = 120.0;  ///< allowed for a process to build its simulation
   double answer_seconds = 60.0;  ///< allowed for a batch

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <numeric>
+
 #include "models/error.h"
 
 using namespace spoke;
@@ -40,10 +42,12 @@ std::vector<Measurement> measure_scripts(const std::vector<std::string>& scripts
 TEST_CASE("every process does its rounds; times are per step, hashes by batch") {
   const auto measurements = measure_scripts({kObedient, kObedient}, {.rounds = 3});
   REQUIRE(measurements.size() == 2);
+  std::vector<std::uint64_t> batches(kTrials + kWarmUpBatches + 3);
+  std::iota(batches.begin(), batches.end(), 1);
   for (const Measurement& measurement : measurements) {
     CHECK(measurement.status == Status::measured);
     CHECK(measurement.step_times == std::vector<double>{0.05, 0.05, 0.05});
-    CHECK(measurement.hashes == std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7});
+    CHECK(measurement.hashes == batches);
   }
 }
 
@@ -64,6 +68,20 @@ TEST_CASE("the slow leave after two rounds or the trial, the silent and the fail
   CHECK(measurements[6].status == Status::slow);
   CHECK(measurements[6].step_times == std::vector<double>{0.25});
   CHECK(measurements[6].hashes == std::vector<std::uint64_t>{1, 2});
+}
+
+TEST_CASE("the slow leave the warm-up early for the rounds, serial never") {
+  constexpr std::size_t kBeforeRounds = kTrials + kWarmUpBatches;
+  const auto slow = measure_scripts({kTiring, kTiring}, {.rounds = 4, .most_seconds = 1.4});
+  CHECK(slow[0].hashes.size() == kBeforeRounds + 4);
+  // Two batches of 0.5 s exceed 0.7 s, three rounds 1.4 s.
+  CHECK(slow[1].hashes == std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7});
+  CHECK(slow[1].step_times == std::vector<double>{0.05, 0.05, 0.05});
+  CHECK(slow[1].status == Status::slow);
+  // What has time for all rounds has it for the whole warm-up.
+  const auto few = measure_scripts({kTiring, kTiring}, {.rounds = 2, .most_seconds = 1.4});
+  CHECK(few[1].hashes.size() == kBeforeRounds + 2);
+  CHECK(few[1].status == Status::measured);
 }
 
 TEST_CASE("the caller takes part in every round, before the others") {
