@@ -147,7 +147,7 @@ TEST_CASE("a scenario that diverges while it is measured ends with status 3") {
   CHECK(folder.entries() == 0);
 }
 
-TEST_CASE("compare --help explains; the child's command is in no help") {
+TEST_CASE("compare --help explains, and the child's command is in no help") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"compare", "--help"}, folder);
   CHECK(ended.status == 0);

@@ -39,7 +39,7 @@ std::vector<Measurement> measure_scripts(const std::vector<std::string>& scripts
 
 }  // namespace
 
-TEST_CASE("every process does its rounds; times are per step, hashes by batch") {
+TEST_CASE("every process does its rounds, with times per step and hashes by batch") {
   const auto measurements = measure_scripts({kObedient, kObedient}, {.rounds = 3});
   REQUIRE(measurements.size() == 2);
   std::vector<std::uint64_t> batches(kTrials + kWarmUpBatches + 3);

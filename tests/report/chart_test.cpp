@@ -46,7 +46,7 @@ TEST_CASE("a bar chart is well-formed and has a bar for each value") {
   CHECK(svg.find(" width=\"920\"") == std::string::npos);
 }
 
-TEST_CASE("a line chart is well-formed; a gap parts the line") {
+TEST_CASE("a line chart is well-formed, and a gap parts the line") {
   const std::string svg = render(lines());
   CHECK(xml_fault(svg) == "");
   CHECK(count_of(svg, "class=\"point\"") == 3 + 1);  // and one in the legend
