@@ -21,6 +21,7 @@
 #include "engine/results.h"
 #include "engine/run_report/html_file.h"
 #include "engine/run_report/picture_steps.h"
+#include "engine/trace/files.h"
 #include "engine/vtk_series.h"
 #include "models/error.h"
 
@@ -185,7 +186,9 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   };
   try {
     if (traces && !simulation.done()) {
-      recording.trace = simulation.trace(traced_steps(simulation, stops), observe);
+      TraceOptions options;
+      options.unfinished = [&](StepTrace steps) { recording.trace = std::move(steps); };
+      recording.trace = simulation.trace(traced_steps(simulation, stops), observe, options);
       if (stops.next(simulation.steps() - 1) == simulation.steps())
         record_shape(simulation, stops, recording);
     }
@@ -313,6 +316,7 @@ int run(const Arguments& arguments) {
   if (!trace_folder.empty()) demand_folder(trace_folder);
   Recording recording = open_recording(arguments, folder, simulation);
   remove_stale(folder, arguments);
+  if (!trace_folder.empty()) trace::remove_files(trace_folder);
   spdlog::info("results go to {}", folder.string());
   Checkpoints checkpoints(folder / "checkpoint.spoke", arguments.checkpoint_every);
   if (!arguments.quiet) print_plan(simulation);
@@ -325,8 +329,8 @@ int run(const Arguments& arguments) {
   const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
   if (!arguments.quiet) print_result(simulation, recording, outcome, written);
-  if (recording.trace)
-    write_trace(simulation, std::move(*recording.trace), trace_folder, !arguments.quiet);
+  if (!trace_folder.empty())
+    write_trace_of_run(simulation, std::move(recording.trace), trace_folder, !arguments.quiet);
   std::fflush(stdout);
   for (const Warning& warning : simulation.warnings())
     fmt::print(stderr, "warning: {}\n", warning.text);
