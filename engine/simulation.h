@@ -153,8 +153,9 @@ class SPOKE_EXPORT Simulation {
   /// Makes `steps` steps as run_until() does, to the same bits, by what runs the steps at present,
   /// and records which thread ran which node when; `options.finished` is told of every step's
   /// slices as it is finished. An executor that chooses waits with it meanwhile: run_until()
-  /// before, to see what it chooses. Throws like run_until(), and then tells nothing of the steps.
-  /// Throws InputError unless 1 <= steps <= planned_steps() - this->steps().
+  /// before, to see what it chooses. Steps that are less than half a window run without. Throws
+  /// like run_until(), after `options.unfinished` was told what was recorded until then. Throws
+  /// InputError unless 1 <= steps <= planned_steps() - this->steps().
   StepTrace trace(std::int64_t steps, const StepObserver& observe = {},
                   const TraceOptions& options = TraceOptions());
   /// Makes `steps` steps as run_until() does, to the same bits, but on one thread, nodes in

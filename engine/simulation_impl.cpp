@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "engine/diagnosis.h"
 #include "engine/load_terms.h"
@@ -115,15 +116,16 @@ StepTrace Simulation::Impl::trace(std::int64_t target, const StepObserver& obser
                                   const TraceOptions& trace_options) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
   const bool observed = observe || stops_on_growth();
-  // The start counts as a step.
-  const double passes_per_step =
-      std::max(static_cast<double>(usual_passes(context.integrator)),
-               static_cast<double>(evaluations) / static_cast<double>(runner->steps() + 1));
   StepTrace trace;
-  demand_done([&] {
-    return runner->advance_traced(std::min(target, planned_steps), observed, completed,
-                                  passes_per_step, trace_options, trace);
-  });
+  try {
+    demand_done([&] {
+      return runner->advance_traced(std::min(target, planned_steps), observed, completed,
+                                    trace_options, trace);
+    });
+  } catch (...) {
+    if (trace_options.unfinished) trace_options.unfinished(std::move(trace));
+    throw;
+  }
   return trace;
 }
 

@@ -14,10 +14,8 @@ using graph::NodeId;
 using graph::NodeLabel;
 using graph::StepGraph;
 
-/// Runs to make room for: twice as many as expected, and some for short recordings.
-std::size_t expected_runs(const RecordingPlan& plan, int passes) {
-  const double steps = static_cast<double>(plan.last_step - plan.first_step + 1);
-  return 8 + static_cast<std::size_t>(std::ceil(2.0 * steps * plan.passes_per_step / passes));
+std::size_t count_steps(const RecordingPlan& plan) {
+  return static_cast<std::size_t>(plan.last_step - plan.first_step + 1);
 }
 
 /// Numbers nodes of one pass in the order in which the graph lists them.
@@ -62,16 +60,54 @@ StepRecording::StepRecording(const StepGraph& run_graph, const StepData& data,
     : plan_(plan),
       passes_(count_passes(run_graph)),
       clocks_(static_cast<int>(data.clocks.size())),
-      recorder_(plan.threads, run_graph.node_count(),
-                graph::make_room(expected_runs(plan, passes_), run_graph.node_count(), plan.threads,
-                                 plan.buffer_bytes)),
+      nodes_(run_graph.node_count()),
+      room_(find_room()),
+      recorder_(plan.threads, nodes_, room_),
       at_begin_(data.clocks.size()),
       places_(data.clocks.size() * static_cast<std::size_t>(passes_)),
-      dropped_(static_cast<std::size_t>(plan.last_step - plan.first_step + 1), 0) {
-  const std::size_t runs = expected_runs(plan, passes_);
-  all_places_.resize(runs * places_.size());
-  run_places_.resize(runs);
+      all_places_(room_.runs * places_.size()),
+      run_places_(room_.runs),
+      dropped_(count_steps(plan), 0) {
   find_origins(run_graph, data.is_coupled);
+}
+
+StepRecording::Needs StepRecording::find_needs() const {
+  const auto threads = static_cast<std::size_t>(plan_.threads);
+  const auto nodes = static_cast<std::size_t>(nodes_);
+  const auto clocks = static_cast<std::size_t>(clocks_);
+  const std::size_t places = clocks * static_cast<std::size_t>(passes_);
+  Needs needs;
+  needs.always = threads * sizeof(graph::NodeRecorder::Lane) + nodes * sizeof(Origin) +
+                 (clocks + places) * sizeof(Place) + count_steps(plan_);
+  needs.run = sizeof(graph::NodeRecorder::Run) + threads * sizeof(std::size_t) +
+              (places + 1) * sizeof(Place);
+  needs.records = nodes * sizeof(graph::NodeRecord);
+  return needs;
+}
+
+/// The slowest clock makes all passes of a run, unless it waits at the end of a window; some runs
+/// more allow for that.
+std::size_t StepRecording::count_most_runs() const {
+  const std::size_t steps = count_steps(plan_);
+  const std::size_t passes = steps * static_cast<std::size_t>(plan_.most_passes);
+  return 8 + steps / 64 + passes / static_cast<std::size_t>(passes_);
+}
+
+/// As much as the buffer holds. Of the runs that find a place, records may be for fewer, if threads
+/// share the nodes unevenly.
+graph::RecorderRoom StepRecording::find_room() const {
+  const Needs needs = find_needs();
+  if (plan_.buffer_bytes <= needs.always) return {};
+  const std::size_t bytes = plan_.buffer_bytes - needs.always;
+  const std::size_t runs = std::min(count_most_runs(), bytes / (needs.run + needs.records));
+  return graph::make_room(runs, nodes_, plan_.threads, bytes - runs * needs.run);
+}
+
+/// Enough for so many runs, however the threads share the nodes.
+std::size_t StepRecording::bytes_of(int runs) const {
+  const Needs needs = find_needs();
+  return needs.always + static_cast<std::size_t>(runs) * static_cast<std::size_t>(plan_.threads) *
+                            (needs.run + needs.records);
 }
 
 int StepRecording::count_passes(const StepGraph& run_graph) {
@@ -82,6 +118,7 @@ int StepRecording::count_passes(const StepGraph& run_graph) {
 
 void StepRecording::find_origins(const StepGraph& run_graph, bool is_coupled) {
   NodeNumbers numbers;
+  origins_.reserve(static_cast<std::size_t>(nodes_));
   for (const graph::Node& node : run_graph.nodes()) {
     const NodeLabel& label = node.label;
     // Coupled: all follow the only clock. Else those of no subsystem, the hub solve, follow none.
@@ -102,7 +139,15 @@ void StepRecording::end_run(const StepData& data) {
   const bool is_recorded = recorder_.is_recording();
   recorder_.end_run();
   place_passes(data);
-  if (!is_recorded) return drop_steps();
+  if (is_recorded)
+    keep_places(data);
+  else
+    drop_steps();
+  complete_ = last_complete_step(data);
+  if (runs_of_first_ == 0 && complete_ >= plan_.first_step) runs_of_first_ = count_runs();
+}
+
+void StepRecording::keep_places(const StepData& data) {
   const auto run = static_cast<std::size_t>(recorder_.runs() - 1);
   std::copy(places_.begin(), places_.end(),
             all_places_.begin() + static_cast<std::ptrdiff_t>(run * places_.size()));
@@ -157,10 +202,14 @@ void StepRecording::drop_steps() {
       dropped_[static_cast<std::size_t>(place.step - plan_.first_step)] = 1;
 }
 
+std::int64_t StepRecording::count_dropped() const {
+  const std::int64_t made = std::min(complete_, plan_.last_step) - plan_.first_step + 1;
+  return std::count(dropped_.begin(), dropped_.begin() + std::max<std::int64_t>(made, 0), char{1});
+}
+
 StepRecording::Place StepRecording::place_of(const Origin& origin, int run) const {
   if (origin.clock < 0) return run_places_[static_cast<std::size_t>(run)];
-  const int row = (run * clocks_ + origin.clock) * passes_;
-  return all_places_[static_cast<std::size_t>(row + origin.pass)];
+  return places_of(run)[static_cast<std::size_t>(origin.clock * passes_ + origin.pass)];
 }
 
 std::vector<TracedStep> StepRecording::find_steps(double step_size) const {
@@ -168,7 +217,7 @@ std::vector<TracedStep> StepRecording::find_steps(double step_size) const {
   const auto used = static_cast<std::size_t>(recorder_.runs()) * places_.size();
   for (std::size_t k = 0; k < used; ++k) {
     const Place& place = all_places_[k];
-    if (!is_wanted(place.step) || is_dropped(place.step)) continue;
+    if (!is_recorded(place.step)) continue;
     int& most = passes[place.step];
     most = std::max(most, place.pass + 1);
   }
@@ -211,7 +260,9 @@ TracedStep StepRecording::collect_step(std::int64_t step, double step_size,
 
 void StepRecording::collect(double step_size, StepTrace& trace) const {
   trace.steps = find_steps(step_size);
-  trace.dropped_steps = std::count(dropped_.begin(), dropped_.end(), char{1});
+  trace.dropped_steps = count_dropped();
+  trace.bytes_of_first = runs_of_first_ > 0 ? bytes_of(runs_of_first_) : 0;
+  trace.bytes_of_all = bytes_of(count_runs());
   trace.threads = recorder_.threads();
   trace.recording_cost = graph::time_stamp_scale().cost;
   if (recorder_.runs() == 0) return;
@@ -220,7 +271,8 @@ void StepRecording::collect(double step_size, StepTrace& trace) const {
     const auto& [begin, end] = recorder_.run(run);
     trace.runs.push_back({nanoseconds(begin), nanoseconds(end)});
     add_slices(
-        run, [this](const Place& place) { return !is_dropped(place.step); }, trace.slices);
+        run, [this](const Place& place) { return place.step < 0 || is_recorded(place.step); },
+        trace.slices);
   }
   sort_by_begin(trace.slices);
 }

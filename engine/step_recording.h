@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,14 +16,15 @@ namespace spoke {
 struct RecordingPlan {
   std::int64_t first_step = 1;
   std::int64_t last_step = 1;
-  double passes_per_step = 1.0;  ///< expected; there is room for twice as many
+  int most_passes = 1;           ///< that a step can take
   int threads = 1;               ///< of the executor
   std::size_t buffer_bytes = 0;  ///< at most
 };
 
 /// Records the runs of an executor and, between them, to which step and pass each pass of a run
 /// belongs: its nodes only know which pass of the run it is, for each subsystem follows a clock of
-/// its own. All memory is allocated in the constructor.
+/// its own. All memory is allocated in the constructor: room for as many runs as the steps can
+/// take, or for those that fit.
 class StepRecording final : public RunWatch {
  public:
   /// `run_graph` is what the executor runs, of any number of passes on `data`; it must outlive
@@ -38,11 +41,14 @@ class StepRecording final : public RunWatch {
   /// by begin.
   TracedStep collect_step(std::int64_t step, double step_size,
                           std::vector<NodeSlice>& slices) const;
-  bool is_dropped(std::int64_t step) const {
-    return is_wanted(step) && dropped_[static_cast<std::size_t>(step - plan_.first_step)] != 0;
+  /// Whether all runs that made the step were recorded.
+  bool is_recorded(std::int64_t step) const {
+    return is_wanted(step) && step <= complete_ && !is_dropped(step);
   }
+  /// Steps beyond `step` were not made, or were undone.
+  void end_with(std::int64_t step) { complete_ = std::min(complete_, step); }
 
-  /// Adds steps, slices, runs and what was dropped. `trace.graph` must be there.
+  /// Adds steps, slices, runs, what was dropped and what would have sufficed.
   void collect(double step_size, StepTrace& trace) const;
 
  private:
@@ -58,14 +64,31 @@ class StepRecording final : public RunWatch {
     int pass = 0;    ///< of the run
   };
 
+  /// What takes memory [bytes].
+  struct Needs {
+    std::size_t always = 0;   ///< whatever is recorded
+    std::size_t run = 0;      ///< times and places of a run
+    std::size_t records = 0;  ///< of a run, if one thread runs all of its nodes
+  };
+
   static int count_passes(const graph::StepGraph& run_graph);
+  Needs find_needs() const;
+  std::size_t count_most_runs() const;
+  graph::RecorderRoom find_room() const;
+  int count_runs() const { return recorder_.runs() + recorder_.dropped_runs(); }
+  std::size_t bytes_of(int runs) const;
   void find_origins(const graph::StepGraph& run_graph, bool is_coupled);
   void place_passes(const StepData& data);
   Place place_of_all(const StepData& data) const;
+  void keep_places(const StepData& data);
   void drop_steps();
   bool is_wanted(std::int64_t step) const {
     return step >= plan_.first_step && step <= plan_.last_step;
   }
+  bool is_dropped(std::int64_t step) const {
+    return dropped_[static_cast<std::size_t>(step - plan_.first_step)] != 0;
+  }
+  std::int64_t count_dropped() const;
   /// Adds those slices of a run that `wants(place)`.
   template <class Wants>
   void add_slices(int run, Wants wants, std::vector<NodeSlice>& slices) const;
@@ -79,14 +102,17 @@ class StepRecording final : public RunWatch {
   RecordingPlan plan_;
   int passes_;  ///< of a run
   int clocks_;
-  std::vector<Origin> origins_;  ///< by node of the run graph
+  int nodes_;  ///< of the run graph
+  graph::RecorderRoom room_;
   graph::NodeRecorder recorder_;
+  std::vector<Origin> origins_;    ///< by node of the run graph
   std::vector<Place> at_begin_;    ///< by clock, of the run that goes on
   std::vector<Place> places_;      ///< of that run, by clock and pass
   std::vector<Place> all_places_;  ///< the same of all recorded runs
   std::vector<Place> run_places_;  ///< by recorded run, of the node that follows no clock
   std::vector<char> dropped_;      ///< by step
-  std::int64_t complete_ = 0;      ///< steps when the run began
+  std::int64_t complete_ = 0;      ///< steps when a run began or ended last
+  int runs_of_first_ = 0;          ///< that made the first step
 };
 
 /// The graph of one pass as data. `two_passes` tells the edges to the next pass.

@@ -118,27 +118,54 @@ StepRunner::Runner& StepRunner::runner_for(std::int64_t steps_asked) {
 
 StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
                                        const TimeStepper::Completed& completed,
-                                       double passes_per_step, const TraceOptions& options,
-                                       StepTrace& trace) {
-  Runner& runner = runner_for(target - steps());
-  const bool together = &runner == &single_;
+                                       const TraceOptions& options, StepTrace& trace) {
+  trace.asked_steps = target - steps();
+  Runner& runner = runner_for(trace.asked_steps);
   StepRecording recording(runner.graph, context_.data,
-                          {steps() + 1, target, passes_per_step, runner.executor->threads().total(),
-                           options.buffer_bytes});
-  const RecordingScope scope(*runner.executor, stepper_, recording, together);
+                          {steps() + 1, target, most_passes(context_.integrator),
+                           runner.executor->threads().total(), options.buffer_bytes});
+  const RecordingScope scope(*runner.executor, stepper_, recording, &runner == &single_);
   const auto told = [&](std::int64_t step) {
     completed(step);
-    if (!options.finished || recording.is_dropped(step)) return;
+    if (!options.finished || !recording.is_recorded(step)) return;
     std::vector<NodeSlice> slices;
     const TracedStep traced = recording.collect_step(step, step_size(context_.integrator), slices);
     options.finished(traced, slices);
   };
-  const StepOutcome outcome = stepper_.advance(target, *runner.executor, observed, told);
-  trace.graph = describe_graph(single_.graph, build_step_graph(context_, 2));
-  trace.window_steps = together ? 1 : runner.steps;
-  trace.executor = describe();
-  recording.collect(step_size(context_.integrator), trace);
+  const auto collect = [&] {
+    recording.end_with(steps());
+    recording.collect(step_size(context_.integrator), trace);
+    describe_traced(runner, trace);
+  };
+  StepOutcome outcome = StepOutcome::done;
+  try {
+    outcome = stepper_.advance(target, *runner.executor, observed, told);
+  } catch (...) {
+    collect();
+    throw;
+  }
+  collect();
   return outcome;
+}
+
+/// What really ran the steps, which need not be what runs more of them.
+void StepRunner::describe_traced(const Runner& runner, StepTrace& trace) const {
+  const bool is_window = &runner == window_.get();
+  const bool is_tuning = window_ && window_->executor->tuning();
+  trace.graph = describe_graph(single_.graph, build_step_graph(context_, 2));
+  trace.threads = runner.executor->recorded_threads().total();
+  trace.window_steps = runner.steps;
+  trace.unused_window = window_ && !is_window ? window_->steps : 0;
+  if (is_tuning)
+    trace.choice = ChoiceState::tuning;
+  else if (is_automatic() && !window_ && reason_.empty())
+    trace.choice = ChoiceState::none;
+  if (is_window)
+    trace.executor = describe_window(is_tuning ? "serial: " : "");
+  else if (is_automatic() && !window_ && !stepping_)
+    trace.executor = describe();
+  else
+    trace.executor = single_.executor->describe();
 }
 
 StepOutcome StepRunner::advance_one(const TimeStepper::Completed& completed) {
@@ -200,12 +227,14 @@ int StepRunner::choices() const {
   return reason_.empty() ? 0 : 1;
 }
 
+std::string StepRunner::describe_window(const std::string& before) const {
+  const std::string how = before + window_->executor->describe();
+  if (window_->steps == 1) return how;
+  return "windows of " + std::to_string(window_->steps) + " steps, " + how;
+}
+
 std::string StepRunner::describe() const {
-  if (window_) {
-    const std::string how = window_->executor->describe();
-    if (window_->steps == 1) return how;
-    return "windows of " + std::to_string(window_->steps) + " steps, " + how;
-  }
+  if (window_) return describe_window("");
   if (stepping_) return stepping_->executor->describe();
   if (!is_automatic()) return single_.executor->describe();
   return reason_.empty() ? "serial: not timed yet" : reason_;

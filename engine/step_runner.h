@@ -47,10 +47,10 @@ class StepRunner {
     return stepper_.advance(target, executor, false, completed);
   }
   /// Like advance_to(), with what runs the steps at present, and nothing is chosen meanwhile. What
-  /// each thread does is recorded; `passes_per_step`: as expected.
+  /// each thread does is recorded; also of steps before one that fails or an exception.
   StepOutcome advance_traced(std::int64_t target, bool observed,
-                             const TimeStepper::Completed& completed, double passes_per_step,
-                             const TraceOptions& options, StepTrace& trace);
+                             const TimeStepper::Completed& completed, const TraceOptions& options,
+                             StepTrace& trace);
   std::int64_t steps() const { return stepper_.steps(); }
   /// See TimeStepper: while advance_to() runs.
   void stop() { stepper_.stop(); }
@@ -87,6 +87,8 @@ class StepRunner {
   void choose_window(std::int64_t steps);
   void choose_stepping();
   void add_window(int passes);
+  void describe_traced(const Runner& runner, StepTrace& trace) const;
+  std::string describe_window(const std::string& before) const;
 
   StepContext& context_;
   RunnerOptions options_;

@@ -18,6 +18,7 @@ std::vector<NodeSlice> StepTrace::slices_of(std::int64_t step) const {
 void StepTrace::append(const StepTrace& later) {
   std::int64_t end = runs.empty() ? 0 : runs.back().end;
   for (const NodeSlice& slice : slices) end = std::max(end, slice.end);
+  asked_steps = static_cast<std::int64_t>(steps.size()) + dropped_steps + later.asked_steps;
   steps.insert(steps.end(), later.steps.begin(), later.steps.end());
   for (NodeSlice slice : later.slices) {
     slice.begin += end;
@@ -27,6 +28,9 @@ void StepTrace::append(const StepTrace& later) {
   for (const TracedRun& run : later.runs) runs.push_back({run.begin + end, run.end + end});
   threads = std::max(threads, later.threads);
   window_steps = std::max(window_steps, later.window_steps);
+  if (choice == ChoiceState::made) choice = later.choice;
+  unused_window = std::max(unused_window, later.unused_window);
+  bytes_of_all += later.bytes_of_all;
   dropped_steps += later.dropped_steps;
 }
 

@@ -57,6 +57,13 @@ struct TracedGraph {
   int node_count() const { return static_cast<int>(labels.size()); }
 };
 
+/// How far an executor had come that chooses what runs the steps.
+enum class ChoiceState {
+  made,    ///< it had chosen, or is one that does not choose
+  none,    ///< it had chosen nothing yet, and ran the steps serially
+  tuning,  ///< it tried alternatives before, and ran these steps serially
+};
+
 /// In a step and pass, each node has one slice, with two exceptions: a subsystem that needs fewer
 /// passes than others has none in the passes beyond, and where blades run ahead of one another
 /// (window_steps > 1 under a prescribed hub) the node "hub solve" runs once for all steps that a
@@ -66,11 +73,22 @@ struct SPOKE_EXPORT StepTrace {
   std::vector<TracedStep> steps;   ///< those recorded as a whole, ascending
   std::vector<NodeSlice> slices;   ///< by begin; of these steps, and of surplus passes
   std::vector<TracedRun> runs;     ///< of the executor
-  int threads = 1;                 ///< of the executor, the calling one included
+  int threads = 1;                 ///< that the steps ran on, the calling one included
   int window_steps = 1;            ///< steps that a run of the executor makes, about
   std::int64_t dropped_steps = 0;  ///< made, but not recorded for want of room
   double recording_cost = 0.0;     ///< of the two time stamps of a slice [s]
   std::string executor;            ///< in one line what ran the steps
+  /// Whether the executor had chosen that.
+  ChoiceState choice = ChoiceState::made;
+  /// Not 0: the executor's windows have so many steps, and these, less than half a window, ran
+  /// without.
+  int unused_window = 0;
+  /// If more than recorded and dropped steps together, the simulation ended or was stopped early.
+  std::int64_t asked_steps = 0;
+  /// A TraceOptions::buffer_bytes for the first of the steps, recorded or not; 0: it was not made.
+  std::size_t bytes_of_first = 0;
+  /// The same for all runs that the executor has made.
+  std::size_t bytes_of_all = 0;
 
   /// The slices of a step, by begin; none of a step that is not in `steps`.
   std::vector<NodeSlice> slices_of(std::int64_t step) const;
@@ -85,11 +103,15 @@ using SliceObserver =
 
 /// How Simulation::trace() is to record.
 struct TraceOptions {
-  /// At most so much memory for the recording, of all threads [bytes].
+  /// At most so much memory for the recording, of all threads [bytes]. What trace() returns is made
+  /// from it afterwards, and takes memory of its own.
   std::size_t buffer_bytes = std::size_t{256} << 20;
   /// Called for every step as it is finished, in order, on the calling thread while no node runs;
   /// not for dropped steps. May be empty.
   SliceObserver finished;
+  /// Called before trace() throws, with what was recorded of the steps that were complete; there
+  /// may be none. May be empty.
+  std::function<void(StepTrace)> unfinished;
 };
 
 }  // namespace spoke

@@ -109,6 +109,7 @@ class AutoExecutor final : public Executor {
   }
   bool tuning() const override { return !chosen_; }
   int choices() const override { return choices_; }
+  Threads recorded_threads() const override { return chosen_ ? chosen_->threads() : Threads(1); }
   bool settled_on_serial() const override { return chosen_ && is_serial_ && next_tuning_ <= runs_; }
 
   void set_recorder(NodeRecorder* recorder) override {

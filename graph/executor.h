@@ -55,12 +55,16 @@ class SPOKE_EXPORT Executor {
   virtual bool tuning() const { return false; }
   /// How many times it has chosen among alternatives.
   virtual int choices() const { return 0; }
+  /// The threads of a run that is recorded: fewer than threads() if it has chosen fewer, or nothing
+  /// yet.
+  virtual Threads recorded_threads() const { return threads(); }
   /// Whether it has found, for good, that a loop on the calling thread is fastest.
   virtual bool settled_on_serial() const { return false; }
 
   /// From the next run on, records what runs on which thread when; nullptr ends that. Not during a
   /// run. The recorder must have threads().total() threads and know the graph's number of nodes.
-  /// Every executor of make_executor() records; one that chooses puts off choosing meanwhile.
+  /// Every executor of make_executor() records; one that chooses puts off choosing meanwhile, and
+  /// runs on the calling thread alone until it has chosen.
   virtual void set_recorder(NodeRecorder* recorder) { recorder_ = recorder; }
 
  protected:

@@ -66,7 +66,9 @@ Example:
 
 const char* const kTraceText =
     R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
-steps are those of spoke run: same graph, same executor, same bits.
+steps are those of spoke run: same graph, same executor, same bits. Steps that are less than half a
+window run without windows, and as long as auto has not chosen, it runs them serially: a line says
+so. If the simulation diverges meanwhile, the steps before are written.
 
 Output files, in the folder of --out:
   trace.json  Chrome trace events, for https://ui.perfetto.dev and chrome://tracing

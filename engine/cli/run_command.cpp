@@ -21,6 +21,7 @@
 #include "engine/results.h"
 #include "engine/run_report/html_file.h"
 #include "engine/run_report/picture_steps.h"
+#include "engine/trace/files.h"
 #include "engine/vtk_series.h"
 #include "models/error.h"
 
@@ -162,11 +163,15 @@ void record_shape(const Simulation& simulation, const Stops& stops, Recording& r
 /// Steps to the end of step `target` as run_until() does, and adds what was recorded to the trace.
 void trace_to(std::int64_t target, const StepObserver& observe, Simulation& simulation,
               Recording& recording) {
-  StepTrace steps = simulation.trace(target - simulation.steps(), observe);
-  if (recording.trace)
-    recording.trace->append(steps);
-  else
-    recording.trace = std::move(steps);
+  const auto add = [&recording](StepTrace steps) {
+    if (recording.trace)
+      recording.trace->append(steps);
+    else
+      recording.trace = std::move(steps);
+  };
+  TraceOptions options;
+  options.unfinished = add;
+  add(simulation.trace(target - simulation.steps(), observe, options));
 }
 
 /// Steps to the end, to divergence or to a signal.
@@ -175,7 +180,9 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   RunOutcome outcome;
   ProgressBar bar(simulation.time(), simulation.scenario().integration.duration, show_progress);
   const Stops stops(simulation, recording);
-  const std::int64_t traced_end = traces ? simulation.steps() + kTracedSteps : 0;
+  const std::int64_t begin = simulation.steps();
+  const std::int64_t traced_end =
+      traces ? std::min(begin + kTracedSteps, simulation.planned_steps()) : 0;
   if (recording.last_row < 0.0) record(simulation.time(), simulation.sensor_values(), recording);
   record_shape(simulation, stops, recording);
   recording.writing_time = 0.0;
@@ -204,6 +211,7 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
     outcome.divergence = one_line(error.what());
   }
   outcome.wall_time = wall_time();
+  if (recording.trace) recording.trace->asked_steps = traced_end - begin;  // of all its parts
   // Before the row that only the end of a run has: a longer run goes on without it.
   if (checkpoints.are_wanted() && outcome.divergence.empty())
     write_checkpoint(simulation, outcome.wall_time, recording, checkpoints);
@@ -320,9 +328,11 @@ int run(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
+  const fs::path trace_folder = arguments.trace_out;
   demand_places(arguments, folder);
   Recording recording = open_recording(arguments, folder, simulation);
   remove_stale(folder, arguments);
+  if (!trace_folder.empty()) trace::remove_files(trace_folder);
   spdlog::info("results go to {}", folder.string());
   Checkpoints checkpoints(folder / "checkpoint.spoke", arguments.checkpoint_every);
   if (!arguments.quiet) print_plan(simulation);
@@ -335,8 +345,8 @@ int run(const Arguments& arguments) {
   const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
   if (!arguments.quiet) print_result(simulation, recording, outcome, written);
-  if (recording.trace)
-    write_trace(simulation, std::move(*recording.trace), arguments.trace_out, !arguments.quiet);
+  if (!trace_folder.empty())
+    write_trace_of_run(simulation, std::move(recording.trace), trace_folder, !arguments.quiet);
   std::fflush(stdout);
   for (const Warning& warning : simulation.warnings())
     fmt::print(stderr, "warning: {}\n", warning.text);

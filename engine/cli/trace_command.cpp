@@ -6,12 +6,15 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/trace_files.h"
+#include "engine/trace/files.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -46,6 +49,35 @@ void run_to(double time, Simulation& simulation) {
   show_progress("");
 }
 
+/// What was recorded, and why it ended early if the simulation diverged.
+struct Traced {
+  StepTrace steps;
+  std::string divergence;
+};
+
+[[noreturn]] void throw_too_small(const TraceArguments& asked, const StepTrace& steps) {
+  std::string text = fmt::format("spoke trace: --buffer {:g}: no step fits, expected at least {}",
+                                 asked.buffer_mb, megabytes(steps.bytes_of_first));
+  if (asked.steps > 1)
+    text += fmt::format(", for all {} steps {}", asked.steps, megabytes(steps.bytes_of_all));
+  throw InputError(text);
+}
+
+Traced record(const TraceArguments& asked, Simulation& simulation) {
+  Traced traced;
+  TraceOptions options;
+  options.buffer_bytes = static_cast<std::size_t>(1e6 * asked.buffer_mb);
+  options.unfinished = [&](StepTrace steps) { traced.steps = std::move(steps); };
+  try {
+    traced.steps = simulation.trace(asked.steps, {}, options);
+  } catch (const DivergenceError& error) {
+    if (traced.steps.steps.empty()) throw;
+    traced.divergence = one_line(error.what());
+  }
+  if (traced.steps.steps.empty()) throw_too_small(asked, traced.steps);
+  return traced;
+}
+
 }  // namespace
 
 int trace(const Arguments& arguments) {
@@ -57,17 +89,15 @@ int trace(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   const TraceArguments& asked = arguments.trace;
   demand_steps(asked, simulation);
+  trace::remove_files(folder);
   run_to(asked.from, simulation);
-  TraceOptions options;
-  options.buffer_bytes = static_cast<std::size_t>(1e6 * asked.buffer_mb);
-  StepTrace steps = simulation.trace(asked.steps, {}, options);
+  Traced traced = record(asked, simulation);
   print_model(simulation);
-  const bool may_choose =
-      simulation.options().executor == ExecutorKind::automatic && simulation.threads().total() > 1;
-  if (may_choose && asked.from == 0.0)
-    print_line("", "auto has chosen nothing yet: --from TIME lets it do so before");
-  write_trace(simulation, std::move(steps), folder, true);
-  return 0;
+  write_trace(simulation, std::move(traced.steps), folder, true);
+  if (traced.divergence.empty()) return 0;
+  std::fflush(stdout);
+  fmt::print(stderr, "{}\n", traced.divergence);
+  return 3;
 }
 
 }  // namespace spoke::cli

@@ -5,7 +5,8 @@
 namespace spoke::cli {
 
 /// Runs to a time, records the steps that follow, node by node, writes the files and prints a
-/// summary. Throws InputError and DivergenceError, having written nothing. The exit status.
+/// summary. If the simulation diverges meanwhile, of the steps before. Throws InputError, and
+/// DivergenceError if there are none, having written nothing. The exit status.
 int trace(const Arguments& arguments);
 
 }  // namespace spoke::cli

@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -27,7 +29,8 @@ std::string describe_steps(const StepTrace& trace) {
       fmt::format("{} step{} from t = {:.6g} s on, {} passes, {} slices", trace.steps.size(),
                   trace.steps.size() == 1 ? "" : "s", first.time, passes, trace.slices.size());
   if (trace.dropped_steps > 0)
-    text += fmt::format("; {} steps dropped, the buffer was full", trace.dropped_steps);
+    text += fmt::format("; {} step{} dropped, the buffer was full", trace.dropped_steps,
+                        trace.dropped_steps == 1 ? "" : "s");
   return text;
 }
 
@@ -53,25 +56,42 @@ std::string list(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string explain_absence(const std::optional<StepTrace>& steps) {
+  if (!steps) return "the run had come to its end before";
+  if (steps->dropped_steps == 0) return "the run ended before a step was complete";
+  return fmt::format("no step fitted into its buffer; spoke trace --buffer {} would do",
+                     megabytes(steps->bytes_of_all));
+}
+
 }  // namespace
+
+std::int64_t megabytes(std::size_t bytes) {
+  return static_cast<std::int64_t>(std::ceil(1e-6 * static_cast<double>(bytes)));
+}
 
 void write_trace(const Simulation& simulation, StepTrace steps, const std::filesystem::path& folder,
                  bool prints) {
-  if (steps.steps.empty()) {
-    if (prints) print_line("traced", "no step fitted into the buffer; no trace written");
-    return;
-  }
   const trace::Trace trace = trace::describe(simulation, std::move(steps));
   make_folder(folder);
   const trace::WrittenFiles written = trace::write_files(trace, folder, graph::viewer_page());
   if (!prints) return;
   print_line("traced", describe_steps(trace.steps));
   print_line("traced on", trace.steps.executor);
+  for (const std::string& note : trace.notes) print_line("", note);
   print_summary(trace.steps);
   for (const std::string& remark : written.remarks) print_line("", remark);
   const std::string on_size = trace::remark_on_size(trace.steps.slices.size());
   if (!on_size.empty()) print_line("", on_size);
   print_line("written", folder.string() + ": " + list(written.names));
+}
+
+void write_trace_of_run(const Simulation& simulation, std::optional<StepTrace> steps,
+                        const std::filesystem::path& folder, bool prints) {
+  if (steps && !steps->steps.empty())
+    return write_trace(simulation, std::move(*steps), folder, prints);
+  std::fflush(stdout);
+  fmt::print(stderr, "warning: no trace written to {}: {}\n", one_line(folder.string()),
+             explain_absence(steps));
 }
 
 }  // namespace spoke::cli

@@ -99,4 +99,9 @@ int usual_passes(const Integrator& integrator) {
   return integrator.limits.fixed > 0 ? integrator.limits.fixed : 2;
 }
 
+int most_passes(const Integrator& integrator) {
+  const IterationLimits& limits = integrator.limits;
+  return as_rk4(integrator) || limits.fixed > 0 ? usual_passes(integrator) : limits.most;
+}
+
 }  // namespace spoke

@@ -39,5 +39,7 @@ void end_pass(const Integrator& integrator, const Window& window, const PassRepo
 /// Passes that one step takes: those of rk4, or of a fixed number of iterations; of an iteration to
 /// a tolerance 2, which is what it takes mostly.
 int usual_passes(const Integrator& integrator);
+/// Passes that one step takes at most; a step that is not complete by then has failed.
+int most_passes(const Integrator& integrator);
 
 }  // namespace spoke

@@ -8,8 +8,18 @@
 #include "engine/trace/graph_picture.h"
 #include "engine/trace/graphviz.h"
 #include "engine/trace/page_data.h"
+#include "models/error.h"
 
 namespace spoke::trace {
+
+void remove_files(const std::filesystem::path& folder) {
+  for (const char* file : {"trace.json", "graph.dot", "graph.svg", "trace.html"}) {
+    std::error_code error;
+    std::filesystem::remove(folder / file, error);
+    if (error)
+      throw InputError((folder / file).string() + ": cannot be replaced: " + error.message());
+  }
+}
 
 WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder,
                          std::string_view viewer_page) {

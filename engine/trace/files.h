@@ -15,6 +15,10 @@ struct WrittenFiles {
   std::vector<std::string> remarks;  ///< what was not written, and why: a line each
 };
 
+/// Removes those files that write_files() writes, if they are there: of an earlier trace. Throws
+/// InputError if one cannot be removed.
+void remove_files(const std::filesystem::path& folder);
+
 /// Writes trace.json, graph.dot, graph.svg if Graphviz is installed, and trace.html from the page
 /// of graph/viewer, unless that is empty. The folder must exist. Throws InputError if a file cannot
 /// be written. Precondition: there is a step.

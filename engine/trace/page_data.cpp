@@ -119,6 +119,7 @@ std::string make_description(const Trace& trace) {
                   {"scenario", trace.scenario},
                   {"title", trace.title},
                   {"settings", describe_settings(trace)},
+                  {"notes", trace.notes},
                   {"machine", describe_machine(trace)},
                   {"subsystem_word", trace.steps.graph.subsystem_word},
                   {"stages", stages},

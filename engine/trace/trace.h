@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/machine.h"
 #include "engine/simulation.h"
@@ -13,12 +14,14 @@ struct Trace {
   std::string scenario;  ///< its name
   std::string title;
   SimulationOptions options;
-  std::string threads;  ///< that the executor was given: "2", "3x2"
+  std::string threads;  ///< that the steps ran on: "2", "3x2"
   IntegrationMethod integrator = IntegrationMethod::generalized_alpha;
   double step_size = 0.0;  ///< [s]
   Machine machine;
   double load = -1.0;   ///< runnable processes, mean over the last minute; -1: not known
   std::string created;  ///< now, UTC: "2026-11-21T15:00:00Z"
+  /// What else a reader should know of how the steps were made, a sentence each.
+  std::vector<std::string> notes;
 };
 
 /// What `simulation` was asked for and `steps`, which it has made.

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -75,7 +76,57 @@ TEST_CASE("trace of a window of steps, and of what auto has not chosen yet") {
       run_spoke({"trace", shipped("wu_haug_rotor"), "--threads", "2", "--out", "a"}, folder);
   CHECK(automatic.status == 0);
   CHECK(contains(automatic.out, "auto has chosen nothing yet"));
-  CHECK(trace_in(folder.path() / "a")["spoke"]["settings"]["executor"] == "auto");
+  const json described = trace_in(folder.path() / "a")["spoke"];
+  CHECK(described["settings"]["executor"] == "auto");
+  CHECK(described["settings"]["threads"] == "1");
+  REQUIRE(described["notes"].size() == 1);
+  CHECK(contains(automatic.out, described["notes"][0].get<std::string>()));
+  const Ended soon = run_spoke({"trace", shipped("wu_haug_rotor"), "--threads", "2", "--from",
+                                "0.001", "--steps", "3", "--out", "s"},
+                               folder);
+  CHECK(contains(soon.out, "auto has chosen nothing yet"));
+  const Ended alone =
+      run_spoke({"trace", shipped("wu_haug_rotor"), "--threads", "1", "--out", "one"}, folder);
+  CHECK_FALSE(contains(alone.out, "auto"));
+  CHECK(trace_in(folder.path() / "one")["spoke"]["notes"].empty());
+}
+
+TEST_CASE("too few steps for a window are traced without, and what ran them is named") {
+  const WorkFolder folder;
+  const std::string remark =
+      "20 steps are less than half a window of 100 steps, so they were traced without windows; "
+      "spoke trace --steps 100 shows the windows";
+  const Ended graph = run_spoke({"trace", shipped("wu_haug_rotor"), "--executor", "flow_graph",
+                                 "--threads", "2", "--window", "100", "--out", "g"},
+                                folder);
+  CHECK(graph.status == 0);
+  CHECK(contains(graph.out, "  flow_graph on 2 threads\n"));
+  CHECK(contains(graph.out, remark));
+  CHECK_FALSE(contains(graph.out, "windows of 100"));
+  const json described = trace_in(folder.path() / "g")["spoke"];
+  CHECK(described["settings"]["description"] == "flow_graph on 2 threads");
+  CHECK(described["settings"]["threads"] == "2");
+  CHECK(described["settings"]["window_steps"] == 1);
+  CHECK(described["notes"] == json::array({remark}));
+  const Ended automatic = run_spoke(
+      {"run", shipped("wu_haug_rotor"), "--threads", "2", "--window", "100", "--trace", "a"},
+      folder);
+  CHECK(automatic.status == 0);
+  for (const std::string& part : {std::string("  serial on 1 thread\n"), remark,
+                                  std::string("max(T1/1, Tinf)"), std::string("of 1 thread\n")}) {
+    CAPTURE(part);
+    CHECK(contains(automatic.out, part));
+  }
+  const json serial = trace_in(folder.path() / "a")["spoke"];
+  CHECK(serial["settings"]["description"] == "serial on 1 thread");
+  CHECK(serial["settings"]["threads"] == "1");
+  CHECK(serial["threads"] == json::array({"main"}));
+  const Ended one =
+      run_spoke({"trace", shipped("wu_haug_rotor"), "--executor", "serial", "--window", "9",
+                 "--steps", "1", "--set", "integration.duration=0.02"},
+                folder);
+  CHECK(contains(
+      one.out, "1 step is less than half a window of 9 steps, so it was traced without windows\n"));
 }
 
 TEST_CASE("without Graphviz all but the picture is written, and a line says so") {
@@ -103,6 +154,62 @@ TEST_CASE("a full buffer drops whole steps and says how many") {
   const auto dropped = trace["spoke"]["dropped_steps"].get<std::size_t>();
   CHECK(dropped > 0);
   CHECK(trace["spoke"]["steps"].size() + dropped == 1000);
+}
+
+TEST_CASE("one dropped step is one step") {
+  const WorkFolder folder;
+  const auto trace = [&](std::size_t steps) {
+    const Ended ended =
+        run_spoke({"trace", shipped("wu_haug_rotor"), "--steps", std::to_string(steps),
+                   "--executor", "serial", "--buffer", "1", "--out", "o"},
+                  folder);
+    CHECK(ended.status == 0);
+    return ended.out;
+  };
+  trace(1000);
+  std::size_t steps = trace_in(folder.path() / "o")["spoke"]["steps"].size();
+  std::string out;
+  while (!contains(out, " dropped")) out = trace(steps++);
+  CHECK(contains(out, "; 1 step dropped, the buffer was full"));
+}
+
+TEST_CASE("steps of many iterations are not dropped while the buffer has room") {
+  const WorkFolder folder;
+  const Ended ended =
+      run_spoke({"trace", shipped("wu_haug_rotor"), "--executor", "serial", "--set",
+                 "hub.drive.ramp=0.5", "--set", "integration.step=0.02", "--set",
+                 "integration.duration=2", "--steps", "50", "--buffer", "16", "--out", "o"},
+                folder);
+  CHECK(ended.status == 0);
+  const json trace = trace_in(folder.path() / "o")["spoke"];
+  CHECK(trace["dropped_steps"] == 0);
+  int most = 0;
+  for (const json& step : trace["steps"]) most = std::max(most, step["passes"].get<int>());
+  CHECK(most >= 6);
+}
+
+TEST_CASE("a buffer that no step fits into is refused, with one that would do") {
+  const WorkFolder folder;
+  const auto trace = [&](const std::string& buffer) {
+    return run_spoke({"trace", shipped("large_rotor"), "--steps", "2", "--buffer", buffer,
+                      "--executor", "flow_graph", "--threads", "64", "--out", "o"},
+                     folder);
+  };
+  fs::create_directory(folder.path() / "o");
+  for (const char* file : {"o/trace.json", "o/trace.html", "o/graph.svg", "o/graph.dot"})
+    folder.write(file, "of an earlier trace");
+  const Ended ended = trace("1");
+  CHECK(ended.status == 2);
+  CHECK(ended.out.empty());
+  REQUIRE(lines_of(ended.err).size() == 1);
+  const std::string expected = "spoke trace: --buffer 1: no step fits, expected at least ";
+  REQUIRE(ended.err.starts_with(expected));
+  CHECK(contains(ended.err, ", for all 2 steps "));
+  CHECK(fs::is_empty(folder.path() / "o"));
+  const int needed = std::stoi(ended.err.substr(expected.size()));
+  CHECK(needed > 1);
+  CHECK(trace(std::to_string(needed)).status == 0);
+  CHECK(trace_in(folder.path() / "o")["spoke"]["steps"].size() >= 1);
 }
 
 TEST_CASE("run --trace writes the trace, too, and the same results") {
@@ -181,6 +288,60 @@ TEST_CASE("a trace that diverges ends with status 3 and writes nothing") {
   CHECK(lines_of(ended.err).size() == 1);
   CHECK(contains(ended.err, "diverged at t = "));
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a trace of steps that diverge holds those before, and replaces an earlier one") {
+  const WorkFolder folder;
+  fs::create_directory(folder.path() / "t");
+  folder.write("t/trace.json", "of an earlier trace");
+  for (const std::string command : {"run", "trace"}) {
+    CAPTURE(command);
+    const Ended ended =
+        run_spoke({command, shipped("wu_haug_rotor"), "--integrator", "rk4", "--executor", "serial",
+                   command == "run" ? "--trace" : "--out", "t"},
+                  folder);
+    CHECK(ended.status == 3);
+    CHECK(contains(ended.out, " steps from t = 0.005 s on"));
+    CHECK(contains(lines_of(ended.err).back(), "diverged at t = "));
+    const json trace = trace_in(folder.path() / "t")["spoke"];
+    CHECK(trace["steps"].size() >= 1);
+    CHECK(trace["steps"].size() < 20);
+    CHECK(trace["dropped_steps"] == 0);
+    REQUIRE(trace["notes"].size() == 1);
+    CHECK(trace["notes"][0] == "the recording ends after " + std::to_string(trace["steps"].size()) +
+                                   " of 20 steps: the simulation ended or was interrupted");
+    CHECK(contains(ended.out, trace["notes"][0].get<std::string>()));
+  }
+}
+
+TEST_CASE("a run whose trace has no step says so, and leaves no earlier trace") {
+  const WorkFolder folder;
+  const auto warned = [&](std::vector<std::string> options, int status, const std::string& why) {
+    fs::create_directory(folder.path() / "t");
+    folder.write("t/trace.json", "of an earlier trace");
+    options.insert(options.begin(), {"run", shipped("wu_haug_rotor"), "--quiet", "--trace", "t"});
+    const Ended ended = run_spoke(options, folder);
+    CAPTURE(ended.err);
+    CHECK(ended.status == status);
+    CHECK(ended.out.empty());
+    CHECK(ended.err.starts_with("warning: no trace written to t: " + why));
+    CHECK(fs::is_empty(folder.path() / "t"));
+    return ended;
+  };
+  warned({"--integrator", "rk4", "--set", "integration.step=10"}, 3,
+         "the run ended before a step was complete");
+  const Ended wide = warned({"--set", "blade.count=1000", "--set", "blade.bodies=3", "--set",
+                             "blade.elements=1", "--set", "integration.duration=0.005",
+                             "--executor", "flow_graph", "--threads", "1024", "--no-report"},
+                            0, "no step fitted into its buffer; spoke trace --buffer ");
+  CHECK(contains(wide.err, " would do"));
+  const std::vector<std::string> second{"--set", "integration.duration=1"};
+  std::vector<std::string> run = second;
+  run.insert(run.begin(), {"run", shipped("wu_haug_rotor"), "--quiet", "--checkpoint-every", "9"});
+  REQUIRE(run_spoke(run, folder).status == 0);
+  std::vector<std::string> resumed = second;
+  resumed.insert(resumed.end(), {"--resume", "results/wu_haug_rotor/checkpoint.spoke"});
+  CHECK(lines_of(warned(resumed, 0, "the run had come to its end before").err).size() == 1);
 }
 
 TEST_CASE("trace refuses a bad command line in one line and writes nothing") {

@@ -18,12 +18,14 @@ using namespace spoke::test;
 
 namespace {
 std::atomic<long> allocations{0};
-}
+std::atomic<std::size_t> allocated_bytes{0};
+}  // namespace
 
 // Eigen and oneTBB allocate by malloc, everything else by operator new, which calls it.
 extern "C" void* __libc_malloc(std::size_t size);
 extern "C" void* malloc(std::size_t size) {
   allocations.fetch_add(1, std::memory_order_relaxed);
+  allocated_bytes.fetch_add(size, std::memory_order_relaxed);
   return __libc_malloc(size);
 }
 
@@ -166,6 +168,29 @@ TEST_CASE("recording a trace of what auto has chosen allocates nothing while ste
   REQUIRE_FALSE(is_tuning());
   CAPTURE(simulation.executor_description());
   check_that_recording_allocates_nothing(simulation);
+}
+
+TEST_CASE("a recording allocates no more than its buffer") {
+  // Many blades with few nodes: places of passes take much beside the records.
+  Scenario scenario = spin_up_scenario(wu_haug_blade(1, 1), 1e-3);
+  scenario.rotor.blades.resize(24, scenario.rotor.blades[0]);
+  scenario.integration.duration = 50.0;
+  for (const int window : {1, 10}) {
+    Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1, window});
+    simulation.run_until(0.05);
+    TraceOptions options;
+    options.buffer_bytes = 1000000;
+    std::size_t used = 0;
+    const std::size_t before = allocated_bytes.load();
+    const StepObserver observe = [&](double, std::span<const double>) {
+      if (used == 0) used = allocated_bytes.load() - before;
+      simulation.stop();
+    };
+    simulation.trace(40000, observe, options);
+    CHECK(used > options.buffer_bytes / 2);
+    // Some more for a while, to find which node of a pass is which.
+    CHECK(used <= options.buffer_bytes + options.buffer_bytes / 20);
+  }
 }
 
 TEST_CASE("a step on the flow graph allocates nothing once its pools are filled") {

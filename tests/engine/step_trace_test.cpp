@@ -303,6 +303,93 @@ TEST_CASE("a full buffer drops whole steps and says how many") {
   }
 }
 
+TEST_CASE("the buffer that is said to suffice holds the first step, or all of them") {
+  for (const ExecutorKind kind : {ExecutorKind::serial, ExecutorKind::flow_graph})
+    for (const int window : {1, 5}) {
+      const Scenario scenario =
+          unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha);
+      const auto run = [&](std::size_t bytes) {
+        Simulation simulation(scenario, {Formulation::structured, kind, 4, window});
+        TraceOptions options;
+        options.buffer_bytes = bytes;
+        return simulation.trace(40, {}, options);
+      };
+      const StepTrace none = run(1000);
+      CHECK(none.dropped_steps == 40);
+      REQUIRE(none.bytes_of_first > 1000);
+      CHECK(none.bytes_of_first < none.bytes_of_all);
+      const StepTrace first = run(none.bytes_of_first);
+      REQUIRE(!first.steps.empty());
+      CHECK(first.steps.front().step == 1);
+      const StepTrace all = run(none.bytes_of_all);
+      CHECK(all.dropped_steps == 0);
+      CHECK(all.bytes_of_all == none.bytes_of_all);
+    }
+}
+
+TEST_CASE("steps of many iterations are recorded as long as the buffer has room") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 0.02);
+  scenario.rotor.hub.drive = SpinUp{4.0, 0.5};
+  scenario.integration.duration = 2.0;
+  for (const int window : {1, 10}) {
+    Simulation simulation(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2, window});
+    const StepTrace trace = simulation.trace(50);
+    int most = 0;
+    for (const TracedStep& step : trace.steps) most = std::max(most, step.passes);
+    CHECK(most >= 6);
+    CHECK(trace.dropped_steps == 0);
+    CHECK(trace.steps.size() == 50);
+  }
+}
+
+TEST_CASE("less than half a window runs without windows, and the trace names what ran it") {
+  const Scenario scenario =
+      unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha);
+  const auto run = [&](ExecutorKind kind, std::int64_t steps) {
+    Simulation simulation(scenario, {Formulation::structured, kind, 2, 100});
+    return simulation.trace(steps);
+  };
+  const StepTrace few = run(ExecutorKind::flow_graph, 49);
+  CHECK(few.executor == "flow_graph on 2 threads");
+  CHECK(few.threads == 2);
+  CHECK(few.window_steps == 1);
+  CHECK(few.unused_window == 100);
+  const StepTrace half = run(ExecutorKind::flow_graph, 50);
+  CHECK(half.executor == "windows of 100 steps, flow_graph on 2 threads");
+  CHECK(half.window_steps == 100);
+  CHECK(half.unused_window == 0);
+  const StepTrace serial = run(ExecutorKind::automatic, 49);
+  CHECK(serial.executor == "serial on 1 thread");
+  CHECK(serial.threads == 1);
+  CHECK(serial.window_steps == 1);
+  CHECK(serial.unused_window == 100);
+}
+
+TEST_CASE("a trace says whether auto had chosen, and names the serial steps before") {
+  Scenario scenario = unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha);
+  const auto begin = [&](int window) {
+    return Simulation(scenario, {Formulation::structured, ExecutorKind::automatic, 2, window});
+  };
+  const StepTrace first = begin(0).trace(3);
+  CHECK(first.choice == ChoiceState::none);
+  CHECK(first.executor == "serial: not timed yet");
+  CHECK(first.threads == 1);
+  if (graph::available_threads() > 1) {
+    const StepTrace tuning = begin(4).trace(20);
+    CHECK(tuning.choice == ChoiceState::tuning);
+    CHECK(tuning.executor == "windows of 4 steps, serial: still tuning on 2 threads");
+    CHECK(tuning.threads == 1);
+    CHECK(std::all_of(tuning.slices.begin(), tuning.slices.end(),
+                      [](const NodeSlice& slice) { return slice.thread == 0; }));
+  }
+  scenario.integration.duration = 300 * scenario.integration.step;
+  Simulation brief = begin(0);
+  brief.run_until(250 * brief.step_size());
+  const StepTrace last = brief.trace(20);
+  CHECK(last.choice == ChoiceState::made);
+  CHECK(last.executor.find("too short to plan for") != std::string::npos);
+}
+
 TEST_CASE("slices_of gives a step's slices by begin") {
   Simulation simulation(unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha),
                         {Formulation::structured, ExecutorKind::flow_graph, 2, 4});
@@ -333,6 +420,52 @@ TEST_CASE("a trace of steps that diverge throws, and the simulation is left as w
     CHECK(traced.state_hash() == plain.state_hash());
     CHECK(traced.steps() == plain.steps());
   }
+}
+
+TEST_CASE("what was recorded before a step fails is told, complete steps alone") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(1, 4), 0.005);
+  scenario.rotor.blades[1].geometric_stiffening = false;  // fails beyond 3 rad/s
+  scenario.integration.duration = 12.0;
+  for (const int window : {1, 20}) {
+    Simulation simulation(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2, window});
+    std::int64_t finished = 0;
+    std::vector<StepTrace> told;
+    TraceOptions options;
+    options.finished = [&](const TracedStep& step, std::span<const NodeSlice>) {
+      finished = step.step;
+    };
+    options.unfinished = [&](StepTrace trace) { told.push_back(std::move(trace)); };
+    CHECK_THROWS_AS(simulation.trace(2400, {}, options), DivergenceError);
+    REQUIRE(told.size() == 1);
+    const StepTrace& trace = told[0];
+    CHECK(trace.asked_steps == 2400);
+    CHECK(trace.dropped_steps == 0);
+    const auto count = static_cast<std::int64_t>(trace.steps.size());
+    CHECK(count > 100);
+    CHECK(count <= simulation.steps());
+    if (window == 1) CHECK(count == simulation.steps());
+    CHECK(trace.steps.back().step == count);
+    CHECK(finished == count);
+    CHECK(trace.window_steps == window);
+    const Times times = times_of(trace, window > 1);
+    check_complete(trace, times, window > 1);
+    for (const NodeSlice& slice : trace.slices) REQUIRE(slice.step <= count);
+  }
+}
+
+TEST_CASE("steps that are undone, as an observer threw, are not in what is told") {
+  Simulation simulation(unequal_scenario(HubSupport::axle, IntegrationMethod::generalized_alpha),
+                        {Formulation::structured, ExecutorKind::flow_graph, 2, 4});
+  int calls = 0;
+  std::size_t steps = 0;
+  TraceOptions options;
+  options.unfinished = [&](const StepTrace& trace) { steps = trace.steps.size(); };
+  const StepObserver observe = [&](double, std::span<const double>) {
+    if (++calls == 13) throw std::runtime_error("enough");
+  };
+  CHECK_THROWS_WITH(simulation.trace(40, observe, options), "enough");
+  CHECK(simulation.steps() == 13);
+  CHECK(steps == 13);
 }
 
 TEST_CASE("what an observer throws ends a trace, and nothing goes on recording") {

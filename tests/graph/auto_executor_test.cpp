@@ -60,9 +60,12 @@ TEST_CASE("auto: results equal the serial ones at every stage of tuning") {
 TEST_CASE("auto: empty nodes are run serially") {
   const StepGraph graph = make_fan(24, 10);
   const auto executor = make_executor(graph, ExecutorKind::automatic, 2);
+  CHECK(executor->recorded_threads() == 1);  // before it has chosen
   settle(*executor);
   CHECK_FALSE(executor->tuning());
   CHECK(executor->describe().rfind("serial: ", 0) == 0);
+  CHECK(executor->threads() == 2);
+  CHECK(executor->recorded_threads() == 1);
 }
 
 TEST_CASE("auto: one thread is serial at once") {

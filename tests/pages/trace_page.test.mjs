@@ -282,6 +282,14 @@ onPage('steps of a window overlap and are named', write('window.html', pageWith(
   assert.ok(await page.evaluate(() => Math.max(...window.spokeViewer.gantts[0].shown.steps.map((step) => step.line))) > 0);
 });
 
+onPage('notes stand below the title, those of two traces with their names', rotorFile, async (page) => {
+  assert.ok(!(await page.isVisible('#notes')));
+  await page.setInputFiles('#file', write('noted.json', JSON.stringify(asChromeTrace({ ...other, notes: ['auto has chosen nothing yet'] }))));
+  await page.waitForSelector('#notes:not([hidden])');
+  assert.equal(await page.textContent('#notes'), 'B: auto has chosen nothing yet.');
+  await checkFit(page);
+});
+
 onPage('a page without a trace asks for one', write('empty.html', builtPage), async (page) => {
   assert.ok(await page.isVisible('#open'));
   await page.setInputFiles('#file', rotorFile);

@@ -22,6 +22,7 @@ TEST_CASE("the page's data tell settings, graph, steps and slices") {
   CHECK(data["settings"]["threads"] == "2");
   CHECK(data["settings"]["window_steps"] == 1);
   CHECK(data["settings"]["step_s"] == 0.01);
+  CHECK(data["notes"] == json::array());
   CHECK(data["machine"]["cores"].get<int>() >= 1);
   CHECK(data["subsystem_word"] == "blade");
   CHECK(data["threads"] == json({"main", "worker 1"}));

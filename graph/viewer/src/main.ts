@@ -54,6 +54,9 @@ function showHeader(): void {
   ];
   byId('subtitle').textContent = parts.filter(Boolean).join(' · ');
   byId('subtitle').title = `${byId('subtitle').textContent}\n${trace.program} ${trace.created}`;
+  const notes = state.recordings.flatMap((recording, which) => recording.trace.notes.map((note) => (two ? `${'AB'[which]}: ${note}` : note)));
+  byId('notes').textContent = notes.map((note) => `${note}.`).join(' ');
+  byId('notes').hidden = notes.length === 0;
   byId('graphnote').textContent = size;
   const overlapping = state.recordings.some((recording) => recording.overlapping);
   byId('othersteps').textContent = overlapping ? 'overlapping steps' : 'other steps';

@@ -49,6 +49,8 @@ export interface Trace {
   threads: string[];
   steps: StepInfo[];
   droppedSteps: number;
+  /** What else to know of how the steps were made, a sentence each. */
+  notes: string[];
   slices: Slices;
 }
 
@@ -189,6 +191,7 @@ export function readTrace(data: unknown): Trace {
     subsystemWord: textAt(source, 'subsystem_word') || 'subsystem',
     stages, graph, threads, steps,
     droppedSteps: Number(source.dropped_steps ?? 0),
+    notes: source.notes === undefined ? [] : listAt(source, 'notes').map(String),
     slices: readSlices(objectAt(source, 'slices'), graph, threads.length, steps),
   };
 }

@@ -24,6 +24,11 @@ test('Chrome trace events give the same slices', () => {
   assert.deepEqual(loadText(text).slices, readTrace(data).slices);
 });
 
+test('notes are read, and a trace without them has none', () => {
+  assert.deepEqual(readTrace({ ...smallData(kSlices), notes: ['one', 'two'] }).notes, ['one', 'two']);
+  assert.deepEqual(readTrace(smallData(kSlices)).notes, []);
+});
+
 const kWrong: [string, (data: any) => unknown, RegExp][] = [
   ['another format', (data) => ({ ...data, format: 'x' }), /not a trace of Spoke/],
   ['another version', (data) => ({ ...data, version: 2 }), /version is 2/],
