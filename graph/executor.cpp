@@ -7,30 +7,27 @@
 #include <string>
 #include <thread>
 
+#include "graph/affinity.h"
 #include "graph/cgroup_processors.h"
 #include "graph/executor_kinds.h"
+#include "graph/unbound_thread.h"
 #include "spoke/error.h"
 
-#ifdef __linux__
-#include <sched.h>
+#ifdef SPOKE_HAS_OPENMP
+#include "graph/openmp_runtime.h"
 #endif
 
 namespace spoke::graph {
 namespace {
 
-int processors_of_affinity() {
-#ifdef __linux__
-  // The kernel refuses a mask that is too short for the machine: try longer ones.
-  for (int bits = CPU_SETSIZE; bits <= (1 << 20); bits *= 2) {
-    const std::size_t bytes = CPU_ALLOC_SIZE(bits);
-    const std::unique_ptr<cpu_set_t, void (*)(cpu_set_t*)> mask(
-        CPU_ALLOC(bits), [](cpu_set_t* set) { CPU_FREE(set); });
-    if (mask && sched_getaffinity(0, bytes, mask.get()) == 0) {
-      return CPU_COUNT_S(bytes, mask.get());
-    }
-  }
+// Those the process started with: the OpenMP runtime may have bound the calling thread to one.
+int processors_of_process() {
+#ifdef SPOKE_HAS_OPENMP
+  if (const auto binding = openmp_binding()) return binding->processors;
 #endif
-  return static_cast<int>(std::thread::hardware_concurrency());
+  const std::size_t count = thread_affinity().size();
+  return count > 0 ? static_cast<int>(count)
+                   : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 #ifdef SPOKE_HAS_OPENMP
@@ -68,7 +65,7 @@ bool has_nested_teams(ExecutorKind kind) {
 }  // namespace
 
 int available_threads() {
-  int threads = processors_of_affinity();
+  int threads = processors_of_process();
   std::ifstream membership("/proc/self/cgroup");
   if (const auto limit = cgroup_processors(membership, "/sys/fs/cgroup")) {
     threads = static_cast<int>(std::min<double>(threads, std::ceil(*limit)));
@@ -151,8 +148,10 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
       return make_auto_executor(graph, threads.outer);
     case ExecutorKind::serial:
       return make_serial_executor(graph);
-    case ExecutorKind::flow_graph:
+    case ExecutorKind::flow_graph: {
+      const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
       return make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads.outer);
+    }
 #ifdef SPOKE_HAS_OPENMP
     case ExecutorKind::openmp_scheme1:
       return make_openmp_scheme1_executor(graph, threads);

@@ -106,7 +106,9 @@ SPOKE_EXPORT std::unique_ptr<Executor> make_executor(const StepGraph& graph, Exe
                                                      Threads threads = {});
 
 /// How many threads of this process can run at once: the processors of the calling thread's
-/// affinity mask, at most the processor quota of its control groups (rounded up). At least 1.
+/// affinity mask, at most the processor quota of its control groups (rounded up). At least 1. If
+/// OpenMP binds threads (OMP_PROC_BIND, OMP_PLACES and the like), and so the initial one, the mask
+/// of the process before that counts.
 SPOKE_EXPORT int available_threads();
 
 }  // namespace spoke::graph

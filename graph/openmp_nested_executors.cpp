@@ -11,6 +11,7 @@
 #include "graph/fork_join.h"
 #include "graph/nested_loops.h"
 #include "graph/node_recorder.h"
+#include "graph/openmp_runtime.h"
 #include "graph/pass_question.h"
 #include "graph/static_share.h"
 
@@ -80,7 +81,7 @@ class OpenMpScheme1Executor final : public NestedExecutor {
  public:
   OpenMpScheme1Executor(const StepGraph& graph, Threads threads)
       : NestedExecutor(graph, threads),
-        shares_processors_(threads.total() > available_threads()) {}
+        shares_processors_(threads.total() > processors_for_openmp()) {}
 
   void run() override {
     run_while([] { return false; });

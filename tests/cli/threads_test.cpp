@@ -1,0 +1,82 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/cli/program.h"
+
+using nlohmann::json;
+
+namespace {
+
+/// A run of the paper's rotor.
+std::vector<std::string> run_rotor(const std::string& duration,
+                                   const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{
+      "run", shipped("wu_haug_rotor"), "--set", "integration.duration=" + duration, "--out", "o"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// Its summary, if it has run with `before`.
+json summary_of(const std::vector<std::string>& arguments, const std::string& before) {
+  const WorkFolder folder;
+  const Ended ended = run_spoke(arguments, folder, before);
+  CAPTURE(before);
+  CAPTURE(ended.err);
+  REQUIRE(ended.status == 0);
+  return json::parse(read_file(folder.path() / "o" / "summary.json"));
+}
+
+int cores_with(const std::string& before, const std::string& executor = "auto") {
+  const json summary = summary_of(run_rotor("0.01", {"--executor", executor, "--quiet"}), before);
+  if (executor != "serial") CHECK(summary["threads"] == summary["machine"]["cores"]);
+  return summary["machine"]["cores"].get<int>();
+}
+
+}  // namespace
+
+TEST_CASE("what binds OpenMP's threads leaves the number of processors as it is") {
+  const int cores = cores_with("");
+  for (const char* variable : {"OMP_PROC_BIND=true", "OMP_PLACES={0}", "GOMP_CPU_AFFINITY=0"})
+    CHECK(cores_with(std::string("env ") + variable) == cores);
+  CHECK(cores_with("env OMP_PROC_BIND=true", "flow_graph") == cores);
+  const Ended ended =
+      run_spoke(run_rotor("0.01", {"--threads", "2"}), WorkFolder(), "env OMP_PROC_BIND=true");
+  CHECK((ended.out.find("serial: one thread") != std::string::npos) == (cores == 1));
+}
+
+TEST_CASE("the processors that a user allows are counted, bound or not") {
+  // The first of those that this test may use.
+  const std::string one_processor = "taskset -c $(taskset -cp $$ | sed 's/.*: //; s/[,-].*//') ";
+  CHECK(cores_with(one_processor) == 1);
+  CHECK(cores_with(one_processor + "env OMP_PROC_BIND=true") == 1);
+  CHECK(cores_with(one_processor + "env OMP_PROC_BIND=true", "flow_graph") == 1);
+}
+
+TEST_CASE("compare measures with all processors, whatever binds OpenMP's threads outside") {
+  const auto compare = [](const std::string& before) {
+    const WorkFolder folder;
+    const Ended ended = run_spoke(
+        {"compare", shipped("simo_vu_quoc_beam"), "--set", "blade.bodies=1", "--executors",
+         "flow_graph", "--formulations", "structured", "--repeat", "2", "--out", "o"},
+        folder, before);
+    CHECK(ended.status == 0);
+    json names = json::array();
+    const json all = json::parse(read_file(folder.path() / "o" / "compare.json"));
+    for (const json& configuration : all["configurations"])
+      names.push_back({configuration["name"], configuration["oversubscribed"]});
+    return names;
+  };
+  CHECK(compare("env OMP_PROC_BIND=true OMP_PLACES={0}") == compare(""));
+}
+
+#ifdef SPOKE_HAS_OPENMP
+
+TEST_CASE("OpenMP's executors count the processors, too, where their threads are bound") {
+  CHECK(cores_with("env OMP_PROC_BIND=true", "openmp_levels") == cores_with(""));
+}
+
+#endif
