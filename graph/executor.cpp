@@ -6,10 +6,12 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "graph/affinity.h"
 #include "graph/cgroup_processors.h"
 #include "graph/executor_kinds.h"
+#include "graph/thread_trial.h"
 #include "graph/unbound_thread.h"
 #include "spoke/error.h"
 
@@ -42,6 +44,11 @@ constexpr std::array kKinds{ExecutorKind::automatic,      ExecutorKind::flow_gra
                             ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels};
 constexpr std::size_t kOpenMpKinds = 3;
 
+bool needs_openmp(ExecutorKind kind) {
+  const auto kinds = std::span(kKinds).last(kOpenMpKinds);
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
 std::string known_names() {
   std::string names;
   for (const ExecutorKind kind : executor_kinds()) {
@@ -62,6 +69,21 @@ bool has_nested_teams(ExecutorKind kind) {
   return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
 }
 
+// The runtimes end the program if the system refuses them a thread.
+void demand_threads(int threads) {
+  if (threads > available_threads()) try_threads(threads);
+}
+
+std::string kinds_of_nested_teams() {
+  std::string names;
+  for (const ExecutorKind kind : executor_kinds()) {
+    if (!has_nested_teams(kind)) continue;
+    names += names.empty() ? " (" : " and ";
+    names += name_of(kind);
+  }
+  return names.empty() ? names : names + " take two)";
+}
+
 }  // namespace
 
 int available_threads() {
@@ -70,7 +92,7 @@ int available_threads() {
   if (const auto limit = cgroup_processors(membership, "/sys/fs/cgroup")) {
     threads = static_cast<int>(std::min<double>(threads, std::ceil(*limit)));
   }
-  return std::max(threads, 1);
+  return std::clamp(threads, 1, kMostThreads);
 }
 
 std::string name_of(const Threads& threads) {
@@ -132,25 +154,43 @@ void check_threads(ExecutorKind kind, const Threads& threads) {
     throw InputError("number of threads: expected 0 (all available) or more, got " +
                      name_of(threads));
   }
+  if (threads.outer > kMostThreads || threads.inner > kMostThreads / std::max(threads.outer, 1)) {
+    throw InputError("number of threads: expected at most " + std::to_string(kMostThreads) +
+                     " in all, got " + name_of(threads));
+  }
   if (threads.inner != 1 && !has_nested_teams(kind)) {
     throw InputError(std::string(name_of(kind)) +
-                     " has one layer of threads, expected a number, got " + name_of(threads));
+                     " has one layer of threads, expected a number, got " + name_of(threads) +
+                     kinds_of_nested_teams());
   }
+}
+
+void check_thread_limit([[maybe_unused]] ExecutorKind kind,
+                        [[maybe_unused]] const Threads& threads) {
+#ifdef SPOKE_HAS_OPENMP
+  if (needs_openmp(kind)) check_openmp_limit(kind, threads);
+#endif
 }
 
 std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
                                         Threads threads) {
   check_in_build(kind);
   check_threads(kind, threads);
-  if (threads.outer == 0) threads.outer = available_threads();
+  if (threads.outer == 0) {
+    threads.outer = available_threads();
+    check_threads(kind, threads);
+  }
+  if (needs_openmp(kind)) demand_threads(threads.total());
   switch (kind) {
     case ExecutorKind::automatic:
       return make_auto_executor(graph, threads.outer);
     case ExecutorKind::serial:
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph: {
+      Plan plan = plan_of_single_nodes(graph);
+      demand_threads(std::min(threads.outer, level_width(plan)));
       const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
-      return make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads.outer);
+      return make_flow_graph_executor(graph, std::move(plan), threads.outer);
     }
 #ifdef SPOKE_HAS_OPENMP
     case ExecutorKind::openmp_scheme1:

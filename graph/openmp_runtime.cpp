@@ -3,8 +3,9 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <string>
 
-#include "graph/executor.h"
+#include "spoke/error.h"
 
 namespace spoke::graph {
 
@@ -29,6 +30,13 @@ int processors_for_openmp() {
   const auto binding = openmp_binding();
   return binding ? std::min(available_threads(), static_cast<int>(binding->places.size()))
                  : available_threads();
+}
+
+void check_openmp_limit(ExecutorKind kind, const Threads& threads) {
+  const int limit = omp_get_thread_limit();
+  if (threads.total() <= limit) return;
+  throw InputError(std::string(name_of(kind)) + " on " + name_of(threads) +
+                   " threads: OMP_THREAD_LIMIT allows " + std::to_string(limit));
 }
 
 }  // namespace spoke::graph

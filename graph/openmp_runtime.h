@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "graph/executor.h"
+
 namespace spoke::graph {
 
 /// Where the runtime binds its threads to, as OMP_PROC_BIND, OMP_PLACES and the like say. It also
@@ -20,5 +22,8 @@ std::optional<OpenMpBinding> openmp_binding();
 /// How many of its threads can run at once: available_threads(), at most the processors of all
 /// places.
 int processors_for_openmp();
+
+/// As check_thread_limit(), for a kind of OpenMP.
+void check_openmp_limit(ExecutorKind kind, const Threads& threads);
 
 }  // namespace spoke::graph

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
 
 using nlohmann::json;
 
@@ -73,10 +74,63 @@ TEST_CASE("compare measures with all processors, whatever binds OpenMP's threads
   CHECK(compare("env OMP_PROC_BIND=true OMP_PLACES={0}") == compare(""));
 }
 
+#ifndef SPOKE_SANITIZED  // sanitizers reserve more memory than is allowed here
+
+namespace {
+
+void check_threads_refused(const std::vector<std::string>& options) {
+  check_refused(run_rotor("0.01", options),
+                "1024 threads cannot be made here: the system refuses more than ", WorkFolder(),
+                "ulimit -s 8192; ulimit -v 2000000;");
+}
+
+}  // namespace
+
+TEST_CASE("threads that the system refuses are told in one line") {
+  check_threads_refused({"--executor", "flow_graph", "--threads", "1024", "--set",
+                         "blade.count=300"});  // so many find work
+#ifdef SPOKE_HAS_OPENMP
+  check_threads_refused({"--executor", "openmp_levels", "--threads", "1024"});
+  check_threads_refused({"--executor", "openmp_scheme1", "--threads", "32x32"});
+  check_threads_refused({"--executor", "openmp_scheme2", "--threads", "32x32"});
+#endif
+}
+
+#endif
+
 #ifdef SPOKE_HAS_OPENMP
 
 TEST_CASE("OpenMP's executors count the processors, too, where their threads are bound") {
   CHECK(cores_with("env OMP_PROC_BIND=true", "openmp_levels") == cores_with(""));
+}
+
+TEST_CASE("who asks for nested teams is told who takes them") {
+  check_refused(run_rotor("0.01", {"--threads", "3x4"}),
+                "--threads: auto has one layer of threads, expected a number, got 3x4 "
+                "(openmp_scheme1 and openmp_scheme2 take two)");
+}
+
+TEST_CASE("more threads than OpenMP allows are refused") {
+  for (const std::string executor : {"openmp_scheme1", "openmp_scheme2"})
+    check_refused(run_rotor("0.01", {"--executor", executor, "--threads", "3x4"}),
+                  executor + " on 3x4 threads: OMP_THREAD_LIMIT allows 2", WorkFolder(),
+                  "env OMP_THREAD_LIMIT=2");
+  check_refused(run_rotor("0.01", {"--executor", "openmp_levels", "--threads", "3"}),
+                "openmp_levels on 3 threads: OMP_THREAD_LIMIT allows 2", WorkFolder(),
+                "env OMP_THREAD_LIMIT=2");
+  CHECK(run_spoke(run_rotor("0.01", {"--executor", "flow_graph", "--threads", "3"}), WorkFolder(),
+                  "env OMP_THREAD_LIMIT=2")
+            .status == 0);
+}
+
+TEST_CASE("teams of more threads than processors go on, and end in the serial state") {
+  const auto hash = [](const std::vector<std::string>& executor) {
+    std::vector<std::string> arguments = run_rotor("5", {"--quiet"});  // 1000 steps
+    arguments.insert(arguments.end(), executor.begin(), executor.end());
+    return summary_of(arguments, "timeout 600")["state_hash"];
+  };
+  CHECK(hash({"--executor", "openmp_scheme1", "--threads", "3x4"}) ==
+        hash({"--executor", "serial"}));
 }
 
 #endif
