@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
@@ -43,8 +44,10 @@ class Patience {
   static constexpr std::chrono::microseconds kTime{50};
   // No thread of a small step is that long at work.
   static constexpr std::chrono::microseconds kOthersWork{100};
-  // How many times as long as other programs took, threads then park at once.
+  // How many times as long as other programs took, threads then park at once; and how long at most,
+  // since a program that was halted has not seen others at work.
   static constexpr int kGiveUp = 20;
+  static constexpr std::chrono::seconds kLongestGiveUp{1};
 
   template <class Look, class Ready>
   static std::uint32_t spin(std::uint32_t seen, Look look, Ready ready) {
@@ -70,11 +73,14 @@ class Patience {
       std::this_thread::yield();
       seen = look();
       now = Clock::now();
-      if (now - before > kOthersWork)
-        yields_from_.store((now + kGiveUp * (now - before)).time_since_epoch().count(),
-                           std::memory_order_relaxed);
+      if (now - before > kOthersWork) give_up(now, now - before);
     } while (!ready(seen) && now < end);
     return seen;
+  }
+
+  void give_up(Clock::time_point now, Clock::duration others_took) {
+    const auto until = now + std::min<Clock::duration>(kGiveUp * others_took, kLongestGiveUp);
+    yields_from_.store(until.time_since_epoch().count(), std::memory_order_relaxed);
   }
 
   const bool shares_processors_;
