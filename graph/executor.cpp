@@ -69,11 +69,6 @@ bool has_nested_teams(ExecutorKind kind) {
   return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
 }
 
-// The runtimes end the program if the system refuses them a thread.
-void demand_threads(int threads) {
-  if (threads > available_threads()) try_threads(threads);
-}
-
 std::string kinds_of_nested_teams() {
   std::string names;
   for (const ExecutorKind kind : executor_kinds()) {
@@ -180,7 +175,9 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
     threads.outer = available_threads();
     check_threads(kind, threads);
   }
-  if (needs_openmp(kind)) demand_threads(threads.total());
+  // The runtimes end the program if the system refuses them a thread: that shows here.
+  const bool are_many = threads.total() > processors_of_process();
+  if (are_many && needs_openmp(kind)) try_threads(threads.total());
   switch (kind) {
     case ExecutorKind::automatic:
       return make_auto_executor(graph, threads.outer);
@@ -188,7 +185,8 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph: {
       Plan plan = plan_of_single_nodes(graph);
-      demand_threads(std::min(threads.outer, level_width(plan)));
+      // Likewise; no more threads are made than find work.
+      if (are_many) try_threads(std::min(threads.outer, level_width(plan)));
       const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
       return make_flow_graph_executor(graph, std::move(plan), threads.outer);
     }

@@ -35,6 +35,7 @@ class WaitingThreads {
 }  // namespace
 
 void try_threads(int threads) {
+  if (threads <= 1) return;
   int made = 1;
   try {
     WaitingThreads others(threads - 1);

@@ -20,6 +20,6 @@ int threads_of_this_process() {
 
 TEST_CASE("threads that are tried out are gone afterwards") {
   const int before = threads_of_this_process();
-  for (const int threads : {1, 2, 20}) CHECK_NOTHROW(try_threads(threads));
+  for (const int threads : {0, 1, 2, 20}) CHECK_NOTHROW(try_threads(threads));
   CHECK(threads_of_this_process() <= before);
 }
