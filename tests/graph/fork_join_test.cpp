@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
+#include <cstdint>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -43,4 +45,19 @@ TEST_CASE("every fork is worked on once by every other thread, and joined") {
             std::vector<int>(static_cast<std::size_t>(threads), forks));
     }
   }
+}
+
+TEST_CASE("threads that share processors do not wait by yielding where other programs take long") {
+  Patience patience(true);
+  const auto never = [](std::uint32_t) { return false; };
+  int looks = 0;
+  const auto look = [&] {
+    // As if the processor had been another program's meanwhile.
+    if (++looks == 2) std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    return 0U;
+  };
+  patience.wait(look, never);
+  CHECK(looks == 2);
+  patience.wait(look, never);  // within the next second
+  CHECK(looks == 3);
 }
