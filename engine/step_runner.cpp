@@ -30,6 +30,13 @@ graph::Threads resolved(graph::Threads threads) {
   return threads;
 }
 
+/// Throws InputError if OpenMP would not give them.
+graph::Threads allowed_threads(const RunnerOptions& options) {
+  const graph::Threads threads = resolved(options.threads);
+  graph::check_thread_limit(options.executor, threads);
+  return threads;
+}
+
 /// While it lives, a recording follows an executor and a stepper.
 class RecordingScope {
  public:
@@ -76,7 +83,7 @@ StepRunner::Runner::Runner(StepContext& context, int passes, ExecutorKind kind,
 StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
     : context_(context),
       options_(options),
-      threads_(resolved(options.threads)),
+      threads_(allowed_threads(options)),
       single_(context, 1, single_kind(options.executor), threads_),
       stepper_(context, single_.graph) {
   if (!is_automatic()) threads_ = single_.executor->threads();

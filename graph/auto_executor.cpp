@@ -18,6 +18,7 @@
 #include "graph/plan_candidates.h"
 #include "graph/plan_choice.h"
 #include "graph/time_stamp.h"
+#include "graph/unbound_thread.h"
 
 namespace spoke::graph {
 namespace {
@@ -154,6 +155,7 @@ class AutoExecutor final : public Executor {
   }
 
   void make_alternatives(const std::vector<double>& costs, double seconds_per_run) {
+    const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
     // Where single runs are long the model is good, and trials are dear.
     const std::size_t per_ordering = seconds_per_run > 10e-3 ? 1 : 2;
     // A plan may turn out better than foreseen, but not by that much.

@@ -6,31 +6,30 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <utility>
 
+#include "graph/affinity.h"
 #include "graph/cgroup_processors.h"
 #include "graph/executor_kinds.h"
+#include "graph/thread_trial.h"
+#include "graph/unbound_thread.h"
 #include "spoke/error.h"
 
-#ifdef __linux__
-#include <sched.h>
+#ifdef SPOKE_HAS_OPENMP
+#include "graph/openmp_runtime.h"
 #endif
 
 namespace spoke::graph {
 namespace {
 
-int processors_of_affinity() {
-#ifdef __linux__
-  // The kernel refuses a mask that is too short for the machine: try longer ones.
-  for (int bits = CPU_SETSIZE; bits <= (1 << 20); bits *= 2) {
-    const std::size_t bytes = CPU_ALLOC_SIZE(bits);
-    const std::unique_ptr<cpu_set_t, void (*)(cpu_set_t*)> mask(
-        CPU_ALLOC(bits), [](cpu_set_t* set) { CPU_FREE(set); });
-    if (mask && sched_getaffinity(0, bytes, mask.get()) == 0) {
-      return CPU_COUNT_S(bytes, mask.get());
-    }
-  }
+// Those the process started with: the OpenMP runtime may have bound the calling thread to one.
+int processors_of_process() {
+#ifdef SPOKE_HAS_OPENMP
+  if (const auto binding = openmp_binding()) return binding->processors;
 #endif
-  return static_cast<int>(std::thread::hardware_concurrency());
+  const std::size_t count = thread_affinity().size();
+  return count > 0 ? static_cast<int>(count)
+                   : static_cast<int>(std::thread::hardware_concurrency());
 }
 
 #ifdef SPOKE_HAS_OPENMP
@@ -44,6 +43,11 @@ constexpr std::array kKinds{ExecutorKind::automatic,      ExecutorKind::flow_gra
                             ExecutorKind::serial,         ExecutorKind::openmp_scheme1,
                             ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels};
 constexpr std::size_t kOpenMpKinds = 3;
+
+bool needs_openmp(ExecutorKind kind) {
+  const auto kinds = std::span(kKinds).last(kOpenMpKinds);
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
 
 std::string known_names() {
   std::string names;
@@ -65,15 +69,25 @@ bool has_nested_teams(ExecutorKind kind) {
   return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
 }
 
+std::string kinds_of_nested_teams() {
+  std::string names;
+  for (const ExecutorKind kind : executor_kinds()) {
+    if (!has_nested_teams(kind)) continue;
+    names += names.empty() ? " (" : " and ";
+    names += name_of(kind);
+  }
+  return names.empty() ? names : names + " take two)";
+}
+
 }  // namespace
 
 int available_threads() {
-  int threads = processors_of_affinity();
+  int threads = processors_of_process();
   std::ifstream membership("/proc/self/cgroup");
   if (const auto limit = cgroup_processors(membership, "/sys/fs/cgroup")) {
     threads = static_cast<int>(std::min<double>(threads, std::ceil(*limit)));
   }
-  return std::max(threads, 1);
+  return std::clamp(threads, 1, kMostThreads);
 }
 
 std::string name_of(const Threads& threads) {
@@ -135,24 +149,47 @@ void check_threads(ExecutorKind kind, const Threads& threads) {
     throw InputError("number of threads: expected 0 (all available) or more, got " +
                      name_of(threads));
   }
+  if (threads.outer > kMostThreads || threads.inner > kMostThreads / std::max(threads.outer, 1)) {
+    throw InputError("number of threads: expected at most " + std::to_string(kMostThreads) +
+                     " in all, got " + name_of(threads));
+  }
   if (threads.inner != 1 && !has_nested_teams(kind)) {
     throw InputError(std::string(name_of(kind)) +
-                     " has one layer of threads, expected a number, got " + name_of(threads));
+                     " has one layer of threads, expected a number, got " + name_of(threads) +
+                     kinds_of_nested_teams());
   }
+}
+
+void check_thread_limit([[maybe_unused]] ExecutorKind kind,
+                        [[maybe_unused]] const Threads& threads) {
+#ifdef SPOKE_HAS_OPENMP
+  if (needs_openmp(kind)) check_openmp_limit(kind, threads);
+#endif
 }
 
 std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
                                         Threads threads) {
   check_in_build(kind);
   check_threads(kind, threads);
-  if (threads.outer == 0) threads.outer = available_threads();
+  if (threads.outer == 0) {
+    threads.outer = available_threads();
+    check_threads(kind, threads);
+  }
+  // The runtimes end the program if the system refuses them a thread: that shows here.
+  const bool are_many = threads.total() > processors_of_process();
+  if (are_many && needs_openmp(kind)) try_threads(threads.total());
   switch (kind) {
     case ExecutorKind::automatic:
       return make_auto_executor(graph, threads.outer);
     case ExecutorKind::serial:
       return make_serial_executor(graph);
-    case ExecutorKind::flow_graph:
-      return make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads.outer);
+    case ExecutorKind::flow_graph: {
+      Plan plan = plan_of_single_nodes(graph);
+      // Likewise; no more threads are made than find work.
+      if (are_many) try_threads(std::min(threads.outer, level_width(plan)));
+      const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
+      return make_flow_graph_executor(graph, std::move(plan), threads.outer);
+    }
 #ifdef SPOKE_HAS_OPENMP
     case ExecutorKind::openmp_scheme1:
       return make_openmp_scheme1_executor(graph, threads);

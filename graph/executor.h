@@ -28,6 +28,8 @@ struct Threads {
   /// Whether both layers are equal.
   friend bool operator==(const Threads&, const Threads&) = default;
 };
+/// No executor works with more threads in all.
+constexpr int kMostThreads = 1024;
 /// "2", or "3x2" of nested teams.
 SPOKE_EXPORT std::string name_of(const Threads& threads);
 
@@ -99,18 +101,24 @@ SPOKE_EXPORT std::string_view name_of(ExecutorKind kind);
 /// The kind of this name. Throws InputError, with the names to choose from, if there is
 /// none or this build is without it.
 SPOKE_EXPORT ExecutorKind executor_kind(std::string_view name);
-/// Throws InputError if a number of threads is negative, or of nested teams that this
-/// kind does not have.
+/// Throws InputError if a number of threads is negative, above kMostThreads in all, or of nested
+/// teams that this kind does not have.
 SPOKE_EXPORT void check_threads(ExecutorKind kind, const Threads& threads);
 
+/// Throws InputError if OpenMP would give an executor of this kind fewer threads, since its
+/// environment says so (OMP_THREAD_LIMIT). The executor would share out the work among those.
+SPOKE_EXPORT void check_thread_limit(ExecutorKind kind, const Threads& threads);
+
 /// Makes an executor with `threads` threads (0 = available_threads()). It refers to `graph`, which
-/// must outlive it and stay in place. Throws InputError if this build is without the
-/// kind, and as check_threads().
+/// must outlive it and stay in place. Throws InputError if this build is without the kind, as
+/// check_threads(), and if the system refuses so many threads.
 SPOKE_EXPORT std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
                                                      Threads threads = {});
 
 /// How many threads of this process can run at once: the processors of the calling thread's
-/// affinity mask, at most the processor quota of its control groups (rounded up). At least 1.
+/// affinity mask, at most the processor quota of its control groups (rounded up). At least 1, at
+/// most kMostThreads. If OpenMP binds threads (OMP_PROC_BIND, OMP_PLACES and the like), and so the
+/// initial one, the mask of the process before that counts.
 SPOKE_EXPORT int available_threads();
 
 }  // namespace spoke::graph

@@ -1,6 +1,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "graph/fork_join.h"
 #include "graph/nested_loops.h"
 #include "graph/node_recorder.h"
+#include "graph/openmp_runtime.h"
 #include "graph/pass_question.h"
 #include "graph/static_share.h"
 
@@ -79,7 +81,7 @@ class OpenMpScheme1Executor final : public NestedExecutor {
  public:
   OpenMpScheme1Executor(const StepGraph& graph, Threads threads)
       : NestedExecutor(graph, threads),
-        spin_time_(threads.total() > available_threads() ? SpinTime::zero() : kSpinTime) {}
+        shares_processors_(threads.total() > processors_for_openmp()) {}
 
   void run() override {
     run_while([] { return false; });
@@ -89,10 +91,10 @@ class OpenMpScheme1Executor final : public NestedExecutor {
     ask_for_nested_teams();
     const FloatingPointEnvironment environment;
     PassQuestion question(more);
-    Subsystems subsystems;
-    subsystems.set_spin_time(spin_time_);
-    std::vector<Bodies> teams(static_cast<std::size_t>(threads_.outer));
-    for (Bodies& bodies : teams) bodies.set_spin_time(spin_time_);
+    Patience patience(shares_processors_);
+    Subsystems subsystems(patience);
+    std::deque<Bodies> teams;
+    for (int team = 0; team < threads_.outer; ++team) teams.emplace_back(patience);
 #pragma omp parallel num_threads(threads_.outer)
     {
       const Member team{omp_get_thread_num(), omp_get_num_threads()};
@@ -115,10 +117,6 @@ class OpenMpScheme1Executor final : public NestedExecutor {
  private:
   using Subsystems = ForkJoin<SubsystemLoop>;
   using Bodies = ForkJoin<BodyLoop>;
-
-  // Of the order of what it costs to park and to be woken, so that neither choice costs twice the
-  // other. With more threads than processors others need the processor: no spinning at all.
-  static constexpr SpinTime kSpinTime{50'000};
 
   // For the first thread of each team, from the first pass to the last.
   void lead(Member team, int threads, Subsystems& subsystems, Bodies& bodies,
@@ -155,7 +153,7 @@ class OpenMpScheme1Executor final : public NestedExecutor {
     });
   }
 
-  const SpinTime spin_time_;
+  const bool shares_processors_;
 };
 
 /// A loop over subsystems is a parallel region, and each loop over bodies one within it.

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <optional>
 
 #include "engine/cli/arguments.h"
 #include "engine/cli/check_command.h"
@@ -19,6 +20,8 @@
 #include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
 #include "engine/cli/trace_command.h"
+#include "engine/compare/configuration.h"
+#include "graph/unbound_thread.h"
 #include "models/error.h"
 
 namespace {
@@ -80,6 +83,9 @@ int main(int argc, char** argv) {
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
     start_logging(arguments);
+    // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
+    std::optional<graph::UnboundThread> unbound;
+    if (!compare::is_openmp(arguments.options.executor)) unbound.emplace();
     return finish_output(execute(arguments));
   } catch (const InputError& error) {
     return complain(error.what(), 2);

@@ -7,11 +7,8 @@
 #include "models/error.h"
 
 namespace spoke::cli {
-namespace {
 
-constexpr int kMostThreads = 1024;
-
-}  // namespace
+using graph::kMostThreads;
 
 graph::Threads parse_threads(const std::string& text) {
   const auto fail = [&] {

@@ -34,10 +34,16 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
       "--executor: no executor is named \"openmp\"; known here: auto, flow_graph, serial");
   check_refused({"run", scenario, "--executor", "serial", "--threads", "3x2"},
                 "--threads: serial has one layer of threads, expected a number, got 3x2");
+  check_refused({"run", scenario, "--threads", "3x4"},
+                "--threads: auto has one layer of threads, expected a number, got 3x4");
   for (const std::string threads :
        {"two", "0", "-1", "100000", "3x", "x3", "3x0", "3x2x1", "64x64"})
     check_refused({"run", scenario, "--threads", threads},
                   "--threads: expected a number from 1 to 1024, or two as in 3x2, got " + threads);
+  for (const std::string window : {"0", "-1", "1001", "ten", "2.5", "99999999999"})
+    check_refused({"run", scenario, "--window", window},
+                  "--window: Value " + window + " not in range");
+  check_refused({"run", scenario, "--window"}, "--window: 1 required STEPS");
   check_refused({"run", scenario, "--out"}, "--out: 1 required DIR missing");
   check_refused({"run", scenario, "--set"}, "--set: 1 required KEY=VALUE missing");
 }

@@ -41,9 +41,11 @@ fs::path WorkFolder::write(const std::string& name, const std::string& text) con
   return path_ / name;
 }
 
-Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder) {
+Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
+                const std::string& before) {
   const WorkFolder texts;
-  std::string command = "cd " + quoted(folder.path().string()) + " && " + quoted(SPOKE_PROGRAM);
+  std::string command =
+      "cd " + quoted(folder.path().string()) + " && " + before + ' ' + quoted(SPOKE_PROGRAM);
   for (const std::string& argument : arguments) command += ' ' + quoted(argument);
   command += " >" + quoted((texts.path() / "out").string()) + " 2>" +
              quoted((texts.path() / "err").string()) + " </dev/null";

@@ -30,8 +30,10 @@ struct Ended {
   std::string err;
 };
 
-/// Runs spoke with the folder as working directory. Its outputs are no terminals.
-Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder);
+/// Runs spoke with the folder as working directory. Its outputs are no terminals. `before`: what
+/// the shell reads before the program's name, such as "env A=b" or "ulimit -v 1000000;".
+Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
+                const std::string& before = "");
 
 /// The path of a shipped scenario.
 std::string shipped(const std::string& name);

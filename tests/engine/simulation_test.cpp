@@ -181,6 +181,9 @@ TEST_CASE("options that are none are refused") {
   CHECK(message_of([&] {
           Simulation(scenario, {Formulation::structured, ExecutorKind::flow_graph, -2});
         }) == "number of threads: expected 0 (all available) or more, got -2");
+  CHECK(message_of([&] {
+          Simulation(scenario, {Formulation::structured, ExecutorKind::automatic, 100000});
+        }) == "number of threads: expected at most 1024 in all, got 100000");
 }
 
 TEST_CASE("what does not exist is refused with what was expected") {

@@ -1,6 +1,7 @@
 #include "graph/executor.h"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cfenv>
@@ -141,9 +142,24 @@ TEST_CASE("executors of one layer of threads refuse nested teams") {
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::serial, {1, 0}), spoke::InputError);
 }
 
+TEST_CASE("executors refuse more threads than any has use for, one by one or in teams") {
+  const StepGraph graph = StepGraphBuilder().build();
+  for (const ExecutorKind kind : executor_kinds()) {
+    CAPTURE(name_of(kind));
+    CHECK_NOTHROW(check_threads(kind, kMostThreads));
+    CHECK_THROWS_WITH_AS(make_executor(graph, kind, 100000),
+                         "number of threads: expected at most 1024 in all, got 100000",
+                         spoke::InputError);
+    for (const Threads threads : {Threads(33, 32), Threads(0, 1025), Threads(1 << 30, 1 << 30)})
+      CHECK_THROWS_WITH_AS(check_threads(kind, threads), doctest::Contains("at most 1024 in all"),
+                           spoke::InputError);
+  }
+}
+
 TEST_CASE("the available threads are at least one and at most the processors") {
   CHECK(available_threads() >= 1);
-  CHECK(available_threads() <= static_cast<int>(std::thread::hardware_concurrency()));
+  // Not hardware_concurrency(): of a thread that OpenMP has bound, it is 1.
+  CHECK(available_threads() <= sysconf(_SC_NPROCESSORS_ONLN));
 }
 
 TEST_CASE("a flow graph's threads round as the thread that made it, whoever had its arena before") {
