@@ -10,7 +10,6 @@
 namespace spoke::predict {
 namespace {
 
-constexpr double kBusy = 0.5;    // load average from which a machine is not idle
 constexpr double kEqual = 1.03;  // ratio of times up to which two executors are equally good
 constexpr double kPays = 1.05;   // gain below which more threads do not pay
 
@@ -36,7 +35,7 @@ std::string threads_text(int threads) {
 }
 
 std::string describe_disturbance(const Prediction& prediction) {
-  if (prediction.load_before < kBusy) return "";
+  if (!is_busy(prediction.load_before, prediction.machine.cores)) return "";
   return fmt::format(
       "Other work was running (load average {:.2f} at the start): costs of nodes and runtimes are "
       "too high, measured times too long, and none of what follows is certain until it is repeated "

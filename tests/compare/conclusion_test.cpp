@@ -65,6 +65,10 @@ TEST_CASE("a busy machine makes everything doubtful, first of all") {
   Comparison comparison = comparison_of({kTen});
   comparison.loads.before = 5.5;
   CHECK(make_conclusion(comparison).starts_with("Other work was running (load average 5.50"));
+  comparison.loads.before = 1.1;  // more than half of two processors
+  CHECK(make_conclusion(comparison).starts_with("Other work was running"));
+  comparison.loads.before = 0.9;
+  CHECK(make_conclusion(comparison).starts_with("structured: "));
   comparison.loads.before = -1.0;
   check_says(comparison, {"its load is not known"});
 }
