@@ -80,6 +80,10 @@ long count(const Comparison& comparison, const std::function<bool(const Result&)
 }
 
 std::string describe_bits(const Comparison& comparison) {
+  const long others = count(comparison, [](const Result& result) {
+    return !is_serial(result) && !result.measurement.hashes.empty();
+  });
+  if (others == 0) return "";
   const long unequal = count(comparison, [](const Result& result) {
     return !result.measurement.hashes.empty() && !result.hash_equal;
   });

@@ -44,6 +44,19 @@ TEST_CASE("where serial wins or nothing is told, it says so") {
              {"serial takes 10 us a step; nothing else was measured with its bits"});
 }
 
+TEST_CASE("nothing is said of bits where serial is alone") {
+  const auto says_bits = [](std::vector<Measurement> measurements) {
+    return make_conclusion(comparison_of(std::move(measurements))).find("same bits") !=
+           std::string::npos;
+  };
+  Measurement failed = measurement_of(kFlow, 2, {});
+  failed.hashes.clear();
+  failed.status = Status::failed;
+  CHECK_FALSE(says_bits({kTen}));
+  CHECK_FALSE(says_bits({kTen, failed}));
+  CHECK(says_bits({kTen, failed, measurement_of(kFlow, 3, {9e-6})}));
+}
+
 TEST_CASE("what cannot be is no verdict") {
   check_says(comparison_of({kTen, measurement_of(kFlow, 2, {3e-6, 3e-6})}),
              {"structured: no verdict", "more than work and span allow"});
