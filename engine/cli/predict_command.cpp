@@ -12,6 +12,7 @@
 #include "engine/predict/files.h"
 #include "engine/predict/table.h"
 #include "engine/results.h"
+#include "models/text_file.h"
 
 namespace spoke::cli {
 namespace {
@@ -63,8 +64,8 @@ void warm_up(Subject& subject) {
 
 /// Executors on the numbers of threads that this machine has, in child processes; in the same
 /// rounds the nodes, over the same steps.
-std::vector<compare::Measurement> measure(const Arguments& arguments, Subject& subject,
-                                          predict::NodeTimer& timer, int cores) {
+std::vector<compare::Measurement> measure(const Arguments& arguments, const std::string& text,
+                                          Subject& subject, predict::NodeTimer& timer, int cores) {
   compare::Axes axes{.formulations = {arguments.options.formulation},
                      .executors = predict::predictable_executors(),
                      .threads = {},
@@ -76,7 +77,7 @@ std::vector<compare::Measurement> measure(const Arguments& arguments, Subject& s
   const Scenario& scenario = subject.simulation.scenario();
   const auto configurations =
       compare::make_configurations(axes, static_cast<int>(scenario.rotor.blades.size()), cores);
-  const ChildTask task{arguments.scenario, arguments.overrides, scenario.integration,
+  const ChildTask task{arguments.scenario, text, arguments.overrides, scenario.integration,
                        arguments.predict.window};
   return compare::measure(
       configurations,
@@ -110,7 +111,8 @@ void print(const predict::Prediction& prediction, const fs::path& folder) {
 }  // namespace
 
 int predict(const Arguments& arguments) {
-  Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  const std::string text = read_text(arguments.scenario);
+  Scenario scenario = parse_scenario(text, arguments.scenario, arguments.overrides);
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
   const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "predict"
                                                 : fs::path(arguments.out);
@@ -120,7 +122,7 @@ int predict(const Arguments& arguments) {
   predict::Prediction prediction = describe(arguments, subject.simulation);
   warm_up(subject);
   predict::NodeTimer timer(subject.simulation);
-  const auto measurements = measure(arguments, subject, timer, prediction.machine.cores);
+  const auto measurements = measure(arguments, text, subject, timer, prediction.machine.cores);
   prediction.rounds = kRounds;
   prediction.nodes = timer.summarise();
   prediction.runtime = graph::runtime_costs();

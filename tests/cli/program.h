@@ -30,8 +30,10 @@ struct Ended {
   std::string err;
 };
 
-/// Runs spoke with the folder as working directory. Its outputs are no terminals.
-Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder);
+/// Runs spoke with the folder as working directory. Its outputs are no terminals; `input`: the file
+/// on its standard input.
+Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
+                const std::string& input = "/dev/null");
 
 /// The path of a shipped scenario.
 std::string shipped(const std::string& name);
