@@ -62,7 +62,9 @@ Example:
 
 const char* const kPredictText =
     R"(Times the nodes of a step one by one on one thread and simulates what executors make of them on
-other numbers of threads; measures those that this machine has processors for beside it.
+other numbers of threads; measures those that this machine has processors for beside it. As in
+spoke run, auto makes windows of steps, as wide as it chooses, and the others a run for each pass;
+the table says for each which window was predicted. --window is for all, serial included.
 
 Output files, in the folder of --out:
   predict.html  conclusion, charts and table
