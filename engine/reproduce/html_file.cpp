@@ -80,7 +80,8 @@ void add_method_of_measurement(Page& page) {
   page.add_heading("How this was measured");
   page.add_paragraph(fmt::format(
       "Every configuration runs in a process of its own. After {} trials of a quarter of a batch "
-      "and {} untimed batches come rounds; in each, every process runs one batch of steps while "
+      "and {} untimed batches, or fewer of what is slow, come rounds; in each, every process runs "
+      "one batch of steps while "
       "all others are halted. Times are medians over the rounds, speedups and ratios are medians "
       "of ratios within a round, so that a quotient of two medians may differ from them. The "
       "thread figures use the formulation subsystem, whose dense blocks are the paper's. The paper "

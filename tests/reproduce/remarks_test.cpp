@@ -65,7 +65,7 @@ TEST_CASE("two schemes on threads for the subsystems: equal, or which is the fas
              {"scheme 2 is clearly the faster, unlike in the paper"});
 }
 
-TEST_CASE("inner threads gain, or they do not; scheme 2 suffers more, or it does not") {
+TEST_CASE("inner threads gain, or they do not, and scheme 2 suffers more, or it does not") {
   if (!has_schemes()) return;
   check_says(remark_on_layers(reproduction_of(Work::steps, layers(25, 60, 40, 90))),
              {"two inner threads gain over one, as in the paper",
