@@ -54,4 +54,6 @@ double load_average() {
   return getloadavg(&load, 1) == 1 ? load : -1.0;
 }
 
+bool is_busy(double load, int processors) { return load > 0.5 * processors; }
+
 }  // namespace spoke

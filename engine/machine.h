@@ -20,4 +20,8 @@ Machine this_machine();
 /// Runnable processes, mean over the last minute; -1 if not known.
 double load_average();
 
+/// Whether a load average says that other programs take so much of the processors available that
+/// times mean little: more than half of them. Not if it is not known.
+bool is_busy(double load, int processors);
+
 }  // namespace spoke

@@ -98,6 +98,11 @@ NodeMeasurement Simulation::measure_nodes(std::int64_t step_count, graph::NodeOr
           static_cast<double>(executor.runs()) / static_cast<double>(step_count)};
 }
 
+int Simulation::open_window() {
+  impl_->open_window();
+  return impl_->runner->run_steps();
+}
+
 const std::vector<std::string>& Simulation::sensor_names() const { return impl_->sensors.names(); }
 const std::vector<std::string>& Simulation::sensor_units() const { return impl_->sensors.units(); }
 

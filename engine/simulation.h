@@ -164,6 +164,11 @@ class SPOKE_EXPORT Simulation {
   /// be 2 windows or more.
   NodeMeasurement measure_nodes(std::int64_t steps,
                                 graph::NodeOrder order = graph::NodeOrder::serial);
+  /// Of the executor auto on several threads: builds the graph of the window that it chooses for
+  /// simulations that are long enough to plan for, without planning; run_graph() is then that, for
+  /// measure_nodes(). Makes the steps that the choice is timed by, unless run_until() has chosen.
+  /// Steps that a run of run_graph() makes, about. Throws like run_until().
+  int open_window();
 
   /// Copies the state, at the cost of some vectors of coordinates. Throws StateError after a step
   /// that could not be completed.

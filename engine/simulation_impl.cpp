@@ -131,8 +131,15 @@ StepTrace Simulation::Impl::trace(std::int64_t target, const StepObserver& obser
 
 void Simulation::Impl::measure(std::int64_t target, graph::Executor& executor) {
   demand_done([&] {
-    return runner->advance_by(executor, std::min(target, planned_steps),
+    return runner->advance_by(executor, std::min(target, planned_steps), stops_on_growth(),
                               [this](std::int64_t step) { complete_step(step, {}); });
+  });
+}
+
+void Simulation::Impl::open_window() {
+  demand_done([this] {
+    return runner->open_window(stops_on_growth(),
+                               [this](std::int64_t step) { complete_step(step, {}); });
   });
 }
 

@@ -31,6 +31,7 @@ struct Simulation::Impl {
   StepTrace trace(std::int64_t target, const StepObserver& observe,
                   const TraceOptions& trace_options);
   void measure(std::int64_t target, graph::Executor& executor);
+  void open_window();
   SavedState save();
   void restore(const SavedState& state);
   /// Throws StateError if there is no state to `use`.

@@ -118,6 +118,17 @@ StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
   return stepper_.advance(target, *runner_for(target - steps()).executor, observed, completed);
 }
 
+StepOutcome StepRunner::open_window(bool observed, const TimeStepper::Completed& completed) {
+  if (!is_automatic() || window_ || !reason_.empty()) return StepOutcome::done;
+  while (!has_timed() && steps() < options_.planned_steps) {
+    const std::int64_t target = std::min(options_.planned_steps, steps() + kBatch);
+    const StepOutcome outcome = advance_timed(target, observed, completed);
+    if (outcome != StepOutcome::done) return outcome;
+  }
+  add_window(window_passes(options_.planned_steps - steps()));
+  return StepOutcome::done;
+}
+
 StepRunner::Runner& StepRunner::runner_for(std::int64_t steps_asked) {
   // A window much longer than what is asked for would mostly be idle.
   return window_ && 2 * steps_asked >= window_->steps ? *window_ : single_;
@@ -213,13 +224,17 @@ void StepRunner::choose_window(std::int64_t steps_asked) {
     reason_ = text.str();
     return;
   }
+  add_window(window_passes(steps_asked));
+}
+
+int StepRunner::window_passes(std::int64_t steps_asked) const {
   const int usual = usual_passes(context_.integrator);
   const double pass = fastest_ / usual;
   const int affordable = std::max(1, kMostNodes / single_.graph.node_count());
   const double records = static_cast<double>(context_.data.records.size()) / 2.0;
   const double most = std::min(
       {static_cast<double>(affordable), records * usual, static_cast<double>(steps_asked) * usual});
-  add_window(static_cast<int>(std::clamp(std::ceil(kRunLength / pass), 1.0, std::max(most, 1.0))));
+  return static_cast<int>(std::clamp(std::ceil(kRunLength / pass), 1.0, std::max(most, 1.0)));
 }
 
 void StepRunner::choose_stepping() {

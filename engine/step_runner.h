@@ -41,10 +41,14 @@ class StepRunner {
   StepOutcome advance_to(std::int64_t target, bool observed,
                          const TimeStepper::Completed& completed);
   StepOutcome advance_one(const TimeStepper::Completed& completed);
+  /// Of `automatic` on several threads without a window: makes the steps that it times first, and
+  /// builds the graph of the window that it would choose for a simulation that is worth planning
+  /// for. Plans nothing.
+  StepOutcome open_window(bool observed, const TimeStepper::Completed& completed);
   /// By an executor of the caller's that runs run_graph().
-  StepOutcome advance_by(graph::Executor& executor, std::int64_t target,
+  StepOutcome advance_by(graph::Executor& executor, std::int64_t target, bool observed,
                          const TimeStepper::Completed& completed) {
-    return stepper_.advance(target, executor, false, completed);
+    return stepper_.advance(target, executor, observed, completed);
   }
   /// Like advance_to(), with what runs the steps at present, and nothing is chosen meanwhile. What
   /// each thread does is recorded; also of steps before one that fails or an exception.
@@ -63,6 +67,8 @@ class StepRunner {
   const graph::StepGraph& step_graph() const { return single_.graph; }
   /// Of a window, if there is one, else of one pass.
   const graph::StepGraph& run_graph() const { return window_ ? window_->graph : single_.graph; }
+  /// Steps that a run of run_graph() makes, about.
+  int run_steps() const { return window_ ? window_->steps : 1; }
   graph::Threads threads() const { return threads_; }
   /// How many times `automatic` has chosen; 0 for the others.
   int choices() const;
@@ -85,6 +91,7 @@ class StepRunner {
   StepOutcome advance_timed(std::int64_t target, bool observed,
                             const TimeStepper::Completed& completed);
   void choose_window(std::int64_t steps);
+  int window_passes(std::int64_t steps) const;
   void choose_stepping();
   void add_window(int passes);
   void describe_traced(const Runner& runner, StepTrace& trace) const;

@@ -4,6 +4,7 @@
 
 #include "models/field_reader.h"
 #include "models/scenario_rotor.h"
+#include "models/text_file.h"
 #include "models/toml_document.h"
 
 namespace spoke {

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <utility>
 
 #include "models/error.h"
@@ -14,7 +11,6 @@
 namespace spoke {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 constexpr std::size_t kLongestQuote = 60;
 constexpr std::size_t kDeepestPath = 8;
 constexpr std::size_t kMostNames = 32;  // of a key in the file
@@ -138,31 +134,6 @@ toml::source_position position_of(std::size_t byte, std::string_view text) {
 }
 
 }  // namespace
-
-std::string read_text(const std::filesystem::path& file) {
-  const std::string expected = ", expected a scenario file (TOML)";
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) {
-    throw InputError(file.string() + ": no such file" + expected);
-  }
-  if (error) throw InputError(file.string() + ": " + error.message() + expected);
-  if (std::filesystem::is_directory(status)) {
-    throw InputError(file.string() + ": is a directory" + expected);
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string() + ": " + std::strerror(errno) + expected);
-  std::string text(kLargestFile + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw InputError(file.string() + ": cannot be read" + expected);
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.empty()) throw InputError(file.string() + ": is empty" + expected);
-  if (text.size() > kLargestFile) {
-    throw InputError(file.string() + ": is larger than 16 MiB" + expected);
-  }
-  return text;
-}
 
 std::string describe(const toml::node& node) {
   if (const auto* value = node.as_string()) {

@@ -2,17 +2,12 @@
 
 #include <toml++/toml.h>
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace spoke {
-
-/// The text of a scenario file. Throws InputError, its text "file: what is wrong, what is
-/// expected", for anything that cannot be a text file of sensible size.
-std::string read_text(const std::filesystem::path& file);
 
 /// A value as an error message quotes it: -8, "clampd", an array of 3 values, a table.
 std::string describe(const toml::node& node);

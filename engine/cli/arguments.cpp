@@ -76,7 +76,7 @@ void add_compare(CLI::App& program, Arguments& arguments) {
   add_out(compare, arguments, "results/<name of the scenario>/compare");
   add_compare_options(compare, arguments.compare);
   add_integrator(compare, arguments);
-  compare.footer(std::string(kCompareText) + '\n' + kStatusText);
+  compare.footer(std::string(kCompareText) + '\n' + kMeasuringStatusText);
   compare.callback([&] { arguments.command = Arguments::Command::compare; });
 }
 
@@ -88,7 +88,7 @@ void add_predict(CLI::App& program, Arguments& arguments) {
   add_predict_options(predict, arguments.predict);
   add_formulation(predict, arguments);
   add_integrator(predict, arguments);
-  predict.footer(std::string(kPredictText) + '\n' + kStatusText);
+  predict.footer(std::string(kPredictText) + '\n' + kMeasuringStatusText);
   predict.callback([&] { arguments.command = Arguments::Command::predict; });
 }
 
@@ -110,7 +110,7 @@ void add_reproduce(CLI::App& program, Arguments& arguments) {
       *program.add_subcommand("reproduce", "Repeat the paper's evaluation on this machine");
   add_out(reproduce, arguments, "results/reproduce");
   reproduce.add_flag("--quick", arguments.quick, "Few rounds, of rough times");
-  reproduce.footer(std::string(kReproduceText) + '\n' + kStatusText);
+  reproduce.footer(std::string(kReproduceText) + '\n' + kMeasuringStatusText);
   reproduce.callback([&] { arguments.command = Arguments::Command::reproduce; });
 }
 

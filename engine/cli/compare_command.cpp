@@ -16,6 +16,7 @@
 #include "engine/machine.h"
 #include "engine/results.h"
 #include "models/error.h"
+#include "models/text_file.h"
 
 namespace spoke::cli {
 namespace {
@@ -88,7 +89,8 @@ void write(const compare::Comparison& comparison, const fs::path& folder) {
 }  // namespace
 
 int compare(const Arguments& arguments) {
-  Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  const std::string text = read_text(arguments.scenario);
+  Scenario scenario = parse_scenario(text, arguments.scenario, arguments.overrides);
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
   const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "compare"
                                                 : fs::path(arguments.out);
@@ -100,6 +102,7 @@ int compare(const Arguments& arguments) {
   probe_models(comparison, arguments.compare.axes);
   demand_memory(comparison, configurations);
   const ChildTask task{.scenario = arguments.scenario,
+                       .text = text,
                        .overrides = arguments.overrides,
                        .integration = comparison.scenario.integration};
   const compare::Effort effort{

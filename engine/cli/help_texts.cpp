@@ -11,6 +11,15 @@ const char* const kStatusText = R"(Exit status:
   130, 143  SIGINT or SIGTERM ended a run; results so far are kept
 )";
 
+const char* const kMeasuringStatusText = R"(Exit status:
+  0  done
+  1  a fault in spoke itself
+  2  bad command line or scenario, output that cannot be written, or nothing could be measured;
+     the message on stderr says what is wrong
+  3  the simulation diverged; nothing is written
+  130, 143  SIGINT or SIGTERM ended it (as a shell reports that); nothing is written
+)";
+
 const char* const kRunText = R"(Output files, in the folder of --out:
   sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies
   summary.json  all values in force, machine, steps, wall time, hash of the final state, and
@@ -53,7 +62,9 @@ Example:
 
 const char* const kPredictText =
     R"(Times the nodes of a step one by one on one thread and simulates what executors make of them on
-other numbers of threads; measures those that this machine has processors for beside it.
+other numbers of threads; measures those that this machine has processors for beside it. As in
+spoke run, auto makes windows of steps, as wide as it chooses, and the others a run for each pass;
+the table says for each which window was predicted. --window is for all, serial included.
 
 Output files, in the folder of --out:
   predict.html  conclusion, charts and table

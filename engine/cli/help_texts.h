@@ -2,8 +2,10 @@
 
 namespace spoke::cli {
 
-// What --help says below the options: of the program, of each command, and of the exit status.
+// What --help says below the options: of the program, of each command, and of the exit status; the
+// commands that measure write nothing before they are done.
 extern const char* const kStatusText;
+extern const char* const kMeasuringStatusText;
 extern const char* const kRunText;
 extern const char* const kCheckText;
 extern const char* const kCompareText;

@@ -32,10 +32,26 @@ Value value_of(std::string_view name, const std::vector<Value>& values) {
   return *found;
 }
 
+// A scenario may come from a pipe, or change meanwhile: it is read once, and handed to all children
+// on their standard input, behind a line with its length.
+std::string make_input(const ChildTask& task) {
+  return task.scenario.empty() ? "" : fmt::format("{}\n{}", task.text.size(), task.text);
+}
+
+std::string read_input() {
+  std::size_t length = 0;
+  if (!(std::cin >> length) || std::cin.get() != '\n')
+    throw InputError("expected the length of a scenario");
+  std::string text(length, '\0');
+  if (!std::cin.read(text.data(), static_cast<std::streamsize>(length)))
+    throw InputError("the scenario ends early");
+  return text;
+}
+
 Scenario make_scenario(const std::vector<std::string>& words) {
   const Overrides overrides(words.begin() + static_cast<std::ptrdiff_t>(kFixedWords), words.end());
   Scenario scenario =
-      words[1].empty() ? paper_rotor(overrides) : read_scenario(words[1], overrides);
+      words[1].empty() ? paper_rotor(overrides) : parse_scenario(read_input(), words[1], overrides);
   scenario.integration.method = value_of<IntegrationMethod>(
       words[5], {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4});
   scenario.integration.step = std::stod(words[6]);
@@ -126,7 +142,8 @@ compare::Command make_child_command(const ChildTask& task,
        std::string(name_of(task.integration.method)), fmt::format("{}", task.integration.step),
        fmt::format("{}", task.integration.duration), fmt::format("{}", task.window),
        std::string(name_of(task.work))},
-      compare::environment_of(configuration)};
+      compare::environment_of(configuration),
+      make_input(task)};
   command.arguments.insert(command.arguments.end(), task.overrides.begin(), task.overrides.end());
   return command;
 }

@@ -17,6 +17,7 @@ inline constexpr std::string_view kMeasureChild = "measure-child";
 /// What a child simulates.
 struct ChildTask {
   std::string scenario;  ///< file; empty: the paper's rotor, which is built in
+  std::string text;      ///< of that file, which children do not read again
   Overrides overrides;
   Integration integration;  ///< its method, step and duration replace those of the scenario
   int window = 0;           ///< as SimulationOptions::window

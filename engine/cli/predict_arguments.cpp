@@ -40,8 +40,8 @@ void add_predict_options(CLI::App& command, PredictArguments& arguments) {
       ->type_name("N,N,...");
   command
       .add_option("--window", arguments.window,
-                  "Steps that one run of the graph may make, where the motion\n"
-                  "of the hub is prescribed [1]")
+                  "Steps of one run, for all executors alike\n"
+                  "[as in a run: auto chooses, the others take 1 pass]")
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
 }

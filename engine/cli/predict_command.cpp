@@ -2,6 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/progress_line.h"
@@ -12,6 +16,7 @@
 #include "engine/predict/files.h"
 #include "engine/predict/table.h"
 #include "engine/results.h"
+#include "models/text_file.h"
 
 namespace spoke::cli {
 namespace {
@@ -21,50 +26,131 @@ namespace fs = std::filesystem;
 constexpr double kBatchSeconds = 0.05;
 constexpr int kRounds = 15;
 
-/// The simulation whose nodes are timed, which makes the steps of a measured process.
-struct Subject {
-  Simulation simulation;
-  std::int64_t batch = 2;  ///< steps of a round
+/// What a prediction is of.
+struct Task {
+  const Arguments& arguments;
+  std::string text;   ///< of the scenario file
+  Scenario scenario;  ///< with the values in force
 };
 
-Subject make_subject(const Arguments& arguments, const Scenario& scenario) {
-  constexpr std::int64_t kEnoughToProbe = 8192;
-  const SimulationOptions options{.formulation = arguments.options.formulation,
-                                  .executor = ExecutorKind::serial,
-                                  .threads = 1,
-                                  .window = arguments.predict.window};
-  const Simulation given = build_simulation(arguments.scenario, scenario, options);
-  Simulation probe(compare::with_steps(given, kEnoughToProbe), options);
-  const std::int64_t batch = predict::choose_steps(probe, kBatchSeconds);
-  const std::int64_t all = compare::steps_of(batch, kRounds) + arguments.predict.window;
-  return {Simulation(compare::with_steps(given, all), options), batch};
+Task read_task(const Arguments& arguments) {
+  Task task{arguments, read_text(arguments.scenario), {}};
+  task.scenario = parse_scenario(task.text, arguments.scenario, arguments.overrides);
+  if (arguments.integrator) task.scenario.integration.method = *arguments.integrator;
+  return task;
 }
 
-predict::Prediction describe(const Arguments& arguments, const Simulation& simulation) {
+/// A simulation whose nodes are timed while it makes the steps of a measured process.
+struct Subject {
+  Simulation simulation;
+  int window = 1;  ///< steps that a run of its graph makes, about
+};
+
+/// What is timed: the graph that all executors but auto run, and that of the window which auto
+/// chooses, where it is another.
+struct Subjects {
+  std::int64_t batch = 2;  ///< steps of a round
+  Subject all;
+  std::optional<Subject> of_auto = {};
+};
+
+SimulationOptions options_for_all(const Arguments& arguments) {
+  return {.formulation = arguments.options.formulation,
+          .executor = ExecutorKind::serial,
+          .threads = 1,
+          .window = arguments.predict.window};
+}
+
+bool runs_single_passes(const Simulation& simulation) {
+  return simulation.run_graph().node_count() == simulation.step_graph().node_count();
+}
+
+/// None if auto runs the same graph as the others: on one thread, or in a window that was asked
+/// for.
+std::optional<Subject> open_window(const Arguments& arguments, const Scenario& scenario) {
+  const PredictArguments& asked = arguments.predict;
+  if (asked.window > 0 || asked.threads.back() == 1) return {};
+  Subject subject{Simulation(scenario, {.formulation = arguments.options.formulation,
+                                        .executor = ExecutorKind::automatic,
+                                        .threads = 2})};  // their number does not matter to it
+  subject.window = subject.simulation.open_window();
+  if (runs_single_passes(subject.simulation)) return {};
+  return subject;
+}
+
+Subjects make_subjects(const Task& task) {
+  constexpr std::int64_t kEnoughToProbe = 8192;
+  const SimulationOptions options = options_for_all(task.arguments);
+  const Simulation given = build_simulation(task.arguments.scenario, task.scenario, options);
+  Simulation probe(compare::with_steps(given, kEnoughToProbe), options);
+  const std::int64_t batch = predict::choose_steps(probe, kBatchSeconds);
+  const Scenario longer =
+      compare::with_steps(given, compare::steps_of(batch, kRounds) + kEnoughToProbe);
+  return {batch,
+          {Simulation(longer, options), std::max(options.window, 1)},
+          open_window(task.arguments, longer)};
+}
+
+predict::RunGraph describe(const Subject& subject) {
+  const graph::StepGraph& graph = subject.simulation.run_graph();
+  return {.window = subject.window,
+          .is_one_pass = runs_single_passes(subject.simulation),
+          .node_count = graph.node_count(),
+          .edge_count = graph.edge_count()};
+}
+
+predict::Prediction describe(const Arguments& arguments, const Subjects& subjects) {
+  const Simulation& simulation = subjects.all.simulation;
   predict::Prediction prediction{.scenario = simulation.scenario(),
                                  .formulation = arguments.options.formulation};
-  const graph::StepGraph& graph = simulation.run_graph();
-  const bool has_window = &graph != &simulation.step_graph();
-  prediction.window = has_window ? arguments.predict.window : 1;
   prediction.step_size = simulation.step_size();
   prediction.size = simulation.size();
-  prediction.run_nodes = graph.node_count();
-  prediction.run_edges = graph.edge_count();
-  prediction.machine = this_machine();
-  prediction.load_before = load_average();
+  prediction.run = describe(subjects.all);
+  if (subjects.of_auto) prediction.auto_run = describe(*subjects.of_auto);
+  prediction.rounds = kRounds;
   return prediction;
 }
 
-/// The steps that a measured process makes before its first round.
-void warm_up(Subject& subject) {
-  const std::int64_t steps = compare::steps_of(subject.batch, 0);
-  subject.simulation.run_until(static_cast<double>(steps) * subject.simulation.step_size());
+/// The steps that a measured process makes before its first round; on one thread, and by the graph
+/// that is timed.
+void warm_up(Subject& subject, std::int64_t batch) {
+  const std::int64_t steps = compare::steps_of(batch, 0);
+  Simulation& simulation = subject.simulation;
+  while (simulation.steps() < steps)
+    simulation.measure_nodes(std::min(batch, steps - simulation.steps()));
 }
+
+/// Times the nodes of all subjects, over the same steps.
+class SubjectTimer {
+ public:
+  explicit SubjectTimer(Subjects& subjects)
+      : batch_(subjects.batch), all_(subjects.all.simulation) {
+    warm_up(subjects.all, batch_);
+    if (!subjects.of_auto) return;
+    warm_up(*subjects.of_auto, batch_);
+    of_auto_.emplace(subjects.of_auto->simulation, false);
+  }
+
+  void measure() {
+    all_.measure(batch_);
+    if (of_auto_) of_auto_->measure(batch_);
+  }
+  void summarise(predict::Prediction& prediction) const {
+    prediction.run.nodes = all_.summarise();
+    if (of_auto_) prediction.auto_run->nodes = of_auto_->summarise();
+  }
+
+ private:
+  std::int64_t batch_;
+  predict::NodeTimer all_;
+  std::optional<predict::NodeTimer> of_auto_;
+};
 
 /// Executors on the numbers of threads that this machine has, in child processes; in the same
 /// rounds the nodes, over the same steps.
-std::vector<compare::Measurement> measure(const Arguments& arguments, Subject& subject,
-                                          predict::NodeTimer& timer, int cores) {
+std::vector<compare::Measurement> measure(const Task& task, const Subjects& subjects,
+                                          SubjectTimer& timer, int cores) {
+  const Arguments& arguments = task.arguments;
   compare::Axes axes{.formulations = {arguments.options.formulation},
                      .executors = predict::predictable_executors(),
                      .threads = {},
@@ -73,22 +159,25 @@ std::vector<compare::Measurement> measure(const Arguments& arguments, Subject& s
   for (const int threads : arguments.predict.threads)
     if (threads <= cores) axes.threads.emplace_back(threads);
   if (axes.threads.empty()) axes.executors.clear();  // leaves serial
-  const Scenario& scenario = subject.simulation.scenario();
+  const Scenario& scenario = subjects.all.simulation.scenario();
   const auto configurations =
       compare::make_configurations(axes, static_cast<int>(scenario.rotor.blades.size()), cores);
-  const ChildTask task{arguments.scenario, arguments.overrides, scenario.integration,
-                       arguments.predict.window};
+  const ChildTask child{.scenario = arguments.scenario,
+                        .text = task.text,
+                        .overrides = arguments.overrides,
+                        .integration = scenario.integration,
+                        .window = arguments.predict.window};
   return compare::measure(
       configurations,
       [&](const compare::Configuration& configuration) {
-        return make_child_command(task, configuration);
+        return make_child_command(child, configuration);
       },
-      [&](Formulation) { return subject.batch; },
+      [&](Formulation) { return subjects.batch; },
       {.rounds = kRounds, .most_seconds = std::max(1.5, 4.0 * kBatchSeconds * kRounds)},
       show_progress,
       [&] {
         show_progress("timing nodes");
-        timer.measure(subject.batch);
+        timer.measure();
       });
 }
 
@@ -110,23 +199,27 @@ void print(const predict::Prediction& prediction, const fs::path& folder) {
 }  // namespace
 
 int predict(const Arguments& arguments) {
-  Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
-  if (arguments.integrator) scenario.integration.method = *arguments.integrator;
-  const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "predict"
-                                                : fs::path(arguments.out);
+  const Task task = read_task(arguments);
+  const fs::path folder = arguments.out.empty()
+                              ? fs::path("results") / task.scenario.name / "predict"
+                              : fs::path(arguments.out);
   demand_folder(folder);
+  const Machine machine = this_machine();
+  const double load_before = load_average();
   show_progress("warming up: nodes");
-  Subject subject = make_subject(arguments, scenario);
-  predict::Prediction prediction = describe(arguments, subject.simulation);
-  warm_up(subject);
-  predict::NodeTimer timer(subject.simulation);
-  const auto measurements = measure(arguments, subject, timer, prediction.machine.cores);
-  prediction.rounds = kRounds;
-  prediction.nodes = timer.summarise();
+  Subjects subjects = make_subjects(task);
+  predict::Prediction prediction = describe(arguments, subjects);
+  prediction.machine = machine;
+  prediction.load_before = load_before;
+  SubjectTimer timer(subjects);
+  const auto measurements = measure(task, subjects, timer, machine.cores);
+  timer.summarise(prediction);
   prediction.runtime = graph::runtime_costs();
   prediction.load_after = load_average();
   show_progress("predicting");
-  predict::predict(prediction, subject.simulation.run_graph(), arguments.predict.threads);
+  const auto& of_auto = subjects.of_auto;
+  predict::predict(prediction, subjects.all.simulation.run_graph(),
+                   of_auto ? &of_auto->simulation.run_graph() : nullptr, arguments.predict.threads);
   predict::add_measured(prediction, measurements);
   show_progress("");
   write(prediction, folder);

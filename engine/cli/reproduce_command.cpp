@@ -73,7 +73,8 @@ compare::BatchSize probe_batches(const Reproduction& all, const Effort& effort) 
 
 void measure(Work work, const Integration& integration, const compare::BatchSize& batch_size,
              const Effort& effort, Reproduction& all) {
-  const ChildTask task{.scenario = "", .overrides = {}, .integration = integration, .work = work};
+  const ChildTask task{
+      .scenario = "", .text = "", .overrides = {}, .integration = integration, .work = work};
   all.timings.set(work,
                   compare::measure(
                       configurations_of(work),

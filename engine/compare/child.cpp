@@ -61,10 +61,12 @@ Child::Child(const Command& command) {
   const int error = errno;
   close(ends[1]);
   socket_ = ends[0];
-  if (process_ > 0) return;
-  close(socket_);
-  errno = error;
-  fail("fork");
+  if (process_ < 0) {
+    close(socket_);
+    errno = error;
+    fail("fork");
+  }
+  send_text(command.input);
 }
 
 Child::~Child() {
@@ -80,8 +82,9 @@ void Child::reap(int options) {
   if (changed < 0 || (changed > 0 && !WIFSTOPPED(status))) process_ = -1;
 }
 
-void Child::send(const std::string& line) {
-  const std::string text = line + '\n';
+void Child::send(const std::string& line) { send_text(line + '\n'); }
+
+void Child::send_text(const std::string& text) {
   std::size_t sent = 0;
   while (sent < text.size()) {
     const ssize_t count = ::send(socket_, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);

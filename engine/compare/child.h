@@ -12,6 +12,7 @@ struct Command {
   std::string program;                   ///< path of the executable file
   std::vector<std::string> arguments;    ///< behind the program's name
   std::vector<std::string> environment;  ///< all of it, as "NAME=value"
+  std::string input = {};                ///< what it finds on its standard input at first
 };
 
 /// What came from a child.
@@ -48,6 +49,7 @@ class Child {
 
  private:
   void reap(int options);
+  void send_text(const std::string& text);
 
   pid_t process_ = -1;  ///< -1 once it has ended
   int socket_ = -1;

@@ -8,8 +8,6 @@
 namespace spoke::compare {
 namespace {
 
-constexpr double kBusy = 0.5;  // load average from which a machine is not idle
-
 std::string speedup_text(const Result& result) {
   return fmt::format("{:.2f} times serial's speed (quartiles {:.2f} to {:.2f})",
                      result.figures->speedup, result.figures->speedup_low,
@@ -82,6 +80,10 @@ long count(const Comparison& comparison, const std::function<bool(const Result&)
 }
 
 std::string describe_bits(const Comparison& comparison) {
+  const long others = count(comparison, [](const Result& result) {
+    return !is_serial(result) && !result.measurement.hashes.empty();
+  });
+  if (others == 0) return "";
   const long unequal = count(comparison, [](const Result& result) {
     return !result.measurement.hashes.empty() && !result.hash_equal;
   });
@@ -115,7 +117,7 @@ std::string describe_oversubscribed(const Comparison& comparison) {
 
 /// What comes first if it makes all the rest doubtful.
 std::string describe_disturbance(const Comparison& comparison) {
-  if (comparison.loads.before < kBusy) return "";
+  if (!is_busy(comparison.loads.before, comparison.machine.cores)) return "";
   return fmt::format(
       "Other work was running (load average {:.2f} at the start): times are too long, ratios may "
       "be "

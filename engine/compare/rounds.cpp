@@ -116,6 +116,13 @@ void take_turn(Contender& contender, int round, const Effort& effort) {
   contender.measurement.step_times.push_back(step);
 }
 
+/// Nothing can be said without the serial one.
+void demand_reference(const Contender& contender) {
+  if (!is_serial(contender) || contender.takes_part()) return;
+  if (!contender.measurement.step_times.empty()) return;
+  throw InputError("serial could not be measured: " + contender.measurement.message);
+}
+
 std::string full_name(const Configuration& configuration) {
   return std::string(name_of(configuration.formulation)) + ", " + name_of(configuration);
 }
@@ -130,6 +137,7 @@ std::vector<Contender> start_all(const std::vector<Configuration>& configuration
     contender.measurement.configuration = configuration;
     contender.batch = batch_size(configuration.formulation);
     start(contender, make_command(configuration), effort);
+    demand_reference(contender);
   }
   return contenders;
 }
@@ -170,6 +178,7 @@ std::vector<Measurement> measure(const std::vector<Configuration>& configuration
       progress("round " + std::to_string(round + 1) + " of " + std::to_string(effort.rounds) +
                ": " + full_name(contender.measurement.configuration));
       take_turn(contender, round, effort);
+      demand_reference(contender);
     }
   }
   progress("");

@@ -61,7 +61,8 @@ using Progress = std::function<void(const std::string&)>;
 using BeforeRound = std::function<void()>;
 
 /// Precondition: configurations as by make_configurations(). Throws DivergenceError if a
-/// process says that the scenario diverged, and what `before_round` throws.
+/// process says that the scenario diverged, InputError if a serial one leaves without a sample, and
+/// what `before_round` throws.
 std::vector<Measurement> measure(const std::vector<Configuration>& configurations,
                                  const MakeCommand& make_command, const BatchSize& batch_size,
                                  const Effort& effort, const Progress& progress,

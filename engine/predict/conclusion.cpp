@@ -10,7 +10,6 @@
 namespace spoke::predict {
 namespace {
 
-constexpr double kBusy = 0.5;    // load average from which a machine is not idle
 constexpr double kEqual = 1.03;  // ratio of times up to which two executors are equally good
 constexpr double kPays = 1.05;   // gain below which more threads do not pay
 
@@ -36,7 +35,7 @@ std::string threads_text(int threads) {
 }
 
 std::string describe_disturbance(const Prediction& prediction) {
-  if (prediction.load_before < kBusy) return "";
+  if (!is_busy(prediction.load_before, prediction.machine.cores)) return "";
   return fmt::format(
       "Other work was running (load average {:.2f} at the start): costs of nodes and runtimes are "
       "too high, measured times too long, and none of what follows is certain until it is repeated "
@@ -44,11 +43,19 @@ std::string describe_disturbance(const Prediction& prediction) {
       prediction.load_before);
 }
 
-std::string describe_bound(const Prediction& prediction) {
+/// What no executor that runs this graph can beat.
+std::string bound_text(const RunGraph& run, const char* whose) {
   return fmt::format(
-      "A step is {} of work, {} of it on the costliest path: whatever the number of threads, no "
-      "executor is more than {:.1f} times as fast as one thread.",
-      duration_text(prediction.work), duration_text(prediction.span), prediction.parallelism());
+      "In {}{}, a step is {} of work, {} of it on the costliest path, and whatever the number of "
+      "threads no executor is then more than {:.1f} times as fast as one thread.",
+      describe_runs(run), whose, duration_text(run.work), duration_text(run.span),
+      run.parallelism());
+}
+
+std::string describe_bound(const Prediction& prediction) {
+  if (!prediction.auto_run) return bound_text(prediction.run, "");
+  return bound_text(prediction.run, ", which all but auto make") + ' ' +
+         bound_text(*prediction.auto_run, ", which auto makes");
 }
 
 std::string describe_limit(const Prediction& prediction) {
@@ -61,10 +68,11 @@ std::string describe_limit(const Prediction& prediction) {
         "More threads do not pay: auto runs serially, or gains less than a "
         "twentieth, on up to {}.",
         threads_text(most.threads));
-  const std::string gain = fmt::format("auto, {:.2f} times serial's speed on {} ({:.2f} to {:.2f})",
-                                       prediction.speedup(last), threads_text(last.threads),
-                                       prediction.serial.step.expected / last.step.pessimistic,
-                                       prediction.serial.step.expected / last.step.optimistic);
+  const std::string gain = fmt::format(
+      "auto, in {}, {:.2f} times serial's speed on {} ({:.2f} to {:.2f})",
+      describe_runs(prediction.auto_run.value_or(prediction.run)), prediction.speedup(last),
+      threads_text(last.threads), prediction.serial.step.expected / last.step.pessimistic,
+      prediction.serial.step.expected / last.step.optimistic);
   if (&last == &most)
     return fmt::format("More threads pay up to the {} looked at: {}.", most.threads, gain);
   return fmt::format("More threads stop paying at {}: {}; {} give {:.2f}.", last.threads, gain,
@@ -117,12 +125,23 @@ std::string describe_errors(const Prediction& prediction) {
       points, 100.0 * largest, prediction.machine.cores);
 }
 
+/// Which executors of the build there are no predictions of.
+std::string describe_left_out() {
+  std::vector<std::string_view> names;
+  for (const ExecutorKind kind : left_out_executors()) names.push_back(graph::name_of(kind));
+  if (names.empty()) return "";
+  return fmt::format(
+      "Not predicted: {}, since what it costs to start and end nested teams is not calibrated; of "
+      "OpenMP there is openmp_levels.",
+      fmt::join(names, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> make_conclusions(const Prediction& prediction) {
   std::vector<std::string> parts{describe_disturbance(prediction), describe_bound(prediction),
-                                 describe_limit(prediction), describe_levels(prediction),
-                                 describe_errors(prediction)};
+                                 describe_limit(prediction),       describe_levels(prediction),
+                                 describe_errors(prediction),      describe_left_out()};
   std::erase(parts, "");
   return parts;
 }

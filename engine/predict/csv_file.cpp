@@ -7,16 +7,16 @@ namespace {
 
 constexpr const char* kHeader =
     "executor,threads,predicted_s,optimistic_s,pessimistic_s,predicted_speedup,clusters,"
-    "measured_s,measured_speedup,error\n";
+    "measured_s,measured_speedup,error,window_steps\n";
 
 std::string row_of(const Prediction& prediction, ExecutorKind executor, const Point& point) {
   const std::string measured = point.measured
                                    ? fmt::format("{},{},{}", point.measured->step.median,
                                                  point.measured->speedup.median, *point.error())
                                    : ",,";
-  return fmt::format("{},{},{},{},{},{},{},{}\n", graph::name_of(executor), point.threads,
+  return fmt::format("{},{},{},{},{},{},{},{},{}\n", graph::name_of(executor), point.threads,
                      point.step.expected, point.step.optimistic, point.step.pessimistic,
-                     prediction.speedup(point), point.step.clusters, measured);
+                     prediction.speedup(point), point.step.clusters, measured, point.window);
 }
 
 }  // namespace

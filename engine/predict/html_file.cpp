@@ -73,9 +73,12 @@ report::LineChart speedup_chart(const Prediction& prediction) {
     chart.series.push_back(predicted_line(prediction, series));
   chart.series.push_back(
       bound_line("as many as threads", prediction, [](double threads) { return threads; }));
-  chart.series.push_back(bound_line("T1 / max(T1/P, Tinf)", prediction, [&](double threads) {
-    return std::min(threads, prediction.parallelism());
-  }));
+  const auto add_bound = [&](const char* name, const RunGraph& run) {
+    chart.series.push_back(bound_line(
+        name, prediction, [&run](double threads) { return std::min(threads, run.parallelism()); }));
+  };
+  add_bound("T1 / max(T1/P, Tinf)", prediction.run);
+  if (prediction.auto_run) add_bound("the same, auto's window", *prediction.auto_run);
   for (std::size_t s = 0; s < prediction.series.size(); ++s) {
     report::LineSeries measured = measured_points(prediction.series[s], s);
     if (!measured.points.empty()) chart.series.push_back(std::move(measured));
@@ -125,9 +128,10 @@ void add_facts(report::Page& page, const Prediction& prediction) {
 
 constexpr const char* kMethod =
     "The nodes of the step graph were timed one by one on one thread while it made real steps, "
-    "the same ones as the measured processes and in the same rounds. A simulator then runs the "
-    "graph on "
-    "any number of processors equal to this one: flow_graph and auto by work stealing, as oneTBB "
+    "the same ones as the measured processes and in the same rounds: of the graph of one pass, and "
+    "of that of the window of steps which auto chooses in a run, or of one window for all if that "
+    "was asked for. A simulator then runs the graph on any number of processors equal to this one: "
+    "flow_graph and auto by work stealing, as oneTBB "
     "does it, with the calibrated costs of starting a cluster, alone or while other threads do, "
     "and of handing it to another processor; openmp_levels level by level, the costliest thread "
     "of each and a barrier. A node waits for declared data that another processor wrote last: "

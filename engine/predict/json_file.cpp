@@ -32,12 +32,12 @@ Json describe_model(const Prediction& prediction) {
   return {{"formulation", name_of(prediction.formulation)},
           {"integrator", name_of(prediction.scenario.integration.method)},
           {"step_size_s", prediction.step_size},
-          {"window_steps", prediction.window},
+          {"window_steps", prediction.run.window},
           {"subsystems", prediction.size.subsystems},
           {"bodies", prediction.size.bodies},
           {"coordinates", prediction.size.coordinates},
-          {"run_nodes", prediction.run_nodes},
-          {"run_edges", prediction.run_edges},
+          {"run_nodes", prediction.run.node_count},
+          {"run_edges", prediction.run.edge_count},
           {"memory_bytes", prediction.size.memory_bytes}};
 }
 
@@ -50,17 +50,37 @@ Json describe_nodes(const Nodes& nodes) {
           {"level_costs_s", nodes.level_costs.empty() ? Json(nullptr) : Json(nodes.level_costs)}};
 }
 
+Json describe_window(const RunGraph& run) {
+  return {{"window_steps", run.window},
+          {"run_nodes", run.node_count},
+          {"run_edges", run.edge_count},
+          {"nodes", describe_nodes(run.nodes)},
+          {"work_s", run.work},
+          {"span_s", run.span},
+          {"parallelism", run.parallelism()}};
+}
+
 Json describe_point(const Prediction& prediction, ExecutorKind executor, const Point& point) {
-  Json json{
-      {"executor", graph::name_of(executor)},    {"threads", point.threads},
-      {"predicted_s", point.step.expected},      {"optimistic_s", point.step.optimistic},
-      {"pessimistic_s", point.step.pessimistic}, {"predicted_speedup", prediction.speedup(point)},
-      {"clusters", point.step.clusters},         {"measured", nullptr}};
+  Json json{{"executor", graph::name_of(executor)},
+            {"threads", point.threads},
+            {"predicted_s", point.step.expected},
+            {"optimistic_s", point.step.optimistic},
+            {"pessimistic_s", point.step.pessimistic},
+            {"predicted_speedup", prediction.speedup(point)},
+            {"clusters", point.step.clusters},
+            {"window_steps", point.window},
+            {"measured", nullptr}};
   if (point.measured)
     json["measured"] = {{"step_quartiles_s", describe(point.measured->step)},
                         {"speedup_quartiles", describe(point.measured->speedup)},
                         {"error", *point.error()}};
   return json;
+}
+
+Json list_left_out() {
+  Json names = Json::array();
+  for (const ExecutorKind kind : left_out_executors()) names.push_back(graph::name_of(kind));
+  return names;
 }
 
 }  // namespace
@@ -71,22 +91,25 @@ std::string make_json(const Prediction& prediction) {
   for (const Series& series : prediction.series)
     for (const Point& point : series.points)
       points.push_back(describe_point(prediction, series.executor, point));
-  const Json json{{"version", SPOKE_VERSION},
-                  {"kind", "predict"},
-                  {"conclusion", make_conclusion(prediction)},
-                  {"scenario", Json::parse(prediction.scenario.to_json())},
-                  {"machine", describe_machine(prediction.machine)},
-                  {"load_average",
-                   {{"before", load_or_null(prediction.load_before)},
-                    {"after", load_or_null(prediction.load_after)}}},
-                  {"model", describe_model(prediction)},
-                  {"runtime_costs", describe_runtime(prediction.runtime)},
-                  {"nodes", describe_nodes(prediction.nodes)},
-                  {"work_s", prediction.work},
-                  {"span_s", prediction.span},
-                  {"parallelism", prediction.parallelism()},
-                  {"rounds", prediction.rounds},
-                  {"points", points}};
+  const Json json{
+      {"version", SPOKE_VERSION},
+      {"kind", "predict"},
+      {"conclusion", make_conclusion(prediction)},
+      {"scenario", Json::parse(prediction.scenario.to_json())},
+      {"machine", describe_machine(prediction.machine)},
+      {"load_average",
+       {{"before", load_or_null(prediction.load_before)},
+        {"after", load_or_null(prediction.load_after)}}},
+      {"model", describe_model(prediction)},
+      {"runtime_costs", describe_runtime(prediction.runtime)},
+      {"nodes", describe_nodes(prediction.run.nodes)},
+      {"work_s", prediction.run.work},
+      {"span_s", prediction.run.span},
+      {"parallelism", prediction.run.parallelism()},
+      {"auto_window", prediction.auto_run ? describe_window(*prediction.auto_run) : Json(nullptr)},
+      {"not_predicted", list_left_out()},
+      {"rounds", prediction.rounds},
+      {"points", points}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -46,7 +46,7 @@ std::int64_t choose_steps(Simulation& simulation, double seconds) {
 }
 
 void NodeTimer::measure(std::int64_t steps) {
-  const std::int64_t by_levels = graph::has_executor(ExecutorKind::openmp_levels) ? steps / 2 : 0;
+  const std::int64_t by_levels = by_levels_ ? steps / 2 : 0;
   serial_.push_back(simulation_.measure_nodes(steps - by_levels));
   if (by_levels > 0)
     levels_.push_back(simulation_.measure_nodes(by_levels, graph::NodeOrder::levels));

@@ -24,7 +24,10 @@ std::int64_t choose_steps(Simulation& simulation, double seconds);
 /// Times the nodes of one simulation, in each order that an executor to be predicted runs them.
 class NodeTimer {
  public:
-  explicit NodeTimer(Simulation& simulation) : simulation_(simulation) {}
+  /// `by_levels`: whether openmp_levels, if this build has it, is among them.
+  explicit NodeTimer(Simulation& simulation, bool by_levels = true)
+      : simulation_(simulation),
+        by_levels_(by_levels && graph::has_executor(ExecutorKind::openmp_levels)) {}
 
   /// Makes that many steps, at least 2, an equal share of them in each order.
   void measure(std::int64_t steps);
@@ -33,6 +36,7 @@ class NodeTimer {
 
  private:
   Simulation& simulation_;
+  bool by_levels_;
   std::vector<NodeMeasurement> serial_, levels_;
   std::int64_t steps_ = 0;
 };

@@ -1,5 +1,7 @@
 #include "engine/predict/prediction.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 
 #include "engine/compare/statistics.h"
@@ -19,6 +21,33 @@ graph::PredictedRun per_step(graph::PredictedRun run, const NodeMeasurement& nod
   return run;
 }
 
+/// Predicts steps that are made by runs of one graph.
+class StepPredictor {
+ public:
+  StepPredictor(RunGraph& run, const graph::StepGraph& graph, const graph::RuntimeCosts& runtime)
+      : run_(run), predictor_(graph, run.nodes.costs(), runtime, run.nodes.spread) {
+    run.work = run.nodes.serial.runs_per_step * predictor_.work();
+    run.span = run.nodes.serial.runs_per_step * predictor_.span();
+  }
+
+  bool can_predict(ExecutorKind kind) const { return predictor_.can_predict(kind); }
+  Point predict(ExecutorKind kind, int threads) const {
+    return {threads, run_.window, per_step(predictor_.predict(kind, threads), run_.nodes.serial)};
+  }
+
+ private:
+  const RunGraph& run_;
+  graph::RunPredictor predictor_;
+};
+
+/// Whether auto runs all nodes of the graph on one thread; it then leaves a window that it chose.
+bool is_serial(const Point& point) { return point.step.clusters == 1; }
+
+bool is_predictable(ExecutorKind kind) {
+  return kind == ExecutorKind::flow_graph || kind == ExecutorKind::automatic ||
+         kind == ExecutorKind::openmp_levels;
+}
+
 Point* find_point(Prediction& prediction, const compare::Configuration& configuration) {
   if (configuration.executor == ExecutorKind::serial) return &prediction.serial;
   for (Series& series : prediction.series)
@@ -30,6 +59,11 @@ Point* find_point(Prediction& prediction, const compare::Configuration& configur
 
 }  // namespace
 
+std::string describe_runs(const RunGraph& run) {
+  if (run.window > 1) return fmt::format("windows of {} steps", run.window);
+  return run.is_one_pass ? "runs of one pass" : "runs of some passes";
+}
+
 std::optional<double> Point::error() const {
   if (!measured) return {};
   return step.expected / measured->step.median - 1.0;
@@ -38,25 +72,35 @@ std::optional<double> Point::error() const {
 std::vector<ExecutorKind> predictable_executors() {
   std::vector<ExecutorKind> kinds;
   for (const ExecutorKind kind : graph::executor_kinds())
-    if (kind == ExecutorKind::flow_graph || kind == ExecutorKind::automatic ||
-        kind == ExecutorKind::openmp_levels)
-      kinds.push_back(kind);
+    if (is_predictable(kind)) kinds.push_back(kind);
+  return kinds;
+}
+
+std::vector<ExecutorKind> left_out_executors() {
+  std::vector<ExecutorKind> kinds;
+  for (const ExecutorKind kind : graph::executor_kinds())
+    if (kind != ExecutorKind::serial && !is_predictable(kind)) kinds.push_back(kind);
   return kinds;
 }
 
 void predict(Prediction& prediction, const graph::StepGraph& graph,
-             const std::vector<int>& threads) {
-  const NodeMeasurement& nodes = prediction.nodes.serial;
-  const graph::RunPredictor predictor(graph, prediction.nodes.costs(), prediction.runtime,
-                                      prediction.nodes.spread);
-  prediction.work = nodes.runs_per_step * predictor.work();
-  prediction.span = nodes.runs_per_step * predictor.span();
-  prediction.serial = {1, per_step(predictor.predict(ExecutorKind::serial, 1), nodes), {}};
+             const graph::StepGraph* auto_graph, const std::vector<int>& threads) {
+  const StepPredictor predictor(prediction.run, graph, prediction.runtime);
+  std::optional<StepPredictor> of_auto;
+  if (auto_graph != nullptr) of_auto.emplace(*prediction.auto_run, *auto_graph, prediction.runtime);
+  prediction.serial = predictor.predict(ExecutorKind::serial, 1);
   for (const ExecutorKind kind : predictable_executors()) {
     if (!predictor.can_predict(kind)) continue;
     Series& series = prediction.series.emplace_back(Series{kind, {}});
-    for (const int count : threads)
-      series.points.push_back({count, per_step(predictor.predict(kind, count), nodes), {}});
+    for (const int count : threads) {
+      const bool in_window = kind == ExecutorKind::automatic && of_auto && count > 1;
+      Point point = (in_window ? *of_auto : predictor).predict(kind, count);
+      if (in_window && is_serial(point)) {
+        point = prediction.serial;
+        point.threads = count;
+      }
+      series.points.push_back(std::move(point));
+    }
   }
 }
 

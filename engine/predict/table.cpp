@@ -15,6 +15,7 @@ report::Row row_of(const Prediction& prediction, ExecutorKind executor, const Po
   std::vector<std::string> cells{
       std::string(graph::name_of(executor)),
       std::to_string(point.threads),
+      std::to_string(point.window),
       microseconds(point.step.expected),
       microseconds(point.step.optimistic) + "-" + microseconds(point.step.pessimistic),
       fmt::format("{:.2f}", prediction.speedup(point)),
@@ -29,6 +30,21 @@ report::Row row_of(const Prediction& prediction, ExecutorKind executor, const Po
   return {std::move(cells)};
 }
 
+/// A graph, what a step by it takes and what its nodes cost; `whose`: a run's, auto's.
+void add_run(const RunGraph& run, const std::string& whose, std::vector<report::Fact>& facts) {
+  const NodeMeasurement& nodes = run.nodes.serial;
+  facts.emplace_back("graph of " + whose, fmt::format("{} nodes, {} edges, for {}", run.node_count,
+                                                      run.edge_count, describe_runs(run)));
+  facts.emplace_back("a step", fmt::format("{:.4g} runs; T1 = {}, Tinf = {}, T1 / Tinf = {:.2f}",
+                                           nodes.runs_per_step, duration_text(run.work),
+                                           duration_text(run.span), run.parallelism()));
+  facts.emplace_back("nodes",
+                     fmt::format("timed in {} steps, spread {:.3f} to {:.3f}, {} between "
+                                 "two runs",
+                                 run.nodes.steps, run.nodes.spread.low, run.nodes.spread.high,
+                                 duration_text(nodes.between_runs)));
+}
+
 }  // namespace
 
 report::Table make_table(const Prediction& prediction) {
@@ -36,6 +52,7 @@ report::Table make_table(const Prediction& prediction) {
   report::Table table{"Predicted and measured time per step",
                       {{"executor"},
                        {"threads", Align::number},
+                       {"window", Align::number},
                        {"predicted [us]", Align::number},
                        {"band [us]", Align::number},
                        {"speedup", Align::number},
@@ -51,29 +68,21 @@ report::Table make_table(const Prediction& prediction) {
 }
 
 std::vector<report::Fact> make_facts(const Prediction& prediction) {
-  const NodeMeasurement& nodes = prediction.nodes.serial;
   const graph::RuntimeCosts& runtime = prediction.runtime;
   const auto& flow_graph = runtime.flow_graph;
   std::vector<report::Fact> facts{
       {"solved by",
        fmt::format("{}, {}, step {:.6g} s", name_of(prediction.formulation),
-                   name_of(prediction.scenario.integration.method), prediction.step_size)},
-      {"graph of a run",
-       fmt::format("{} nodes, {} edges, {}", prediction.run_nodes, prediction.run_edges,
-                   prediction.window > 1 ? fmt::format("window of {} steps", prediction.window)
-                                         : std::string("one pass"))},
-      {"a step", fmt::format("{:.4g} runs; T1 = {}, Tinf = {}, T1 / Tinf = {:.2f}",
-                             nodes.runs_per_step, duration_text(prediction.work),
-                             duration_text(prediction.span), prediction.parallelism())},
-      {"nodes", fmt::format("timed in {} steps, spread {:.3f} to {:.3f}, {} between two runs",
-                            prediction.nodes.steps, prediction.nodes.spread.low,
-                            prediction.nodes.spread.high, duration_text(nodes.between_runs))},
-      {"flow graph",
-       fmt::format("{} a cluster and {} more after one of another thread, {} a handover, {} a run "
-                   "of one thread, {} of several",
-                   duration_text(flow_graph.per_cluster), duration_text(flow_graph.contention),
-                   duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run),
-                   duration_text(runtime.flow_graph_run_among_threads))}};
+                   name_of(prediction.scenario.integration.method), prediction.step_size)}};
+  add_run(prediction.run, "a run", facts);
+  if (prediction.auto_run) add_run(*prediction.auto_run, "auto", facts);
+  facts.emplace_back(
+      "flow graph",
+      fmt::format("{} a cluster and {} more after one of another thread, {} a handover, {} a run "
+                  "of one thread, {} of several",
+                  duration_text(flow_graph.per_cluster), duration_text(flow_graph.contention),
+                  duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run),
+                  duration_text(runtime.flow_graph_run_among_threads)));
   facts.emplace_back(
       "data",
       fmt::format("{} and {:.3g} ns a byte, if another processor wrote it last",

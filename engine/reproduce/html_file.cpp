@@ -78,15 +78,16 @@ void add_methods(Page& page, const Reproduction& all) {
 
 void add_method_of_measurement(Page& page) {
   page.add_heading("How this was measured");
-  page.add_paragraph(
-      "Every configuration runs in a process of its own. After two untimed batches come rounds; in "
-      "each, every process runs one batch of steps while all others are halted. Times are medians "
-      "over the rounds, speedups and ratios are medians of ratios within a round, so that a "
-      "quotient of "
-      "two medians may differ from them. The thread "
-      "figures use the formulation subsystem, whose dense blocks are the paper's. The paper does "
-      "not print its integrator or its step; an explicit one is what its small steps suggest, here "
-      "rk4 with four evaluations a step, so compare ratios, not milliseconds.");
+  page.add_paragraph(fmt::format(
+      "Every configuration runs in a process of its own. After {} trials of a quarter of a batch "
+      "and {} untimed batches, or fewer of what is slow, come rounds; in each, every process runs "
+      "one batch of steps while "
+      "all others are halted. Times are medians over the rounds, speedups and ratios are medians "
+      "of ratios within a round, so that a quotient of two medians may differ from them. The "
+      "thread figures use the formulation subsystem, whose dense blocks are the paper's. The paper "
+      "does not print its integrator or its step; an explicit one is what its small steps suggest, "
+      "here rk4 with four evaluations a step, so compare ratios, not milliseconds.",
+      compare::kTrials, compare::kWarmUpBatches));
   page.add_paragraph(
       "The paper: J.-B. Han, H. Song and S.-S. Kim, Study on Parallel Processing for Efficient "
       "Flexible Multibody Analysis based on Subsystem Synthesis Method, Trans. Korean Soc. Mech. "

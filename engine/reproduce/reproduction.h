@@ -31,7 +31,7 @@ struct Reproduction {
 
 /// Whether other programs took the processors, so that small differences mean nothing.
 inline bool is_disturbed(const Reproduction& all) {
-  return all.loads.before > 0.5 * all.machine.cores;
+  return is_busy(all.loads.before, all.machine.cores);
 }
 
 }  // namespace spoke::reproduce

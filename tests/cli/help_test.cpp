@@ -85,11 +85,22 @@ TEST_CASE("check --help names its options and output") {
                              "Exit status:", "Example:"});
 }
 
+TEST_CASE("commands that write at their end promise no results of what was ended") {
+  const WorkFolder folder;
+  for (const char* command : {"compare", "predict", "reproduce"}) {
+    CAPTURE(command);
+    const std::string help = run_spoke({command, "--help"}, folder).out;
+    check_contains(help, {"Exit status:", "the simulation diverged; nothing is written"});
+    CHECK(help.find("results so far") == std::string::npos);
+  }
+}
+
 TEST_CASE("no line of help is wider than 100 columns") {
   const WorkFolder folder;
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"run", "--help"},
                                                     {"check", "--help"},
+                                                    {"compare", "--help"},
                                                     {"predict", "--help"},
                                                     {"trace", "--help"},
                                                     {"reproduce", "--help"}}) {

@@ -75,6 +75,30 @@ TEST_CASE("predict prints a table and a conclusion and writes its files") {
   CHECK(page.find("T1 / max(T1/P, Tinf)") != std::string::npos);
 }
 
+TEST_CASE("predict takes auto in the window that it has in a run") {
+  const WorkFolder folder;
+  // Three blades of four bodies of four elements; as from a pipe, which can be read only once.
+  const Ended ended = run_spoke({"predict", "/dev/stdin", "--threads", "1,2", "--out", "o"}, folder,
+                                "", shipped("wu_haug_rotor"));
+  CAPTURE(ended.err);
+  CHECK(ended.status == 0);
+  const json all = json::parse(read_file(folder.path() / "o" / "predict.json"));
+  CHECK(all["model"]["window_steps"] == 1);
+  const json& window = all["auto_window"];
+  REQUIRE(window.is_object());
+  const int steps = window["window_steps"].get<int>();
+  CHECK(steps > 1);
+  CHECK(window["nodes"]["costs_s"].size() == window["run_nodes"].get<std::size_t>());
+  CHECK(ended.out.find("for windows of " + std::to_string(steps) + " steps") != std::string::npos);
+  for (const json& point : all["points"]) {
+    CAPTURE(point.dump());
+    const bool in_window = point["executor"] == "auto" && point["threads"] == 2;
+    CHECK(point["window_steps"] == (in_window ? steps : 1));
+    // By T1 of the same graph: that of the other one was timed at other moments.
+    if (in_window) CHECK(window["work_s"].get<double>() / point["predicted_s"].get<double>() > 1.3);
+  }
+}
+
 TEST_CASE("predict of a window of steps") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"predict", shipped("wu_haug_rotor"), "--set", "blade.bodies=1",
@@ -83,6 +107,8 @@ TEST_CASE("predict of a window of steps") {
   CHECK(ended.status == 0);
   const json all = json::parse(read_file(folder.path() / "o" / "predict.json"));
   CHECK(all["model"]["window_steps"] == 4);
+  CHECK(all["auto_window"].is_null());
+  for (const json& point : all["points"]) CHECK(point["window_steps"] == 4);
   CHECK(all["nodes"]["runs_per_step"].get<double>() < 1.0);
   CHECK(all["parallelism"].get<double>() > 2.0);  // three blades that need not wait
   check_points(all);

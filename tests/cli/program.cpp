@@ -42,13 +42,13 @@ fs::path WorkFolder::write(const std::string& name, const std::string& text) con
 }
 
 Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
-                const std::string& before) {
+                const std::string& before, const std::string& input) {
   const WorkFolder texts;
   std::string command =
       "cd " + quoted(folder.path().string()) + " && " + before + ' ' + quoted(SPOKE_PROGRAM);
   for (const std::string& argument : arguments) command += ' ' + quoted(argument);
   command += " >" + quoted((texts.path() / "out").string()) + " 2>" +
-             quoted((texts.path() / "err").string()) + " </dev/null";
+             quoted((texts.path() / "err").string()) + " <" + quoted(input);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(texts.path() / "out"),
           read_file(texts.path() / "err")};

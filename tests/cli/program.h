@@ -31,9 +31,10 @@ struct Ended {
 };
 
 /// Runs spoke with the folder as working directory. Its outputs are no terminals. `before`: what
-/// the shell reads before the program's name, such as "env A=b" or "ulimit -v 1000000;".
+/// the shell reads before the program's name, such as "env A=b" or "ulimit -v 1000000;"; `input`:
+/// the file on its standard input.
 Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
-                const std::string& before = "");
+                const std::string& before = "", const std::string& input = "/dev/null");
 
 /// The path of a shipped scenario.
 std::string shipped(const std::string& name);

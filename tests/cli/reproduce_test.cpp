@@ -59,6 +59,9 @@ TEST_CASE("reproduce --quick writes a page and a file of everything, from any fo
   for (const char* heading :
        {"Table 2", "Fig. 8", "Fig. 9", "Fig. 10", "Fig. 11", "Fig. 12", "Fig. 13"})
     CHECK(page.find(heading) != std::string::npos);
+  const std::string warm_up = std::to_string(all["warm_up_batches"].get<int>());
+  CHECK(page.find("2 trials of a quarter of a batch and " + warm_up + " untimed batches") !=
+        std::string::npos);
   for (const char* wrong : {"nan", "inf<", "{:"}) {
     CAPTURE(wrong);
     CHECK(page.find(wrong) == std::string::npos);

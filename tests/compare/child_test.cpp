@@ -29,6 +29,15 @@ TEST_CASE("a child answers lines with lines, in its own environment") {
   }
 }
 
+TEST_CASE("a child finds its input before all lines") {
+  Command command = shell("cat");
+  command.input = "first\nse";
+  Child child(command);
+  child.send("cond");
+  CHECK(child.receive(10.0).text == "first");
+  CHECK(child.receive(10.0).text == "second");
+}
+
 TEST_CASE("a child that says nothing is late, and one that ends has ended") {
   Child silent(shell("sleep 100"));
   const auto begin = std::chrono::steady_clock::now();

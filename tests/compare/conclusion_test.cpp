@@ -44,6 +44,19 @@ TEST_CASE("where serial wins or nothing is told, it says so") {
              {"serial takes 10 us a step; nothing else was measured with its bits"});
 }
 
+TEST_CASE("nothing is said of bits where serial is alone") {
+  const auto says_bits = [](std::vector<Measurement> measurements) {
+    return make_conclusion(comparison_of(std::move(measurements))).find("same bits") !=
+           std::string::npos;
+  };
+  Measurement failed = measurement_of(kFlow, 2, {});
+  failed.hashes.clear();
+  failed.status = Status::failed;
+  CHECK_FALSE(says_bits({kTen}));
+  CHECK_FALSE(says_bits({kTen, failed}));
+  CHECK(says_bits({kTen, failed, measurement_of(kFlow, 3, {9e-6})}));
+}
+
 TEST_CASE("what cannot be is no verdict") {
   check_says(comparison_of({kTen, measurement_of(kFlow, 2, {3e-6, 3e-6})}),
              {"structured: no verdict", "more than work and span allow"});
@@ -65,6 +78,10 @@ TEST_CASE("a busy machine makes everything doubtful, first of all") {
   Comparison comparison = comparison_of({kTen});
   comparison.loads.before = 5.5;
   CHECK(make_conclusion(comparison).starts_with("Other work was running (load average 5.50"));
+  comparison.loads.before = 1.1;  // more than half of two processors
+  CHECK(make_conclusion(comparison).starts_with("Other work was running"));
+  comparison.loads.before = 0.9;
+  CHECK(make_conclusion(comparison).starts_with("structured: "));
   comparison.loads.before = -1.0;
   check_says(comparison, {"its load is not known"});
 }

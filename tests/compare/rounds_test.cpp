@@ -98,6 +98,23 @@ TEST_CASE("the caller takes part in every round, before the others") {
   CHECK(told.find("caller\nround 2 of 2", first) != std::string::npos);
 }
 
+TEST_CASE("without a sample of serial there is no comparison, only what its process said") {
+  for (const char* script : {"echo failed no luck", "echo ready; read w; echo failed no luck"})
+    CHECK_THROWS_WITH_AS(measure_scripts({script, kObedient}, {}),
+                         "serial could not be measured: no luck", InputError);
+  // In the first of the rounds; one that ends in a later one has left samples.
+  const auto ends_after = [](int batches) {
+    return "echo ready; h=0; while test $h -lt " + std::to_string(batches) +
+           " && read w; do h=$((h+1)); echo done 0.5 $h; done";
+  };
+  const int warm_ups = kTrials + kWarmUpBatches;
+  CHECK_THROWS_WITH_AS(measure_scripts({ends_after(warm_ups)}, {}),
+                       "serial could not be measured: its process ended unexpectedly", InputError);
+  const auto measurements = measure_scripts({ends_after(warm_ups + 1)}, {});
+  CHECK(measurements[0].status == Status::failed);
+  CHECK(measurements[0].step_times.size() == 1);
+}
+
 TEST_CASE("divergence ends it all") {
   CHECK_THROWS_WITH_AS(
       measure_scripts({kObedient, "echo ready; read w; echo diverged at t = 3 s"}, {}),

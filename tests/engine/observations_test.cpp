@@ -285,4 +285,7 @@ TEST_CASE("growing energy is warned of, or stops the run in the step it appears 
       }(),
       DivergenceError);
   CHECK(simulation.state_hash() == stopped.hash);
+  Simulation timed(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+  CHECK_THROWS_WITH_AS(timed.measure_nodes(timed.planned_steps()), stopped.divergence.c_str(),
+                       DivergenceError);
 }

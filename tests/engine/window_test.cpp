@@ -134,3 +134,37 @@ TEST_CASE("what an observer throws comes back, and no executor is left behind") 
     CHECK(calls == 30);
   }
 }
+
+TEST_CASE("auto's window is opened without planning, and the steps in it are the same") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
+  scenario.integration.duration = 10.0;
+  scenario.limits.on_energy_growth = EnergyGrowth::stop;  // looks at every step
+  Simulation simulation(scenario, {.executor = ExecutorKind::automatic, .threads = 2});
+  const int steps = simulation.open_window();
+  CHECK(steps > 1);
+  CHECK(steps == simulation.open_window());  // is open already
+  CHECK(simulation.executor_description().starts_with("windows of " + std::to_string(steps)));
+  const int nodes = simulation.run_graph().node_count();
+  CHECK(nodes > 2 * simulation.step_graph().node_count());
+  const NodeMeasurement measured = simulation.measure_nodes(8 * steps);
+  CHECK(measured.costs.size() == static_cast<std::size_t>(nodes));
+  CHECK(measured.runs_per_step < 1.0);
+  Simulation serial(scenario, {.executor = ExecutorKind::serial, .threads = 1});
+  serial.run_until(simulation.time());
+  CHECK(serial.steps() == simulation.steps());
+  CHECK(serial.state_hash() == simulation.state_hash());
+}
+
+TEST_CASE("who chooses no window opens none") {
+  const Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
+  for (const SimulationOptions& options :
+       {SimulationOptions{.executor = ExecutorKind::automatic, .threads = 1},
+        SimulationOptions{.executor = ExecutorKind::flow_graph, .threads = 2}}) {
+    Simulation simulation(scenario, options);
+    CHECK(simulation.open_window() == 1);
+    CHECK(simulation.steps() == 0);
+    CHECK(&simulation.run_graph() == &simulation.step_graph());
+  }
+  Simulation asked(scenario, {.executor = ExecutorKind::serial, .threads = 1, .window = 5});
+  CHECK(asked.open_window() == 5);
+}
