@@ -30,7 +30,17 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// The child's side of fork(): calls nothing but system calls.
+/// fork() without the handlers that libraries have for it: that of LLVM's OpenMP runtime, once the
+/// runtime has begun, can end the child.
+pid_t fork_plainly() {
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
+  return _Fork();
+#else
+  return fork();
+#endif
+}
+
+/// The child's side of fork_plainly(): calls nothing but system calls.
 [[noreturn]] void become(const char* program, char* const* arguments, char* const* environment,
                          int socket, pid_t parent) {
   // A group of its own: what a terminal sends to the parent's group must not wake or stop it.
@@ -55,7 +65,7 @@ Child::Child(const Command& command) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail("socketpair");
   const pid_t parent = getpid();
-  process_ = fork();
+  process_ = fork_plainly();
   if (process_ == 0)
     become(command.program.c_str(), arguments.data(), environment.data(), ends[1], parent);
   const int error = errno;
