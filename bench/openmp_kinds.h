@@ -12,9 +12,7 @@ inline std::vector<graph::ExecutorKind> openmp_kinds() {
   using graph::ExecutorKind;
   std::vector<ExecutorKind> kinds;
   for (const ExecutorKind kind : graph::executor_kinds()) {
-    if (kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2 ||
-        kind == ExecutorKind::openmp_levels)
-      kinds.push_back(kind);
+    if (graph::is_openmp(kind)) kinds.push_back(kind);
   }
   return kinds;
 }

@@ -93,7 +93,8 @@ struct SPOKE_EXPORT StepTrace {
   /// The slices of a step, by begin; none of a step that is not in `steps`.
   std::vector<NodeSlice> slices_of(std::int64_t step) const;
   /// Adds what was recorded of later steps of the same simulation. Their times go on where these
-  /// end: the time that passed between the two recordings is left out.
+  /// end: the time that passed between the two recordings is left out. `threads` and `window_steps`
+  /// are then the larger ones; `executor` stays that of the earlier steps.
   void append(const StepTrace& later);
 };
 

@@ -44,11 +44,6 @@ constexpr std::array kKinds{ExecutorKind::automatic,      ExecutorKind::flow_gra
                             ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels};
 constexpr std::size_t kOpenMpKinds = 3;
 
-bool needs_openmp(ExecutorKind kind) {
-  const auto kinds = std::span(kKinds).last(kOpenMpKinds);
-  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-}
-
 std::string known_names() {
   std::string names;
   for (const ExecutorKind kind : executor_kinds()) {
@@ -65,10 +60,6 @@ void check_in_build(ExecutorKind kind) {
                    known_names());
 }
 
-bool has_nested_teams(ExecutorKind kind) {
-  return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
-}
-
 std::string kinds_of_nested_teams() {
   std::string names;
   for (const ExecutorKind kind : executor_kinds()) {
@@ -80,6 +71,15 @@ std::string kinds_of_nested_teams() {
 }
 
 }  // namespace
+
+bool is_openmp(ExecutorKind kind) {
+  const auto kinds = std::span(kKinds).last(kOpenMpKinds);
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+bool has_nested_teams(ExecutorKind kind) {
+  return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
+}
 
 int available_threads() {
   int threads = processors_of_process();
@@ -163,7 +163,7 @@ void check_threads(ExecutorKind kind, const Threads& threads) {
 void check_thread_limit([[maybe_unused]] ExecutorKind kind,
                         [[maybe_unused]] const Threads& threads) {
 #ifdef SPOKE_HAS_OPENMP
-  if (needs_openmp(kind)) check_openmp_limit(kind, threads);
+  if (is_openmp(kind)) check_openmp_limit(kind, threads);
 #endif
 }
 
@@ -177,7 +177,7 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
   }
   // The runtimes end the program if the system refuses them a thread: that shows here.
   const bool are_many = threads.total() > processors_of_process();
-  if (are_many && needs_openmp(kind)) try_threads(threads.total());
+  if (are_many && is_openmp(kind)) try_threads(threads.total());
   switch (kind) {
     case ExecutorKind::automatic:
       return make_auto_executor(graph, threads.outer);

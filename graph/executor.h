@@ -98,6 +98,10 @@ SPOKE_EXPORT std::span<const ExecutorKind> executor_kinds();
 SPOKE_EXPORT bool has_executor(ExecutorKind kind);
 /// "auto", "flow_graph", "serial" and so on, as above.
 SPOKE_EXPORT std::string_view name_of(ExecutorKind kind);
+/// Whether OpenMP runs the threads of this kind.
+SPOKE_EXPORT bool is_openmp(ExecutorKind kind);
+/// Whether this kind has two layers of threads.
+SPOKE_EXPORT bool has_nested_teams(ExecutorKind kind);
 /// The kind of this name. Throws InputError, with the names to choose from, if there is
 /// none or this build is without it.
 SPOKE_EXPORT ExecutorKind executor_kind(std::string_view name);

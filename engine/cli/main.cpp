@@ -20,7 +20,7 @@
 #include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
 #include "engine/cli/trace_command.h"
-#include "engine/compare/configuration.h"
+#include "graph/executor.h"
 #include "graph/unbound_thread.h"
 #include "models/error.h"
 
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     start_logging(arguments);
     // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
     std::optional<graph::UnboundThread> unbound;
-    if (!compare::is_openmp(arguments.options.executor)) unbound.emplace();
+    if (!graph::is_openmp(arguments.options.executor)) unbound.emplace();
     return finish_output(execute(arguments));
   } catch (const InputError& error) {
     return complain(error.what(), 2);

@@ -84,6 +84,7 @@ Subjects make_subjects(const Task& task) {
   const Simulation given = build_simulation(task.arguments.scenario, task.scenario, options);
   Simulation probe(compare::with_steps(given, kEnoughToProbe), options);
   const std::int64_t batch = predict::choose_steps(probe, kBatchSeconds);
+  // Enough also for the steps by which auto chooses its window.
   const Scenario longer =
       compare::with_steps(given, compare::steps_of(batch, kRounds) + kEnoughToProbe);
   return {batch,

@@ -341,7 +341,7 @@ int run(const Arguments& arguments) {
                                       simulation.time(), simulation.steps()));
   const Interruption interruption;
   const RunOutcome outcome =
-      integrate(simulation, recording, checkpoints, !arguments.trace_out.empty(), !arguments.quiet);
+      integrate(simulation, recording, checkpoints, !trace_folder.empty(), !arguments.quiet);
   const std::string written = write_results(simulation, recording, outcome, folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
   if (!arguments.quiet) print_result(simulation, recording, outcome, written);

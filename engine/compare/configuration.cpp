@@ -22,7 +22,7 @@ std::vector<graph::Threads> default_threads(ExecutorKind kind, int subsystems, i
   std::vector<graph::Threads> list;
   for (int n = 1; n < available; n *= 2) list.emplace_back(n);
   append_once(list, available);
-  if (has_two_layers(kind))
+  if (graph::has_nested_teams(kind))
     for (const int inner : teams)
       if (subsystems * inner <= std::max(kFew, 2 * available))
         append_once(list, {subsystems, inner});
@@ -30,7 +30,7 @@ std::vector<graph::Threads> default_threads(ExecutorKind kind, int subsystems, i
 }
 
 void demand_use_of_nested_threads(const Axes& axes) {
-  if (std::any_of(axes.executors.begin(), axes.executors.end(), has_two_layers)) return;
+  if (std::any_of(axes.executors.begin(), axes.executors.end(), graph::has_nested_teams)) return;
   for (const graph::Threads& threads : axes.threads)
     if (threads.inner > 1)
       throw InputError("--threads: " + graph::name_of(threads) +
@@ -75,7 +75,7 @@ std::vector<Configuration> with_waiting(Configuration configuration, const Axes&
 /// Adds the configurations of one executor on one number of threads.
 void append_variants(std::vector<Configuration>& list, Configuration configuration,
                      const Axes& axes) {
-  if (!is_openmp(configuration.executor) || configuration.threads.total() == 1) {
+  if (!graph::is_openmp(configuration.executor) || configuration.threads.total() == 1) {
     list.push_back(configuration);
     return;
   }
@@ -123,10 +123,6 @@ std::string name_of(Spin spin) {
   return *spin.count == Spin::kInfinite ? "infinite" : std::to_string(*spin.count);
 }
 
-bool is_openmp(ExecutorKind kind) { return graph::name_of(kind).starts_with("openmp"); }
-
-bool has_two_layers(ExecutorKind kind) { return graph::name_of(kind).starts_with("openmp_scheme"); }
-
 std::string name_of(const Configuration& configuration) {
   std::string name(graph::name_of(configuration.executor));
   if (configuration.executor == ExecutorKind::serial) return name;
@@ -142,7 +138,7 @@ std::vector<std::string> environment_of(const Configuration& configuration) {
   std::vector<std::string> variables;
   for (char** variable = environ; *variable != nullptr; ++variable)
     if (!is_of_openmp(*variable)) variables.emplace_back(*variable);
-  if (!is_openmp(configuration.executor)) return variables;
+  if (!graph::is_openmp(configuration.executor)) return variables;
   variables.emplace_back(configuration.bind ? "OMP_PROC_BIND=true" : "OMP_PROC_BIND=false");
   if (configuration.wait != Wait::runtime_default)
     variables.push_back("OMP_WAIT_POLICY=" + std::string(name_of(configuration.wait)));
@@ -163,7 +159,7 @@ std::vector<Configuration> make_configurations(const Axes& axes, int subsystems,
       if (executor == ExecutorKind::serial) continue;
       for (const graph::Threads threads :
            axes.threads.empty() ? default_threads(executor, subsystems, available) : axes.threads)
-        if (threads.inner == 1 || has_two_layers(executor))
+        if (threads.inner == 1 || graph::has_nested_teams(executor))
           append_variants(list, {formulation, executor, threads}, axes);
     }
   }

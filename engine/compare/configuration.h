@@ -44,11 +44,6 @@ struct Configuration {
   bool bind = false;                  ///< OpenMP threads to processors
 };
 
-/// Executors differ by name only as far as this library can tell: those of OpenMP begin with
-/// "openmp", those with nested teams with "openmp_scheme".
-bool is_openmp(ExecutorKind kind);
-bool has_two_layers(ExecutorKind kind);
-
 /// "flow_graph 2", "openmp_scheme2 3x2 active spin 1000 bound": all but the formulation.
 std::string name_of(const Configuration& configuration);
 

@@ -76,7 +76,8 @@ TEST_CASE("waiting and binding vary for OpenMP on several threads only") {
     axes.executors = {kind};
     axes.threads = {1, 2};
     axes.binds = {false, true};
-    CHECK(make_configurations(axes, 3, 2).size() == (is_openmp(kind) ? 1 + 1 + 6 : 1 + 1 + 1));
+    CHECK(make_configurations(axes, 3, 2).size() ==
+          (graph::is_openmp(kind) ? 1 + 1 + 6 : 1 + 1 + 1));
   }
 }
 
@@ -86,7 +87,7 @@ TEST_CASE("spin counts vary for OpenMP only, with the policies asked for, the sa
   for (const ExecutorKind kind : graph::executor_kinds()) {
     if (kind == ExecutorKind::serial) continue;
     CAPTURE(name_of(kind));
-    if (!is_openmp(kind)) {
+    if (!graph::is_openmp(kind)) {
       CHECK(ways_of_waiting(kind, {.spins = {by_policy, thousand, none}}) == Ways{""});
       continue;
     }
@@ -104,7 +105,7 @@ TEST_CASE("spin counts vary for OpenMP only, with the policies asked for, the sa
 
 TEST_CASE("spin counts are told in the words of each runtime") {
   for (const ExecutorKind kind : graph::executor_kinds()) {
-    if (!is_openmp(kind)) continue;
+    if (!graph::is_openmp(kind)) continue;
     const auto is_told = [&](Wait wait, Spin spin, const std::string& looks,
                              const std::string& milliseconds) {
       CAPTURE(name_of(wait));
@@ -136,7 +137,7 @@ TEST_CASE("the environment is this one without variables of OpenMP") {
   CHECK(std::none_of(variables.begin(), variables.end(),
                      [](const std::string& v) { return v.starts_with("OMP_"); }));
   for (const ExecutorKind kind : graph::executor_kinds()) {
-    if (!is_openmp(kind)) continue;
+    if (!graph::is_openmp(kind)) continue;
     const auto passive = environment_of({.executor = kind, .wait = Wait::passive, .bind = true});
     CHECK(holds(passive, "OMP_WAIT_POLICY=passive"));
     CHECK(holds(passive, "OMP_PROC_BIND=true"));

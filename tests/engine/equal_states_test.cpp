@@ -52,14 +52,10 @@ End run(const Scenario& scenario, const SimulationOptions& options) {
   return {simulation.steps(), simulation.state_hash(), simulation.evaluations()};
 }
 
-bool has_nested_teams(ExecutorKind kind) {
-  return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
-}
-
 std::vector<graph::Threads> thread_counts(ExecutorKind kind) {
   if (kind == ExecutorKind::serial) return {1};
   std::vector<graph::Threads> list{1, 2, 3, 6, 12};
-  if (has_nested_teams(kind)) list.insert(list.end(), {{1, 2}, {2, 2}, {3, 2}, {3, 4}});
+  if (graph::has_nested_teams(kind)) list.insert(list.end(), {{1, 2}, {2, 2}, {3, 2}, {3, 4}});
   return list;
 }
 
