@@ -242,6 +242,7 @@ std::vector<std::unique_ptr<Subject>> make_subjects(const QuestionOptions& optio
     for (const double node_seconds : {1e-6, 20e-6})
       subjects.push_back(std::make_unique<Synthetic>(shape, node_seconds));
   subjects.push_back(std::make_unique<Steps>(RotorSize{3, 4, 4}, Formulation::structured, 1));
+  subjects.push_back(std::make_unique<Steps>(RotorSize{3, 4, 4}, Formulation::structured, 64));
   subjects.push_back(std::make_unique<Steps>(RotorSize{3, 4, 4}, Formulation::subsystem, 1));
   subjects.push_back(std::make_unique<Steps>(RotorSize{3, 4, 4}, Formulation::subsystem, 8));
   if (!options.quick)

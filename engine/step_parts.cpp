@@ -14,9 +14,10 @@ void add_flex(Memory& memory, double* flex, const FlexLayout& layout) {
   memory.emplace_back(flex + layout.v(), layout.bending);
 }
 
+/// A node touches the record of its step.
 template <class Ring>
-std::span<double> ring(Ring& records) {
-  return doubles(records[0], records.size());
+PartId add_ring(const std::string& name, Ring& records, StepGraphBuilder& builder) {
+  return builder.add_part(name, {doubles(records[0], records.size())}, doubles(records[0]).size());
 }
 
 template <class Matrix>
@@ -75,7 +76,7 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
   parts.twists = builder.add_part(name + "twists", {doubles(data.twists[0], count)});
   parts.poses = builder.add_part(name + "poses", {doubles(data.poses[0], count)});
   parts.wrenches = builder.add_part(name + "wrenches", {doubles(data.wrenches[0], count)});
-  parts.samples = builder.add_part(name + "samples", {ring(data.samples)});
+  parts.samples = add_ring(name + "samples", data.samples, builder);
   if (context.formulation != Formulation::augmented) {
     Memory effective{doubles(data.effective)};
     if (context.formulation == Formulation::subsystem)
@@ -113,7 +114,7 @@ void add_time_parts(StepContext& context, StepGraphBuilder& builder, StepParts& 
     blade.clock = builder.add_part(name + "clock", {doubles(data.clocks[i])});
     blade.hub_state = blade.hub_acceleration =
         builder.add_part(name + "hub motion", {doubles(subsystem.prescribed)});
-    blade.records = builder.add_part(name + "records", {ring(subsystem.records)});
+    blade.records = add_ring(name + "records", subsystem.records, builder);
   }
 }
 
@@ -154,7 +155,7 @@ StepParts add_parts(StepContext& context, StepGraphBuilder& builder) {
   parts.hub_coordinates =
       builder.add_part("hub coordinates", {{hub.q, kTwist}, {hub.v, kTwist}, {hub.a, kTwist}});
   parts.hub_history = builder.add_part("hub history", history);
-  parts.records = builder.add_part("records", {ring(data.records)});
+  parts.records = add_ring("records", data.records, builder);
   if (context.formulation == Formulation::augmented)
     parts.augmented_solution =
         builder.add_part("augmented solution", {memory_of(context.work.augmented.solution)});

@@ -1,17 +1,26 @@
 #include "graph/data_traffic.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace spoke::graph {
+namespace {
+
+/// That a node touches.
+std::size_t bytes_of(const Part& part) {
+  if (part.record_size > 0) return part.record_size * sizeof(double);
+  std::size_t bytes = 0;
+  for (const std::span<double> range : part.memory) bytes += range.size_bytes();
+  return bytes;
+}
+
+}  // namespace
 
 DataTraffic::DataTraffic(const StepGraph& graph, const Transfer& transfer)
     : graph_(graph), latency_(transfer.latency), holders_(graph.parts().size()) {
   seconds_.reserve(holders_.size());
-  for (const Part& part : graph.parts()) {
-    std::size_t bytes = 0;
-    for (const std::span<double> range : part.memory) bytes += range.size_bytes();
-    seconds_.push_back(transfer.per_byte * static_cast<double>(bytes));
-  }
+  for (const Part& part : graph.parts())
+    seconds_.push_back(transfer.per_byte * static_cast<double>(bytes_of(part)));
 }
 
 /// Gives the processor a copy. Whether it has to wait for it.

@@ -15,7 +15,7 @@ struct Transfer {
 /// Which processors hold which part of a graph's data in their caches, in a simulated run: the one
 /// that wrote it last, and those that have read it since. A node whose processor does not hold all
 /// that it reads and writes waits for it: once for the first of the data, and in proportion to
-/// their size. Parts without memory cost nothing.
+/// their size, of a part of many records to that of one. Parts without memory cost nothing.
 class DataTraffic {
  public:
   DataTraffic(const StepGraph& graph, const Transfer& transfer);

@@ -151,8 +151,9 @@ std::string StepGraph::name_of(NodeId node) const {
 StepGraphBuilder::StepGraphBuilder(std::string subsystem_word)
     : subsystem_word_(std::move(subsystem_word)) {}
 
-PartId StepGraphBuilder::add_part(std::string name, std::vector<std::span<double>> memory) {
-  parts_.push_back({std::move(name), std::move(memory)});
+PartId StepGraphBuilder::add_part(std::string name, std::vector<std::span<double>> memory,
+                                  std::size_t record_size) {
+  parts_.push_back({std::move(name), std::move(memory), record_size});
   return {static_cast<int>(parts_.size()) - 1};
 }
 

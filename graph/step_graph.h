@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -41,6 +42,7 @@ SPOKE_EXPORT std::string name_of(const NodeLabel& label,
 struct Part {
   std::string name;                       ///< unique, for people
   std::vector<std::span<double>> memory;  ///< where it lies
+  std::size_t record_size = 0;  ///< doubles of a record, if a node touches one of many; 0: all
 };
 
 /// A node as it was declared. `reads` and `writes` are sorted and free of repetitions; a part in
@@ -131,8 +133,10 @@ class SPOKE_EXPORT StepGraphBuilder {
   explicit StepGraphBuilder(std::string subsystem_word = "subsystem");
 
   /// Adds a part. Its memory must outlive the graph and stay where it is; ranges of different parts
-  /// must not overlap. The ranges serve check_declarations() only; no edge is derived from them.
-  PartId add_part(std::string name, std::vector<std::span<double>> memory);
+  /// must not overlap. The ranges serve check_declarations() and predictions of run times; no edge
+  /// is derived from them. `record_size`: see Part.
+  PartId add_part(std::string name, std::vector<std::span<double>> memory,
+                  std::size_t record_size = 0);
 
   /// Adds a node that runs `body`, a copyable, nothrow `void()`. It sees every part as left by the
   /// nodes added before it. Throws InputError at a part this builder does not know.

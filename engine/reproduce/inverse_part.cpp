@@ -17,7 +17,8 @@ constexpr std::string_view kStage = "inverse";
 /// The nodes of one stage, with the parts they declare.
 graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) {
   graph::StepGraphBuilder builder(whole.subsystem_word());
-  for (const graph::Part& part : whole.parts()) builder.add_part(part.name, part.memory);
+  for (const graph::Part& part : whole.parts())
+    builder.add_part(part.name, part.memory, part.record_size);
   for (int k = 0; k < whole.node_count(); ++k) {
     const graph::NodeId id{k};
     const graph::Node& node = whole.node(id);

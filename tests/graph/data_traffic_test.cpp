@@ -59,6 +59,17 @@ TEST_CASE("data traffic: the first of a node's data is waited for once") {
   CHECK(traffic.run({1}, 0) == 0.0);
 }
 
+TEST_CASE("data traffic: of a part of many records a node brings one") {
+  std::array<double, 100> memory{};
+  StepGraphBuilder builder;
+  const PartId ring = builder.add_part("ring", {memory}, 5);
+  builder.add_node({"write"}, {}, writes(ring), []() noexcept {});
+  const StepGraph graph = builder.build();
+  DataTraffic traffic(graph, kPerByte);
+  CHECK(traffic.run({0}, 0) == 0.0);
+  CHECK(traffic.run({0}, 1) == doctest::Approx(40e-9));
+}
+
 TEST_CASE("data traffic: a stolen cluster waits for its data") {
   // One writer, then two readers of its data on two processors.
   std::array<double, 1000> memory{};
