@@ -334,10 +334,8 @@ void compare_executors(const QuestionOptions& options, Report& report) {
                near_best, count - 1));
 }
 
-/// Nested teams of more threads than processors: whoever waits must make room for those that work.
-void measure_nested_teams(const QuestionOptions& options, Report& report) {
-  if (!graph::has_executor(ExecutorKind::openmp_scheme1)) return;
-  const Model model = rotor_model({3, 4, 4}, Formulation::subsystem);
+/// Nested teams of more threads than processors.
+void measure_nested_teams(const Model& model, const QuestionOptions& options, Report& report) {
   const std::vector<RunnerPointer> runners{
       make_runner(model, ExecutorKind::serial, 1),
       make_runner(model, ExecutorKind::openmp_scheme1, {3, 4})};
@@ -389,7 +387,9 @@ void measure_executors(const QuestionOptions& options, Report& report) {
   for (const Model& model : {rotor_model({3, 4, 4}, Formulation::subsystem),
                              rotor_model({24, 8, 8}), rotor_model({96, 8, 8})})
     measure_oversubscription(model, options, report);
-  measure_nested_teams(options, report);
+  if (!graph::has_executor(ExecutorKind::openmp_scheme1)) return;
+  for (const Formulation formulation : {Formulation::structured, Formulation::subsystem})
+    measure_nested_teams(rotor_model({3, 4, 4}, formulation), options, report);
 }
 
 }  // namespace spoke::bench

@@ -70,6 +70,13 @@ std::string kinds_of_nested_teams() {
   return names.empty() ? names : names + " take two)";
 }
 
+#ifdef SPOKE_HAS_OPENMP
+// OpenMP's runtimes end the program if the system refuses them a thread: that shows here.
+void try_if_many(const Threads& threads) {
+  if (threads.total() > processors_of_process()) try_threads(threads.total());
+}
+#endif
+
 }  // namespace
 
 bool is_openmp(ExecutorKind kind) {
@@ -102,8 +109,11 @@ void Executor::run_while(const std::function<bool()>& more) {
 }
 
 std::string Executor::describe() const {
-  const Threads count = threads();
-  return std::string(name()) + " on " + name_of(count) + (count == 1 ? " thread" : " threads");
+  const Threads count = threads(), working = recorded_threads();
+  std::string text = std::string(name()) + " on " + name_of(count);
+  text += count == 1 ? " thread" : " threads";
+  if (working.total() < count.total()) text += ", " + name_of(working) + " at work";
+  return text;
 }
 
 std::span<const ExecutorKind> executor_kinds() {
@@ -175,27 +185,23 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
     threads.outer = available_threads();
     check_threads(kind, threads);
   }
-  // The runtimes end the program if the system refuses them a thread: that shows here.
-  const bool are_many = threads.total() > processors_of_process();
-  if (are_many && is_openmp(kind)) try_threads(threads.total());
   switch (kind) {
     case ExecutorKind::automatic:
       return make_auto_executor(graph, threads.outer);
     case ExecutorKind::serial:
       return make_serial_executor(graph);
     case ExecutorKind::flow_graph: {
-      Plan plan = plan_of_single_nodes(graph);
-      // Likewise; no more threads are made than find work.
-      if (are_many) try_threads(std::min(threads.outer, level_width(plan)));
       const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
-      return make_flow_graph_executor(graph, std::move(plan), threads.outer);
+      return make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads.outer);
     }
 #ifdef SPOKE_HAS_OPENMP
     case ExecutorKind::openmp_scheme1:
-      return make_openmp_scheme1_executor(graph, threads);
+      return make_openmp_scheme1_executor(graph, threads, processors_for_openmp());
     case ExecutorKind::openmp_scheme2:
+      try_if_many(threads);
       return make_openmp_scheme2_executor(graph, threads);
     case ExecutorKind::openmp_levels:
+      try_if_many(threads);
       return make_openmp_levels_executor(graph, threads.outer);
 #else
     default:

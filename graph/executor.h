@@ -48,7 +48,7 @@ class SPOKE_EXPORT Executor {
   virtual void run_while(const std::function<bool()>& more);
   /// The executor's kind, for reports, as by name_of(ExecutorKind).
   virtual std::string_view name() const = 0;
-  /// The threads that may work on a run.
+  /// The threads that were asked for.
   virtual Threads threads() const = 0;
   /// In one line what runs how, for reports; an executor that chooses tells what it chose and why.
   /// May allocate. Not during a run.
@@ -57,8 +57,8 @@ class SPOKE_EXPORT Executor {
   virtual bool tuning() const { return false; }
   /// How many times it has chosen among alternatives.
   virtual int choices() const { return 0; }
-  /// The threads of a run that is recorded: fewer than threads() if it has chosen fewer, or nothing
-  /// yet.
+  /// The threads of a run that is recorded: fewer than threads() if no more have processors or find
+  /// work, if it has chosen fewer, or nothing yet.
   virtual Threads recorded_threads() const { return threads(); }
   /// Whether it has found, for good, that a loop on the calling thread is fastest.
   virtual bool settled_on_serial() const { return false; }
@@ -85,9 +85,13 @@ enum class ExecutorKind {
   /// larger gain was foreseen than found: after 4 times as many runs, then after 20 times as many,
   /// and so on. Uses at most the available threads. With one thread serial from the start.
   automatic,
-  flow_graph,      ///< a oneTBB flow graph in an arena of its own
-  serial,          ///< a loop on the calling thread; `threads` is ignored
-  openmp_scheme1,  ///< nested OpenMP teams that last for all passes of run_while()
+  /// A oneTBB flow graph in an arena of its own. As oneTBB does, lets no more threads work than
+  /// there
+  /// are processors, unless the program raises that limit by an oneapi::tbb::global_control.
+  flow_graph,
+  serial,  ///< a loop on the calling thread; `threads` is ignored
+  /// Nested OpenMP teams that last for all passes of run_while(); no more threads than processors.
+  openmp_scheme1,
   openmp_scheme2,  ///< nested OpenMP teams that begin and end with every loop of a pass
   openmp_levels,   ///< an OpenMP loop for each level of the graph
 };

@@ -17,8 +17,9 @@ std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan 
 /// ExecutorKind.
 std::unique_ptr<Executor> make_auto_executor(const StepGraph& graph, int threads);
 
-/// Of builds with OpenMP only.
-std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads);
+/// Of builds with OpenMP only. At most `processors` threads get work.
+std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads,
+                                                       int processors);
 std::unique_ptr<Executor> make_openmp_scheme2_executor(const StepGraph& graph, Threads threads);
 std::unique_ptr<Executor> make_openmp_levels_executor(const StepGraph& graph, int threads);
 

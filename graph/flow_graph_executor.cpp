@@ -15,6 +15,7 @@
 #include "graph/executor_kinds.h"
 #include "graph/node_recorder.h"
 #include "graph/thread_sanitizer.h"
+#include "graph/thread_trial.h"
 
 namespace spoke::graph {
 namespace {
@@ -22,14 +23,15 @@ namespace {
 namespace flow = oneapi::tbb::flow;
 using oneapi::tbb::global_control;
 
-// oneTBB makes no more threads than there are processors unless a global_control asks for them,
-// and of several controls the smallest counts. So all executors that need one ask for the same
-// generous limit: how many threads there are is decided by the arenas, which ask for what they use.
-void raise_thread_limit(int threads, std::optional<global_control>& control) {
-  constexpr std::size_t limit = 256;
-  const auto wanted = static_cast<std::size_t>(threads);
-  if (threads <= oneapi::tbb::info::default_concurrency()) return;
-  control.emplace(global_control::max_allowed_parallelism, std::max(limit, wanted));
+// How many threads oneTBB lets work at once: as many as there are processors, or what the program
+// allows by a global_control of its own. It counts the processors once. If OpenMP had bound the
+// thread that asked first, it has counted too few; then a control tells it (of several the smallest
+// counts, and this one is the same for all executors).
+int allowed_threads(std::optional<global_control>& control) {
+  constexpr auto limit = global_control::max_allowed_parallelism;
+  const auto processors = static_cast<std::size_t>(available_threads());
+  if (global_control::active_value(limit) < processors) control.emplace(limit, processors);
+  return static_cast<int>(global_control::active_value(limit));
 }
 
 /// An arena of oneTBB, which goes to the next executor when this one ends. oneTBB (2021.8) frees an
@@ -83,9 +85,10 @@ class FlowGraphExecutor final : public Executor {
     const int width = level_width(plan_);
     if (width <= 1) return;  // no threads for what one thread does
     // Threads beyond those that find work would only wake and search for it.
-    const int working = std::min(threads, width);
-    raise_thread_limit(working, thread_limit_);
-    arena_.initialize(working);
+    working_ = std::min({threads, width, allowed_threads(thread_limit_)});
+    // oneTBB ends the program if the system refuses it a thread: that shows here.
+    if (working_ > available_threads()) try_threads(working_);
+    arena_.initialize(working_);
     // A flow graph belongs to the arena it is made in.
     arena_.execute([this] { make_flow(); });
   }
@@ -111,6 +114,7 @@ class FlowGraphExecutor final : public Executor {
   }
   std::string_view name() const override { return name_of(ExecutorKind::flow_graph); }
   Threads threads() const override { return threads_; }
+  Threads recorded_threads() const override { return working_; }
 
  private:
   using FlowNode = flow::continue_node<flow::continue_msg>;
@@ -143,6 +147,7 @@ class FlowGraphExecutor final : public Executor {
   const StepGraph& graph_;
   const Plan plan_;
   int threads_;
+  int working_ = 1;  // of them
   std::optional<global_control> thread_limit_;
   Arena arena_;
   // With the floating-point environment of the thread that makes the executor: that of the arena is

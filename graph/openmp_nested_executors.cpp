@@ -11,7 +11,6 @@
 #include "graph/fork_join.h"
 #include "graph/nested_loops.h"
 #include "graph/node_recorder.h"
-#include "graph/openmp_runtime.h"
 #include "graph/pass_question.h"
 #include "graph/static_share.h"
 
@@ -30,13 +29,22 @@ void ask_for_nested_teams() {
   if (omp_get_max_active_levels() < levels) omp_set_max_active_levels(levels);
 }
 
+/// As many threads as there are processors for, first of all one for each team.
+Threads threads_with_processors(const Threads& asked, int processors) {
+  if (asked.total() <= processors) return asked;
+  const int teams = std::min(asked.outer, processors);
+  return {teams, std::min(asked.inner, processors / teams)};
+}
+
 /// The work of both schemes; how its loops are shared out is theirs.
 class NestedExecutor : public Executor {
  public:
-  NestedExecutor(const StepGraph& graph, Threads threads)
-      : graph_(graph), threads_(threads), loops_(derive_nested_loops(graph)) {}
+  /// `working`: those of `threads` that get work.
+  NestedExecutor(const StepGraph& graph, Threads threads, Threads working)
+      : graph_(graph), threads_(threads), working_(working), loops_(derive_nested_loops(graph)) {}
 
   Threads threads() const final { return threads_; }
+  Threads recorded_threads() const final { return working_; }
 
  protected:
   /// One of the threads that share a loop.
@@ -47,7 +55,7 @@ class NestedExecutor : public Executor {
 
   /// On thread `thread` of team `team`.
   void run_chain(const NodeChain& chain, int team, int thread) const {
-    run_nodes(recorder(), team * threads_.inner + thread, -1, chain,
+    run_nodes(recorder(), team * working_.inner + thread, -1, chain,
               [this](NodeId node) { graph_.run_node(node); });
   }
 
@@ -72,16 +80,17 @@ class NestedExecutor : public Executor {
 
   const StepGraph& graph_;
   const Threads threads_;
+  const Threads working_;
   const std::vector<SubsystemLoop> loops_;
 };
 
 /// Both layers of threads are there from the first pass to the last. The first thread of each team
 /// hands work to the others through a ForkJoin: OpenMP's own barriers bind to the innermost team.
+/// Threads without a processor would keep those that wait for them from working: there are none.
 class OpenMpScheme1Executor final : public NestedExecutor {
  public:
-  OpenMpScheme1Executor(const StepGraph& graph, Threads threads)
-      : NestedExecutor(graph, threads),
-        shares_processors_(threads.total() > processors_for_openmp()) {}
+  OpenMpScheme1Executor(const StepGraph& graph, Threads threads, int processors)
+      : NestedExecutor(graph, threads, threads_with_processors(threads, processors)) {}
 
   void run() override {
     run_while([] { return false; });
@@ -91,15 +100,13 @@ class OpenMpScheme1Executor final : public NestedExecutor {
     ask_for_nested_teams();
     const FloatingPointEnvironment environment;
     PassQuestion question(more);
-    Patience patience(shares_processors_);
-    Subsystems subsystems(patience);
-    std::deque<Bodies> teams;
-    for (int team = 0; team < threads_.outer; ++team) teams.emplace_back(patience);
-#pragma omp parallel num_threads(threads_.outer)
+    Subsystems subsystems;
+    std::deque<Bodies> teams(static_cast<std::size_t>(working_.outer));
+#pragma omp parallel num_threads(working_.outer)
     {
       const Member team{omp_get_thread_num(), omp_get_num_threads()};
       Bodies& bodies = teams[static_cast<std::size_t>(team.index)];
-#pragma omp parallel num_threads(threads_.inner)
+#pragma omp parallel num_threads(working_.inner)
       {
         environment.apply();
         const Member thread{omp_get_thread_num(), omp_get_num_threads()};
@@ -152,14 +159,13 @@ class OpenMpScheme1Executor final : public NestedExecutor {
       bodies.join();
     });
   }
-
-  const bool shares_processors_;
 };
 
 /// A loop over subsystems is a parallel region, and each loop over bodies one within it.
 class OpenMpScheme2Executor final : public NestedExecutor {
  public:
-  using NestedExecutor::NestedExecutor;
+  OpenMpScheme2Executor(const StepGraph& graph, Threads threads)
+      : NestedExecutor(graph, threads, threads) {}
 
   void run() override {
     ask_for_nested_teams();
@@ -196,8 +202,9 @@ class OpenMpScheme2Executor final : public NestedExecutor {
 
 }  // namespace
 
-std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads) {
-  return std::make_unique<OpenMpScheme1Executor>(graph, threads);
+std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads,
+                                                       int processors) {
+  return std::make_unique<OpenMpScheme1Executor>(graph, threads, processors);
 }
 
 std::unique_ptr<Executor> make_openmp_scheme2_executor(const StepGraph& graph, Threads threads) {

@@ -109,10 +109,17 @@ std::string describe_faults(const Comparison& comparison) {
 std::string describe_oversubscribed(const Comparison& comparison) {
   const long many = count(comparison, [](const Result& result) { return result.oversubscribed; });
   if (many == 0) return "";
+  const long held = count(comparison, [](const Result& result) {
+    const ExecutorKind kind = result.measurement.configuration.executor;
+    return result.oversubscribed &&
+           (kind == ExecutorKind::flow_graph || kind == ExecutorKind::openmp_scheme1);
+  });
   return fmt::format(
       "{} of {} have more threads than processors: they show what oversubscription costs here, not "
-      "what so many processors would give.",
-      many, comparison.results.size());
+      "what so many processors would give.{}",
+      many, comparison.results.size(),
+      held > 0 ? " Of flow_graph and openmp_scheme1 no more threads work than there are processors."
+               : "");
 }
 
 /// What comes first if it makes all the rest doubtful.

@@ -28,7 +28,8 @@ std::string processors_text(const Reproduction& all, int threads) {
     return fmt::format("This machine offers {} processors, enough for all threads.", cores);
   if (threads > 3)
     return fmt::format(
-        "{} threads share {} processors here: no step can take less than {:.2f} of serial's time.",
+        "{} threads share {} processors here, of scheme 1 only as many work: no step can take less "
+        "than {:.2f} of serial's time.",
         threads, cores, 1.0 / cores);
   return fmt::format(
       "Three blades on {} processors: while each stays on one thread, a step takes at least {:.2f} "

@@ -73,23 +73,36 @@ TEST_CASE("compare measures with all processors, whatever binds OpenMP's threads
 
 namespace {
 
-void check_threads_refused(const std::vector<std::string>& options) {
-  check_refused(run_rotor("0.01", options),
-                "1024 threads cannot be made here: the system refuses more than ", WorkFolder(),
-                "ulimit -s 8192; ulimit -v 2000000;");
-}
+constexpr const char* kFewThreads = "ulimit -s 8192; ulimit -v 2000000;";
 
 }  // namespace
 
-TEST_CASE("threads that the system refuses are told in one line") {
-  check_threads_refused({"--executor", "flow_graph", "--threads", "1024", "--set",
-                         "blade.count=300"});  // so many find work
-#ifdef SPOKE_HAS_OPENMP
-  check_threads_refused({"--executor", "openmp_levels", "--threads", "1024"});
-  check_threads_refused({"--executor", "openmp_scheme1", "--threads", "32x32"});
-  check_threads_refused({"--executor", "openmp_scheme2", "--threads", "32x32"});
-#endif
+TEST_CASE("of oneTBB no more threads are made than there are processors") {
+  CHECK(run_spoke(run_rotor("0.01", {"--executor", "flow_graph", "--threads", "1024", "--set",
+                                     "blade.count=300"}),  // so many would find work
+                  WorkFolder(), kFewThreads)
+            .status == 0);
 }
+
+#ifdef SPOKE_HAS_OPENMP
+
+TEST_CASE("of scheme 1 no more threads are made than there are processors") {
+  CHECK(run_spoke(run_rotor("0.01", {"--executor", "openmp_scheme1", "--threads", "32x32"}),
+                  WorkFolder(), kFewThreads)
+            .status == 0);
+}
+
+TEST_CASE("threads that the system refuses are told in one line") {
+  const auto check = [](const std::string& executor, const std::string& threads) {
+    check_refused(run_rotor("0.01", {"--executor", executor, "--threads", threads}),
+                  "1024 threads cannot be made here: the system refuses more than ", WorkFolder(),
+                  kFewThreads);
+  };
+  check("openmp_levels", "1024");
+  check("openmp_scheme2", "32x32");
+}
+
+#endif
 
 #endif
 

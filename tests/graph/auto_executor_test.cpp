@@ -111,7 +111,10 @@ TEST_CASE("auto: an empty graph runs") {
 TEST_CASE("executors describe themselves") {
   const StepGraph graph = make_fan(2, 1);
   CHECK(make_executor(graph, ExecutorKind::serial)->describe() == "serial on 1 thread");
-  CHECK(make_executor(graph, ExecutorKind::flow_graph, 3)->describe() == "flow_graph on 3 threads");
+  // Two nodes find work for two threads.
+  CHECK(make_executor(graph, ExecutorKind::flow_graph, 2)->describe() == "flow_graph on 2 threads");
+  CHECK(make_executor(graph, ExecutorKind::flow_graph, 3)->describe() ==
+        "flow_graph on 3 threads, 2 at work");
 }
 
 TEST_CASE("choice: the largest median of ratios wins, if the gain is 5 %") {

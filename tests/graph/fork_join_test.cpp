@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
-#include <cstdint>
 #include <numeric>
 #include <thread>
 #include <vector>
@@ -14,9 +12,8 @@ namespace {
 
 // Counts, without atomics, how often each thread of a team worked: the fork hands on what the first
 // thread wrote, the join what the others wrote.
-std::vector<int> works_done(int threads, int forks, bool shares_processors) {
-  Patience patience(shares_processors);
-  ForkJoin<int> team(patience);
+std::vector<int> works_done(int threads, int forks) {
+  ForkJoin<int> team;
   team.set_workers(threads - 1);
   std::vector<int> done(static_cast<std::size_t>(threads), 0);
   std::vector<std::thread> workers;
@@ -37,27 +34,9 @@ std::vector<int> works_done(int threads, int forks, bool shares_processors) {
 }  // namespace
 
 TEST_CASE("every fork is worked on once by every other thread, and joined") {
-  for (const bool shares_processors : {true, false}) {
-    for (const int threads : {1, 2, 3, 7}) {
-      CAPTURE(threads);
-      constexpr int forks = 500;
-      CHECK(works_done(threads, forks, shares_processors) ==
-            std::vector<int>(static_cast<std::size_t>(threads), forks));
-    }
+  for (const int threads : {1, 2, 3, 7}) {
+    CAPTURE(threads);
+    constexpr int forks = 500;
+    CHECK(works_done(threads, forks) == std::vector<int>(static_cast<std::size_t>(threads), forks));
   }
-}
-
-TEST_CASE("threads that share processors do not wait by yielding where other programs take long") {
-  Patience patience(true);
-  const auto never = [](std::uint32_t) { return false; };
-  int looks = 0;
-  const auto look = [&] {
-    // As if the processor had been another program's meanwhile.
-    if (++looks == 2) std::this_thread::sleep_for(std::chrono::milliseconds(60));
-    return 0U;
-  };
-  patience.wait(look, never);
-  CHECK(looks == 2);
-  patience.wait(look, never);  // within the next second
-  CHECK(looks == 3);
 }

@@ -1,11 +1,12 @@
 #include <doctest/doctest.h>
 
 #include <cfenv>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <thread>
 
-#include "graph/executor.h"
+#include "graph/executor_kinds.h"
 #include "spoke/error.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/recorded_graph.h"
@@ -57,13 +58,21 @@ std::vector<GraphPlan> plans() {
           make_step_plan({3, 4, 2, true}), make_step_plan({5, 3, 2, false})};
 }
 
+// With as many threads at work as are asked for, however few processors there are.
+std::unique_ptr<Executor> make(const StepGraph& graph, const Configuration& configuration) {
+  const auto& [kind, threads] = configuration;
+  return kind == ExecutorKind::openmp_scheme1
+             ? make_openmp_scheme1_executor(graph, threads, kMostThreads)
+             : make_executor(graph, kind, threads);
+}
+
 void run_passes(Executor& executor, int passes) {
   executor.run_while([left = passes]() mutable { return --left > 0; });
 }
 
 std::vector<std::vector<double>> results(GraphPlan plan, const Configuration& configuration) {
   const StepGraph graph = build_graph(plan);
-  const auto executor = make_executor(graph, configuration.kind, configuration.threads);
+  const auto executor = make(graph, configuration);
   executor->run();
   run_passes(*executor, kPasses);
   return plan.memory;
@@ -82,8 +91,7 @@ TEST_CASE("openmp: every node runs once per pass, after its predecessors") {
     for (const Configuration& configuration : configurations()) {
       capture_and(configuration, [&] {
         RecordedGraph recorded(plan);
-        const auto executor =
-            make_executor(recorded.graph(), configuration.kind, configuration.threads);
+        const auto executor = make(recorded.graph(), configuration);
         executor->run();
         int faults = recorded.count_nodes_not_run(1) + recorded.count_edges_out_of_order();
         int passes = 0;
@@ -113,7 +121,7 @@ TEST_CASE("openmp: whether to go on is asked on the calling thread, whose except
   const StepGraph graph = build_graph(plan);
   for (const Configuration& configuration : configurations()) {
     capture_and(configuration, [&] {
-      const auto executor = make_executor(graph, configuration.kind, configuration.threads);
+      const auto executor = make(graph, configuration);
       bool elsewhere = false;
       int asked = 0;
       const auto more = [&, caller = std::this_thread::get_id()] {
@@ -141,7 +149,7 @@ TEST_CASE("openmp: all threads round as the calling one does") {
                              mode = std::fegetround();
                            });
       const StepGraph graph = builder.build();
-      const auto executor = make_executor(graph, configuration.kind, configuration.threads);
+      const auto executor = make(graph, configuration);
       for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_TONEAREST}) {
         std::fesetround(mode);
         executor->run();
@@ -175,13 +183,31 @@ TEST_CASE("openmp: an empty graph runs") {
   const StepGraph graph = StepGraphBuilder().build();
   for (const Configuration& configuration : configurations()) {
     capture_and(configuration, [&] {
-      const auto executor = make_executor(graph, configuration.kind, configuration.threads);
+      const auto executor = make(graph, configuration);
       executor->run();
       run_passes(*executor, 2);
       CHECK(executor->threads() == configuration.threads);
       CHECK(executor->name() == name_of(configuration.kind));
     });
   }
+}
+
+TEST_CASE("openmp: of scheme 1 as many threads work as there are processors, first one a team") {
+  GraphPlan plan = make_step_plan({3, 4, 1, true});
+  const StepGraph graph = build_graph(plan);
+  const auto working = [&](const Threads& asked, int processors) {
+    const auto executor = make_openmp_scheme1_executor(graph, asked, processors);
+    CHECK(executor->threads() == asked);
+    return executor->recorded_threads();
+  };
+  CHECK(working({3, 4}, 12) == Threads{3, 4});
+  CHECK(working({3, 4}, 11) == Threads{3, 3});
+  CHECK(working({3, 4}, 5) == Threads{3, 1});
+  CHECK(working({3, 4}, 2) == Threads{2, 1});
+  CHECK(working({1, 4}, 2) == Threads{1, 2});
+  CHECK(working({12, 1}, 1) == Threads{1, 1});
+  CHECK(make_openmp_scheme1_executor(graph, {3, 4}, 2)->describe() ==
+        "openmp_scheme1 on 3x4 threads, 2 at work");
 }
 
 TEST_CASE("openmp: threads are those available unless given, and levels have one layer") {
