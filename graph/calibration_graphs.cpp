@@ -11,8 +11,8 @@ StepGraph make_chains(int count, int links, double busy) {
   StepGraphBuilder builder;
   std::vector<PartId> chains;
   for (int k = 0; k < count; ++k) chains.push_back(builder.add_part("chain", {}));
-  for (int link = 0; link < links; ++link) {
-    for (const PartId chain : chains)
+  for (const PartId chain : chains) {
+    for (int link = 0; link < links; ++link)
       builder.add_node({"link"}, reads(chain), writes(chain), [busy]() noexcept {
         if (busy > 0.0) be_busy(busy);
       });

@@ -15,7 +15,7 @@ struct RuntimeCosts {
 };
 
 /// Measured once per process on graphs of empty nodes and of busy ones, none of them a model's, in
-/// about a tenth of a second. Bounded to what is plausible, for busy machines.
+/// about a fifth of a second. Bounded to what is plausible, for busy machines.
 const RuntimeCosts& runtime_costs();
 
 /// All of them times `factor`.

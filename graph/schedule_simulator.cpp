@@ -5,6 +5,7 @@
 #include <functional>
 #include <numeric>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 namespace spoke::graph {
@@ -106,7 +107,8 @@ class ListScheduler {
   Schedule schedule_;
 };
 
-// The state of a schedule by work stealing.
+// The state of a schedule by work stealing. What happens are ends of clusters, and finds: a
+// processor without work has come upon what another has kept.
 class WorkStealer {
  public:
   WorkStealer(const Plan& plan, std::span<const double> node_costs, int processors,
@@ -118,8 +120,7 @@ class WorkStealer {
         durations_(durations(plan, node_costs, overheads)),
         waiting_for_(count_predecessors(plan)),
         kept_(at(processors)),
-        idle_(at(processors), true),
-        idle_count_(processors),
+        states_(at(processors), State::idle),
         schedule_{processors, 0.0, std::vector<Slot>(durations_.size())} {}
 
   Schedule run() && {
@@ -127,25 +128,46 @@ class WorkStealer {
       if (waiting_for_[at(c)] == 0) keep(0, c);
     }
     take_kept(0, 0.0);
-    let_idle_steal(0.0);
-    while (!running_.empty()) {
-      const auto [now, cluster] = running_.top();
-      running_.pop();
-      end(cluster, now);
-      let_idle_steal(now);
-      schedule_.makespan = now;
+    let_idle_search(0.0);
+    while (!events_.empty()) {
+      const Event event = events_.top();
+      events_.pop();
+      if (event.cluster < 0) {
+        find(event.processor, event.time);
+      } else {
+        end(event.cluster, event.processor, event.time);
+        schedule_.makespan = event.time;
+      }
+      let_idle_search(event.time);
     }
     return std::move(schedule_);
   }
 
  private:
+  // A searching processor finds what there is after this part of a handover, and takes it; what it
+  // needs of it arrives in the rest.
+  static constexpr double kSearch = 0.25;
+
+  enum class State { idle, searching, working };
+  struct Event {
+    double time;  // s
+    int processor;
+    int cluster;  // that ends; -1 of a find
+    bool operator>(const Event& other) const {
+      return std::tie(time, cluster, processor) >
+             std::tie(other.time, other.cluster, other.processor);
+    }
+  };
+
   // The time at which the start that is made at `now` has been counted: one more under way, one
-  // less. If another processor is just counting, the counter goes to and fro between the two.
+  // less. The counter comes from the processor that counted last, and then stays as long with the
+  // one that has it.
   double count_start(int processor, double now) {
     if (processor == counter_holder_) return now;
     counter_holder_ = processor;
-    const double ahead = std::max(0.0, counter_free_ - now);
-    return counter_free_ = now + ahead + contention_ + std::min(ahead, contention_);
+    const double counted = std::max(now, counter_free_) + contention_;
+    counter_free_ = counted + contention_;
+    return counted;
   }
 
   void start(int cluster, int processor, double start) {
@@ -154,9 +176,8 @@ class WorkStealer {
       for (const NodeId node : plan_.nodes(cluster)) end += traffic_->run(node, processor);
     }
     schedule_.slots[at(cluster)] = {processor, start, end};
-    running_.emplace(end, cluster);
-    if (idle_[at(processor)]) --idle_count_;
-    idle_[at(processor)] = false;
+    events_.push({end, processor, cluster});
+    states_[at(processor)] = State::working;
   }
 
   void keep(int processor, int cluster) {
@@ -164,8 +185,7 @@ class WorkStealer {
     ++kept_count_;
   }
 
-  void end(int cluster, double now) {
-    const int processor = schedule_.slots[at(cluster)].processor;
+  void end(int cluster, int processor, double now) {
     int last_ready = -1;
     for (const int next : plan_.successors(cluster)) {
       if (--waiting_for_[at(next)] > 0) continue;
@@ -173,8 +193,7 @@ class WorkStealer {
       last_ready = next;
     }
     if (last_ready >= 0) return start(last_ready, processor, now);
-    idle_[at(processor)] = true;
-    ++idle_count_;
+    states_[at(processor)] = State::idle;
     take_kept(processor, now);
   }
 
@@ -186,32 +205,37 @@ class WorkStealer {
     --kept_count_;
   }
 
-  void let_idle_steal(double now) {
-    for (std::size_t p = 0; p < idle_.size() && idle_count_ > 0 && kept_count_ > 0; ++p) {
-      if (!idle_[p]) continue;
-      const auto victim = std::find_if(kept_.begin(), kept_.end(),
-                                       [](const std::deque<int>& kept) { return !kept.empty(); });
-      start(victim->front(), static_cast<int>(p), now + handover_);
-      victim->pop_front();
-      --kept_count_;
+  void let_idle_search(double now) {
+    if (kept_count_ == 0) return;
+    for (std::size_t p = 0; p < states_.size(); ++p) {
+      if (states_[p] != State::idle) continue;
+      states_[p] = State::searching;
+      events_.push({now + kSearch * handover_, static_cast<int>(p), -1});
     }
   }
 
-  using Event = std::pair<double, int>;  // end [s], cluster
+  void find(int processor, double now) {
+    states_[at(processor)] = State::idle;
+    const auto victim = std::find_if(kept_.begin(), kept_.end(),
+                                     [](const std::deque<int>& kept) { return !kept.empty(); });
+    if (victim == kept_.end()) return;
+    start(victim->front(), processor, now + (1.0 - kSearch) * handover_);
+    victim->pop_front();
+    --kept_count_;
+  }
 
   const Plan& plan_;
   DataTraffic* traffic_;
   double handover_;
   double contention_;
   int counter_holder_ = 0;     // the processor that counted last
-  double counter_free_ = 0.0;  // when it has [s]
+  double counter_free_ = 0.0;  // when another can have it [s]
   std::vector<double> durations_;
   std::vector<int> waiting_for_;
   std::vector<std::deque<int>> kept_;  // per processor
   int kept_count_ = 0;
-  std::vector<bool> idle_;
-  int idle_count_;
-  std::priority_queue<Event, std::vector<Event>, std::greater<>> running_;
+  std::vector<State> states_;  // per processor
+  std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   Schedule schedule_;
 };
 

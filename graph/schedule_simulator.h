@@ -14,7 +14,7 @@ struct Overheads {
   double per_cluster = 0.0;  ///< starting a cluster
   double handover = 0.0;     ///< a cluster starts on another processor than made it ready
   /// A cluster starts after one on another processor: under work stealing all are counted at one
-  /// place, one after the other, and at up to twice this cost behind one that is being counted.
+  /// place, one after the other, which comes to a processor in this time and stays as long.
   double contention = 0.0;
 };
 
@@ -51,10 +51,10 @@ Schedule simulate_list_schedule(const Plan& plan, std::span<const double> node_c
 
 /// Work stealing, as oneTBB's flow graph does it: of what a cluster makes ready its processor goes
 /// on with the last and keeps the others; it takes what it kept last, and a processor that has
-/// nothing takes what another, the first that has any, has kept longest. Clusters without
-/// predecessors are kept by processor 0. Starting clusters contend (Overheads::contention). With
-/// `traffic`, they also wait for their nodes' data.
-/// Event-driven; near-linear.
+/// nothing takes what another, the first that has any, has kept longest, if it still has it when a
+/// quarter of a handover has passed. Clusters without predecessors are kept by processor 0.
+/// Starting clusters contend (Overheads::contention). With `traffic`, they also wait for their
+/// nodes' data. Event-driven; near-linear.
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads,
                                 DataTraffic* traffic = nullptr);

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "graph/coarsening.h"
+#include "tests/approx.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/shapes.h"
 
 using namespace spoke::graph;
 using namespace spoke::graph::testing;
+using spoke::testing::approx;
 
 namespace {
 
@@ -57,7 +59,7 @@ TEST_CASE("simulator: one processor takes the work and the overheads") {
     const Plan plan = coarsen(graph, costs, {.max_bins = 3});
     const double expected = work_of(costs) + kSome.per_node * graph.node_count() +
                             kSome.per_cluster * plan.cluster_count();
-    const auto near = doctest::Approx(expected).epsilon(1e-9);
+    const auto near = approx(expected).epsilon(1e-9);
     CHECK(simulate_list_schedule(plan, costs, 1, kSome).makespan == near);
     CHECK(simulate_work_stealing(plan, costs, 1, kSome).makespan == near);
     CHECK(simulate_lists(plan, costs, deal(plan, 1), kSome).makespan == near);
@@ -94,9 +96,9 @@ TEST_CASE("simulator: a cluster on another processor than made it ready comes la
   const Plan plan = plan_of_single_nodes(graph);
   const Overheads overheads{0.0, 0.0, 3e-6};
   const Schedule schedule = simulate_list_schedule(plan, costs, 2, overheads);
-  CHECK(schedule.slots[1].start == doctest::Approx(10e-6));
-  CHECK(schedule.slots[2].start == doctest::Approx(13e-6));
-  CHECK(schedule.makespan == doctest::Approx(33e-6));
+  CHECK(schedule.slots[1].start == approx(10e-6));
+  CHECK(schedule.slots[2].start == approx(13e-6));
+  CHECK(schedule.makespan == approx(33e-6));
 }
 
 TEST_CASE("simulator: work stealing follows chains to their ends, a list schedule does not") {
@@ -104,9 +106,9 @@ TEST_CASE("simulator: work stealing follows chains to their ends, a list schedul
   const auto costs = equal_costs(graph, 1e-6);
   const Plan plan = plan_of_single_nodes(graph);
   const double work = work_of(costs);
-  CHECK(simulate_work_stealing(plan, costs, 2, kNone).makespan == doctest::Approx(work / 1.5));
-  CHECK(simulate_list_schedule(plan, costs, 2, kNone).makespan == doctest::Approx(work / 2.0));
-  CHECK(simulate_work_stealing(plan, costs, 3, kNone).makespan == doctest::Approx(work / 3.0));
+  CHECK(simulate_work_stealing(plan, costs, 2, kNone).makespan == approx(work / 1.5));
+  CHECK(simulate_list_schedule(plan, costs, 2, kNone).makespan == approx(work / 2.0));
+  CHECK(simulate_work_stealing(plan, costs, 3, kNone).makespan == approx(work / 3.0));
 }
 
 TEST_CASE("simulator: a thief takes what was kept longest, and pays for it") {
@@ -114,32 +116,64 @@ TEST_CASE("simulator: a thief takes what was kept longest, and pays for it") {
   const auto costs = equal_costs(graph, 10e-6);
   const Schedule schedule =
       simulate_work_stealing(plan_of_single_nodes(graph), costs, 2, {0.0, 0.0, 3e-6});
-  CHECK(schedule.slots[3].start == doctest::Approx(10e-6));  // the last made ready
-  CHECK(schedule.slots[1].start == doctest::Approx(13e-6));  // stolen
-  CHECK(schedule.slots[2].start == doctest::Approx(20e-6));
-  CHECK(schedule.makespan == doctest::Approx(40e-6));
+  CHECK(schedule.slots[3].start == approx(10e-6));  // the last made ready
+  CHECK(schedule.slots[1].start == approx(13e-6));  // stolen
+  CHECK(schedule.slots[2].start == approx(20e-6));
+  CHECK(schedule.makespan == approx(40e-6));
 }
 
-TEST_CASE(
-    "simulator: processors that start clusters in turns contend, up to twice as much at once") {
+TEST_CASE("simulator: processors that start clusters in turns contend for one place of counting") {
   const StepGraph graph = make_fan(2, 2);
   const Plan plan = plan_of_single_nodes(graph);
   constexpr Overheads contention{0.0, 0.0, 0.0, 0.1e-6};
   const auto makespan = [&](double node, int processors) {
     return simulate_work_stealing(plan, equal_costs(graph, node), processors, contention).makespan;
   };
-  CHECK(makespan(1e-6, 1) == doctest::Approx(6e-6));
-  // The thief at 1, the other at 2, the thief at 2.1 us; it also runs the join.
-  CHECK(makespan(1e-6, 2) == doctest::Approx(4.2e-6));
-  // The thief counts from 0.05 to 0.15 us; the other from 0.1 on, disputed for 0.05, so to 0.3, the
-  // thief from 0.2 on, disputed for 0.1, so to 0.5 us.
-  CHECK(makespan(0.05e-6, 2) == doctest::Approx(0.6e-6));
+  CHECK(makespan(1e-6, 1) == approx(6e-6));
+  // The thief counts at 1, the other at 2, the thief at 2.1, the other at 3.1 us: it also runs the
+  // join, behind the thief's end at 3.2 us.
+  CHECK(makespan(1e-6, 2) == approx(4.3e-6));
+  // The thief counts from 0.05 to 0.15 us and keeps the counter to 0.25; so the other counts to
+  // 0.35 and the thief, who also runs the join, from 0.45 to 0.55 us.
+  CHECK(makespan(0.05e-6, 2) == approx(0.65e-6));
+}
+
+TEST_CASE("simulator: the place of counting lets one cluster start in twice the contention") {
+  constexpr int links = 500;
+  StepGraphBuilder builder;
+  for (const char* chain : {"one", "other"}) {
+    const PartId part = builder.add_part(chain, {});
+    for (int k = 0; k < links; ++k)
+      builder.add_node({chain}, reads(part), writes(part), []() noexcept {});
+  }
+  const StepGraph graph = builder.build();
+  const auto per_node = [&](double node) {
+    return simulate_work_stealing(plan_of_single_nodes(graph), equal_costs(graph, node), 2,
+                                  {0.0, 0.0, 0.0, 0.1e-6})
+               .makespan /
+           (2.0 * links);
+  };
+  CHECK(per_node(0.01e-6) == approx(0.2e-6).epsilon(0.01));
+  CHECK(per_node(0.2e-6) == approx(0.2e-6).epsilon(0.01));
+  CHECK(per_node(1e-6) == approx(0.55e-6).epsilon(0.01));  // 1 us and the contention, two at once
+}
+
+TEST_CASE("simulator: who comes late for a cluster finds it gone") {
+  const StepGraph graph = make_fan(2, 1);
+  const Plan plan = plan_of_single_nodes(graph);
+  constexpr Overheads handover{0.0, 0.0, 0.4e-6, 0.0};  // found after 0.1 us
+  const auto makespan = [&](double node) {
+    return simulate_work_stealing(plan, equal_costs(graph, node), 2, handover).makespan;
+  };
+  CHECK(makespan(0.09e-6) == approx(4 * 0.09e-6));
+  // Found while the other still works, it starts a handover behind what made it ready.
+  CHECK(makespan(0.2e-6) == approx(0.2e-6 + 0.4e-6 + 2 * 0.2e-6));
 }
 
 TEST_CASE("simulator: the span is the costliest path") {
   const StepGraph graph = make_fan(5, 3);
   const auto costs = equal_costs(graph, 1e-6);
-  CHECK(span_of(plan_of_single_nodes(graph), costs) == doctest::Approx(5e-6));
-  CHECK(span_of(serial_plan(graph), costs) == doctest::Approx(17e-6));
-  CHECK(work_of(costs) == doctest::Approx(17e-6));
+  CHECK(span_of(plan_of_single_nodes(graph), costs) == approx(5e-6));
+  CHECK(span_of(serial_plan(graph), costs) == approx(17e-6));
+  CHECK(work_of(costs) == approx(17e-6));
 }
