@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/approx.h"
 #include "tests/cli/program.h"
 #include "tests/cli/refusal.h"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using spoke::testing::approx;
 
 namespace {
 
@@ -118,7 +120,7 @@ TEST_CASE("compare goes on where the scenario would end") {
   CHECK(ended.status == 0);
   const json all = json::parse(read_file(folder.path() / "o" / "compare.json"));
   CHECK(all["integrator"] == "rk4");
-  CHECK(all["step_size_s"].get<double>() == doctest::Approx(1e-5));
+  CHECK(all["step_size_s"].get<double>() == approx(1e-5));
   CHECK(all["scenario"]["integration"]["duration"].get<double>() >= 0.02);
   for (const json& configuration : all["configurations"])
     CHECK(configuration["hash_equal"] == true);

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/approx.h"
 #include "tests/cli/program.h"
 
 using nlohmann::json;
+using spoke::testing::approx;
 
 namespace {
 
@@ -47,9 +49,8 @@ TEST_CASE("one linear body per blade diverges with a diagnosis and keeps its res
   const double last = std::stod(rows.back());
   CHECK(last > 9.0);
   CHECK(last < 11.5);
-  CHECK(last ==
-        doctest::Approx(summary["step_size_s"].get<double>() * (summary["steps"].get<double>()))
-            .epsilon(1e-3));
+  CHECK(last == approx(summary["step_size_s"].get<double>() * (summary["steps"].get<double>()))
+                    .epsilon(1e-3));
   const std::string page = read_file(results / "report.html");
   CHECK(page.find(warnings[0]) != std::string::npos);
   CHECK(page.find("class=\"note bad\"") != std::string::npos);

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/approx.h"
 #include "tests/cli/program.h"
 #include "tests/cli/refusal.h"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using spoke::testing::approx;
 
 namespace {
 
@@ -50,8 +52,8 @@ TEST_CASE("run prints what it does and writes rows and a summary to a folder of 
   CHECK(header[1] == "blade1.tip.x");
   CHECK(header[2] == "blade1.tip.y");
   CHECK(cells_of(rows[1])[0] == "0");
-  CHECK(std::stod(cells_of(rows[2])[0]) == doctest::Approx(0.05));
-  CHECK(std::stod(cells_of(rows[21])[0]) == doctest::Approx(1.0));
+  CHECK(std::stod(cells_of(rows[2])[0]) == approx(0.05));
+  CHECK(std::stod(cells_of(rows[21])[0]) == approx(1.0));
   for (const std::string& row : rows) CHECK(cells_of(row).size() == header.size());
 }
 
@@ -115,7 +117,7 @@ TEST_CASE("every formulation and integrator and executor runs and agrees") {
         {"--executor", "serial"},
         {"--threads", "3"}}) {
     CAPTURE(options[1]);
-    CHECK(final_tip(options) == doctest::Approx(expected).epsilon(1e-4));
+    CHECK(final_tip(options) == approx(expected).epsilon(1e-4));
   }
 }
 

@@ -6,10 +6,12 @@
 #include <sstream>
 
 #include "engine/compare/files.h"
+#include "tests/approx.h"
 #include "tests/compare/samples.h"
 
 using namespace spoke;
 using namespace spoke::compare;
+using spoke::testing::approx;
 
 namespace {
 
@@ -31,19 +33,19 @@ Comparison sample() {
 TEST_CASE("figures follow from the rounds") {
   const Comparison comparison = sample();
   CHECK(comparison.models[0].serial_step == 8e-6);
-  CHECK(comparison.models[0].span_step == doctest::Approx(2e-6));
+  CHECK(comparison.models[0].span_step == approx(2e-6));
   REQUIRE(comparison.results.size() == 4);
   const Figures& two = *comparison.results[1].figures;
-  CHECK(two.mean == doctest::Approx(4.5e-6));
-  CHECK(two.median == doctest::Approx(4.5e-6));
-  CHECK(two.speedup == doctest::Approx(2.0));
-  CHECK(two.speedup_low == doctest::Approx(1.9));
-  CHECK(two.bound == doctest::Approx(4e-6));
-  CHECK(two.ratio_to_bound == doctest::Approx(1.125));
+  CHECK(two.mean == approx(4.5e-6));
+  CHECK(two.median == approx(4.5e-6));
+  CHECK(two.speedup == approx(2.0));
+  CHECK(two.speedup_low == approx(1.9));
+  CHECK(two.bound == approx(4e-6));
+  CHECK(two.ratio_to_bound == approx(1.125));
   CHECK_FALSE(comparison.results[1].oversubscribed);
   CHECK(comparison.results[2].oversubscribed);
-  CHECK(comparison.results[2].figures->bound == doctest::Approx(4e-6));  // 2 processors
-  CHECK(comparison.results[2].figures->speedup == doctest::Approx(0.1));
+  CHECK(comparison.results[2].figures->bound == approx(4e-6));  // 2 processors
+  CHECK(comparison.results[2].figures->speedup == approx(0.1));
   CHECK_FALSE(comparison.results[3].figures);
   const Verdict verdict = judge(comparison, Formulation::structured);
   CHECK(verdict.kind == Verdict::Kind::rival_wins);
@@ -72,7 +74,7 @@ TEST_CASE("the files hold what was found") {
   const Comparison comparison = sample();
   const auto json = nlohmann::json::parse(make_json(comparison));
   REQUIRE(json["configurations"].size() == 4);
-  CHECK(json["configurations"][1]["figures"]["speedup"].get<double>() == doctest::Approx(2.0));
+  CHECK(json["configurations"][1]["figures"]["speedup"].get<double>() == approx(2.0));
   CHECK(json["configurations"][1]["step_times_s"].size() == 4);
   CHECK(json["configurations"][3]["figures"].is_null());
   CHECK(json["configurations"][3]["message"] == "no luck");

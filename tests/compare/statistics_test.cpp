@@ -4,16 +4,19 @@
 
 #include <cmath>
 
+#include "tests/approx.h"
+
 using namespace spoke::compare;
 
 using Values = std::vector<double>;
+using spoke::testing::approx;
 
 TEST_CASE("mean, median and quantiles") {
   const Values values{4.0, 1.0, 3.0, 2.0};
   CHECK(mean(values) == 2.5);
   CHECK(median(values) == 2.5);
   CHECK(quantile(values, 0.0) == 1.0);
-  CHECK(quantile(values, 0.25) == doctest::Approx(1.75));
+  CHECK(quantile(values, 0.25) == approx(1.75));
   CHECK(quantile(values, 1.0) == 4.0);
   CHECK(median(Values{7.0}) == 7.0);
   CHECK(median(Values{3.0, 1.0, 100.0}) == 3.0);
@@ -21,7 +24,7 @@ TEST_CASE("mean, median and quantiles") {
 
 TEST_CASE("the standard deviation is that of a sample") {
   CHECK(*standard_deviation(Values{2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0}) ==
-        doctest::Approx(std::sqrt(32.0 / 7.0)));
+        approx(std::sqrt(32.0 / 7.0)));
   CHECK_FALSE(standard_deviation(Values{1.0}));
 }
 

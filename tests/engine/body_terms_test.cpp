@@ -7,9 +7,11 @@
 #include "engine/sensors.h"
 #include "lagrangian.h"
 #include "rotors.h"
+#include "tests/approx.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 namespace {
 
@@ -150,7 +152,7 @@ TEST_CASE("point loads do the work of their force and moment on the node they ac
       const Position displacement = lagrangian.node_position(y + e, 0, j, at.node) -
                                     lagrangian.node_position(y - e, 0, j, at.node);
       const double expected = force.dot(displacement) / (2.0 * h);
-      CHECK(generalised[k] == doctest::Approx(expected).epsilon(1e-6).scale(10.0));
+      CHECK(generalised[k] == approx(expected).epsilon(1e-6).scale(10.0));
     }
   }
 }
@@ -168,9 +170,8 @@ TEST_CASE("energies of a state are those of its Lagrangian") {
     const Energies energies = calc_energies(context.system, context.data);
     const Eigen::VectorXd y = independent_coordinates(context);
     CHECK(energies.kinetic ==
-          doctest::Approx(lagrangian.kinetic_energy(y, independent_velocities(context)))
-              .epsilon(1e-12));
+          approx(lagrangian.kinetic_energy(y, independent_velocities(context))).epsilon(1e-12));
     CHECK(energies.strain - (energies.gravity - at_start.gravity) ==
-          doctest::Approx(lagrangian.potential_energy(y) - potential_at_start).epsilon(1e-11));
+          approx(lagrangian.potential_energy(y) - potential_at_start).epsilon(1e-11));
   }
 }

@@ -14,9 +14,11 @@
 #include "engine/step_runner.h"
 #include "models/error.h"
 #include "rotors.h"
+#include "tests/approx.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 namespace {
 
@@ -108,8 +110,8 @@ TEST_CASE("a linear body above its first natural frequency is named with both sp
   const double first = calc_first_frequency(blade);
   // (1.8751 / L)^2 sqrt(EI / (rho A)) of a cantilever
   const double bending = blade.youngs_modulus * blade.second_moment;
-  CHECK(first == doctest::Approx(std::pow(1.875104 / blade.length, 2) *
-                                 std::sqrt(bending / (blade.density * blade.area)))
+  CHECK(first == approx(std::pow(1.875104 / blade.length, 2) *
+                        std::sqrt(bending / (blade.density * blade.area)))
                      .epsilon(1e-4));
   const std::string text = number(first);
   check_parts(diverge(spin_up_scenario(blade, 0.005)),

@@ -7,8 +7,10 @@
 
 #include "engine/formulation/dense_body.h"
 #include "models/beam_elements.h"
+#include "tests/approx.h"
 
 using namespace spoke;
+using spoke::testing::approx;
 
 namespace {
 
@@ -84,6 +86,6 @@ TEST_CASE("an elastic block holds the inverse of its matrix at the handles") {
       CHECK((block.Z_oo.matrix() - E_o * inverse * E_o.transpose()).norm() < 1e-10 * scale);
       Eigen::VectorXd S_x = Eigen::VectorXd::Zero(body.coordinates());
       S_x.head(body.axial()) = body.S_axial.head(body.axial());
-      CHECK(block.S_Wx == doctest::Approx(S_x.dot(inverse * S_x)).epsilon(1e-10));
+      CHECK(block.S_Wx == approx(S_x.dot(inverse * S_x)).epsilon(1e-10));
     }
 }

@@ -6,8 +6,10 @@
 
 #include "engine/integrator/generalized_alpha.h"
 #include "engine/integrator/rk4.h"
+#include "tests/approx.h"
 
 using namespace spoke;
+using spoke::testing::approx;
 
 namespace {
 
@@ -60,14 +62,16 @@ TEST_CASE("generalized_alpha damps infinite frequencies by its spectral radius")
     const GeneralizedAlpha method = make_generalized_alpha(radius, 1.0);
     Vibration y(1e5);
     start(method, y.block);
-    // Positions of a double root fall as n radius^n: compare far apart.
+    // Positions of a triple root fall as n^2 radius^n: twice as far on 4 times as much. At radius 1
+    // the roots still differ.
     double before = 0.0;
     for (int n = 0; n < 40; ++n) step(method, y);
     before = std::abs(*y.block.q);
     for (int n = 0; n < 40; ++n) step(method, y);
     const double rate = std::pow(std::abs(*y.block.q) / std::max(before, 1e-300), 1.0 / 40);
     CAPTURE(radius);
-    if (radius > 0.0) CHECK(rate == doctest::Approx(radius).epsilon(0.03));
+    const double growth = radius < 1.0 ? std::pow(4.0, 1.0 / 40) : 1.0;
+    if (radius > 0.0) CHECK(rate == approx(radius * growth).epsilon(0.003));
     if (radius == 0.0) CHECK(std::abs(*y.block.q) < 1e-9);
   }
 }
@@ -92,11 +96,11 @@ TEST_CASE("both methods converge at their order") {
   for (const double radius : {0.0, 0.8, 1.0}) {
     const double coarse = error_at_one_second(make_generalized_alpha(radius, 1.0 / 200), 200);
     const double fine = error_at_one_second(make_generalized_alpha(radius, 1.0 / 400), 400);
-    CHECK(std::log2(coarse / fine) == doctest::Approx(2.0).epsilon(0.05));
+    CHECK(std::log2(coarse / fine) == approx(2.0).epsilon(0.05));
   }
   const double coarse = error_at_one_second(Rk4{1.0 / 50}, 50);
   const double fine = error_at_one_second(Rk4{1.0 / 100}, 100);
-  CHECK(std::log2(coarse / fine) == doctest::Approx(4.0).epsilon(0.05));
+  CHECK(std::log2(coarse / fine) == approx(4.0).epsilon(0.05));
 }
 
 TEST_CASE("rk4 is stable up to 2 sqrt(2) over the frequency and not beyond") {

@@ -13,10 +13,12 @@
 #include "graph/declaration_check.h"
 #include "load_rotors.h"
 #include "models/error.h"
+#include "tests/approx.h"
 #include "tests/message_of.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 namespace {
 
@@ -105,7 +107,7 @@ TEST_CASE("a load's work is its force times the velocity of its marker") {
     work += 0.5 * simulation.step_size() * (before + now);
     before = now;
   }
-  CHECK(work == doctest::Approx(simulation.sensor("energy.work")).epsilon(1e-4));
+  CHECK(work == approx(simulation.sensor("energy.work")).epsilon(1e-4));
 }
 
 TEST_CASE("a damper takes energy away at every step") {

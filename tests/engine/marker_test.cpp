@@ -8,9 +8,11 @@
 
 #include "load_rotors.h"
 #include "models/error.h"
+#include "tests/approx.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 TEST_CASE("a marker of a nearly rigid blade moves as a rigid body") {
   Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.1, 1e-3);
@@ -27,7 +29,7 @@ TEST_CASE("a marker of a nearly rigid blade moves as a rigid body") {
     CHECK((state.position - r * along).norm() < 1e-6);
     CHECK((state.rotation.col(0) - along).norm() < 1e-6);
     CHECK((state.velocity - r * w * across).norm() < 1e-6);
-    CHECK(state.angular_velocity.z() == doctest::Approx(w));
+    CHECK(state.angular_velocity.z() == approx(w));
     CHECK(state.deflection.norm() < 1e-6);
     const Eigen::Vector3d a = r * hub.acceleration[kRotation] * across - r * w * w * along;
     CHECK((state.acceleration - a).norm() < 1e-3 * a.norm() + 1e-12);
@@ -45,8 +47,8 @@ TEST_CASE("the deflection of the tip's marker is what its sensors show") {
       const Eigen::Vector3d shown = tip.deflection - tip.foreshortening;
       const std::string name = "blade" + std::to_string(blade + 1) + ".tip.";
       CHECK(std::abs(shown.y()) > 1e-3);
-      CHECK(shown.x() == doctest::Approx(simulation.sensor(name + "x")).epsilon(1e-9));
-      CHECK(shown.y() == doctest::Approx(simulation.sensor(name + "y")).epsilon(1e-9));
+      CHECK(shown.x() == approx(simulation.sensor(name + "x")).epsilon(1e-9));
+      CHECK(shown.y() == approx(simulation.sensor(name + "y")).epsilon(1e-9));
       CHECK((tip.foreshortening.norm() > 0.0) == is_stiffened);
     }
   }
@@ -73,7 +75,7 @@ TEST_CASE("a marker's velocity and acceleration are the derivatives of its place
       CHECK((v - now.velocity).norm() < 1e-5 * v.norm());
       CHECK((a - now.acceleration).norm() < 2e-3 * a.norm());
       const double alpha = (after.angular_velocity - before.angular_velocity).z() / h2;
-      CHECK(now.angular_acceleration.z() == doctest::Approx(alpha).epsilon(0.01));
+      CHECK(now.angular_acceleration.z() == approx(alpha).epsilon(0.01));
     }
   }
 }
@@ -109,7 +111,7 @@ TEST_CASE("the axial force of a steadily rotating blade is the centrifugal one")
       const double r = 4.0 * body + e + 0.5;  // the middle of an element of 1 m
       const double tension = per_length * w * w * (64.0 - r * r - 1.0 / 12.0) / 2.0;
       const Marker marker{0, body, (e + 0.5) / 4.0};
-      CHECK(simulation.section_force(marker).force.x() == doctest::Approx(tension).epsilon(2e-3));
+      CHECK(simulation.section_force(marker).force.x() == approx(tension).epsilon(2e-3));
     }
 }
 
@@ -136,7 +138,7 @@ TEST_CASE("the hub's reaction carries the roots of the blades and the hub") {
       }
       CHECK(force.norm() < 1e-8 * reaction.force.norm());  // the axle stands still
       const double inertia = scenario.rotor.hub.inertia * simulation.hub().acceleration[kRotation];
-      CHECK(moment == doctest::Approx(inertia).epsilon(1e-6));
+      CHECK(moment == approx(inertia).epsilon(1e-6));
       CHECK(reaction.force.norm() > 1.0);
     }
 }
@@ -154,16 +156,16 @@ TEST_CASE("a cantilever under a tip load bears F and F (L - x)") {
   for (const Marker& marker : {Marker{0, 0, 0.0}, Marker{0, 0, 0.4}, Marker{0, 1, 0.7}}) {
     const Wrench inner = simulation.section_force(marker);
     const double x = 4.0 * (marker.body + marker.station);
-    CHECK(inner.force.y() == doctest::Approx(force).epsilon(1e-3));
-    CHECK(inner.moment.z() == doctest::Approx(force * (8.0 - x)).epsilon(1e-3));
+    CHECK(inner.force.y() == approx(force).epsilon(1e-3));
+    CHECK(inner.moment.z() == approx(force * (8.0 - x)).epsilon(1e-3));
   }
   for (const int joint : {0, 1}) {
     const Wrench reaction = simulation.joint_reaction(0, joint);
-    CHECK(reaction.force.y() == doctest::Approx(-force).epsilon(1e-3));
-    CHECK(reaction.moment.z() == doctest::Approx(-force * (8.0 - 4.0 * joint)).epsilon(1e-3));
+    CHECK(reaction.force.y() == approx(-force).epsilon(1e-3));
+    CHECK(reaction.moment.z() == approx(-force * (8.0 - 4.0 * joint)).epsilon(1e-3));
   }
   CHECK(simulation.marker({0, 1, 1.0}).deflection.y() ==
-        doctest::Approx(force * 512.0 / (3.0 * 6.895e10 * 8.214e-9)).epsilon(1e-3));
+        approx(force * 512.0 / (3.0 * 6.895e10 * 8.214e-9)).epsilon(1e-3));
 }
 
 TEST_CASE("places that do not exist are refused") {

@@ -7,9 +7,11 @@
 
 #include "lagrangian.h"
 #include "rotors.h"
+#include "tests/approx.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 namespace {
 
@@ -24,7 +26,7 @@ TEST_CASE("the lowest frequency of a blade is that of a cantilever") {
   const Rotor rotor = make_rotor(wu_haug_blade(), 3);
   const FrequencyRange range = calc_frequency_range(rotor);
   // First root of cos(k) cosh(k) = -1, squared.
-  CHECK(range.lowest == doctest::Approx(3.5160153 * bending_unit(rotor.blades[0])).epsilon(1e-5));
+  CHECK(range.lowest == approx(3.5160153 * bending_unit(rotor.blades[0])).epsilon(1e-5));
   // All three blades have it, and the second follows.
   CHECK(count_frequencies_below(rotor, 0.999 * range.lowest) == 0);
   CHECK(count_frequencies_below(rotor, 1.001 * range.lowest) == 3);
@@ -41,8 +43,7 @@ TEST_CASE("the largest stable step of rk4 depends on the element length") {
        {Reference{1, 0.000346}, Reference{2, 0.0001659}, Reference{4, 8.207e-05},
         Reference{8, 4.093e-05}, Reference{16, 1.394e-05}}) {
     const Rotor rotor = make_rotor(wu_haug_blade(4, elements), 3);
-    CHECK(calc_rk4_largest_step(calc_frequency_range(rotor)) ==
-          doctest::Approx(step).epsilon(1e-3));
+    CHECK(calc_rk4_largest_step(calc_frequency_range(rotor)) == approx(step).epsilon(1e-3));
   }
 }
 
@@ -78,7 +79,7 @@ TEST_CASE("frequencies of free and torque-driven hubs are those of the linearise
                                         K.bottomRightCorner(n - fixed, n - fixed), M)
                                         .eigenvalues();
     const FrequencyRange range = calc_frequency_range(rotor);
-    CHECK(range.lowest == doctest::Approx(std::sqrt(squares[rigid])).epsilon(1e-6));
-    CHECK(range.highest == doctest::Approx(std::sqrt(squares[squares.size() - 1])).epsilon(1e-6));
+    CHECK(range.lowest == approx(std::sqrt(squares[rigid])).epsilon(1e-6));
+    CHECK(range.highest == approx(std::sqrt(squares[squares.size() - 1])).epsilon(1e-6));
   }
 }

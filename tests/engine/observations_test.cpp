@@ -13,9 +13,11 @@
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "rotors.h"
+#include "tests/approx.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 namespace {
 
@@ -121,8 +123,8 @@ TEST_CASE("the deflection of a body is found at nodes and between them") {
       // At the tip k L^2 / 2 = 32 k, in the middle of the chord (or near it) k L^2 / 8 = 8 k.
       const double largest = frame == ReferenceFrame::clamped ? 32.0 : 8.0;
       CHECK(bend(0.99 * 0.8 / largest) == 0.0);
-      CHECK(bend(1.01 * 0.8 / largest) == doctest::Approx(0.101));
-      CHECK(bend(-0.3 * 8.0 / largest) == doctest::Approx(0.3));
+      CHECK(bend(1.01 * 0.8 / largest) == approx(0.101));
+      CHECK(bend(-0.3 * 8.0 / largest) == approx(0.3));
     }
 }
 
@@ -272,7 +274,7 @@ TEST_CASE("growing energy is warned of, or stops the run in the step it appears 
   CHECK(stopped.told == stopped.steps);
   const double step = scenario.integration.duration /
                       std::ceil(scenario.integration.duration / scenario.integration.step);
-  CHECK(static_cast<double>(stopped.steps) * step == doctest::Approx(warned.warned_at.back()));
+  CHECK(static_cast<double>(stopped.steps) * step == approx(warned.warned_at.back()));
   // It needs no observer, and does the same step by step.
   const SimulationOptions options{Formulation::structured, ExecutorKind::flow_graph, 2, 20};
   const Shown unseen = run(scenario, options, false);

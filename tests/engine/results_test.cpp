@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/machine.h"
+#include "tests/approx.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 using namespace spoke;
 using spoke::test::message_of;
 using spoke::test::TemporaryFolder;
+using spoke::testing::approx;
 
 namespace {
 
@@ -167,7 +169,7 @@ TEST_CASE("the summary of a run holds what the documentation says") {
   CHECK(summary["executor"] == "serial");
   CHECK(summary["executor_choice"] == "serial on 1 thread");
   CHECK(summary["threads"] == 1);
-  CHECK(summary["step_size_s"].get<double>() == doctest::Approx(0.01));
+  CHECK(summary["step_size_s"].get<double>() == approx(0.01));
   CHECK(summary["steps"] == 10);
   CHECK(summary["evaluations"] == simulation.evaluations());
   CHECK(summary["wall_time_s"] == 0.25);
@@ -179,7 +181,7 @@ TEST_CASE("the summary of a run holds what the documentation says") {
   CHECK(speed["unit"] == "rad/s");
   CHECK(speed["final"] == simulation.sensor("hub.speed"));
   CHECK(speed["max"] == speed["final"]);
-  CHECK(speed["t_max"].get<double>() == doctest::Approx(0.1));
+  CHECK(speed["t_max"].get<double>() == approx(0.1));
   CHECK(speed["min"] == 0.0);
   CHECK(speed["t_min"] == 0.0);
 }

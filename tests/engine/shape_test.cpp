@@ -9,9 +9,11 @@
 #include "engine/samples.h"
 #include "engine/simulation.h"
 #include "rotors.h"
+#include "tests/approx.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 namespace {
 
@@ -81,8 +83,8 @@ TEST_CASE("the last node is displaced as the tip sensors say") {
       Simulation simulation(spin_up_scenario(blade, 0.01), kSerial);
       simulation.run_until(6.0);
       const Position tip = shape_of(simulation, 0).nodes.back().displacement;
-      CHECK(tip.x() == doctest::Approx(simulation.sensor("blade1.tip.x")).epsilon(1e-9));
-      CHECK(tip.y() == doctest::Approx(simulation.sensor("blade1.tip.y")).epsilon(1e-9));
+      CHECK(tip.x() == approx(simulation.sensor("blade1.tip.x")).epsilon(1e-9));
+      CHECK(tip.y() == approx(simulation.sensor("blade1.tip.y")).epsilon(1e-9));
       CHECK(tip.y() < -0.4);
     }
 }
@@ -168,7 +170,7 @@ TEST_CASE("a steadily turning blade pulls on its elements with the centrifugal f
       // The mean over the element of N(r) = rhoA w^2 (L^2 - r^2)/2, r from the hub's axis.
       const double mean = rhoA * 16.0 / 2.0 * (L * L - (a * a + a * b + b * b) / 3.0);
       CAPTURE(e);
-      CHECK(shape.axial_forces[e] == doctest::Approx(mean).epsilon(2e-4));
+      CHECK(shape.axial_forces[e] == approx(mean).epsilon(2e-4));
     }
   }
 }

@@ -4,7 +4,10 @@
 
 #include <vector>
 
+#include "tests/approx.h"
+
 using namespace spoke;
+using spoke::testing::approx;
 
 namespace {
 
@@ -53,7 +56,7 @@ TEST_CASE("rk4 goes through its stages, at their times, and adds up the work by 
   const std::vector<double> stages{1, 2, 3, 0}, times{0.05, 0.05, 0.1, 0.1}, powers{12, 18, 24, 99};
   for (std::size_t k = 0; k < stages.size(); ++k) {
     CHECK(clock.control.stage == stages[k]);
-    CHECK(clock.control.time == doctest::Approx(times[k]));
+    CHECK(clock.control.time == approx(times[k]));
     CHECK_FALSE(clock.control.is_implicit());
     CHECK(clock.completed != 1.0);
     end_pass(integrator, {1, 100, false}, report_of(0.0, powers[k]), clock, record);
@@ -62,8 +65,8 @@ TEST_CASE("rk4 goes through its stages, at their times, and adds up the work by 
   CHECK(clock.step == 2.0);
   CHECK(clock.control.stage == 1.0);
   CHECK(record.passes == 4.0);
-  CHECK(record.work == doctest::Approx(kStep * (6.0 / 6 + 12.0 / 3 + 18.0 / 3 + 24.0 / 6)));
-  CHECK(record.dissipated == doctest::Approx(0.5 * record.work));
+  CHECK(record.work == approx(kStep * (6.0 / 6 + 12.0 / 3 + 18.0 / 3 + 24.0 / 6)));
+  CHECK(record.dissipated == approx(0.5 * record.work));
   CHECK(usual_passes(integrator) == 4);
 }
 
@@ -84,7 +87,7 @@ TEST_CASE("an iteration ends when the last change is within the tolerance") {
   CHECK(clock.control.stage == 0.0);
   CHECK(clock.control.time == 2.0 * kStep);
   CHECK(record.passes == 4.0);
-  CHECK(record.work == doctest::Approx(0.5 * kStep * (2.0 + 4.0)));
+  CHECK(record.work == approx(0.5 * kStep * (2.0 + 4.0)));
 }
 
 TEST_CASE("a fixed number of iterations is kept, whatever the change") {

@@ -8,11 +8,13 @@
 
 #include "graph/executor.h"
 #include "graph/plan_choice.h"
+#include "tests/approx.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/shapes.h"
 
 using namespace spoke::graph;
 using namespace spoke::graph::testing;
+using spoke::testing::approx;
 
 namespace {
 
@@ -121,19 +123,19 @@ TEST_CASE("choice: the largest median of ratios wins, if the gain is 5 %") {
   const std::vector<Samples> samples{{10, 10, 10}, {9, 9, 9}, {6, 5, 5}};
   const Choice choice = choose_plan(samples);
   CHECK(choice.index == 2);
-  CHECK(choice.speedup == doctest::Approx(2.0));
+  CHECK(choice.speedup == approx(2.0));
 }
 
 TEST_CASE("choice: serial wins against small gains, and alone") {
   const Choice small = choose_plan(std::vector<Samples>{{10, 10, 10}, {9.6, 9.6, 9.6}});
   CHECK(small.index == 0);
-  CHECK(small.speedup == doctest::Approx(10 / 9.6));
+  CHECK(small.speedup == approx(10 / 9.6));
   CHECK(choose_plan(std::vector<Samples>{{10, 10, 10}}).index == 0);
 }
 
 TEST_CASE("choice: a disturbance that meets whole rounds cancels, a single one does not count") {
   const std::vector<Samples> rounds{{10, 50, 11, 10, 10}, {8, 40, 9, 8, 8}};
-  CHECK(choose_plan(rounds).speedup == doctest::Approx(1.25));
+  CHECK(choose_plan(rounds).speedup == approx(1.25));
   const std::vector<Samples> single{{10, 10, 500, 10, 10}, {10, 10, 10, 10, 10}};
   CHECK(choose_plan(single).index == 0);
 }

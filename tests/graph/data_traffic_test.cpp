@@ -5,8 +5,10 @@
 #include <array>
 
 #include "graph/schedule_simulator.h"
+#include "tests/approx.h"
 
 using namespace spoke::graph;
+using spoke::testing::approx;
 
 namespace {
 
@@ -34,13 +36,13 @@ TEST_CASE("data traffic: what another processor wrote is waited for once, in pro
   DataTraffic traffic(pair.graph, kPerByte);
   CHECK(traffic.run({0}, 3) == 0.0);  // nobody's yet
   CHECK(traffic.run({1}, 3) == 0.0);
-  CHECK(traffic.run({1}, 0) == doctest::Approx(80e-9));
+  CHECK(traffic.run({1}, 0) == approx(80e-9));
   CHECK(traffic.run({1}, 0) == 0.0);
   CHECK(traffic.run({1}, 3) == 0.0);  // reading takes nothing from others
   CHECK(traffic.run({1}, 0) == 0.0);
   CHECK(traffic.run({0}, 3) == 0.0);  // who writes has the only copy
-  CHECK(traffic.run({1}, 0) == doctest::Approx(80e-9));
-  CHECK(traffic.run({0}, 1) == doctest::Approx(80e-9));
+  CHECK(traffic.run({1}, 0) == approx(80e-9));
+  CHECK(traffic.run({0}, 1) == approx(80e-9));
 }
 
 TEST_CASE("data traffic: the first of a node's data is waited for once") {
@@ -54,7 +56,7 @@ TEST_CASE("data traffic: the first of a node's data is waited for once") {
   const StepGraph graph = builder.build();
   DataTraffic traffic(graph, {100e-9, 1e-9});
   CHECK(traffic.run({0}, 0) == 0.0);
-  CHECK(traffic.run({0}, 1) == doctest::Approx(260e-9));
+  CHECK(traffic.run({0}, 1) == approx(260e-9));
   CHECK(traffic.run({0}, 1) == 0.0);
   CHECK(traffic.run({1}, 0) == 0.0);
 }
@@ -67,7 +69,7 @@ TEST_CASE("data traffic: of a part of many records a node brings one") {
   const StepGraph graph = builder.build();
   DataTraffic traffic(graph, kPerByte);
   CHECK(traffic.run({0}, 0) == 0.0);
-  CHECK(traffic.run({0}, 1) == doctest::Approx(40e-9));
+  CHECK(traffic.run({0}, 1) == approx(40e-9));
 }
 
 TEST_CASE("data traffic: a stolen cluster waits for its data") {
@@ -84,6 +86,6 @@ TEST_CASE("data traffic: a stolen cluster waits for its data") {
   const auto makespan = [&](DataTraffic* data_traffic) {
     return simulate_work_stealing(plan, costs, 2, {0.0, 0.0, 0.0}, data_traffic).makespan;
   };
-  CHECK(makespan(nullptr) == doctest::Approx(11e-6));
-  CHECK(makespan(&traffic) == doctest::Approx(19e-6));
+  CHECK(makespan(nullptr) == approx(11e-6));
+  CHECK(makespan(&traffic) == approx(19e-6));
 }

@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/approx.h"
 #include "tests/graph/shapes.h"
 
 using namespace spoke::graph;
 using namespace spoke::graph::testing;
+using spoke::testing::approx;
 
 namespace {
 
@@ -32,15 +34,15 @@ TEST_CASE("prediction: without overheads a fan takes what work and span say") {
   RuntimeCosts runtime;
   runtime.flow_graph = {0.0, 0.0, 0.0};
   const RunPredictor predictor = predictor_of(graph, runtime);
-  CHECK(predictor.work() == doctest::Approx(14 * kNode));
-  CHECK(predictor.span() == doctest::Approx(5 * kNode));
+  CHECK(predictor.work() == approx(14 * kNode));
+  CHECK(predictor.span() == approx(5 * kNode));
   for (const ExecutorKind kind : {ExecutorKind::flow_graph, ExecutorKind::automatic}) {
-    CHECK(predictor.predict(kind, 1).expected == doctest::Approx(14 * kNode));
-    CHECK(predictor.predict(kind, 2).expected == doctest::Approx(8 * kNode));
-    CHECK(predictor.predict(kind, 4).expected == doctest::Approx(5 * kNode));
-    CHECK(predictor.predict(kind, 64).expected == doctest::Approx(5 * kNode));
+    CHECK(predictor.predict(kind, 1).expected == approx(14 * kNode));
+    CHECK(predictor.predict(kind, 2).expected == approx(8 * kNode));
+    CHECK(predictor.predict(kind, 4).expected == approx(5 * kNode));
+    CHECK(predictor.predict(kind, 64).expected == approx(5 * kNode));
   }
-  CHECK(predictor.predict(ExecutorKind::serial, 1).expected == doctest::Approx(14 * kNode));
+  CHECK(predictor.predict(ExecutorKind::serial, 1).expected == approx(14 * kNode));
   CHECK_FALSE(predictor.can_predict(ExecutorKind::openmp_levels));  // no barrier was measured
   CHECK_FALSE(predictor.can_predict(ExecutorKind::openmp_scheme1));
 }
@@ -52,10 +54,10 @@ TEST_CASE("prediction: levels take their costliest share and their barriers") {
   const auto seconds = [&](int threads) {
     return predictor.predict(ExecutorKind::openmp_levels, threads).expected;
   };
-  CHECK(seconds(1) == doctest::Approx(5 * kNode + 2 * 0.1e-6));
+  CHECK(seconds(1) == approx(5 * kNode + 2 * 0.1e-6));
   // Root, two of three nodes, join: a barrier between any two, and one before the next run.
-  CHECK(seconds(2) == doctest::Approx(4 * kNode + 3 * 1e-6));
-  CHECK(seconds(4) == doctest::Approx(3 * kNode + 3 * 2e-6));
+  CHECK(seconds(2) == approx(4 * kNode + 3 * 1e-6));
+  CHECK(seconds(4) == approx(3 * kNode + 3 * 2e-6));
 }
 
 TEST_CASE("prediction: the band holds the expected time and grows with the spread") {
@@ -71,7 +73,7 @@ TEST_CASE("prediction: the band holds the expected time and grows with the sprea
       const PredictedRun outer = wide.predict(kind, threads);
       CHECK(inner.optimistic <= inner.expected);
       CHECK(inner.expected <= inner.pessimistic);
-      CHECK(outer.expected == doctest::Approx(inner.expected));
+      CHECK(outer.expected == approx(inner.expected));
       CHECK(outer.optimistic < inner.optimistic);
       CHECK(outer.pessimistic > inner.pessimistic);
     }
@@ -83,7 +85,7 @@ TEST_CASE("prediction: auto is never slower than serial") {
   const RunPredictor tiny(graph, {equal_costs(graph, 10e-9), {}}, costly());
   for (const int threads : {1, 2, 8}) {
     const PredictedRun run = tiny.predict(ExecutorKind::automatic, threads);
-    CHECK(run.expected == doctest::Approx(tiny.work()));
+    CHECK(run.expected == approx(tiny.work()));
     CHECK(run.clusters == 1);
     CHECK(tiny.predict(ExecutorKind::flow_graph, threads).expected > run.expected);
   }
@@ -98,13 +100,13 @@ TEST_CASE("runtime costs are positive and scale") {
   CHECK(costs.flow_graph_run > 0.0);
   CHECK((costs.barrier > 0.0) == has_executor(ExecutorKind::openmp_levels));
   const RuntimeCosts twice = scaled(costs, 2.0);
-  CHECK(twice.flow_graph.handover == doctest::Approx(2.0 * costs.flow_graph.handover));
+  CHECK(twice.flow_graph.handover == approx(2.0 * costs.flow_graph.handover));
   CHECK(costs.flow_graph.contention >= 0.0);
-  CHECK(twice.flow_graph.contention == doctest::Approx(2.0 * costs.flow_graph.contention));
+  CHECK(twice.flow_graph.contention == approx(2.0 * costs.flow_graph.contention));
   CHECK(costs.flow_graph_run_among_threads > 0.0);
   CHECK(costs.transfer.latency >= 0.0);
-  CHECK(twice.transfer.latency == doctest::Approx(2.0 * costs.transfer.latency));
+  CHECK(twice.transfer.latency == approx(2.0 * costs.transfer.latency));
   CHECK(costs.transfer.per_byte >= 0.0);
-  CHECK(twice.transfer.per_byte == doctest::Approx(2.0 * costs.transfer.per_byte));
-  CHECK(twice.barrier == doctest::Approx(2.0 * costs.barrier));
+  CHECK(twice.transfer.per_byte == approx(2.0 * costs.transfer.per_byte));
+  CHECK(twice.barrier == approx(2.0 * costs.barrier));
 }

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "graph/coarsening.h"
+#include "tests/approx.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/shapes.h"
 
 using namespace spoke::graph;
 using namespace spoke::graph::testing;
+using spoke::testing::approx;
 
 namespace {
 
@@ -65,7 +67,7 @@ TEST_CASE("order by schedule: the makespan remains, and no edge is implied by ot
     const Schedule schedule = simulate_list_schedule(plan, costs, 2, none);
     const Plan ordered = order_by_schedule(plan, costs, schedule);
     const Schedule again = simulate_list_schedule(ordered, costs, 2, none);
-    CHECK(again.makespan == doctest::Approx(schedule.makespan));
+    CHECK(again.makespan == approx(schedule.makespan));
     for (int c = 0; c < ordered.cluster_count(); ++c) {
       CHECK(ordered.successors(c).size() <= 2);
       CHECK(ordered.predecessors(c).size() <= 2);

@@ -8,7 +8,10 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/approx.h"
+
 using namespace spoke;
+using spoke::testing::approx;
 
 namespace {
 
@@ -93,13 +96,13 @@ TEST_CASE("integrals of a body are those of a uniform bar") {
   for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
     for (const int elements : {1, 2, 5}) {
       const FlexibleBody body = make_beam_body(beam(elements, frame));
-      CHECK(body.mass == doctest::Approx(0.4));
-      CHECK(body.S0.x() == doctest::Approx(0.4));
-      CHECK(body.I0 == doctest::Approx(0.4 * 4.0 / 3.0));
+      CHECK(body.mass == approx(0.4));
+      CHECK(body.S0.x() == approx(0.4));
+      CHECK(body.I0 == approx(0.4 * 4.0 / 3.0));
       // A uniform stretch u = x moves as s0 does: S u = S0, d0 . u = I0, Mff u = d0, u.Mff u = I0.
       const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(elements, 2.0 / elements, 2.0);
-      CHECK(body.S_axial.head(elements).dot(u) == doctest::Approx(body.S0.x()));
-      CHECK(body.d_axial.head(elements).dot(u) == doctest::Approx(body.I0));
+      CHECK(body.S_axial.head(elements).dot(u) == approx(body.S0.x()));
+      CHECK(body.d_axial.head(elements).dot(u) == approx(body.I0));
       CHECK((body.M_axial.to_dense() * u - body.d_axial.head(elements)).norm() < 1e-14);
     }
 }
@@ -122,16 +125,16 @@ TEST_CASE("a tip force bends a body as a cantilever, a chord body as a beam on t
   Eigen::VectorXd force = Eigen::VectorXd::Zero(8);
   force[6] = 1.0;
   const Eigen::VectorXd q = clamped.K_bending.to_dense().ldlt().solve(force);
-  CHECK(q[6] == doctest::Approx(L * L * L / (3.0 * EI)));
-  CHECK(q[7] == doctest::Approx(L * L / (2.0 * EI)));
+  CHECK(q[6] == approx(L * L * L / (3.0 * EI)));
+  CHECK(q[7] == approx(L * L / (2.0 * EI)));
 
   const FlexibleBody chord = make_beam_body(beam(4, ReferenceFrame::chord));
   force.setZero();
   force[3] = 1.0;  // v of the middle node
   const Eigen::VectorXd p = chord.K_bending.to_dense().ldlt().solve(force);
-  CHECK(p[3] == doctest::Approx(L * L * L / (48.0 * EI)));
-  CHECK(p[0] == doctest::Approx(L * L / (16.0 * EI)));
-  CHECK(p[7] == doctest::Approx(-L * L / (16.0 * EI)));
+  CHECK(p[3] == approx(L * L * L / (48.0 * EI)));
+  CHECK(p[0] == approx(L * L / (16.0 * EI)));
+  CHECK(p[7] == approx(-L * L / (16.0 * EI)));
 }
 
 TEST_CASE("both storages of the axial-bending coupling agree, and with its integral") {
@@ -161,7 +164,7 @@ TEST_CASE("the centrifugal stiffness of a deflected blade is its tension times t
   const double expected = 4.0 * (rhoA * (std::pow(L, 5) / 6 - std::pow(L, 5) / 10 +
                                          distance * (std::pow(L, 4) / 3 - std::pow(L, 4) / 4)) +
                                  outboard * L * L * L / 3);
-  CHECK(q.dot(KG.to_dense() * q) == doctest::Approx(expected));
+  CHECK(q.dot(KG.to_dense() * q) == approx(expected));
 }
 
 // The rotating cantilever without a hub, Euler-Bernoulli: A. D. Wright, C. E. Smith, R. W.

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "engine/predict/table.h"
+#include "tests/approx.h"
 #include "tests/predict/samples.h"
 
 using namespace spoke;
 using namespace spoke::predict;
+using spoke::testing::approx;
 
 namespace {
 
@@ -75,15 +77,15 @@ TEST_CASE("predict.json and predict.html have both graphs") {
   const auto json = nlohmann::json::parse(make_json(prediction));
   CHECK(json["model"]["window_steps"] == 1);
   CHECK(json["model"]["run_nodes"] == 7);
-  CHECK(json["parallelism"].get<double>() == doctest::Approx(5.0));
+  CHECK(json["parallelism"].get<double>() == approx(5.0));
   CHECK(json["auto_window"]["window_steps"] == 50);
   CHECK(json["auto_window"]["run_nodes"] == 350);
-  CHECK(json["auto_window"]["parallelism"].get<double>() == doctest::Approx(10.0));
+  CHECK(json["auto_window"]["parallelism"].get<double>() == approx(10.0));
   REQUIRE(json["points"].size() == 5);
   CHECK(json["points"][2]["window_steps"] == 1);
   CHECK(json["points"][2]["measured"].is_null());
   CHECK(json["points"][4]["window_steps"] == 50);
-  CHECK(json["points"][4]["measured"]["error"].get<double>() == doctest::Approx(0.25));
+  CHECK(json["points"][4]["measured"]["error"].get<double>() == approx(0.25));
   CHECK(json["not_predicted"].size() == left_out_executors().size());
 
   const std::string html = make_html(prediction);

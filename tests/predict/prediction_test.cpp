@@ -2,11 +2,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
+#include "tests/approx.h"
 #include "tests/graph/shapes.h"
 
 using namespace spoke;
 using namespace spoke::predict;
 using namespace spoke::graph::testing;
+using spoke::testing::approx;
 
 namespace {
 
@@ -46,17 +50,17 @@ const Series& series_of(ExecutorKind kind, const Prediction& prediction) {
 TEST_CASE("auto is predicted in its window, the others and one thread of auto step by step") {
   const Prediction prediction = predict_with(0.0);
   const double step = kBlades * (kBodies + 2) * kNode;
-  CHECK(prediction.run.work == doctest::Approx(step));
-  CHECK(prediction.run.span == doctest::Approx(3 * kNode));
-  CHECK(prediction.auto_run->work == doctest::Approx(step));
-  CHECK(prediction.auto_run->span == doctest::Approx(3 * kNode));  // a chain of steps
-  CHECK(prediction.serial.step.expected == doctest::Approx(step));
+  CHECK(prediction.run.work == approx(step));
+  CHECK(prediction.run.span == approx(3 * kNode));
+  CHECK(prediction.auto_run->work == approx(step));
+  CHECK(prediction.auto_run->span == approx(3 * kNode));  // a chain of steps
+  CHECK(prediction.serial.step.expected == approx(step));
   for (const Point& point : series_of(ExecutorKind::flow_graph, prediction).points)
     CHECK(point.window == 1);
   const auto& points = series_of(ExecutorKind::automatic, prediction).points;
   REQUIRE(points.size() == 3);
   CHECK(points[0].window == 1);
-  CHECK(points[0].step.expected == doctest::Approx(step));
+  CHECK(points[0].step.expected == approx(step));
   CHECK(points[1].window == kSteps);
   CHECK(prediction.speedup(points[1]) > 1.8);
   CHECK(points[2].window == kSteps);
@@ -86,12 +90,12 @@ TEST_CASE("measurements are put beside the points they belong to") {
                             measurement_of(ExecutorKind::automatic, 3, {6e-6}),
                             measurement_of(ExecutorKind::automatic, 64, {1e-6, 1e-6})});
   REQUIRE(prediction.serial.measured);
-  CHECK(*prediction.serial.error() == doctest::Approx(0.0));
+  CHECK(std::abs(*prediction.serial.error()) < 1e-12);
   const auto& points = series_of(ExecutorKind::automatic, prediction).points;
   CHECK_FALSE(points[0].error());
   REQUIRE(points[1].measured);
   CHECK(points[1].measured->step.median == 6e-6);
-  CHECK(points[1].measured->speedup.median == doctest::Approx(2.0));
-  CHECK(*points[1].error() == doctest::Approx(points[1].step.expected / 6e-6 - 1.0));
+  CHECK(points[1].measured->speedup.median == approx(2.0));
+  CHECK(*points[1].error() == approx(points[1].step.expected / 6e-6 - 1.0));
   CHECK_FALSE(points[2].measured);  // of a single round
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/reproduce/paper.h"
+#include "tests/approx.h"
 
 // The closed forms against textbook algorithms that are run on a number which counts.
 
@@ -29,6 +30,7 @@ Number operator/(Number a, Number b) { return ++counted.others, Number{a.value /
 Number root(Number a) { return ++counted.others, Number{std::sqrt(a.value)}; }
 
 using Matrix = std::vector<std::vector<Number>>;
+using spoke::testing::approx;
 
 Matrix positive(int n) {
   Matrix A(n, std::vector<Number>(n));
@@ -173,11 +175,9 @@ TEST_CASE("formulations grow with the size as they should") {
   };
   for (const Formulation formulation : {Formulation::structured, Formulation::subsystem})
     CHECK(ratio(formulation, {6, 4, 4}, {3, 4, 4}) == 2.0);
-  CHECK(ratio(Formulation::structured, {3, 4, 128}, {3, 4, 64}) ==
-        doctest::Approx(2.0).epsilon(0.05));
-  CHECK(ratio(Formulation::subsystem, {3, 4, 128}, {3, 4, 64}) ==
-        doctest::Approx(8.0).epsilon(0.15));
-  CHECK(ratio(Formulation::augmented, {6, 8, 8}, {3, 8, 8}) == doctest::Approx(8.0).epsilon(0.05));
+  CHECK(ratio(Formulation::structured, {3, 4, 128}, {3, 4, 64}) == approx(2.0).epsilon(0.05));
+  CHECK(ratio(Formulation::subsystem, {3, 4, 128}, {3, 4, 64}) == approx(8.0).epsilon(0.15));
+  CHECK(ratio(Formulation::augmented, {6, 8, 8}, {3, 8, 8}) == approx(8.0).epsilon(0.05));
   // A prototype with counting numbers needed N M (264 E + 187) for the recursive kernel.
   const double prototype = 3 * 4 * (264 * 4 + 187);
   CHECK(static_cast<double>(count(Formulation::structured).total()) > 0.9 * prototype);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/approx.h"
 #include "tests/reproduce/samples.h"
 
 using namespace spoke;
@@ -13,6 +14,7 @@ using namespace spoke::reproduce;
 namespace {
 
 using Cells = std::vector<std::string>;
+using spoke::testing::approx;
 
 /// The times of Table 3, in us instead of ms, 3x3 as good as 3x2; Spoke's own.
 Reproduction sample() {
@@ -53,14 +55,14 @@ TEST_CASE("Table 3 beside times of the same ratios") {
   CHECK(times[0].name == "conventional");
   CHECK(*times[0].paper_ms == 17.92);
   CHECK(*times[0].seconds == 17.92e-6);
-  CHECK(*times[0].run == doctest::Approx(17.92e-6 * 20.0 / 8e-5));
+  CHECK(*times[0].run == approx(17.92e-6 * 20.0 / 8e-5));
   CHECK(times[5].how.starts_with("structured, auto"));
   CHECK_FALSE(times[5].paper_ms);
   CHECK_FALSE(times[6].seconds);  // the implicit run was not measured
   if (!has_schemes()) return;
   for (const MethodTime& time : {times[0], times[1], times[2], times[3]}) {
     CAPTURE(time.name);
-    CHECK(*time.ratio == doctest::Approx(*time.paper_ratio).epsilon(0.01));
+    CHECK(*time.ratio == approx(*time.paper_ratio).epsilon(0.01));
   }
 }
 

@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/approx.h"
 #include "tests/run_report/scenarios.h"
 
 using namespace spoke;
 using namespace spoke::run_report;
+using spoke::testing::approx;
 
 TEST_CASE("a film has the nodes' displacements and the hub's motion at its times") {
   Simulation simulation(test_scenario(), test_options());
@@ -20,12 +22,12 @@ TEST_CASE("a film has the nodes' displacements and the hub's motion at its times
   const std::size_t nodes = film.blades()[0].undeformed.size();
   CHECK(nodes == 7);
   CHECK(film.blades()[0].nodes_per_body == 3);
-  CHECK(film.blades()[0].undeformed.back().x() == doctest::Approx(6.5));
-  CHECK(film.blades()[1].undeformed.back().x() == doctest::Approx(-6.5));
+  CHECK(film.blades()[0].undeformed.back().x() == approx(6.5));
+  CHECK(film.blades()[1].undeformed.back().x() == approx(-6.5));
   REQUIRE(film.displacements().size() == 2 * 2 * 2 * nodes);
   CHECK(film.displacements()[4 * nodes + 2 * nodes - 1] ==
-        doctest::Approx(simulation.sensor("blade1.tip.y")));
-  CHECK(film.hub()[5] == doctest::Approx(simulation.sensor("hub.angle")));
+        approx(simulation.sensor("blade1.tip.y")));
+  CHECK(film.hub()[5] == approx(simulation.sensor("hub.angle")));
   CHECK(film.largest_displacement() >= std::abs(film.displacements()[4 * nodes + 2 * nodes - 1]));
 }
 
@@ -39,5 +41,5 @@ TEST_CASE("a film of many nodes has fewer frames, one of very many a part of the
   const Film part(Simulation(scenario, test_options()));
   CHECK(part.blades()[0].undeformed.size() == 1000);
   CHECK(part.blades()[0].nodes_per_body == 0);
-  CHECK(part.blades()[0].undeformed.back().x() == doctest::Approx(6.5));
+  CHECK(part.blades()[0].undeformed.back().x() == approx(6.5));
 }

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/approx.h"
+
 using namespace spoke::run_report;
+using spoke::testing::approx;
 
 TEST_CASE("a short history keeps every row") {
   History history(2);
@@ -14,7 +17,7 @@ TEST_CASE("a short history keeps every row") {
   CHECK(history.rows_per_bucket() == 1);
   const auto curve = history.curve(1);
   REQUIRE(curve.size() == 100);
-  CHECK(curve[7].t == doctest::Approx(0.7));
+  CHECK(curve[7].t == approx(0.7));
   CHECK(curve[7].value == -14.0);
 }
 

@@ -4,11 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/approx.h"
 #include "tests/run_report/scenarios.h"
 
 using namespace spoke;
 using namespace spoke::run_report;
 using nlohmann::json;
+using spoke::testing::approx;
 
 namespace {
 
@@ -40,7 +42,7 @@ struct Run {
 TEST_CASE("the data hold the curves of all plots and a film") {
   const Run run(test_scenario());
   const json data = json::parse(make_data(run.recorder, 0.5));
-  CHECK(data["end"] == doctest::Approx(2.0));
+  CHECK(data["end"] == approx(2.0));
   REQUIRE(data["plots"].size() == 6);
   CHECK(data["plots"][0]["title"] == "Tip deflection across the blade");
   CHECK(data["plots"][0]["curves"].size() == 2);
@@ -54,8 +56,8 @@ TEST_CASE("deflections across and along the blade have the blade's directions") 
   const Run run(test_scenario());
   const auto across = run.recorder.history().curve(1).back();
   const auto along = run.recorder.history().curve(3).back();
-  CHECK(across.value == doctest::Approx(-run.simulation.sensor("blade2.tip.y")));
-  CHECK(along.value == doctest::Approx(-run.simulation.sensor("blade2.tip.x")));
+  CHECK(across.value == approx(-run.simulation.sensor("blade2.tip.y")));
+  CHECK(along.value == approx(-run.simulation.sensor("blade2.tip.x")));
   CHECK(across.value < 0.0);  // lags behind
 }
 

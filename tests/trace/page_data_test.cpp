@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/approx.h"
 #include "tests/trace/samples.h"
 
 using namespace spoke;
 using namespace spoke::trace;
 using namespace spoke::trace::testing;
 using nlohmann::json;
+using spoke::testing::approx;
 
 TEST_CASE("the page's data tell settings, graph, steps and slices") {
   const Trace trace = make_trace({ExecutorKind::flow_graph, 2, 1, true});
@@ -29,7 +31,7 @@ TEST_CASE("the page's data tell settings, graph, steps and slices") {
   CHECK(data["stages"].front() == "hub motion");
   REQUIRE(data["steps"].size() == 10);
   CHECK(data["steps"][0]["step"] == 21);
-  CHECK(data["steps"][0]["time_s"].get<double>() == doctest::Approx(0.21));
+  CHECK(data["steps"][0]["time_s"].get<double>() == approx(0.21));
   CHECK(data["dropped_steps"] == 0);
   const json& graph = data["graph"];
   const std::size_t nodes = trace.steps.graph.labels.size();
