@@ -7,9 +7,10 @@
 // Of every executor there is one simulation of the model. The planned duration is beyond reach, so
 // that "auto" finds planning worth while and steps never run out. All are brought to the same step
 // before they take turns, each turn about 20 ms of steps: the spin-up is then over in the small
-// models, and the number of iterations is about the same in all. The OpenMP kinds go in a second
-// pass with serial again as their reference, each turn after a pause: OpenMP's threads go on
-// spinning after a turn and would take the processor from the next alternative. Finally all make
+// models, and the number of iterations is about the same in all. Each turn comes after a pause and
+// some steps more, which wake threads and bring the model's data. The OpenMP kinds go in a second
+// pass with serial again as their reference: OpenMP's threads go on spinning after a turn, some for
+// longer than the pause, and would take the processor from the next alternative. Finally all make
 // the same number of steps and must have the same state, bit by bit.
 
 #include <spdlog/fmt/fmt.h>
@@ -193,10 +194,10 @@ Alternative make_alternative(const RunnerPointer& runner, std::int64_t batch) {
           0};
 }
 
-/// The same with a pause before its turn, and a few steps that wake its threads.
+/// The same with a pause before its turn, and some steps that wake its threads.
 Alternative after_pause(const RunnerPointer& runner, std::int64_t batch) {
   Alternative alternative = make_alternative(runner, batch);
-  alternative.prepare = [runner, steps = std::max<std::int64_t>(1, batch / 10)] {
+  alternative.prepare = [runner, steps = (batch + 2) / 3] {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     runner->advance(steps);
   };
@@ -254,7 +255,7 @@ Measured measure_model(const Model& model, const QuestionOptions& options) {
   std::vector<Alternative> alternatives;
   for (const RunnerPointer& runner : runners) {
     runner->advance_to(serial->simulation().steps(), batch);
-    alternatives.push_back(make_alternative(runner, batch));
+    alternatives.push_back(after_pause(runner, batch));
   }
   Measured measured{measure(alternatives, effort_of(options)), {}, 0};
   measured.chosen = automatic->simulation().executor_description();
