@@ -18,7 +18,11 @@ constexpr double kBusy = 20e-6;  // s
 double measure_cluster() {
   const StepGraph graph = make_fork_joins(70, 0.0);
   const auto executor = make_flow_graph_executor(graph, plan_of_single_nodes(graph), 1);
-  return seconds_per_run(*executor, 30) / graph.node_count();
+  constexpr double time = 3e-3;  // s
+  double least = seconds_per_run(*executor, 30);
+  for (const std::uint64_t begin = time_stamp(); seconds_since(begin) < time;)
+    least = std::min(least, seconds_per_run(*executor, 30));
+  return least / graph.node_count();
 }
 
 // A fork and join of two nodes takes one of them, one handover to the other thread and one back.

@@ -1,6 +1,7 @@
 #include "graph/schedule_simulator.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <functional>
 #include <numeric>
@@ -121,6 +122,7 @@ class WorkStealer {
         waiting_for_(count_predecessors(plan)),
         kept_(at(processors)),
         states_(at(processors), State::idle),
+        counts_{processors},
         schedule_{processors, 0.0, std::vector<Slot>(durations_.size())} {}
 
   Schedule run() && {
@@ -149,6 +151,7 @@ class WorkStealer {
   static constexpr double kSearch = 0.25;
 
   enum class State { idle, searching, working };
+  static constexpr int kStates = 3;
   struct Event {
     double time;  // s
     int processor;
@@ -177,8 +180,16 @@ class WorkStealer {
     }
     schedule_.slots[at(cluster)] = {processor, start, end};
     events_.push({end, processor, cluster});
-    states_[at(processor)] = State::working;
+    change(processor, State::working);
   }
+
+  void change(int processor, State state) {
+    State& its = states_[at(processor)];
+    --count(its);
+    ++count(state);
+    its = state;
+  }
+  int& count(State state) { return counts_[static_cast<std::size_t>(state)]; }
 
   void keep(int processor, int cluster) {
     kept_[at(processor)].push_back(cluster);
@@ -193,7 +204,7 @@ class WorkStealer {
       last_ready = next;
     }
     if (last_ready >= 0) return start(last_ready, processor, now);
-    states_[at(processor)] = State::idle;
+    change(processor, State::idle);
     take_kept(processor, now);
   }
 
@@ -205,17 +216,20 @@ class WorkStealer {
     --kept_count_;
   }
 
+  // As many as there is something for: more would find nothing.
   void let_idle_search(double now) {
-    if (kept_count_ == 0) return;
-    for (std::size_t p = 0; p < states_.size(); ++p) {
-      if (states_[p] != State::idle) continue;
-      states_[p] = State::searching;
-      events_.push({now + kSearch * handover_, static_cast<int>(p), -1});
+    const auto is_enough = [&] {
+      return count(State::idle) == 0 || count(State::searching) >= kept_count_;
+    };
+    for (int p = 0; !is_enough(); ++p) {
+      if (states_[at(p)] != State::idle) continue;
+      change(p, State::searching);
+      events_.push({now + kSearch * handover_, p, -1});
     }
   }
 
   void find(int processor, double now) {
-    states_[at(processor)] = State::idle;
+    change(processor, State::idle);
     const auto victim = std::find_if(kept_.begin(), kept_.end(),
                                      [](const std::deque<int>& kept) { return !kept.empty(); });
     if (victim == kept_.end()) return;
@@ -234,7 +248,8 @@ class WorkStealer {
   std::vector<int> waiting_for_;
   std::vector<std::deque<int>> kept_;  // per processor
   int kept_count_ = 0;
-  std::vector<State> states_;  // per processor
+  std::vector<State> states_;        // per processor
+  std::array<int, kStates> counts_;  // of processors, per state
   std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   Schedule schedule_;
 };
