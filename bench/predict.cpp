@@ -33,11 +33,18 @@ class Subject {
   virtual ~Subject() = default;
   virtual std::string name() const = 0;
   virtual const StepGraph& graph() const = 0;
+  /// Whether the executor runs that graph. On one thread auto makes no windows.
+  virtual bool is_run_by(ExecutorKind kind, int threads) const {
+    return kind != ExecutorKind::automatic || threads > 1 || !has_window();
+  }
   /// What makes a turn with an executor, settled.
   virtual std::function<void()> turn(ExecutorKind kind, int threads) = 0;
   /// Makes a turn on one thread, node by node.
   virtual NodeMeasurement measure_turn(NodeOrder order) = 0;
   virtual double runs_per_turn() const = 0;
+
+ private:
+  virtual bool has_window() const { return false; }
 };
 
 /// A graph of busy nodes.
@@ -110,6 +117,7 @@ class Steps final : public Subject {
   double runs_per_turn() const override { return runs_per_step_ * static_cast<double>(steps_); }
 
  private:
+  bool has_window() const override { return window_ > 1; }
   std::unique_ptr<Simulation> make(ExecutorKind kind, int threads) const {
     return std::make_unique<Simulation>(scenario_,
                                         SimulationOptions{formulation_, kind, threads, window_});
@@ -171,7 +179,9 @@ struct Configuration {
   std::string name() const { return fmt::format("{} on {}", graph::name_of(kind), threads); }
 };
 
-std::vector<Configuration> configurations_of(const StepGraph& graph) {
+/// Those that can be predicted, whether or not they run the subject's graph.
+std::vector<Configuration> configurations_of(const Subject& subject) {
+  const StepGraph& graph = subject.graph();
   const std::vector<double> costs(static_cast<std::size_t>(graph.node_count()));
   const graph::RunPredictor predictor(graph, {costs, costs}, graph::runtime_costs());
   std::vector<Configuration> list{{ExecutorKind::serial, 1}};
@@ -209,7 +219,10 @@ std::vector<Alternative> make_alternatives(Subject& subject,
 // Processors change their speed from one second to the next: predictions and measurements are both
 // compared with serial runs of the same rounds.
 void compare(Subject& subject, const QuestionOptions& options, Table& table, Report& report) {
-  const auto configurations = configurations_of(subject.graph());
+  auto configurations = configurations_of(subject);
+  const auto all = configurations;
+  std::erase_if(configurations,
+                [&](const Configuration& c) { return !subject.is_run_by(c.kind, c.threads); });
   NodeTurns turns;
   const std::vector<Timing> timings =
       measure(make_alternatives(subject, configurations, turns),
@@ -222,16 +235,19 @@ void compare(Subject& subject, const QuestionOptions& options, Table& table, Rep
   const double agreement = median(turns.agreement);
   std::vector<std::string> row{subject.name(),
                                duration(timings.front().median / subject.runs_per_turn())};
-  for (std::size_t k = 0; k < configurations.size(); ++k) {
-    const auto [kind, threads] = configurations[k];
+  for (std::size_t k = 0; const auto& [kind, threads] : all) {
+    if (!subject.is_run_by(kind, threads)) {
+      row.emplace_back("-");
+      continue;
+    }
     const double predicted = predictor.predict(kind, threads).expected + between_runs;
-    const double ratio = agreement * (predicted / serial) / timings[k].ratio;
+    const Timing& timing = timings[k++];
+    const double ratio = agreement * (predicted / serial) / timing.ratio;
     row.push_back(figure(ratio));
-    report.add_timing(subject.name(), timings[k]);
+    report.add_timing(subject.name(), timing);
     const double margin = threads == 1 ? 0.05 : 0.10;
-    report.add_target(
-        {fmt::format("predicted / measured, {}, {}", subject.name(), configurations[k].name()),
-         ratio, 1.0 - margin, 1.0 + margin});
+    report.add_target({fmt::format("predicted / measured, {}, {}", subject.name(), timing.name),
+                       ratio, 1.0 - margin, 1.0 + margin});
   }
   table.rows.push_back(std::move(row));
 }
@@ -268,7 +284,7 @@ void measure_predict(const QuestionOptions& options, Report& report) {
   for (const std::unique_ptr<Subject>& subject : make_subjects(options)) {
     show_progress(subject->name());
     if (table.columns.size() == 2)
-      for (const Configuration& configuration : configurations_of(subject->graph()))
+      for (const Configuration& configuration : configurations_of(*subject))
         table.columns.push_back(configuration.name());
     compare(*subject, options, table, report);
   }
