@@ -170,7 +170,8 @@ void StepRecording::place_passes(const StepData& data) {
                             static_cast<double>(at.pass) == clock.passes;
       places_[c * static_cast<std::size_t>(passes_) + static_cast<std::size_t>(pass)] =
           is_there ? Place{} : at;
-      if (is_there) continue;
+      // Another processor holds the records: they are looked at only for a next pass.
+      if (is_there || pass + 1 == passes_) continue;
       ++at.pass;
       if (static_cast<double>(at.step) < clock.step && at.pass == passes_of(at.step))
         at = {at.step + 1, 0};

@@ -104,14 +104,12 @@ void run_nodes(NodeRecorder* recorder, int thread, int cluster, std::span<const 
   std::uint64_t before = time_stamp();
   for (const NodeId node : nodes) {
     __builtin_prefetch(record + ahead, 1);
-    run_node(node);
-    const std::uint64_t now = time_stamp();
     record->node = node.index;
     record->cluster = cluster;
     record->begin = before;
-    record->end = now;
+    run_node(node);
+    before = record->end = time_stamp();
     ++record;
-    before = now;
   }
   lane.next = record;
 }

@@ -6,10 +6,6 @@
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <cpuid.h>
-#include <x86intrin.h>
-#define SPOKE_HAS_TIME_STAMP_COUNTER 1
-#else
-#define SPOKE_HAS_TIME_STAMP_COUNTER 0
 #endif
 
 namespace spoke::graph {
@@ -17,18 +13,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::uint64_t steady_ticks() noexcept {
-  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
-}
-
-#if SPOKE_HAS_TIME_STAMP_COUNTER
-// "Invariant TSC": constant rate in all states of frequency and sleep.
-bool counter_is_steady() noexcept {
+bool find_steady_counter() noexcept {
+#if defined(__x86_64__) || defined(__i386__)
+  // "Invariant TSC": constant rate in all states of frequency and sleep.
   unsigned a = 0, b = 0, c = 0, d = 0;
   return __get_cpuid(0x80000007U, &a, &b, &c, &d) != 0 && (d & (1U << 8U)) != 0;
-}
-const bool use_counter = counter_is_steady();
+#else
+  return false;
 #endif
+}
 
 double measure_seconds_per_tick() {
   const auto begin = Clock::now();
@@ -56,12 +49,15 @@ TimeStampScale measure_scale() {
 
 }  // namespace
 
-std::uint64_t time_stamp() noexcept {
-#if SPOKE_HAS_TIME_STAMP_COUNTER
-  if (use_counter) return __rdtsc();
-#endif
-  return steady_ticks();
+namespace detail {
+
+const bool has_steady_counter = find_steady_counter();
+
+std::uint64_t steady_clock_ticks() noexcept {
+  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
 }
+
+}  // namespace detail
 
 const TimeStampScale& time_stamp_scale() {
   static const TimeStampScale scale = measure_scale();

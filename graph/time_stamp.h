@@ -4,9 +4,20 @@
 
 namespace spoke::graph {
 
+namespace detail {
+/// Whether the processor has a time stamp counter that is constant and never stops.
+extern const bool has_steady_counter;
+std::uint64_t steady_clock_ticks() noexcept;
+}  // namespace detail
+
 /// Reads the fastest clock that counts at a constant rate and never stops: the processor's time
 /// stamp counter where it does, otherwise std::chrono::steady_clock. In ticks.
-std::uint64_t time_stamp() noexcept;
+inline std::uint64_t time_stamp() noexcept {
+#if defined(__x86_64__) || defined(__i386__)
+  if (detail::has_steady_counter) return __builtin_ia32_rdtsc();
+#endif
+  return detail::steady_clock_ticks();
+}
 
 /// What time stamps mean on this machine.
 struct TimeStampScale {
