@@ -130,8 +130,8 @@ TEST_CASE("simulator: processors that start clusters in turns contend for one pl
     return simulate_work_stealing(plan, equal_costs(graph, node), processors, contention).makespan;
   };
   CHECK(makespan(1e-6, 1) == approx(6e-6));
-  // The thief counts at 1, the other at 2, the thief at 2.1, the other at 3.1 us: it also runs the
-  // join, behind the thief's end at 3.2 us.
+  // The thief counts from 1 to 1.1, the other from 2 to 2.1 us and keeps the counter to 2.2; so the
+  // thief, who also runs the join, counts to 2.3 us.
   CHECK(makespan(1e-6, 2) == approx(4.3e-6));
   // The thief counts from 0.05 to 0.15 us and keeps the counter to 0.25; so the other counts to
   // 0.35 and the thief, who also runs the join, from 0.45 to 0.55 us.
