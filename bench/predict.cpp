@@ -149,9 +149,10 @@ std::vector<double> median_costs(const std::vector<NodeMeasurement>& turns) {
   return costs;
 }
 
-/// The nodes of a subject, turn by turn.
-struct NodeTurns {
+/// What predictions are made from, turn by turn.
+struct MeasuredTurns {
   std::vector<NodeMeasurement> serial, levels;
+  std::vector<graph::RuntimeCosts> runtimes;
   double serial_turn = 0.0;       ///< the latest one of the executor serial [s]
   std::vector<double> agreement;  ///< a run by its nodes / by the serial turn of the same round
 
@@ -160,6 +161,14 @@ struct NodeTurns {
                         serial_turn);
     serial.push_back(std::move(measured));
   }
+  /// Is called in every round, but takes long.
+  void add_runtimes() {
+    constexpr int every = 4;
+    if (calls_++ % every == 0) runtimes.push_back(graph::measure_runtime_costs());
+  }
+
+ private:
+  int calls_ = 0;
 };
 
 /// A turn behind a pause and a warm-up: threads that still spin after other turns end meanwhile.
@@ -180,26 +189,36 @@ struct Configuration {
 };
 
 /// Those that can be predicted, whether or not they run the subject's graph.
-std::vector<Configuration> configurations_of(const Subject& subject) {
-  const StepGraph& graph = subject.graph();
-  const std::vector<double> costs(static_cast<std::size_t>(graph.node_count()));
-  const graph::RunPredictor predictor(graph, {costs, costs}, graph::runtime_costs());
+std::vector<Configuration> configurations_to_predict() {
   std::vector<Configuration> list{{ExecutorKind::serial, 1}};
   for (const ExecutorKind kind :
        {ExecutorKind::flow_graph, ExecutorKind::automatic, ExecutorKind::openmp_levels})
     for (const int threads : {1, 2})
-      if (predictor.can_predict(kind)) list.push_back({kind, threads});
+      if (graph::has_executor(kind)) list.push_back({kind, threads});
   return list;
+}
+
+/// Turns of a configuration. How fast threads count clusters of a flow graph depends on where in
+/// memory it lies, by some 10 %: several, one after the other.
+std::function<void()> make_turns(Subject& subject, const Configuration& configuration) {
+  const bool is_counted =
+      configuration.kind == ExecutorKind::flow_graph && configuration.threads > 1;
+  std::vector<std::function<void()>> turns;
+  for (int place = 0; place < (is_counted ? 8 : 1); ++place)
+    turns.push_back(subject.turn(configuration.kind, configuration.threads));
+  // Each twice, for a turn comes behind one that warms up.
+  return [turns, calls = std::size_t{0}]() mutable { turns[calls++ / 2 % turns.size()](); };
 }
 
 /// The configurations, `serial` first, then the nodes.
 std::vector<Alternative> make_alternatives(Subject& subject,
                                            const std::vector<Configuration>& configurations,
-                                           NodeTurns& turns) {
+                                           MeasuredTurns& turns) {
   std::vector<Alternative> alternatives;
   for (const Configuration& configuration : configurations) {
-    const auto turn = subject.turn(configuration.kind, configuration.threads);
-    alternatives.push_back(after_pause(configuration.name(), turn, turn));
+    const auto turn = std::make_shared<std::function<void()>>(make_turns(subject, configuration));
+    const auto next = [turn] { (*turn)(); };
+    alternatives.push_back(after_pause(configuration.name(), next, next));
   }
   alternatives.front().run = [turn = alternatives.front().run, &turns] {
     const auto begin = std::chrono::steady_clock::now();
@@ -213,23 +232,40 @@ std::vector<Alternative> make_alternatives(Subject& subject,
   alternatives.push_back(after_pause(
       "node by node, level by level", [&] { subject.measure_turn(NodeOrder::levels); },
       [&] { turns.levels.push_back(subject.measure_turn(NodeOrder::levels)); }));
+  alternatives.push_back(after_pause(
+      "runtimes", [] {}, [&turns] { turns.add_runtimes(); }));
   return alternatives;
+}
+
+/// A line of the report.
+std::string describe(const std::string& subject, const graph::RuntimeCosts& runtime) {
+  const graph::Overheads& flow_graph = runtime.flow_graph;
+  return fmt::format(
+      "  {}: a cluster {:.0f} ns, {:.0f} more after one of another thread, one in {:.0f} ns at "
+      "most; a handover {:.0f} ns; a run of one thread {:.0f} ns, of several {:.0f} ns; data "
+      "{:.0f} "
+      "ns and {:.2f} a byte; OpenMP barrier of two threads {:.0f} ns",
+      subject, flow_graph.per_cluster * 1e9, flow_graph.contention * 1e9, flow_graph.counting * 1e9,
+      flow_graph.handover * 1e9, runtime.flow_graph_run * 1e9,
+      runtime.flow_graph_run_among_threads * 1e9, runtime.transfer.latency * 1e9,
+      runtime.transfer.per_byte * 1e9, runtime.barrier * 1e9);
 }
 
 // Processors change their speed from one second to the next: predictions and measurements are both
 // compared with serial runs of the same rounds.
 void compare(Subject& subject, const QuestionOptions& options, Table& table, Report& report) {
-  auto configurations = configurations_of(subject);
-  const auto all = configurations;
+  const auto all = configurations_to_predict();
+  auto configurations = all;
   std::erase_if(configurations,
                 [&](const Configuration& c) { return !subject.is_run_by(c.kind, c.threads); });
-  NodeTurns turns;
+  MeasuredTurns turns;
   const std::vector<Timing> timings =
       measure(make_alternatives(subject, configurations, turns),
               options.quick ? Effort{5, kBatch, 0.5} : Effort{25, kBatch, 4.0});
-  const graph::RunPredictor predictor(subject.graph(),
-                                      {median_costs(turns.serial), median_costs(turns.levels)},
-                                      graph::runtime_costs());
+  const graph::RuntimeCosts runtime = graph::median(turns.runtimes);
+  report.add_remark(describe(subject.name(), runtime));
+  const graph::RunPredictor predictor(
+      subject.graph(), {median_costs(turns.serial), median_costs(turns.levels)}, runtime);
   const double between_runs = turns.serial.back().between_runs;
   const double serial = predictor.work() + between_runs;
   const double agreement = median(turns.agreement);
@@ -269,23 +305,13 @@ std::vector<std::unique_ptr<Subject>> make_subjects(const QuestionOptions& optio
 }  // namespace
 
 void measure_predict(const QuestionOptions& options, Report& report) {
-  const graph::RuntimeCosts& runtime = graph::runtime_costs();
-  report.add_remark(fmt::format(
-      "  flow graph: {} a cluster and {} more after one of another thread, {} a handover, {} a run "
-      "of one thread, {} of several; OpenMP barrier of two threads: {}; data {} and {:.3g} ns a "
-      "byte",
-      duration(runtime.flow_graph.per_cluster), duration(runtime.flow_graph.contention),
-      duration(runtime.flow_graph.handover), duration(runtime.flow_graph_run),
-      duration(runtime.flow_graph_run_among_threads), duration(runtime.barrier),
-      duration(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
   Table table{"Predicted / measured time of a run, nodes measured in the same rounds",
               {"model", "serial run"},
               {}};
+  for (const Configuration& configuration : configurations_to_predict())
+    table.columns.push_back(configuration.name());
   for (const std::unique_ptr<Subject>& subject : make_subjects(options)) {
     show_progress(subject->name());
-    if (table.columns.size() == 2)
-      for (const Configuration& configuration : configurations_of(*subject))
-        table.columns.push_back(configuration.name());
     compare(*subject, options, table, report);
   }
   report.add_table(table);

@@ -40,17 +40,17 @@ double measure_handover() {
   return least;
 }
 
-Overheads measure() {
+}  // namespace
+
+Overheads measure_flow_graph_overheads() {
   Overheads overheads;
   overheads.per_cluster = std::clamp(measure_cluster(), 10e-9, 1e-6);
   overheads.handover = std::clamp(measure_handover(), 0.5e-6, 5e-6);
   return overheads;
 }
 
-}  // namespace
-
 const Overheads& flow_graph_overheads() {
-  static const Overheads overheads = measure();
+  static const Overheads overheads = measure_flow_graph_overheads();
   return overheads;
 }
 

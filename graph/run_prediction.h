@@ -26,6 +26,8 @@ struct OrderedCosts {
 struct CostSpread {
   double low = 1.0;   ///< <= 1
   double high = 1.0;  ///< >= 1
+  /// Of a single node from one run to the next, at most: a factor from 1 - this to 1 + this.
+  double between_runs = 0.1;
 };
 
 /// Predicts how long executors take for a run on any number of processors, equal to the one on

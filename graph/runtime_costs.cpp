@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/calibration_graphs.h"
+#include "graph/counting_costs.h"
 #include "graph/executor_kinds.h"
 #include "graph/overheads.h"
 #include "graph/time_stamp.h"
@@ -37,26 +38,6 @@ double measure_flow_graph_run(double per_cluster) {
   return measure_flow_graph(make_ladder(1), 1) - 2.0 * per_cluster;
 }
 
-// What two threads lack at each node to be twice as fast on two chains that share nothing. How far
-// away a processor finds the place of counting depends on where in memory it lies, which makes some
-// 10 % of it: the lower quartile of several places, for what disturbs makes it dearer.
-double measure_contention(double runs_and_handovers) {
-  constexpr int links = 100;
-  constexpr double busy = 0.3e-6;  // s
-  const StepGraph graph = make_chains(2, links, busy);
-  const double alone = measure_flow_graph(graph, 1);
-  std::array<std::unique_ptr<Executor>, 5> executors;  // at once, so that each has its place
-  std::array<double, executors.size()> contention{};
-  for (std::size_t k = 0; k < executors.size(); ++k) {
-    executors[k] = make_flow_graph_executor(graph, plan_of_single_nodes(graph), 2);
-    const double together =
-        least_seconds_per_run(*executors[k], 2 * links * busy) - runs_and_handovers;
-    contention[k] = (2.0 * together - alone) / (2 * links);
-  }
-  std::sort(contention.begin(), contention.end());
-  return contention[contention.size() / 4];
-}
-
 // Fork-joins, of which each hands over once, in runs that have one of them and many.
 void measure_among_threads(RuntimeCosts& costs) {
   constexpr int count = 8;
@@ -69,9 +50,10 @@ void measure_among_threads(RuntimeCosts& costs) {
   const double cluster = costs.flow_graph.per_cluster;
   costs.flow_graph_run_among_threads = std::clamp(one - each - cluster, 0.05e-6, 5e-6);
   const double handover = each - busy - 2.0 * cluster;
-  costs.flow_graph.contention =
-      std::clamp(measure_contention(costs.flow_graph_run_among_threads + handover), 0.0, 1e-6);
-  costs.flow_graph.handover = std::clamp(handover - costs.flow_graph.contention, 0.1e-6, 5e-6);
+  const CountingCosts counting = measure_counting(costs.flow_graph_run_among_threads + handover);
+  costs.flow_graph.contention = counting.wait;
+  costs.flow_graph.counting = counting.service;
+  costs.flow_graph.handover = std::clamp(handover - counting.wait, 0.1e-6, 5e-6);
 }
 
 double measure_barrier() {
@@ -168,9 +150,25 @@ Transfer measure_transfer() {
   return {std::clamp(one - per_piece, 0.0, 1e-6), std::min(per_piece / bytes, 4e-9)};
 }
 
-RuntimeCosts measure() {
+auto all_costs(RuntimeCosts& costs) {
+  return std::array{&costs.flow_graph.per_node,
+                    &costs.flow_graph.per_cluster,
+                    &costs.flow_graph.handover,
+                    &costs.flow_graph.contention,
+                    &costs.flow_graph.counting,
+                    &costs.flow_graph_run,
+                    &costs.flow_graph_run_among_threads,
+                    &costs.barrier,
+                    &costs.barrier_alone,
+                    &costs.transfer.latency,
+                    &costs.transfer.per_byte};
+}
+
+}  // namespace
+
+RuntimeCosts measure_runtime_costs() {
   RuntimeCosts costs;
-  costs.flow_graph = flow_graph_overheads();
+  costs.flow_graph = measure_flow_graph_overheads();
   costs.flow_graph_run =
       std::clamp(measure_flow_graph_run(costs.flow_graph.per_cluster), 0.05e-6, 5e-6);
   measure_among_threads(costs);
@@ -182,21 +180,22 @@ RuntimeCosts measure() {
   return costs;
 }
 
-}  // namespace
-
-const RuntimeCosts& runtime_costs() {
-  static const RuntimeCosts costs = measure();
-  return costs;
+RuntimeCosts median(std::vector<RuntimeCosts> measured) {
+  RuntimeCosts result;
+  const auto costs = all_costs(result);
+  std::vector<double> values(measured.size());
+  for (std::size_t cost = 0; cost < costs.size(); ++cost) {
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = *all_costs(measured[k])[cost];
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    *costs[cost] = *middle;
+  }
+  return result;
 }
 
 RuntimeCosts scaled(const RuntimeCosts& costs, double factor) {
   RuntimeCosts result = costs;
-  for (double* cost :
-       {&result.flow_graph.per_node, &result.flow_graph.per_cluster, &result.flow_graph.handover,
-        &result.flow_graph.contention, &result.flow_graph_run, &result.flow_graph_run_among_threads,
-        &result.barrier, &result.barrier_alone, &result.transfer.latency,
-        &result.transfer.per_byte})
-    *cost *= factor;
+  for (double* cost : all_costs(result)) *cost *= factor;
   return result;
 }
 

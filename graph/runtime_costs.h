@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "graph/schedule_simulator.h"
 
 namespace spoke::graph {
@@ -14,9 +16,14 @@ struct RuntimeCosts {
   Transfer transfer;           ///< of data from another processor's caches
 };
 
-/// Measured once per process on graphs of empty nodes and of busy ones, none of them a model's, in
-/// about a fifth of a second. Bounded to what is plausible, for busy machines.
-const RuntimeCosts& runtime_costs();
+/// Measured on graphs of empty nodes and of busy ones, none of them a model's, in about a fifth of
+/// a second. Bounded to what is plausible, for busy machines. Threads of OpenMP spin on for some
+/// milliseconds after that.
+RuntimeCosts measure_runtime_costs();
+
+/// Of each cost the median. Precondition: there is one. Processors change their speed from one
+/// second to the next, so costs are measured again in the rounds in which nodes are.
+RuntimeCosts median(std::vector<RuntimeCosts> measured);
 
 /// All of them times `factor`.
 RuntimeCosts scaled(const RuntimeCosts& costs, double factor);

@@ -118,6 +118,7 @@ class WorkStealer {
         traffic_(traffic),
         handover_(overheads.handover),
         contention_(overheads.contention),
+        counting_(overheads.counting),
         durations_(durations(plan, node_costs, overheads)),
         waiting_for_(count_predecessors(plan)),
         kept_(at(processors)),
@@ -163,14 +164,13 @@ class WorkStealer {
   };
 
   // The time at which the start that is made at `now` has been counted: one more under way, one
-  // less. The counter comes from the processor that counted last, and then stays as long with the
-  // one that has it.
+  // less. The counter comes from the processor that counted last, if that has had it long enough.
   double count_start(int processor, double now) {
     if (processor == counter_holder_) return now;
     counter_holder_ = processor;
-    const double counted = std::max(now, counter_free_) + contention_;
-    counter_free_ = counted + contention_;
-    return counted;
+    const double leaves = std::max(now, counter_free_);
+    counter_free_ = leaves + counting_;
+    return leaves + contention_;
   }
 
   void start(int cluster, int processor, double start) {
@@ -242,8 +242,9 @@ class WorkStealer {
   DataTraffic* traffic_;
   double handover_;
   double contention_;
+  double counting_;
   int counter_holder_ = 0;     // the processor that counted last
-  double counter_free_ = 0.0;  // when another can have it [s]
+  double counter_free_ = 0.0;  // when it can go to another [s]
   std::vector<double> durations_;
   std::vector<int> waiting_for_;
   std::vector<std::deque<int>> kept_;  // per processor

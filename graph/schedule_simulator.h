@@ -13,9 +13,11 @@ struct Overheads {
   double per_node = 2e-9;    ///< calling a node within its cluster
   double per_cluster = 0.0;  ///< starting a cluster
   double handover = 0.0;     ///< a cluster starts on another processor than made it ready
-  /// A cluster starts after one on another processor: under work stealing all are counted at one
-  /// place, one after the other, which comes to a processor in this time and stays as long.
+  /// Under work stealing all clusters that start are counted at one place, one after the other. A
+  /// start after one on another processor waits this long for that place to come.
   double contention = 0.0;
+  /// And from the moment it goes to a processor, others have to wait this long to get it.
+  double counting = 0.0;
 };
 
 /// Where and when a cluster runs [s from the start of the run]; its overheads are part of it, a
@@ -53,8 +55,8 @@ Schedule simulate_list_schedule(const Plan& plan, std::span<const double> node_c
 /// on with the last and keeps the others; it takes what it kept last, and a processor that has
 /// nothing takes what another, the first that has any, has kept longest, if it still has it when a
 /// quarter of a handover has passed. Clusters without predecessors are kept by processor 0.
-/// Starting clusters contend (Overheads::contention). With `traffic`, they also wait for their
-/// nodes' data. Event-driven; near-linear.
+/// Starting clusters contend (Overheads::contention, counting). With `traffic`, they also wait for
+/// their nodes' data. Event-driven; near-linear.
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads,
                                 DataTraffic* traffic = nullptr);

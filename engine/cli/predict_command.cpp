@@ -3,8 +3,11 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <optional>
+#include <thread>
+#include <vector>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/measure_child_command.h"
@@ -121,7 +124,7 @@ void warm_up(Subject& subject, std::int64_t batch) {
     simulation.measure_nodes(std::min(batch, steps - simulation.steps()));
 }
 
-/// Times the nodes of all subjects, over the same steps.
+/// Times the nodes of all subjects, over the same steps, and the runtimes in every few rounds.
 class SubjectTimer {
  public:
   explicit SubjectTimer(Subjects& subjects)
@@ -135,16 +138,25 @@ class SubjectTimer {
   void measure() {
     all_.measure(batch_);
     if (of_auto_) of_auto_->measure(batch_);
+    if (rounds_++ % 4 == 0) measure_runtimes();
   }
   void summarise(predict::Prediction& prediction) const {
     prediction.run.nodes = all_.summarise();
     if (of_auto_) prediction.auto_run->nodes = of_auto_->summarise();
+    prediction.runtime = graph::median(runtimes_);
   }
 
  private:
+  void measure_runtimes() {
+    runtimes_.push_back(graph::measure_runtime_costs());
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));  // until no thread spins any more
+  }
+
   std::int64_t batch_;
   predict::NodeTimer all_;
   std::optional<predict::NodeTimer> of_auto_;
+  int rounds_ = 0;
+  std::vector<graph::RuntimeCosts> runtimes_;
 };
 
 /// Executors on the numbers of threads that this machine has, in child processes; in the same
@@ -215,7 +227,6 @@ int predict(const Arguments& arguments) {
   SubjectTimer timer(subjects);
   const auto measurements = measure(task, subjects, timer, machine.cores);
   timer.summarise(prediction);
-  prediction.runtime = graph::runtime_costs();
   prediction.load_after = load_average();
   show_progress("predicting");
   const auto& of_auto = subjects.of_auto;

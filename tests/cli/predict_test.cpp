@@ -57,6 +57,7 @@ TEST_CASE("predict prints a table and a conclusion and writes its files") {
   CHECK(all["model"]["formulation"] == "subsystem");
   CHECK(all["model"]["window_steps"] == 1);
   CHECK(all["runtime_costs"]["flow_graph_handover_s"].get<double>() > 0.0);
+  CHECK(all["runtime_costs"]["flow_graph_counting_s"].get<double>() >= 0.0);
   CHECK(all["nodes"]["costs_s"].size() == all["model"]["run_nodes"].get<std::size_t>());
   const json& level_costs = all["nodes"]["level_costs_s"];
   if (all["runtime_costs"]["openmp_barrier_s"].is_null())  // a build without OpenMP

@@ -23,7 +23,7 @@ RuntimeCosts costly() {
 }
 
 RunPredictor predictor_of(const StepGraph& graph, const RuntimeCosts& runtime,
-                          CostSpread spread = {}) {
+                          CostSpread spread = {1.0, 1.0, 0.0}) {
   return {graph, {equal_costs(graph, kNode), equal_costs(graph, kNode)}, runtime, spread};
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("prediction: levels take their costliest share and their barriers") {
 TEST_CASE("prediction: the band holds the expected time and grows with the spread") {
   const StepGraph graph = make_window(2, 5, 3);
   const RunPredictor narrow = predictor_of(graph, costly());
-  const RunPredictor wide = predictor_of(graph, costly(), {0.9, 1.2});
+  const RunPredictor wide = predictor_of(graph, costly(), {0.9, 1.2, 0.0});
   for (const ExecutorKind kind : {ExecutorKind::serial, ExecutorKind::flow_graph,
                                   ExecutorKind::automatic, ExecutorKind::openmp_levels}) {
     for (const int threads : {1, 2, 3, 8}) {
@@ -94,7 +94,7 @@ TEST_CASE("prediction: auto is never slower than serial") {
 }
 
 TEST_CASE("runtime costs are positive and scale") {
-  const RuntimeCosts& costs = runtime_costs();
+  const RuntimeCosts costs = measure_runtime_costs();
   CHECK(costs.flow_graph.per_cluster > 0.0);
   CHECK(costs.flow_graph.handover > 0.0);
   CHECK(costs.flow_graph_run > 0.0);
@@ -103,10 +103,44 @@ TEST_CASE("runtime costs are positive and scale") {
   CHECK(twice.flow_graph.handover == 2.0 * costs.flow_graph.handover);
   CHECK(costs.flow_graph.contention >= 0.0);
   CHECK(twice.flow_graph.contention == 2.0 * costs.flow_graph.contention);
+  CHECK(costs.flow_graph.counting >= 0.0);
+  CHECK(twice.flow_graph.counting == 2.0 * costs.flow_graph.counting);
   CHECK(costs.flow_graph_run_among_threads > 0.0);
   CHECK(costs.transfer.latency >= 0.0);
   CHECK(twice.transfer.latency == 2.0 * costs.transfer.latency);
   CHECK(costs.transfer.per_byte >= 0.0);
   CHECK(twice.transfer.per_byte == 2.0 * costs.transfer.per_byte);
   CHECK(twice.barrier == 2.0 * costs.barrier);
+}
+
+TEST_CASE("runtime costs: of several measurements each cost has its median") {
+  std::vector<RuntimeCosts> measured(3);
+  measured[0].barrier = 3.0;
+  measured[1].barrier = 1.0;
+  measured[2].barrier = 2.0;
+  measured[0].transfer.latency = 1.0;
+  measured[1].transfer.latency = 5.0;
+  measured[2].transfer.latency = 4.0;
+  measured[1].flow_graph.counting = 7.0;
+  const RuntimeCosts middle = median(measured);
+  CHECK(middle.barrier == 2.0);
+  CHECK(middle.transfer.latency == 4.0);
+  CHECK(middle.flow_graph.counting == 0.0);
+}
+
+TEST_CASE("prediction: nodes that vary from run to run take their mean, and the same each time") {
+  const StepGraph graph = make_fan(4, 3);
+  RuntimeCosts runtime;
+  runtime.flow_graph = {0.0, 0.0, 0.0};
+  const RunPredictor exact = predictor_of(graph, runtime);
+  const RunPredictor varied = predictor_of(graph, runtime, {1.0, 1.0, 0.1});
+  const auto seconds = [](const RunPredictor& predictor, int threads) {
+    return predictor.predict(ExecutorKind::flow_graph, threads).expected;
+  };
+  CHECK(seconds(varied, 1) == approx(seconds(exact, 1)).epsilon(0.01));
+  CHECK(seconds(varied, 1) != seconds(exact, 1));
+  // The last of four branches ends the run.
+  CHECK(seconds(varied, 4) > 1.01 * seconds(exact, 4));
+  CHECK(seconds(varied, 4) < 1.1 * seconds(exact, 4));
+  CHECK(seconds(varied, 4) == seconds(varied, 4));
 }

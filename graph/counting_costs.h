@@ -1,0 +1,16 @@
+#pragma once
+
+namespace spoke::graph {
+
+/// oneTBB counts the clusters of a flow graph that are under way at one place. What that costs on
+/// this machine where two processors take turns [s].
+struct CountingCosts {
+  double wait = 0.0;     ///< for a processor when another counted last: the counter comes to it
+  double service = 0.0;  ///< from one such start to the next, when both have nothing else to do
+};
+
+/// Measured in some 50 ms; none where this process has one processor, or gets no other.
+/// `run_and_handover`: what a run of two threads takes beside its clusters [s].
+CountingCosts measure_counting(double run_and_handover);
+
+}  // namespace spoke::graph
