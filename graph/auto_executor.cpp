@@ -17,6 +17,7 @@
 #include "graph/overheads.h"
 #include "graph/plan_candidates.h"
 #include "graph/plan_choice.h"
+#include "graph/runtime_costs.h"
 #include "graph/time_stamp.h"
 #include "graph/unbound_thread.h"
 
@@ -163,9 +164,15 @@ class AutoExecutor final : public Executor {
     const double acceptable = 1.2 * work;
     foreseen_speedup_ = 0.0;
     alternatives_.push_back({make_serial_executor(graph_), 1, {}});
-    for (Candidate& candidate : find_candidates(graph_, costs, processors_, flow_graph_overheads(),
-                                                per_ordering, &tried_)) {
-      if (candidate.makespan > acceptable) continue;
+    const auto is_unacceptable = [=](const Candidate& c) { return c.makespan > acceptable; };
+    std::vector<Candidate> candidates = find_candidates(
+        graph_, costs, processors_, flow_graph_overheads(), weighable_candidates(graph_), &tried_);
+    std::erase_if(candidates, is_unacceptable);
+    if (candidates.empty()) return;  // spares measuring what weighing takes
+    candidates = weigh_candidates(std::move(candidates), graph_, costs, processors_,
+                                  flow_graph_costs(), per_ordering);
+    std::erase_if(candidates, is_unacceptable);
+    for (Candidate& candidate : candidates) {
       foreseen_speedup_ = std::max(foreseen_speedup_, work / candidate.makespan);
       const int clusters = candidate.plan.cluster_count();
       alternatives_.push_back(

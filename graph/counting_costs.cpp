@@ -42,8 +42,7 @@ class TwoChains {
   /// What a link takes each of two threads [s]. How far away a processor finds the place of
   /// counting depends on where in memory that lies, by some 10 %: the lower quartile of several.
   /// Nothing if another thread never comes, which on a busy machine may happen.
-  std::optional<double> link_together(double run_and_handover) {
-    constexpr int places = 16;
+  std::optional<double> link_together(int places, double run_and_handover) {
     std::vector<std::unique_ptr<Executor>> executors;  // all live, so that each has its own place
     std::vector<double> seconds;
     for (int k = 0; k < places; ++k) {
@@ -91,15 +90,15 @@ class TwoChains {
 
 }  // namespace
 
-CountingCosts measure_counting(double run_and_handover) {
+CountingCosts measure_counting(int places, double run_and_handover) {
   if (available_threads() <= 1) return {};
   constexpr double long_busy = 0.3e-6;  // s, against what counting takes
   TwoChains long_links(long_busy);
   TwoChains empty_links(0.0);
-  const std::optional<double> together = long_links.link_together(run_and_handover);
+  const std::optional<double> together = long_links.link_together(places, run_and_handover);
   if (!together) return {};
   const double wait = *together - long_links.link_alone();
-  const double service = 0.5 * empty_links.link_together(run_and_handover).value_or(0.0);
+  const double service = 0.5 * empty_links.link_together(places, run_and_handover).value_or(0.0);
   return {std::clamp(wait, 0.0, 1e-6), std::clamp(service, 1e-9, 1e-6)};
 }
 

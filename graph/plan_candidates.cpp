@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "graph/coarsening.h"
+#include "graph/cost_variation.h"
+#include "graph/flow_graph_runs.h"
 #include "graph/schedule_order.h"
 
 namespace spoke::graph {
@@ -34,27 +36,17 @@ std::vector<CoarseningOptions> option_grid(double work, int processors,
   return grid;
 }
 
-// Keeps the best candidates of each ordering.
-class Selection {
+// Of all that are added, by ordering.
+class ByOrdering {
  public:
-  Selection(std::span<const double> costs, int processors, const Overheads& overheads)
-      : costs_(costs), processors_(processors), overheads_(overheads) {}
-
-  // Scores a coarsened plan in all orderings, unless one like it was seen.
-  void add(Plan plan) {
-    const double span = span_of(plan, costs_);
-    if (!seen_.insert({plan.cluster_count(), plan.edge_count(), span}).second) return;
-    const Schedule list = simulate_list_schedule(plan, costs_, processors_, overheads_);
-    const ProcessorLists lists = wrap_around_lists(plan, costs_, processors_, overheads_);
-    const Schedule wrapped = simulate_lists(plan, costs_, lists, overheads_);
-    score(order_by_schedule(plan, costs_, list), Ordering::by_list);
-    score(order_by_schedule(plan, costs_, wrapped), Ordering::wrap_around);
-    score(std::move(plan), Ordering::none);
+  void add(Candidate candidate) {
+    const auto ordering = static_cast<std::size_t>(candidate.ordering);
+    candidates_[ordering].push_back(std::move(candidate));
   }
 
   std::vector<Candidate> best(std::size_t per_ordering) && {
     std::vector<Candidate> best;
-    for (std::vector<Candidate>& candidates : by_ordering_) {
+    for (std::vector<Candidate>& candidates : candidates_) {
       std::stable_sort(
           candidates.begin(), candidates.end(),
           [](const Candidate& a, const Candidate& b) { return a.makespan < b.makespan; });
@@ -62,7 +54,6 @@ class Selection {
     }
     return best;
   }
-  int tried() const { return tried_; }
 
  private:
   // Plans of equal numbers of clusters and edges are as good as equal.
@@ -77,12 +68,50 @@ class Selection {
     }
   }
 
+  std::array<std::vector<Candidate>, kOrderings> candidates_;
+};
+
+// Makes plans and scores them.
+class Selection {
+ public:
+  Selection(std::span<const double> costs, int processors, const Overheads& overheads)
+      : costs_(costs), processors_(processors), overheads_(overheads) {}
+
+  // Scores a coarsened plan in all orderings, unless one like it was seen.
+  void add(Plan plan) {
+    const double span = span_of(plan, costs_);
+    if (!seen_.insert({plan.cluster_count(), plan.edge_count(), span}).second) return;
+    score_by_lists(plan);
+    const ProcessorLists lists = wrap_around_lists(plan, costs_, processors_, overheads_);
+    const Schedule wrapped = simulate_lists(plan, costs_, lists, overheads_);
+    score(order_by_schedule(plan, costs_, wrapped), Ordering::wrap_around);
+    score(std::move(plan), Ordering::none);
+  }
+
+  std::vector<Candidate> best(std::size_t per_ordering) && {
+    return std::move(candidates_).best(per_ordering);
+  }
+  int tried() const { return tried_; }
+
+ private:
+  // A list schedule looks no further than to what is ready, and what comes of that is chance: small
+  // plans are tried several times, with costs that are a bit off.
+  void score_by_lists(const Plan& plan) {
+    constexpr double off = 0.2;
+    const int tries = std::clamp(1000 / plan.node_count(), 1, 16);
+    CostVariation vary(costs_, off);
+    for (int k = 0; k < tries; ++k) {
+      const Schedule list = simulate_list_schedule(
+          plan, k == 0 ? costs_ : std::span<const double>(vary()), processors_, overheads_);
+      score(order_by_schedule(plan, costs_, list), Ordering::by_list);
+    }
+  }
+
   void score(Plan plan, Ordering ordering) {
     if (level_width(plan) <= 1) return;
     ++tried_;
     const double makespan = simulate_work_stealing(plan, costs_, processors_, overheads_).makespan;
-    by_ordering_[static_cast<std::size_t>(ordering)].push_back(
-        {std::move(plan), ordering, makespan});
+    candidates_.add({std::move(plan), ordering, makespan});
   }
 
   std::span<const double> costs_;
@@ -90,7 +119,7 @@ class Selection {
   Overheads overheads_;
   int tried_ = 0;
   std::set<std::tuple<int, int, double>> seen_;
-  std::array<std::vector<Candidate>, kOrderings> by_ordering_;
+  ByOrdering candidates_;
 };
 
 }  // namespace
@@ -105,6 +134,26 @@ std::vector<Candidate> find_candidates(const StepGraph& graph, std::span<const d
   }
   if (tried) *tried = selection.tried();
   return std::move(selection).best(per_ordering);
+}
+
+std::size_t weighable_candidates(const StepGraph& graph) {
+  constexpr std::size_t nodes = 30'000, fewest = 4, most = 16;
+  const auto count = static_cast<std::size_t>(std::max(graph.node_count(), 1));
+  return std::clamp(
+      nodes / (count * static_cast<std::size_t>(1 + simulated_flow_graph_runs(graph.node_count()))),
+      fewest, most);
+}
+
+std::vector<Candidate> weigh_candidates(std::vector<Candidate> candidates, const StepGraph& graph,
+                                        std::span<const double> node_costs, int processors,
+                                        const RuntimeCosts& runtime, std::size_t per_ordering) {
+  ByOrdering weighed;
+  for (Candidate& candidate : candidates) {
+    candidate.makespan =
+        simulate_flow_graph_runs(graph, candidate.plan, node_costs, processors, runtime);
+    weighed.add(std::move(candidate));
+  }
+  return std::move(weighed).best(per_ordering);
 }
 
 }  // namespace spoke::graph

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graph/plan.h"
+#include "graph/runtime_costs.h"
 #include "graph/schedule_simulator.h"
 
 namespace spoke::graph {
@@ -30,5 +31,15 @@ struct Candidate {
 std::vector<Candidate> find_candidates(const StepGraph& graph, std::span<const double> node_costs,
                                        int processors, const Overheads& overheads,
                                        std::size_t per_ordering, int* tried = nullptr);
+
+/// How many candidates of each ordering can be weighed more closely, by simulate_flow_graph_runs(),
+/// in some tenths of a second.
+std::size_t weighable_candidates(const StepGraph& graph);
+
+/// Of candidates those that are best, at most `per_ordering` of each, when they are weighed with
+/// what all clusters that start and all data that move cost.
+std::vector<Candidate> weigh_candidates(std::vector<Candidate> candidates, const StepGraph& graph,
+                                        std::span<const double> node_costs, int processors,
+                                        const RuntimeCosts& runtime, std::size_t per_ordering);
 
 }  // namespace spoke::graph

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <stdexcept>
 #include <utility>
 
+#include "graph/flow_graph_runs.h"
 #include "graph/level_rounds.h"
 #include "graph/plan_candidates.h"
 #include "graph/plan_choice.h"
@@ -42,31 +42,6 @@ double critical_shares(const std::vector<Round>& rounds, const std::vector<doubl
   }
   return seconds;
 }
-
-/// The costs of nodes from run to run. Which processor comes first to the place of counting, or
-/// finds what another has kept, hangs on nanoseconds: one run of exact costs may be far from the
-/// mean.
-class Variation {
- public:
-  Variation(const std::vector<double>& costs, double most) : costs_(costs), most_(most) {}
-
-  const std::vector<double>& operator()() {
-    varied_ = costs_;
-    for (double& cost : varied_) cost *= 1.0 + most_ * (2.0 * next() - 1.0);
-    return varied_;
-  }
-
- private:
-  double next() {  // from 0 to 1, on every platform the same
-    return static_cast<double>(random_() - Random::min()) / (Random::max() - Random::min());
-  }
-
-  using Random = std::minstd_rand;
-  const std::vector<double>& costs_;
-  double most_;
-  std::vector<double> varied_;
-  Random random_;
-};
 
 }  // namespace
 
@@ -131,27 +106,6 @@ PredictedRun RunPredictor::predict_serial() const {
   return {seconds, spread_.low * seconds, spread_.high * seconds, 1};
 }
 
-double RunPredictor::flow_graph_seconds(const Plan& plan, int threads,
-                                        const Assumptions& assumed) const {
-  const int width = level_width(plan);
-  if (width <= 1)
-    return work_of(assumed.costs.serial);  // the executor then does without a flow graph
-  const int used_threads = std::min(threads, width);
-  const RuntimeCosts& runtime = assumed.runtime;
-  DataTraffic traffic(graph_, runtime.transfer);
-  Variation vary(assumed.costs.serial, spread_.between_runs);
-  const auto makespan = [&] {
-    return simulate_work_stealing(plan, vary(), used_threads, runtime.flow_graph, &traffic)
-        .makespan;
-  };
-  makespan();  // leaves the data where a run finds them
-  const int runs = std::clamp(2000 / plan.node_count(), 1, 32);
-  double sum = 0.0;
-  for (int k = 0; k < runs; ++k) sum += makespan();
-  return sum / runs +
-         (used_threads > 1 ? runtime.flow_graph_run_among_threads : runtime.flow_graph_run);
-}
-
 // The band holds the expected time even where dearer nodes happen to make a better schedule.
 template <class Seconds>
 PredictedRun RunPredictor::in_band(Seconds seconds, int clusters) const {
@@ -162,7 +116,10 @@ PredictedRun RunPredictor::in_band(Seconds seconds, int clusters) const {
 
 PredictedRun RunPredictor::predict_plan(const Plan& plan, int threads) const {
   return in_band(
-      [&](const Assumptions& assumed) { return flow_graph_seconds(plan, threads, assumed); },
+      [&](const Assumptions& assumed) {
+        return simulate_flow_graph_runs(graph_, plan, assumed.costs.serial, threads,
+                                        assumed.runtime, spread_.between_runs);
+      },
       plan.cluster_count());
 }
 
@@ -172,8 +129,10 @@ PredictedRun RunPredictor::predict_auto(int threads) const {
   const double worth_while =
       serial.expected / least_gain(serial.expected, runtime_.flow_graph.handover);
   PredictedRun best = serial;
+  auto candidates = find_candidates(graph_, node_costs_.serial, threads, runtime_.flow_graph,
+                                    weighable_candidates(graph_));
   for (const Candidate& candidate :
-       find_candidates(graph_, node_costs_.serial, threads, runtime_.flow_graph, 1)) {
+       weigh_candidates(std::move(candidates), graph_, node_costs_.serial, threads, runtime_, 1)) {
     const PredictedRun run = predict_plan(candidate.plan, threads);
     if (run.expected < std::min(best.expected, worth_while)) best = run;
   }

@@ -58,7 +58,6 @@ class RunPredictor {
   Assumptions pessimistic() const;
   template <class Seconds>
   PredictedRun in_band(Seconds seconds, int clusters) const;
-  double flow_graph_seconds(const Plan& plan, int threads, const Assumptions& assumed) const;
   PredictedRun predict_plan(const Plan& plan, int threads) const;
   PredictedRun predict_serial() const;
   PredictedRun predict_auto(int threads) const;

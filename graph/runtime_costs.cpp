@@ -18,10 +18,16 @@
 namespace spoke::graph {
 namespace {
 
+// How much time measuring takes.
+struct Effort {
+  double time;  // of one quantity [s]
+  int places;   // of counting, in memory
+};
+
 // `alone`: what one of several threads takes at least. A sleeping thread takes milliseconds to
 // join, on a virtual machine tens of them.
-double least_seconds_per_run(Executor& executor, double alone) {
-  constexpr double time = 15e-3, patience = 0.1;  // s
+double least_seconds_per_run(Executor& executor, double time, double alone) {
+  constexpr double patience = 0.1;  // s
   double least = seconds_per_run(executor, 50);
   for (const std::uint64_t begin = time_stamp();
        seconds_since(begin) < (least < 0.9 * alone ? time : patience);)
@@ -29,28 +35,30 @@ double least_seconds_per_run(Executor& executor, double alone) {
   return least;
 }
 
-double measure_flow_graph(const StepGraph& graph, int threads, double alone = 1.0) {
+double measure_flow_graph(const StepGraph& graph, double time, int threads, double alone = 1.0) {
   const auto executor = make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads);
-  return least_seconds_per_run(*executor, alone);
+  return least_seconds_per_run(*executor, time, alone);
 }
 
-double measure_flow_graph_run(double per_cluster) {
-  return measure_flow_graph(make_ladder(1), 1) - 2.0 * per_cluster;
+double measure_flow_graph_run(double time, double per_cluster) {
+  return measure_flow_graph(make_ladder(1), time, 1) - 2.0 * per_cluster;
 }
 
 // Fork-joins, of which each hands over once, in runs that have one of them and many.
-void measure_among_threads(RuntimeCosts& costs) {
+void measure_among_threads(const Effort& effort, RuntimeCosts& costs) {
   constexpr int count = 8;
   constexpr double busy = 3e-6;  // s
   const auto seconds = [&](int fork_joins) {
-    return measure_flow_graph(make_fork_joins(fork_joins, busy), 2, 2 * fork_joins * busy);
+    return measure_flow_graph(make_fork_joins(fork_joins, busy), effort.time, 2,
+                              2 * fork_joins * busy);
   };
   const double one = seconds(1);
   const double each = (seconds(count) - one) / (count - 1);
   const double cluster = costs.flow_graph.per_cluster;
   costs.flow_graph_run_among_threads = std::clamp(one - each - cluster, 0.05e-6, 5e-6);
   const double handover = each - busy - 2.0 * cluster;
-  const CountingCosts counting = measure_counting(costs.flow_graph_run_among_threads + handover);
+  const CountingCosts counting =
+      measure_counting(effort.places, costs.flow_graph_run_among_threads + handover);
   costs.flow_graph.contention = counting.wait;
   costs.flow_graph.counting = counting.service;
   costs.flow_graph.handover = std::clamp(handover - counting.wait, 0.1e-6, 5e-6);
@@ -112,8 +120,7 @@ struct Toucher {
 
 // One thread changes the data of two nodes, which then run: on that thread and on another, which
 // takes that much longer [s].
-double measure_moved(std::size_t pieces) {
-  constexpr double time = 15e-3;  // s
+double measure_moved(double time, std::size_t pieces) {
   const auto touchers = std::make_unique<std::array<Toucher, 2>>();
   Toucher& a = touchers->front();  // Clang 14 captures no structured bindings
   Toucher& b = touchers->back();
@@ -142,10 +149,10 @@ double measure_moved(std::size_t pieces) {
   return *middle;
 }
 
-Transfer measure_transfer() {
+Transfer measure_transfer(double time) {
   constexpr auto bytes = static_cast<double>(Toucher::kPiece * sizeof(double));  // of a piece
-  const double one = measure_moved(1);
-  const double all = measure_moved(Toucher::kPieces);
+  const double one = measure_moved(time, 1);
+  const double all = measure_moved(time, Toucher::kPieces);
   const double per_piece = std::max(0.0, (all - one) / (Toucher::kPieces - 1));
   return {std::clamp(one - per_piece, 0.0, 1e-6), std::min(per_piece / bytes, 4e-9)};
 }
@@ -164,19 +171,29 @@ auto all_costs(RuntimeCosts& costs) {
                     &costs.transfer.per_byte};
 }
 
+RuntimeCosts measure_flow_graph_costs(const Overheads& overheads, const Effort& effort) {
+  RuntimeCosts costs;
+  costs.flow_graph = overheads;
+  costs.flow_graph_run =
+      std::clamp(measure_flow_graph_run(effort.time, costs.flow_graph.per_cluster), 0.05e-6, 5e-6);
+  measure_among_threads(effort, costs);
+  costs.transfer = measure_transfer(effort.time);
+  return costs;
+}
+
 }  // namespace
 
 RuntimeCosts measure_runtime_costs() {
-  RuntimeCosts costs;
-  costs.flow_graph = measure_flow_graph_overheads();
-  costs.flow_graph_run =
-      std::clamp(measure_flow_graph_run(costs.flow_graph.per_cluster), 0.05e-6, 5e-6);
-  measure_among_threads(costs);
-  costs.transfer = measure_transfer();
+  RuntimeCosts costs = measure_flow_graph_costs(measure_flow_graph_overheads(), {15e-3, 16});
   if (has_executor(ExecutorKind::openmp_levels)) {
     costs.barrier_alone = std::clamp(measure_barrier_alone(), 1e-9, 5e-6);
     costs.barrier = std::clamp(measure_barrier(), 1e-9, 5e-6);
   }
+  return costs;
+}
+
+const RuntimeCosts& flow_graph_costs() {
+  static const RuntimeCosts costs = measure_flow_graph_costs(flow_graph_overheads(), {1e-3, 3});
   return costs;
 }
 

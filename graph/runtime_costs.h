@@ -21,6 +21,9 @@ struct RuntimeCosts {
 /// milliseconds after that.
 RuntimeCosts measure_runtime_costs();
 
+/// The same without OpenMP, measured once per process, roughly, in some 20 ms.
+const RuntimeCosts& flow_graph_costs();
+
 /// Of each cost the median. Precondition: there is one. Processors change their speed from one
 /// second to the next, so costs are measured again in the rounds in which nodes are.
 RuntimeCosts median(std::vector<RuntimeCosts> measured);

@@ -3,9 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "graph/executor_kinds.h"
+#include "graph/flow_graph_runs.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/shapes.h"
 
@@ -94,4 +96,40 @@ TEST_CASE("candidates: nodes without cost, and a chain, leave nothing to share")
   CHECK(best_speedup(fan, equal_costs(fan, 0.0), 2) == 0.0);
   const StepGraph chain = make_fan(1, 50);
   CHECK(find_candidates(chain, equal_costs(chain, 1e-6), 2, kSome, 2).empty());
+}
+
+TEST_CASE("candidates: weighing keeps the best of each ordering, and they cost what runs cost") {
+  const StepGraph graph = make_window(4, 3, 4);
+  const auto costs = equal_costs(graph, 2e-6);
+  RuntimeCosts runtime;
+  runtime.flow_graph = {2e-9, 50e-9, 500e-9, 70e-9, 130e-9};
+  const auto found = find_candidates(graph, costs, 2, runtime.flow_graph, 8);
+  const auto weighed = weigh_candidates(found, graph, costs, 2, runtime, 2);
+  REQUIRE(weighed.size() >= 2);
+  CHECK(weighed.size() <= 2 * kOrderings);
+  for (const Candidate& candidate : weighed) {
+    CHECK(candidate.makespan == simulate_flow_graph_runs(graph, candidate.plan, costs, 2, runtime));
+    const auto better = std::count_if(found.begin(), found.end(), [&](const Candidate& other) {
+      return other.ordering == candidate.ordering &&
+             simulate_flow_graph_runs(graph, other.plan, costs, 2, runtime) < candidate.makespan;
+    });
+    CHECK(better <= 1);
+  }
+}
+
+TEST_CASE("candidates: the dearer counting is, the fewer clusters the best one has") {
+  const StepGraph graph = make_window(4, 3, 4);
+  const auto costs = equal_costs(graph, 2e-6);
+  const auto clusters_of_best = [&](double counting) {
+    RuntimeCosts runtime;
+    runtime.flow_graph = {2e-9, 50e-9, 500e-9, counting, 2.0 * counting};
+    auto found = find_candidates(graph, costs, 2, {2e-9, 50e-9, 500e-9}, 8);
+    const auto weighed = weigh_candidates(std::move(found), graph, costs, 2, runtime, 8);
+    return std::min_element(
+               weighed.begin(), weighed.end(),
+               [](const Candidate& a, const Candidate& b) { return a.makespan < b.makespan; })
+        ->plan.cluster_count();
+  };
+  CHECK(clusters_of_best(5e-6) <= clusters_of_best(0.0));
+  CHECK(clusters_of_best(50e-6) <= 4);
 }
