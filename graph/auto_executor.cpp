@@ -37,7 +37,8 @@ bool enough(const NodeCosts& costs) {
 struct Alternative {
   std::unique_ptr<Executor> executor;
   int clusters = 1;
-  Samples samples;  // s per run
+  double foreseen = 1.0;  // speedup
+  Samples samples;        // s per run
 };
 
 double median(Samples samples) {
@@ -162,8 +163,8 @@ class AutoExecutor final : public Executor {
     // A plan may turn out better than foreseen, but not by that much.
     const double work = work_of(costs);
     const double acceptable = 1.2 * work;
-    foreseen_speedup_ = 0.0;
-    alternatives_.push_back({make_serial_executor(graph_), 1, {}});
+    best_foreseen_ = 0.0;
+    alternatives_.push_back({make_serial_executor(graph_), 1, 1.0, {}});
     const auto is_unacceptable = [=](const Candidate& c) { return c.makespan > acceptable; };
     std::vector<Candidate> candidates = find_candidates(
         graph_, costs, processors_, flow_graph_overheads(), weighable_candidates(graph_), &tried_);
@@ -173,10 +174,14 @@ class AutoExecutor final : public Executor {
                                   flow_graph_costs(), per_ordering);
     std::erase_if(candidates, is_unacceptable);
     for (Candidate& candidate : candidates) {
-      foreseen_speedup_ = std::max(foreseen_speedup_, work / candidate.makespan);
+      const double foreseen = work / candidate.makespan;
+      best_foreseen_ = std::max(best_foreseen_, foreseen);
       const int clusters = candidate.plan.cluster_count();
       alternatives_.push_back(
-          {make_flow_graph_executor(graph_, std::move(candidate.plan), processors_), clusters, {}});
+          {make_flow_graph_executor(graph_, std::move(candidate.plan), processors_),
+           clusters,
+           foreseen,
+           {}});
     }
   }
 
@@ -198,11 +203,15 @@ class AutoExecutor final : public Executor {
 
   void settle() {
     std::vector<Samples> samples;
-    for (const Alternative& alternative : alternatives_) samples.push_back(alternative.samples);
+    std::vector<double> foreseen;
+    for (const Alternative& alternative : alternatives_) {
+      samples.push_back(alternative.samples);
+      foreseen.push_back(alternative.foreseen);
+    }
     const double seconds = median(samples[0]);
     const Choice choice =
-        choose_plan(samples, least_gain(seconds, flow_graph_overheads().handover));
-    doubt(choice.speedup);
+        choose_plan(samples, foreseen, least_gain(seconds, flow_graph_overheads().handover));
+    doubt(choice);
     if (choice.index == 0) {
       description_ = text_of("serial: 1 run takes %s, the best of %d plans was %.2g x",
                              duration(seconds).c_str(), tried_, choice.speedup);
@@ -219,12 +228,14 @@ class AutoExecutor final : public Executor {
     round_ = 0;
   }
 
-  // A gain that was foreseen and not found tells of a machine busy with other things: tunes again,
-  // soon at first, then after many times as many runs, so that it costs little if it was true.
-  void doubt(double speedup) {
-    constexpr double doubtful = 1.3;  // foreseen / found
+  // A gain that was foreseen and not found, or found and not foreseen, tells of a machine busy with
+  // other things: tunes again, soon at first, then after many times as many runs, so that it costs
+  // little if it was true.
+  void doubt(const Choice& choice) {
+    constexpr double doubtful = 1.3;  // one / the other
     constexpr std::uint64_t soon = 4, late = 20;
-    if (foreseen_speedup_ <= doubtful * speedup) return;
+    if (best_foreseen_ <= doubtful * choice.speedup && choice.speedup <= doubtful * choice.foreseen)
+      return;
     next_tuning_ = std::exchange(doubted_, true) ? late * runs_ : soon * runs_;
   }
 
@@ -242,7 +253,7 @@ class AutoExecutor final : public Executor {
   std::optional<NodeCosts> costs_;         // in the first phase
   std::vector<Alternative> alternatives_;  // in the second phase, the serial one first
   int tried_ = 0;
-  double foreseen_speedup_ = 0.0;  // by the simulator, of the best plan
+  double best_foreseen_ = 0.0;  // speedup by the simulator
   Effort effort_;
   int round_ = 0;
   std::size_t turn_ = 0;  // within the round

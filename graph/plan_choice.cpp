@@ -27,11 +27,17 @@ double least_gain(double seconds_per_run, double handover) {
   return 1.05 + 2.0 * handover / std::max(seconds_per_run, 1e-7);
 }
 
-Choice choose_plan(std::span<const Samples> samples, double least) {
-  Choice best{0, 0.0};
+Choice choose_plan(std::span<const Samples> samples, std::span<const double> foreseen,
+                   double least) {
+  constexpr double believed = 1.15;  // found / foreseen
+  Choice best{0, 0.0, 0.0};
+  double most = 0.0;
   for (std::size_t k = 1; k < samples.size(); ++k) {
     const double speedup = speedup_of(samples[0], samples[k]);
-    if (speedup > best.speedup) best = {k, speedup};
+    const double counted = std::min(speedup, believed * foreseen[k]);
+    if (counted <= most) continue;
+    most = counted;
+    best = {k, speedup, foreseen[k]};
   }
   if (best.speedup < least) best.index = 0;
   return best;
