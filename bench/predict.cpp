@@ -243,8 +243,7 @@ std::string describe(const std::string& subject, const graph::RuntimeCosts& runt
   return fmt::format(
       "  {}: a cluster {:.0f} ns, {:.0f} more after one of another thread, one in {:.0f} ns at "
       "most; a handover {:.0f} ns; a run of one thread {:.0f} ns, of several {:.0f} ns; data "
-      "{:.0f} "
-      "ns and {:.2f} a byte; OpenMP barrier of two threads {:.0f} ns",
+      "{:.0f} ns and {:.2f} a byte; OpenMP barrier of two threads {:.0f} ns",
       subject, flow_graph.per_cluster * 1e9, flow_graph.contention * 1e9, flow_graph.counting * 1e9,
       flow_graph.handover * 1e9, runtime.flow_graph_run * 1e9,
       runtime.flow_graph_run_among_threads * 1e9, runtime.transfer.latency * 1e9,

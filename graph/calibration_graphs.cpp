@@ -7,19 +7,6 @@
 
 namespace spoke::graph {
 
-StepGraph make_chains(int count, int links, double busy) {
-  StepGraphBuilder builder;
-  std::vector<PartId> chains;
-  for (int k = 0; k < count; ++k) chains.push_back(builder.add_part("chain", {}));
-  for (const PartId chain : chains) {
-    for (int link = 0; link < links; ++link)
-      builder.add_node({"link"}, reads(chain), writes(chain), [busy]() noexcept {
-        if (busy > 0.0) be_busy(busy);
-      });
-  }
-  return builder.build();
-}
-
 StepGraph make_fork_joins(int count, double busy) {
   StepGraphBuilder builder;
   std::vector<PartId> before;

@@ -6,9 +6,6 @@
 
 namespace spoke::graph {
 
-/// `count` chains of `links` nodes each, which are busy for that long [s].
-StepGraph make_chains(int count, int links, double busy);
-
 /// `count` times one node that two busy ones wait for; a last one joins the last two.
 StepGraph make_fork_joins(int count, double busy);
 

@@ -98,7 +98,7 @@ class Selection {
   // plans are tried several times, with costs that are a bit off.
   void score_by_lists(const Plan& plan) {
     constexpr double off = 0.2;
-    const int tries = std::clamp(1000 / plan.node_count(), 1, 16);
+    const int tries = std::clamp(1000 / std::max(plan.node_count(), 1), 1, 16);
     CostVariation vary(costs_, off);
     for (int k = 0; k < tries; ++k) {
       const Schedule list = simulate_list_schedule(

@@ -91,11 +91,12 @@ TEST_CASE("candidates: three chains on two processors wrap around, with ends and
   }
 }
 
-TEST_CASE("candidates: nodes without cost, and a chain, leave nothing to share") {
+TEST_CASE("candidates: nodes without cost, a chain, and no nodes leave nothing to share") {
   const StepGraph fan = make_fan(24, 10);
   CHECK(best_speedup(fan, equal_costs(fan, 0.0), 2) == 0.0);
   const StepGraph chain = make_fan(1, 50);
   CHECK(find_candidates(chain, equal_costs(chain, 1e-6), 2, kSome, 2).empty());
+  CHECK(find_candidates(StepGraphBuilder().build(), {}, 2, kSome, 2).empty());
 }
 
 TEST_CASE("candidates: weighing keeps the best of each ordering, and they cost what runs cost") {
