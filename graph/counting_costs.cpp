@@ -18,13 +18,6 @@ namespace {
 
 constexpr int kLinks = 100;
 
-// What disturbs makes it dearer.
-double lower_quartile(std::vector<double> values) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 /// Two chains of nodes that share nothing but the flow graph they are in.
 class TwoChains {
  public:

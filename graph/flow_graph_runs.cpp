@@ -7,6 +7,7 @@
 #include "graph/schedule_simulator.h"
 
 namespace spoke::graph {
+
 int simulated_flow_graph_runs(int nodes) { return std::clamp(2000 / std::max(nodes, 1), 1, 32); }
 
 double simulate_flow_graph_runs(const StepGraph& graph, const Plan& plan,

@@ -33,7 +33,7 @@ std::vector<Candidate> find_candidates(const StepGraph& graph, std::span<const d
                                        std::size_t per_ordering, int* tried = nullptr);
 
 /// How many candidates of each ordering can be weighed more closely, by simulate_flow_graph_runs(),
-/// in some tenths of a second.
+/// in some tens of milliseconds.
 std::size_t weighable_candidates(const StepGraph& graph);
 
 /// Of candidates those that are best, at most `per_ordering` of each, when they are weighed with

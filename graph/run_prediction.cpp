@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "graph/flow_graph_runs.h"
 #include "graph/level_rounds.h"
 #include "graph/plan_candidates.h"
 #include "graph/plan_choice.h"

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "graph/executor.h"
+#include "graph/flow_graph_runs.h"
 #include "graph/runtime_costs.h"
 
 namespace spoke::graph {
@@ -27,7 +28,7 @@ struct CostSpread {
   double low = 1.0;   ///< <= 1
   double high = 1.0;  ///< >= 1
   /// Of a single node from one run to the next, at most: a factor from 1 - this to 1 + this.
-  double between_runs = 0.1;
+  double between_runs = kVariationOfNodes;
 };
 
 /// Predicts how long executors take for a run on any number of processors, equal to the one on

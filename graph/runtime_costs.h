@@ -21,7 +21,7 @@ struct RuntimeCosts {
 /// milliseconds after that.
 RuntimeCosts measure_runtime_costs();
 
-/// The same without OpenMP, measured once per process, roughly, in some 20 ms.
+/// The same without OpenMP, measured once per process, roughly, in some 25 ms.
 const RuntimeCosts& flow_graph_costs();
 
 /// Of each cost the median. Precondition: there is one. Processors change their speed from one

@@ -1,6 +1,8 @@
 #include "graph/timed_runs.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "graph/time_stamp.h"
@@ -17,17 +19,21 @@ void be_busy(double seconds) noexcept {
   }
 }
 
+double lower_quartile(std::vector<double> values) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
 double seconds_per_run(Executor& executor, int runs) {
   executor.run();
-  std::vector<std::uint64_t> ticks(static_cast<std::size_t>(runs));
-  for (std::uint64_t& tick : ticks) {
+  std::vector<double> seconds(static_cast<std::size_t>(runs));
+  for (double& taken : seconds) {
     const std::uint64_t begin = time_stamp();
     executor.run();
-    tick = time_stamp() - begin;
+    taken = seconds_since(begin);
   }
-  const auto quartile = ticks.begin() + runs / 4;
-  std::nth_element(ticks.begin(), quartile, ticks.end());
-  return static_cast<double>(*quartile) * time_stamp_scale().seconds_per_tick;
+  return lower_quartile(std::move(seconds));
 }
 
 }  // namespace spoke::graph

@@ -3,6 +3,7 @@
 // What the calibrations of this folder time with.
 
 #include <cstdint>
+#include <vector>
 
 #include "graph/executor.h"
 
@@ -14,7 +15,10 @@ double seconds_since(std::uint64_t begin);
 /// Keeps the calling thread busy for so long [s].
 void be_busy(double seconds) noexcept;
 
-/// Of `runs` runs, behind one that warms up, the lower quartile, since what disturbs only adds [s].
+/// What an undisturbed sample is like, since what disturbs only adds. Precondition: not empty.
+double lower_quartile(std::vector<double> values);
+
+/// Of `runs` runs, behind one that warms up, the lower quartile [s].
 double seconds_per_run(Executor& executor, int runs);
 
 }  // namespace spoke::graph

@@ -52,8 +52,8 @@ TEST_CASE("simulated runs: one and several threads have their own cost of a run"
 }
 
 TEST_CASE("simulated runs: data that another processor wrote in the run before are waited for") {
-  // Two chains that begin with what the other one left: whichever processors run them, in the run
-  // before one of the two has written elsewhere what is read.
+  // One node writes two parts, two nodes one each, a last one reads both: on two processors one of
+  // the parts is always written elsewhere.
   std::array<double, 100> memory{};
   StepGraphBuilder builder;
   const PartId left = builder.add_part("left", {std::span(memory).first(50)});
