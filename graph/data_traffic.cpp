@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace spoke::graph {
 namespace {
+
+/// A node of oneTBB's flow graph: two cache lines, which every run writes [bytes].
+constexpr double kClusterRecord = 128;
 
 /// That a node touches.
 std::size_t bytes_of(const Part& part) {
@@ -17,7 +21,10 @@ std::size_t bytes_of(const Part& part) {
 }  // namespace
 
 DataTraffic::DataTraffic(const StepGraph& graph, const Transfer& transfer)
-    : graph_(graph), latency_(transfer.latency), holders_(graph.parts().size()) {
+    : graph_(graph),
+      latency_(transfer.latency),
+      cluster_record_(transfer.latency + kClusterRecord * transfer.per_byte),
+      holders_(graph.parts().size()) {
   seconds_.reserve(holders_.size());
   for (const Part& part : graph.parts())
     seconds_.push_back(transfer.per_byte * static_cast<double>(bytes_of(part)));
@@ -31,6 +38,18 @@ bool DataTraffic::fetch(std::size_t part, int processor) {
   return holders.size() > 1 && !graph_.parts()[part].memory.empty();
 }
 
+/// Whether several processors hold it.
+bool DataTraffic::is_copied(std::size_t part) const {
+  return holders_[part].size() > 1 && !graph_.parts()[part].memory.empty();
+}
+
+double DataTraffic::start_cluster(int cluster, int processor) {
+  const auto index = static_cast<std::size_t>(cluster);
+  if (index >= starters_.size()) starters_.resize(index + 1, -1);
+  const int before = std::exchange(starters_[index], processor);
+  return before == -1 || before == processor ? 0.0 : cluster_record_;
+}
+
 double DataTraffic::run(NodeId node, int processor) {
   double seconds = 0.0;
   bool is_waiting = false;
@@ -42,8 +61,10 @@ double DataTraffic::run(NodeId node, int processor) {
   };
   for (const PartId part : graph_.node(node).reads) touch(part);
   for (const PartId part : graph_.node(node).writes) {
+    const auto index = static_cast<std::size_t>(part.index);
+    is_waiting |= is_copied(index);
     touch(part);
-    holders_[static_cast<std::size_t>(part.index)].assign(1, processor);
+    holders_[index].assign(1, processor);
   }
   return is_waiting ? latency_ + seconds : seconds;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "graph/executor.h"
 #include "graph/plan.h"
@@ -10,9 +11,11 @@ namespace spoke::graph {
 /// The makers behind make_executor(), one per source file, so that each runtime's headers stay in
 /// one place.
 std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph);
-/// One node of the flow graph per cluster of `plan`, a plan of `graph`. A plan of one cluster is
-/// run on the calling thread and touches no runtime.
-std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads);
+/// One node of a flow graph per cluster of `plan`, a plan of `graph`. A plan of one cluster is run
+/// on the calling thread and touches no runtime. `places` says which flow graph a cluster belongs
+/// to, from 0 on without gaps; without it counting_places() does.
+std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads,
+                                                   std::vector<int> places = {});
 /// Finds the best plan for the graph on its first runs, then keeps to it; see "auto" in
 /// ExecutorKind.
 std::unique_ptr<Executor> make_auto_executor(const StepGraph& graph, int threads);

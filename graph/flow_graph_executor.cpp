@@ -11,7 +11,10 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "graph/compressed_rows.h"
+#include "graph/counting_places.h"
 #include "graph/executor_kinds.h"
 #include "graph/node_recorder.h"
 #include "graph/thread_sanitizer.h"
@@ -78,9 +81,16 @@ class Arena {
   std::unique_ptr<oneapi::tbb::task_arena> arena_;
 };
 
+/// A flow graph. Every thread that starts or ends one of its tasks writes its count of them, which
+/// therefore has cache lines of its own.
+struct alignas(128) CountedFlow {  // 128: processors fetch cache lines in pairs
+  explicit CountedFlow(oneapi::tbb::task_group_context& context) : graph(context) {}
+  flow::graph graph;
+};
+
 class FlowGraphExecutor final : public Executor {
  public:
-  FlowGraphExecutor(const StepGraph& graph, Plan plan, int threads)
+  FlowGraphExecutor(const StepGraph& graph, Plan plan, int threads, std::vector<int> places)
       : graph_(graph), plan_(std::move(plan)), threads_(threads) {
     const int width = level_width(plan_);
     if (width <= 1) return;  // no threads for what one thread does
@@ -89,26 +99,34 @@ class FlowGraphExecutor final : public Executor {
     // oneTBB ends the program if the system refuses it a thread: that shows here.
     if (working_ > available_threads()) try_threads(working_);
     arena_.initialize(working_);
+    if (places.empty()) places = counting_places(plan_, working_);
     // A flow graph belongs to the arena it is made in.
-    arena_.execute([this] { make_flow(); });
+    arena_.execute([&] { make_flow(places); });
   }
   ~FlowGraphExecutor() override {
-    if (!flow_) return;
+    if (flows_.empty()) return;
     arena_.execute([this] {
+      // The task of the last cluster may have a few instructions to go after the end of a run.
+      for (CountedFlow& flow : flows_) {
+        flow.graph.release_wait();
+        flow.graph.wait_for_all();
+      }
       nodes_.clear();
-      flow_.reset();
+      flows_.clear();
+      unfinished_.reset();
     });
   }
 
   void run() override {
-    if (!flow_) {
+    if (flows_.empty()) {
       for (int c = 0; c < plan_.cluster_count(); ++c) run_cluster(c, 0);
       return;
     }
     tell_start(graph_);
     arena_.execute([this] {
+      for (int k = 0; k < final_clusters_; ++k) unfinished_->graph.reserve_wait();
       for (FlowNode* root : roots_) root->try_put(flow::continue_msg());
-      flow_->wait_for_all();
+      unfinished_->graph.wait_for_all();
     });
     tell_end(graph_);
   }
@@ -129,19 +147,49 @@ class FlowGraphExecutor final : public Executor {
     return recorder() == nullptr ? 0 : oneapi::tbb::this_task_arena::current_thread_index();
   }
 
-  void make_flow() {
-    flow_.emplace(context_);
+  // oneTBB's edges are to stay within a flow graph: to a cluster that another one counts, its
+  // predecessors tell by themselves that they have ended.
+  void make_flow(const std::vector<int>& places) {
+    const auto are_apart = [&](int a, int b) {
+      return places[static_cast<std::size_t>(a)] != places[static_cast<std::size_t>(b)];
+    };
+    make_flows(1 + *std::max_element(places.begin(), places.end()));
     for (int c = 0; c < plan_.cluster_count(); ++c) {
-      const auto body = [this, c](flow::continue_msg) noexcept { run_cluster(c, this_thread()); };
-      nodes_.emplace_back(*flow_, body);
-      if (plan_.predecessors(c).empty()) roots_.push_back(&nodes_.back());
+      const auto before = plan_.predecessors(c);
+      const auto elsewhere = std::count_if(before.begin(), before.end(),
+                                           [&](int other) { return are_apart(c, other); });
+      const auto flow = static_cast<std::size_t>(places[static_cast<std::size_t>(c)]);
+      nodes_.emplace_back(flows_[flow].graph, static_cast<int>(elsewhere),
+                          [this, c](flow::continue_msg) noexcept { run_and_tell(c); });
+      if (before.empty()) roots_.push_back(&nodes_.back());
     }
     for (int c = 0; c < plan_.cluster_count(); ++c) {
       for (const int next : plan_.successors(c)) {
-        flow::make_edge(nodes_[static_cast<std::size_t>(c)],
-                        nodes_[static_cast<std::size_t>(next)]);
+        if (are_apart(c, next)) {
+          told_.push_back(&node_of(next));
+        } else {
+          flow::make_edge(node_of(c), node_of(next));
+        }
       }
+      told_.end_row();
+      if (plan_.successors(c).empty()) ++final_clusters_;
     }
+  }
+
+  // None of them is ever without anything to wait for, so that it does not look for threads to wake
+  // whenever none of its tasks is under way.
+  void make_flows(int count) {
+    for (int k = 0; k < count; ++k) flows_.emplace_back(context_).graph.reserve_wait();
+    unfinished_.emplace(run_context_);
+  }
+
+  FlowNode& node_of(int cluster) { return nodes_[static_cast<std::size_t>(cluster)]; }
+
+  void run_and_tell(int cluster) noexcept {
+    run_cluster(cluster, this_thread());
+    for (FlowNode* next : told_.row(static_cast<std::size_t>(cluster)))
+      next->try_put(flow::continue_msg());
+    if (plan_.successors(cluster).empty()) unfinished_->graph.release_wait();
   }
 
   const StepGraph& graph_;
@@ -155,15 +203,20 @@ class FlowGraphExecutor final : public Executor {
   oneapi::tbb::task_group_context context_{oneapi::tbb::task_group_context::isolated,
                                            oneapi::tbb::task_group_context::default_traits |
                                                oneapi::tbb::task_group_context::fp_settings};
-  std::optional<flow::graph> flow_;
-  std::deque<FlowNode> nodes_;  // nodes neither move nor copy with their edges
+  oneapi::tbb::task_group_context run_context_{oneapi::tbb::task_group_context::isolated};
+  std::deque<CountedFlow> flows_;          // one per place of counting; none: no threads
+  std::optional<CountedFlow> unfinished_;  // has no nodes: counts final clusters yet to end
+  int final_clusters_ = 0;                 // without successors
+  std::deque<FlowNode> nodes_;             // neither move nor copy with their edges
+  CompressedRows<FlowNode*> told_;         // per cluster its successors in other flow graphs
   std::vector<FlowNode*> roots_;
 };
 
 }  // namespace
 
-std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads) {
-  return std::make_unique<FlowGraphExecutor>(graph, std::move(plan), threads);
+std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads,
+                                                   std::vector<int> places) {
+  return std::make_unique<FlowGraphExecutor>(graph, std::move(plan), threads, std::move(places));
 }
 
 }  // namespace spoke::graph

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "graph/counting_places.h"
+
 namespace spoke::graph {
 namespace {
 
@@ -120,6 +122,8 @@ class WorkStealer {
         contention_(overheads.contention),
         counting_(overheads.counting),
         durations_(durations(plan, node_costs, overheads)),
+        places_(counting_places(plan, processors)),
+        counters_(places_.empty() ? 0 : at(1 + *std::max_element(places_.begin(), places_.end()))),
         waiting_for_(count_predecessors(plan)),
         kept_(at(processors)),
         states_(at(processors), State::idle),
@@ -130,7 +134,7 @@ class WorkStealer {
     for (int c = 0; c < plan_.cluster_count(); ++c) {
       if (waiting_for_[at(c)] == 0) keep(0, c);
     }
-    take_kept(0, 0.0);
+    take_kept(0, wait_to_keep(kept_count_));
     let_idle_search(0.0);
     while (!events_.empty()) {
       const Event event = events_.top();
@@ -163,18 +167,25 @@ class WorkStealer {
     }
   };
 
+  // A place of counting.
+  struct Counter {
+    int holder = 0;     // the processor that counted last
+    double free = 0.0;  // when it can go to another [s]
+  };
+
   // The time at which the start that is made at `now` has been counted: one more under way, one
   // less. The counter comes from the processor that counted last, if that has had it long enough.
-  double count_start(int processor, double now) {
-    if (processor == counter_holder_) return now;
-    counter_holder_ = processor;
-    const double leaves = std::max(now, counter_free_);
-    counter_free_ = leaves + counting_;
+  double count_start(Counter& counter, int processor, double now) {
+    if (processor == counter.holder) return now;
+    counter.holder = processor;
+    const double leaves = std::max(now, counter.free);
+    counter.free = leaves + counting_;
     return leaves + contention_;
   }
 
   void start(int cluster, int processor, double start) {
-    double end = count_start(processor, start) + durations_[at(cluster)];
+    double end = count_start(counters_[at(places_[at(cluster)])], processor, start) +
+                 durations_[at(cluster)];
     if (traffic_) {
       for (const NodeId node : plan_.nodes(cluster)) end += traffic_->run(node, processor);
     }
@@ -196,22 +207,45 @@ class WorkStealer {
     ++kept_count_;
   }
 
+  // While another processor searches, it keeps taking the list of what is kept away. All are idle
+  // before the run has begun.
+  double wait_to_keep(int clusters) const {
+    const int working = counts_[static_cast<std::size_t>(State::working)];
+    return working < static_cast<int>(states_.size()) && states_.size() > 1 ? clusters * contention_
+                                                                            : 0.0;
+  }
+
   void end(int cluster, int processor, double now) {
     int last_ready = -1;
+    const int kept_before = kept_count_;
     for (const int next : plan_.successors(cluster)) {
       if (--waiting_for_[at(next)] > 0) continue;
-      if (last_ready >= 0) keep(processor, last_ready);
-      last_ready = next;
+      if (places_[at(next)] != places_[at(cluster)]) {
+        keep(processor, next);
+      } else {
+        if (last_ready >= 0) keep(processor, last_ready);
+        last_ready = next;
+      }
     }
-    if (last_ready >= 0) return start(last_ready, processor, now);
+    now += wait_to_keep(kept_count_ - kept_before);
+    if (last_ready >= 0) return go_on(last_ready, processor, now);
+    const double wait = wait_to_keep(1);
     change(processor, State::idle);
-    take_kept(processor, now);
+    take_kept(processor, now + wait);
+  }
+
+  // With a cluster that no other processor had to find.
+  void go_on(int cluster, int processor, double now) {
+    start(cluster, processor, now + wait_for_record(cluster, processor));
+  }
+  double wait_for_record(int cluster, int processor) {
+    return traffic_ ? traffic_->start_cluster(cluster, processor) : 0.0;
   }
 
   void take_kept(int processor, double now) {
     std::deque<int>& own = kept_[at(processor)];
     if (own.empty()) return;
-    start(own.back(), processor, now);
+    go_on(own.back(), processor, now);
     own.pop_back();
     --kept_count_;
   }
@@ -233,6 +267,7 @@ class WorkStealer {
     const auto victim = std::find_if(kept_.begin(), kept_.end(),
                                      [](const std::deque<int>& kept) { return !kept.empty(); });
     if (victim == kept_.end()) return;
+    wait_for_record(victim->front(), processor);  // is part of a handover
     start(victim->front(), processor, now + (1.0 - kSearch) * handover_);
     victim->pop_front();
     --kept_count_;
@@ -243,9 +278,9 @@ class WorkStealer {
   double handover_;
   double contention_;
   double counting_;
-  int counter_holder_ = 0;     // the processor that counted last
-  double counter_free_ = 0.0;  // when it can go to another [s]
   std::vector<double> durations_;
+  std::vector<int> places_;  // per cluster
+  std::vector<Counter> counters_;
   std::vector<int> waiting_for_;
   std::vector<std::deque<int>> kept_;  // per processor
   int kept_count_ = 0;

@@ -13,10 +13,12 @@ struct Overheads {
   double per_node = 2e-9;    ///< calling a node within its cluster
   double per_cluster = 0.0;  ///< starting a cluster
   double handover = 0.0;     ///< a cluster starts on another processor than made it ready
-  /// Under work stealing all clusters that start are counted at one place, one after the other. A
-  /// start after one on another processor waits this long for that place to come.
+  /// Under work stealing, what another processor writes too takes this long to come: the place at
+  /// which neighbours are counted when they start (counting_places()), for a start after one on
+  /// another processor; and, as long as another processor has nothing to do and searches, the list
+  /// of what is kept.
   double contention = 0.0;
-  /// And from the moment it goes to a processor, others have to wait this long to get it.
+  /// And from the moment a place of counting goes to a processor, others wait this long to get it.
   double counting = 0.0;
 };
 
@@ -51,10 +53,11 @@ std::vector<double> bottom_levels(const Plan& plan, std::span<const double> cost
 Schedule simulate_list_schedule(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads);
 
-/// Work stealing, as oneTBB's flow graph does it: of what a cluster makes ready its processor goes
-/// on with the last and keeps the others; it takes what it kept last, and a processor that has
-/// nothing takes what another, the first that has any, has kept longest, if it still has it when a
-/// quarter of a handover has passed. Clusters without predecessors are kept by processor 0.
+/// Work stealing, as oneTBB's flow graphs do it: of what a cluster makes ready its processor goes
+/// on with the last that is counted at the same place, and keeps the others; it takes what it kept
+/// last, and a processor that has nothing takes what another, the first that has any, has kept
+/// longest, if it still has it when a quarter of a handover has passed. Clusters without
+/// predecessors are kept by processor 0.
 /// Starting clusters contend (Overheads::contention, counting). With `traffic`, they also wait for
 /// their nodes' data. Event-driven; near-linear.
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,

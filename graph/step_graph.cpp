@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "graph/depth_first_order.h"
 #include "graph/reachability.h"
 #include "spoke/error.h"
 
@@ -74,30 +75,6 @@ NodeLists inverted(const NodeLists& lists) {
     for (const NodeId other : lists[i]) inverse[at(other)].push_back({static_cast<int>(i)});
   }
   return inverse;
-}
-
-// Depth first: the node made ready last runs next; among those made ready together the first added.
-std::vector<NodeId> order_depth_first(const Adjacency& successors, const Adjacency& predecessors,
-                                      std::size_t node_count) {
-  std::vector<NodeId> order;
-  order.reserve(node_count);
-  std::vector<std::size_t> waiting_for(node_count);
-  std::vector<NodeId> ready;
-  for (std::size_t i = node_count; i-- > 0;) {
-    const NodeId node{static_cast<int>(i)};
-    waiting_for[i] = predecessors.of(node).size();
-    if (waiting_for[i] == 0) ready.push_back(node);
-  }
-  while (!ready.empty()) {
-    const NodeId node = ready.back();
-    ready.pop_back();
-    order.push_back(node);
-    const auto next = successors.of(node);
-    for (auto successor = next.rbegin(); successor != next.rend(); ++successor) {
-      if (--waiting_for[at(*successor)] == 0) ready.push_back(*successor);
-    }
-  }
-  return order;
 }
 
 struct Access {
@@ -187,7 +164,9 @@ StepGraph StepGraphBuilder::build() {
   StepGraph graph;
   graph.predecessors_ = Adjacency(predecessors);
   graph.successors_ = Adjacency(inverted(predecessors));
-  graph.serial_order_ = order_depth_first(graph.successors_, graph.predecessors_, nodes_.size());
+  graph.serial_order_ = depth_first_order<NodeId>(
+      static_cast<int>(nodes_.size()), [&](NodeId node) { return graph.predecessors_.of(node); },
+      [&](NodeId node) { return graph.successors_.of(node); });
   graph.nodes_ = std::exchange(nodes_, {});
   graph.parts_ = std::exchange(parts_, {});
   graph.bodies_ = std::exchange(bodies_, {});

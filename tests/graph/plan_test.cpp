@@ -3,6 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
 #include <vector>
 
 #include "graph/coarsening.h"
@@ -143,6 +147,32 @@ TEST_CASE("flow graph of a plan: results equal the serial ones") {
       CAPTURE(threads);
       CHECK(results(coarsen(graph, costs, {.max_bins = 3}), threads) == serial);
       CHECK(results(coarsen(graph, costs, {.grain = 30e-6}), threads) == serial);
+    }
+  }
+}
+
+TEST_CASE("flow graph of a plan: wherever clusters are counted, results equal the serial ones") {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    GraphPlan source = make_random_plan(seed, 90, 40, 4);
+    const StepGraph graph = build_graph(source);
+    const auto results = [&](Executor& executor) {
+      reset_memory(source);
+      for (int run = 0; run < 20; ++run) executor.run();
+      return source.memory;
+    };
+    const auto serial = results(*make_serial_executor(graph));
+    std::mt19937 random(seed);
+    for (const int place_count : {1, 2, 7, 90}) {
+      CAPTURE(seed);
+      CAPTURE(place_count);
+      std::vector<int> places(90);
+      for (int c = 0; c < 90; ++c) {  // each place has a cluster
+        places[static_cast<std::size_t>(c)] =
+            c < place_count ? c : static_cast<int>(random() % static_cast<unsigned>(place_count));
+      }
+      const auto executor =
+          make_flow_graph_executor(graph, plan_of_single_nodes(graph), 3, std::move(places));
+      CHECK(results(*executor) == serial);
     }
   }
 }
