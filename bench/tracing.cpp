@@ -1,10 +1,10 @@
-// What does recording which node ran when cost? Whole steps of rotors whose nodes take about 1 us
-// on average, and shorter ones beside them: by a loop that has no recorder to ask for and by the
-// executor serial, switched off; then by each executor switched off and on. Only two alternatives
-// take turns at a time, so that each finds the threads and caches as the other left them. Graphs of
-// artificial nodes say less here: a time stamp keeps the processor from beginning a node before the
-// one before it is through, which such nodes, each a chain of operations that needs nothing from
-// the others, lose a tenth by.
+// What does recording which node ran when cost? Whole steps of rotors whose nodes take 1 us on
+// average on this machine, and shorter ones beside them: by a loop that has no recorder to ask for
+// and by the executor serial, switched off; then by each executor switched off and on. Only two
+// alternatives take turns at a time, so that each finds the threads and caches as the other left
+// them. Graphs of artificial nodes say less here: a time stamp keeps the processor from beginning a
+// node before the one before it is through, which such nodes, each a chain of operations that needs
+// nothing from the others, lose a tenth by.
 
 #include <array>
 #include <memory>
@@ -31,14 +31,13 @@ using graph::StepGraph;
 
 constexpr int kPasses = 2;  // of a step, for every alternative alike
 
+constexpr double kLongNode = 1e-6;  // s, of a rotor for which a cost is promised
+
 struct Case {
   RotorSize size;
   Formulation formulation = Formulation::structured;
   bool is_promised = true;  // nodes are long enough
 };
-const std::array kCases{Case{{3, 4, 4}, Formulation::structured, false},
-                        Case{{3, 4, 180}, Formulation::structured},
-                        Case{{3, 4, 9}, Formulation::subsystem}};
 
 /// An executor that is recorded.
 struct Recorded {
@@ -123,6 +122,35 @@ class Model {
   std::unique_ptr<StepRecording> recording_;
 };
 
+/// What a node of a rotor takes on average, of a few steps of the executor serial [s].
+double mean_node(const Case& which) {
+  Model model(which);
+  model.use(ExecutorKind::serial, 1);
+  std::vector<Timing> timings =
+      measure({{"steps", [&] { model.advance(10); }, {}, 0.1 / kPasses, 0}}, Effort{9, 1e-3, 0.3});
+  return timings[0].median / model.graph().node_count();
+}
+
+/// Of rotors of more and more elements per body, that whose nodes come nearest to kLongNode.
+Case with_long_nodes(Formulation formulation, int fewest_elements, int more) {
+  Case shorter{{3, 4, fewest_elements}, formulation};
+  double time_of_shorter = mean_node(shorter);
+  for (;;) {
+    Case longer = shorter;
+    longer.size.elements += more;
+    const double time = mean_node(longer);
+    if (time >= kLongNode) return time - kLongNode < kLongNode - time_of_shorter ? longer : shorter;
+    shorter = longer;
+    time_of_shorter = time;
+  }
+}
+
+std::vector<Case> make_cases() {
+  return {Case{{3, 4, 4}, Formulation::structured, false},
+          with_long_nodes(Formulation::structured, 100, 20),
+          with_long_nodes(Formulation::subsystem, 6, 1)};
+}
+
 using ModelPointer = std::shared_ptr<Model>;
 
 /// A batch; the first part of it, untimed, wakes what slept. Making room for the records empties
@@ -197,7 +225,7 @@ void measure_tracing(const QuestionOptions& options, Report& report) {
   Table table{
       "What tracing costs, of a step of two passes", {"rotor", "mean node", "loop", "off"}, {}};
   for (const Recorded& recorded : kRecorded) table.columns.emplace_back(recorded.column);
-  for (const Case& which : kCases) measure_rotor(which, effort_of(options), table, report);
+  for (const Case& which : make_cases()) measure_rotor(which, effort_of(options), table, report);
   report.add_table(table);
   report.add_remark(
       "  off: the executor serial against a loop without recorder; on: against the same executor, "
