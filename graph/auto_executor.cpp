@@ -125,7 +125,7 @@ class AutoExecutor final : public Executor {
   // serially.
   void run_recorded() {
     if (chosen_) return chosen_->run();
-    run_nodes(recorder(), 0, -1, graph_.serial_order(),
+    run_nodes(graph_, recorder(), 0, -1, graph_.serial_order(),
               [this](NodeId node) { graph_.run_node(node); });
   }
 

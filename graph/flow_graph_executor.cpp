@@ -138,7 +138,7 @@ class FlowGraphExecutor final : public Executor {
   using FlowNode = flow::continue_node<flow::continue_msg>;
 
   void run_cluster(int cluster, int thread) const noexcept {
-    run_nodes(recorder(), thread, cluster, plan_.nodes(cluster),
+    run_nodes(graph_, recorder(), thread, cluster, plan_.nodes(cluster),
               [this](NodeId node) { run_told(graph_, node); });
   }
 
@@ -155,11 +155,11 @@ class FlowGraphExecutor final : public Executor {
     };
     make_flows(1 + *std::max_element(places.begin(), places.end()));
     for (int c = 0; c < plan_.cluster_count(); ++c) {
+      const auto is_apart = [&](int other) { return are_apart(c, other); };
       const auto before = plan_.predecessors(c);
-      const auto elsewhere = std::count_if(before.begin(), before.end(),
-                                           [&](int other) { return are_apart(c, other); });
       const auto flow = static_cast<std::size_t>(places[static_cast<std::size_t>(c)]);
-      nodes_.emplace_back(flows_[flow].graph, static_cast<int>(elsewhere),
+      const auto told_by = std::count_if(before.begin(), before.end(), is_apart);
+      nodes_.emplace_back(flows_[flow].graph, static_cast<int>(told_by),
                           [this, c](flow::continue_msg) noexcept { run_and_tell(c); });
       if (before.empty()) roots_.push_back(&nodes_.back());
     }

@@ -68,7 +68,7 @@ class OpenMpLevelsExecutor final : public Executor {
       }
       begins = false;
       for (std::size_t thread = first; thread < round.size(); thread += team)
-        run_nodes(recorder(), static_cast<int>(first), -1, round[thread],
+        run_nodes(graph_, recorder(), static_cast<int>(first), -1, round[thread],
                   [this](NodeId node) { graph_.run_node(node); });
     }
   }

@@ -55,7 +55,7 @@ class NestedExecutor : public Executor {
 
   /// On thread `thread` of team `team`.
   void run_chain(const NodeChain& chain, int team, int thread) const {
-    run_nodes(recorder(), team * working_.inner + thread, -1, chain,
+    run_nodes(graph_, recorder(), team * working_.inner + thread, -1, chain,
               [this](NodeId node) { graph_.run_node(node); });
   }
 

@@ -12,7 +12,7 @@ class SerialExecutor final : public Executor {
   explicit SerialExecutor(const StepGraph& graph) : graph_(graph) {}
 
   void run() override {
-    run_nodes(recorder(), 0, -1, graph_.serial_order(),
+    run_nodes(graph_, recorder(), 0, -1, graph_.serial_order(),
               [this](NodeId node) { graph_.run_node(node); });
   }
   std::string_view name() const override { return name_of(ExecutorKind::serial); }

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <span>
 #include <string>
@@ -109,6 +110,15 @@ class SPOKE_EXPORT StepGraph {
   /// Runs the body of one node, whose predecessors must have run.
   void run_node(NodeId node) const noexcept {
     bodies_[body_of_[static_cast<std::size_t>(node.index)]]();
+  }
+  /// Lets the processor fetch what the body of a node begins with, while it is busy otherwise.
+  void prefetch_node(NodeId node) const noexcept {
+    // The first word of a body mostly tells where the first thing is that it captures, or where all
+    // are. Of what is no address nothing is fetched.
+    std::uintptr_t first = 0;
+    std::memcpy(&first, &bodies_[body_of_[static_cast<std::size_t>(node.index)]], sizeof first);
+    for (const std::uintptr_t line : {first, first + 64})
+      __builtin_prefetch(reinterpret_cast<const void*>(line));
   }
 
  private:
