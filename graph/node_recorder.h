@@ -104,7 +104,7 @@ void run_nodes(const StepGraph& graph, NodeRecorder* recorder, int thread, int c
   NodeRecord* record = lane.next;
   // To read the time, the processor waits for what it has begun: it can fetch something meanwhile.
   if (!nodes.empty()) graph.prefetch_node(nodes.front());
-  std::uint64_t before = time_stamp();
+  std::uint64_t before = time_stamp_after_reads();
   for (const NodeId node : nodes) {
     __builtin_prefetch(record + ahead, 1);
     record->node = node.index;

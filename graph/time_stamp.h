@@ -19,6 +19,16 @@ inline std::uint64_t time_stamp() noexcept {
   return detail::steady_clock_ticks();
 }
 
+/// The same, not before all has arrived that the thread has read so far: if that tells it of
+/// something another thread did after a stamp of its own, this stamp is no earlier. Processors read
+/// the counter ahead of reads that they wait for.
+inline std::uint64_t time_stamp_after_reads() noexcept {
+#ifdef __SSE2__
+  __builtin_ia32_lfence();
+#endif
+  return time_stamp();
+}
+
 /// What time stamps mean on this machine.
 struct TimeStampScale {
   double seconds_per_tick = 0.0;
