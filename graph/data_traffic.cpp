@@ -7,8 +7,7 @@
 namespace spoke::graph {
 namespace {
 
-/// A node of oneTBB's flow graph: two cache lines, which every run writes [bytes].
-constexpr double kClusterRecord = 128;
+constexpr double kCacheLine = 64;  // bytes
 
 /// That a node touches.
 std::size_t bytes_of(const Part& part) {
@@ -20,10 +19,11 @@ std::size_t bytes_of(const Part& part) {
 
 }  // namespace
 
-DataTraffic::DataTraffic(const StepGraph& graph, const Transfer& transfer)
+DataTraffic::DataTraffic(const StepGraph& graph, const Transfer& transfer, Writing writing)
     : graph_(graph),
+      writing_(writing),
       latency_(transfer.latency),
-      cluster_record_(transfer.latency + kClusterRecord * transfer.per_byte),
+      cluster_record_(2.0 * (transfer.latency + kCacheLine * transfer.per_byte)),
       holders_(graph.parts().size()) {
   seconds_.reserve(holders_.size());
   for (const Part& part : graph.parts())
@@ -62,7 +62,7 @@ double DataTraffic::run(NodeId node, int processor) {
   for (const PartId part : graph_.node(node).reads) touch(part);
   for (const PartId part : graph_.node(node).writes) {
     const auto index = static_cast<std::size_t>(part.index);
-    is_waiting |= is_copied(index);
+    if (writing_ == Writing::waits) is_waiting |= is_copied(index);
     touch(part);
     holders_[index].assign(1, processor);
   }

@@ -8,7 +8,7 @@
 
 namespace spoke::graph {
 
-int simulated_flow_graph_runs(int nodes) { return std::clamp(2000 / std::max(nodes, 1), 1, 32); }
+int simulated_flow_graph_runs(int nodes) { return std::clamp(2000 / std::max(nodes, 1), 4, 32); }
 
 double simulate_flow_graph_runs(const StepGraph& graph, const Plan& plan,
                                 std::span<const double> node_costs, int threads,
@@ -16,7 +16,7 @@ double simulate_flow_graph_runs(const StepGraph& graph, const Plan& plan,
   const int width = level_width(plan);
   if (width <= 1) return work_of(node_costs);  // the executor then does without a flow graph
   const int used_threads = std::min(threads, width);
-  DataTraffic traffic(graph, runtime.transfer);
+  DataTraffic traffic(graph, runtime.transfer, Writing::waits);
   // Which processor comes first to the place of counting, or finds what another has kept, hangs on
   // nanoseconds: one run of exact costs may be far from the mean.
   CostVariation vary(node_costs, variation);
