@@ -25,6 +25,21 @@ std::vector<int> edges_across(const Plan& plan, const std::vector<int>& order) {
   return across;
 }
 
+// Where the parts of an order begin whose clusters are counted together: about equally many each,
+// cut where the fewest edges lead across. Last comes the end.
+std::vector<std::size_t> cut(const std::vector<int>& across, std::size_t parts) {
+  const std::size_t count = across.size() - 1;
+  const auto slack = static_cast<std::ptrdiff_t>(count / parts / 4);
+  std::vector<std::size_t> begins{0};
+  for (std::size_t part = 1; part < parts; ++part) {
+    const auto middle = across.begin() + static_cast<std::ptrdiff_t>(count * part / parts);
+    const auto fewest = std::min_element(middle - slack, middle + slack + 1);
+    begins.push_back(static_cast<std::size_t>(fewest - across.begin()));
+  }
+  begins.push_back(count);
+  return begins;
+}
+
 }  // namespace
 
 std::vector<int> counting_places(const Plan& plan, int threads) {
@@ -38,19 +53,10 @@ std::vector<int> counting_places(const Plan& plan, int threads) {
   const auto order = depth_first_order<int>(
       count, [&](int c) { return plan.predecessors(c); },
       [&](int c) { return plan.successors(c); });
-  const std::vector<int> across = edges_across(plan, order);
-  std::size_t begin = 0;
+  const std::vector<std::size_t> begins = cut(edges_across(plan, order), at(used));
   for (int place = 0; place < used; ++place) {
-    std::size_t end = order.size();
-    if (place + 1 < used) {
-      // About equally many, cut where the fewest edges are.
-      const std::size_t share = order.size() / at(used);
-      const std::size_t middle = order.size() * at(place + 1) / at(used);
-      const auto first = across.begin() + static_cast<std::ptrdiff_t>(middle - share / 4);
-      const auto last = across.begin() + static_cast<std::ptrdiff_t>(middle + share / 4 + 1);
-      end = static_cast<std::size_t>(std::min_element(first, last) - across.begin());
-    }
-    for (; begin < end; ++begin) places[at(order[begin])] = place;
+    for (std::size_t k = begins[at(place)]; k < begins[at(place + 1)]; ++k)
+      places[at(order[k])] = place;
   }
   return places;
 }
