@@ -225,7 +225,7 @@ void add_inverse(const Assembly& g, int i, int j) {
   const auto inputs = reads(blade.clock, parts.coordinates, blade.twists, parts.terms);
   const SubsystemData& data = g.c.data.subsystems[i];
   const auto add = [&](auto invert, auto& work) {
-    g.builder.add_node(g.label("inverse", i, j), inputs, writes(parts.inverse),
+    g.builder.add_node(g.label("inverse", i, j), inputs, writes(parts.inverse, parts.workspace),
                        unless_halted(*data.clock, [&data, j, invert, &work]() noexcept {
                          invert(data.bodies[j], data.twists[j][kRotation],
                                 data.clock->control.is_implicit(), work);
@@ -253,7 +253,8 @@ void add_effective(const Assembly& g, int i) {
     add(structured::condense_subsystem, g.c.work.structured[i],
         writes(blade.effective, blade.joints()));
   else
-    add(subsystem::condense_subsystem, g.c.work.subsystem[i], writes(blade.effective));
+    add(subsystem::condense_subsystem, g.c.work.subsystem[i],
+        writes(blade.effective, blade.workspace));
 }
 
 /// Whether a pass ends with the correction of a free coordinate of the hub.

@@ -34,6 +34,9 @@ void add_inverse_parts(StepContext& context, int i, int j, const std::string& na
     add_flex(inverse, work.W_theta, layout);
     add_flex(inverse, work.z, layout);
     parts.inverse = builder.add_part(name + "inverse", inverse);
+    parts.workspace = builder.add_part(
+        name + "workspace",
+        {doubles(*work.scratch, static_cast<std::size_t>(layout.axial + layout.bending))});
     const bool is_tip = j + 1 == static_cast<int>(context.work.structured[i].bodies.size());
     if (!is_tip) parts.joint = builder.add_part(name + "joint", {doubles(work.joint)});
   } else if (context.formulation == Formulation::subsystem) {
@@ -41,6 +44,8 @@ void add_inverse_parts(StepContext& context, int i, int j, const std::string& na
     parts.inverse = builder.add_part(
         name + "inverse",
         {memory_of(work.inverse_columns), memory_of(work.products), doubles(work.bias_out)});
+    parts.workspace =
+        builder.add_part(name + "workspace", {memory_of(work.mass), memory_of(work.jacobians)});
   }
 }
 
@@ -79,10 +84,13 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
   parts.samples = add_ring(name + "samples", data.samples, builder);
   if (context.formulation != Formulation::augmented) {
     Memory effective{doubles(data.effective)};
-    if (context.formulation == Formulation::subsystem)
+    if (context.formulation == Formulation::subsystem) {
       effective.push_back(memory_of(context.work.subsystem[i].solution));
-    else
+      parts.workspace =
+          builder.add_part(name + "workspace", {memory_of(context.work.subsystem[i].D)});
+    } else {
       effective.push_back(doubles(context.work.structured[i].root));
+    }
     parts.effective = builder.add_part(name + "effective inertia", effective);
   }
   for (std::size_t j = 0; j < count; ++j)

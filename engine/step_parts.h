@@ -15,6 +15,7 @@ struct BodyParts {
   graph::PartId accelerations;  ///< a, X
   graph::PartId terms;          ///< with c_theta and Q_f
   graph::PartId inverse;        ///< two-port, or dense inverse columns
+  graph::PartId workspace;      ///< of who makes the inverse
   graph::PartId joint;          ///< elimination of the outboard joint (structured, not at the tip)
   graph::PartId report;
 };
@@ -24,7 +25,8 @@ struct SubsystemParts {
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
   graph::PartId clock, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
   graph::PartId records;                             ///< if not coupled
-  std::vector<graph::PartId> loads;                  ///< of the user's: wrenches
+  graph::PartId workspace;           ///< of who makes the effective inertia (dense blocks)
+  std::vector<graph::PartId> loads;  ///< of the user's: wrenches
 
   /// One member of all bodies, root to tip.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;

@@ -1,5 +1,7 @@
 #include "engine/formulation/subsystem.h"
 
+#include <Eigen/Cholesky>
+
 #include "engine/formulation/dense_body.h"
 #include "engine/hub.h"
 
@@ -7,6 +9,9 @@ namespace spoke::subsystem {
 namespace {
 
 constexpr int d = kTwist;
+
+/// Takes the place of the matrix.
+using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
 
 /// T of the root bracket: its twist per hub twist, hub frame.
 TwistMatrix root_jacobian(const Subsystem& subsystem) {
@@ -50,37 +55,35 @@ void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic
     const int n = dense_size(*data.bodies[j].model->body);
     body.elastic = elastic[j];
     body.mass.setZero(n, n);
-    body.factor.compute(Eigen::MatrixXd::Identity(n, n));  // allocates
     body.jacobians.setZero(2 * d, n);
     body.inverse_columns.setZero(n, 2 * d + 1);
     body.products.setZero(2 * d, 2 * d + 1);
   }
   const int C1 = d * static_cast<int>(data.bodies.size());
   work.D.setZero(C1, C1);
-  work.factor.compute(Eigen::MatrixXd::Identity(C1, C1));
   work.solution.setZero(C1, d + 1);
   work.multipliers.setZero(C1);
 }
 
 void invert_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept {
   calc_dense_mass(data, *work.elastic[implicit], work.mass);
-  work.factor.compute(work.mass);
+  const Cholesky factor(work.mass);
   calc_inboard_jacobian(data, work.jacobians.topRows<d>());
   calc_outboard_jacobian(data, work.jacobians.bottomRows<d>());
   work.bias_out = calc_outboard_bias(data, speed);
   work.inverse_columns.leftCols<2 * d>() = work.jacobians.transpose();
   calc_dense_force(data, work.inverse_columns.col(2 * d));
-  work.factor.solveInPlace(work.inverse_columns);
+  factor.solveInPlace(work.inverse_columns);
   work.products.noalias() = work.jacobians.lazyProduct(work.inverse_columns);
 }
 
 void condense_subsystem(const Subsystem& subsystem, SubsystemData& data,
                         SubsystemWork& work) noexcept {
   assemble(subsystem, *data.hub, data, work);
-  work.factor.compute(work.D);
+  const Cholesky factor(work.D);
   work.solution.leftCols<d>().setZero();
   work.solution.topLeftCorner<d, d>().setIdentity();
-  work.factor.solveInPlace(work.solution);
+  factor.solveInPlace(work.solution);
 
   EffectiveInertia& effective = data.effective;
   const TwistMatrix Phi_Y = data.rotations[0].inverse().matrix() * root_jacobian(subsystem);

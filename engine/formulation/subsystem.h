@@ -5,7 +5,6 @@
 // factorised whole. The rows of Phi belong to the joints, resolved in the child's frame:
 //   [R^T J_out(parent), -J_in(child)] q'' = gamma,  with the hub's [R^T T] in front at the root.
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
 #include <memory>
@@ -20,8 +19,7 @@ using DenseBlocks = std::array<std::shared_ptr<const Eigen::MatrixXd>, 2>;
 /// Per body: M^-1 applied to what the joints need, and the products of (P 8) and (P 10).
 struct BodyWork {
   DenseBlocks elastic;
-  Eigen::MatrixXd mass;  ///< n x n
-  Eigen::LLT<Eigen::MatrixXd> factor;
+  Eigen::MatrixXd mass;             ///< n x n; then its Cholesky factor
   Eigen::MatrixXd jacobians;        ///< [J_in; J_out], 2d x n
   Eigen::MatrixXd inverse_columns;  ///< M^-1 [J_in^T, J_out^T, Q], n x (2d + 1)
   Eigen::MatrixXd products;         ///< [J_in; J_out] M^-1 [J_in^T, J_out^T, Q], 2d x (2d + 1)
@@ -30,8 +28,7 @@ struct BodyWork {
 
 struct alignas(kApart) SubsystemWork {
   ArenaVector<BodyWork> bodies;
-  Eigen::MatrixXd D;  ///< Phi M^-1 Phi^T, C1 x C1
-  Eigen::LLT<Eigen::MatrixXd> factor;
+  Eigen::MatrixXd D;            ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
   Eigen::MatrixXd solution;     ///< D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1)
   Eigen::VectorXd multipliers;  ///< (P 8), C1
 };
