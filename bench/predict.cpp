@@ -15,6 +15,7 @@
 #include "bench/questions.h"
 #include "engine/simulation.h"
 #include "graph/measuring_executor.h"
+#include "graph/quantiles.h"
 #include "graph/run_prediction.h"
 
 namespace spoke::bench {
@@ -132,19 +133,13 @@ class Steps final : public Subject {
   long steps_ = 1;
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Of each node.
 std::vector<double> median_costs(const std::vector<NodeMeasurement>& turns) {
   std::vector<double> costs(turns.front().costs.size());
   std::vector<double> cost(turns.size());
   for (std::size_t node = 0; node < costs.size(); ++node) {
     for (std::size_t k = 0; k < turns.size(); ++k) cost[k] = turns[k].costs[node];
-    costs[node] = median(cost);
+    costs[node] = graph::median(cost);
   }
   return costs;
 }
@@ -198,13 +193,14 @@ std::vector<Configuration> configurations_to_predict() {
   return list;
 }
 
-/// Turns of a configuration. How fast threads count clusters of a flow graph depends on where in
-/// memory it lies, by some 10 %: several, one after the other.
+/// Turns of a configuration. How fast a flow graph runs depends on where in memory it lies, by some
+/// 10 %: several, one after the other.
 std::function<void()> make_turns(Subject& subject, const Configuration& configuration) {
-  const bool is_counted =
-      configuration.kind == ExecutorKind::flow_graph && configuration.threads > 1;
+  const int places = configuration.kind == ExecutorKind::flow_graph  ? 8
+                     : configuration.kind == ExecutorKind::automatic ? 3  // they tune themselves
+                                                                     : 1;
   std::vector<std::function<void()>> turns;
-  for (int place = 0; place < (is_counted ? 8 : 1); ++place)
+  for (int place = 0; place < places; ++place)
     turns.push_back(subject.turn(configuration.kind, configuration.threads));
   // Each twice, for a turn comes behind one that warms up.
   return [turns, calls = std::size_t{0}]() mutable { turns[calls++ / 2 % turns.size()](); };
@@ -241,11 +237,11 @@ std::vector<Alternative> make_alternatives(Subject& subject,
 std::string describe(const std::string& subject, const graph::RuntimeCosts& runtime) {
   const graph::Overheads& flow_graph = runtime.flow_graph;
   return fmt::format(
-      "  {}: a cluster {:.0f} ns, {:.0f} more after one of another thread, one in {:.0f} ns at "
-      "most; a handover {:.0f} ns; a run of one thread {:.0f} ns, of several {:.0f} ns; data "
-      "{:.0f} ns and {:.2f} a byte; OpenMP barrier of two threads {:.0f} ns",
-      subject, flow_graph.per_cluster * 1e9, flow_graph.contention * 1e9, flow_graph.counting * 1e9,
-      flow_graph.handover * 1e9, runtime.flow_graph_run * 1e9,
+      "  {}: a cluster {:.0f} ns, {:.0f} more if kept, {:.0f} after one of another thread, one in "
+      "{:.0f} ns at most; a handover {:.0f} ns; a run of one thread {:.0f} ns, of several {:.0f} "
+      "ns; data {:.0f} ns and {:.2f} a byte; OpenMP barrier of two threads {:.0f} ns",
+      subject, flow_graph.per_cluster * 1e9, flow_graph.keeping * 1e9, flow_graph.contention * 1e9,
+      flow_graph.counting * 1e9, flow_graph.handover * 1e9, runtime.flow_graph_run * 1e9,
       runtime.flow_graph_run_among_threads * 1e9, runtime.transfer.latency * 1e9,
       runtime.transfer.per_byte * 1e9, runtime.barrier * 1e9);
 }
@@ -267,7 +263,7 @@ void compare(Subject& subject, const QuestionOptions& options, Table& table, Rep
       subject.graph(), {median_costs(turns.serial), median_costs(turns.levels)}, runtime);
   const double between_runs = turns.serial.back().between_runs;
   const double serial = predictor.work() + between_runs;
-  const double agreement = median(turns.agreement);
+  const double agreement = graph::median(turns.agreement);
   std::vector<std::string> row{subject.name(),
                                duration(timings.front().median / subject.runs_per_turn())};
   for (std::size_t k = 0; const auto& [kind, threads] : all) {

@@ -17,6 +17,7 @@
 #include "graph/overheads.h"
 #include "graph/plan_candidates.h"
 #include "graph/plan_choice.h"
+#include "graph/quantiles.h"
 #include "graph/runtime_costs.h"
 #include "graph/time_stamp.h"
 #include "graph/unbound_thread.h"
@@ -40,12 +41,6 @@ struct Alternative {
   double foreseen = 1.0;  // speedup
   Samples samples;        // s per run
 };
-
-double median(Samples samples) {
-  const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
-  std::nth_element(samples.begin(), middle, samples.end());
-  return *middle;
-}
 
 // How much time the alternatives get to take turns.
 struct Effort {

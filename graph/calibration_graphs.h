@@ -6,8 +6,9 @@
 
 namespace spoke::graph {
 
-/// `count` times one node that two busy ones wait for; a last one joins the last two.
-StepGraph make_fork_joins(int count, double busy);
+/// `count` times one node that some busy ones wait for, two if not told otherwise; a last one joins
+/// the last of them.
+StepGraph make_fork_joins(int count, double busy, int branches = 2);
 
 /// Levels of two empty nodes, each of which waits for both nodes of the level before.
 StepGraph make_ladder(int levels);

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <random>
 #include <span>
 #include <vector>
+
+#include "graph/chance.h"
 
 namespace spoke::graph {
 
@@ -16,20 +17,15 @@ class CostVariation {
 
   const std::vector<double>& operator()() {
     for (std::size_t node = 0; node < costs_.size(); ++node)
-      varied_[node] = costs_[node] * (1.0 + most_ * (2.0 * from_0_to_1() - 1.0));
+      varied_[node] = costs_[node] * chance_.factor(most_);
     return varied_;
   }
 
  private:
-  using Random = std::minstd_rand;
-  double from_0_to_1() {
-    return static_cast<double>(random_() - Random::min()) / (Random::max() - Random::min());
-  }
-
   std::span<const double> costs_;
   double most_;
   std::vector<double> varied_;
-  Random random_;
+  Chance chance_;
 };
 
 }  // namespace spoke::graph

@@ -11,32 +11,31 @@
 #include <vector>
 
 #include "graph/executor_kinds.h"
+#include "graph/quantiles.h"
 #include "graph/time_stamp.h"
 #include "graph/timed_runs.h"
 
 namespace spoke::graph {
 namespace {
 
-constexpr int kLinks = 100;
-
 /// Two chains of nodes that share nothing but the flow graph that counts them.
 class TwoChains {
  public:
-  /// Of nodes that are busy for that long [s].
-  explicit TwoChains(double busy) : graph_(make(busy)) {}
+  /// Of so many nodes each that are busy for that long [s].
+  TwoChains(int links, double busy) : links_(links), graph_(make(busy)) {}
   TwoChains(const TwoChains&) = delete;  // nodes know where to tell
   TwoChains& operator=(const TwoChains&) = delete;
 
-  /// What a link takes one thread that runs both chains [s].
-  double link_alone() const {
+  /// What a run takes one thread [s].
+  double run_alone() const {
     const auto executor = make_flow_graph_executor(graph_, plan_of_single_nodes(graph_), 1);
-    return seconds_per_run(*executor, 60) / (2 * kLinks);
+    return seconds_per_run(*executor, 60);
   }
 
-  /// What a link takes each of two threads [s]. How far away a processor finds the place of
-  /// counting depends on where in memory that lies, by some 10 %: the lower quartile of several.
+  /// What a run takes two threads, a chain each [s]. How far away a processor finds the place of
+  /// counting depends on where in memory it lies, by some 10 %: the lower quartile of several.
   /// Nothing if another thread never comes, which on a busy machine may happen.
-  std::optional<double> link_together(int places, double run_and_handover) {
+  std::optional<double> run_together(int places) {
     std::vector<std::unique_ptr<Executor>> executors;  // all live, so that each has its own place
     std::vector<double> seconds;
     for (int k = 0; k < places; ++k) {
@@ -48,7 +47,7 @@ class TwoChains {
       if (!runs.empty()) seconds.push_back(lower_quartile(runs));
     }
     if (seconds.empty()) return {};
-    return (lower_quartile(std::move(seconds)) - run_and_handover) / kLinks;
+    return lower_quartile(std::move(seconds));
   }
 
  private:
@@ -56,11 +55,12 @@ class TwoChains {
     StepGraphBuilder builder;
     for (std::thread::id& thread : threads_) {
       const PartId chain = builder.add_part("chain", {});
-      for (int link = 0; link < kLinks; ++link)
-        builder.add_node({"link"}, reads(chain), writes(chain), [&thread, link, busy]() noexcept {
-          if (busy > 0.0) be_busy(busy);
-          if (link == kLinks / 2) thread = std::this_thread::get_id();
-        });
+      for (int link = 0; link < links_; ++link)
+        builder.add_node({"link"}, reads(chain), writes(chain),
+                         [this, &thread, link, busy]() noexcept {
+                           if (busy > 0.0) be_busy(busy);
+                           if (link == links_ / 2) thread = std::this_thread::get_id();
+                         });
     }
     return builder.build();
   }
@@ -81,22 +81,43 @@ class TwoChains {
     return seconds;
   }
 
+  int links_;
   std::array<std::thread::id, 2> threads_;
   StepGraph graph_;
 };
 
+/// What a link takes: so much longer are runs of more of them.
+class Links {
+ public:
+  explicit Links(double busy) : few_(kFew, busy), many_(kMany, busy) {}
+
+  /// One thread that runs both chains [s].
+  double alone() const { return (many_.run_alone() - few_.run_alone()) / (2 * (kMany - kFew)); }
+  /// Each of two threads [s]; nothing if there are not two.
+  std::optional<double> together(int places) {
+    const std::optional<double> few = few_.run_together(places);
+    const std::optional<double> many = many_.run_together(places);
+    if (!few || !many) return {};
+    return (*many - *few) / (kMany - kFew);
+  }
+
+ private:
+  static constexpr int kFew = 40, kMany = 120;
+  TwoChains few_, many_;
+};
+
 }  // namespace
 
-CountingCosts measure_counting(int places, double run_and_handover) {
+CountingCosts measure_counting(int places) {
   if (available_threads() <= 1) return {};
   constexpr double long_busy = 0.3e-6;  // s, against what counting takes
-  TwoChains long_links(long_busy);
-  TwoChains empty_links(0.0);
-  const std::optional<double> together = long_links.link_together(places, run_and_handover);
-  if (!together) return {};
-  const double wait = *together - long_links.link_alone();
-  const double service = 0.5 * empty_links.link_together(places, run_and_handover).value_or(0.0);
-  return {std::clamp(wait, 0.0, 1e-6), std::clamp(service, 1e-9, 1e-6)};
+  Links long_links(long_busy);
+  Links empty_links(0.0);
+  const auto together = long_links.together(places);
+  const auto at_most = empty_links.together(places);
+  if (!together || !at_most) return {};
+  return {std::clamp(*together - long_links.alone(), 0.0, 1e-6),
+          std::clamp(0.5 * *at_most, 1e-9, 1e-6)};
 }
 
 }  // namespace spoke::graph

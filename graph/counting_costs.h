@@ -9,8 +9,8 @@ struct CountingCosts {
   double service = 0.0;  ///< from one such start to the next, when both have nothing else to do
 };
 
-/// Measured at so many places in memory, some 4 ms each; none where this process has one processor,
-/// or gets no other. `run_and_handover`: what a run of two threads takes beside its clusters [s].
-CountingCosts measure_counting(int places, double run_and_handover);
+/// Measured at so many places in memory, some 6 ms each; none where this process has one processor,
+/// or gets no other.
+CountingCosts measure_counting(int places);
 
 }  // namespace spoke::graph

@@ -1,20 +1,62 @@
 #include "graph/data_traffic.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace spoke::graph {
 namespace {
 
-constexpr double kCacheLine = 64;  // bytes
+constexpr double kLine = 64;  // bytes
+// How far ahead in a node a processor fetches what it will need, some hundred instructions [s].
+constexpr double kLookAhead = 100e-9;
 
-/// That a node touches.
-std::size_t bytes_of(const Part& part) {
-  if (part.record_size > 0) return part.record_size * sizeof(double);
-  std::size_t bytes = 0;
-  for (const std::span<double> range : part.memory) bytes += range.size_bytes();
-  return bytes;
+struct Lines {
+  std::uintptr_t first, end;
+};
+
+Lines lines_of(std::span<const double> range) {
+  constexpr auto line = static_cast<std::uintptr_t>(kLine);
+  const auto begin = reinterpret_cast<std::uintptr_t>(range.data());
+  return {begin / line, (begin + range.size_bytes() + line - 1) / line};
+}
+
+/// Cache lines of a part that a node touches. Ranges may share some.
+double count_lines(const Part& part) {
+  if (part.record_size > 0)
+    return std::ceil(static_cast<double>(part.record_size * sizeof(double)) / kLine);
+  std::vector<Lines> ranges;
+  for (const std::span<double> range : part.memory)
+    if (!range.empty()) ranges.push_back(lines_of(range));
+  std::sort(ranges.begin(), ranges.end(),
+            [](const Lines& a, const Lines& b) { return a.first < b.first; });
+  std::uintptr_t count = 0;
+  std::uintptr_t counted_to = 0;
+  for (const Lines& lines : ranges) {
+    const std::uintptr_t first = std::max(lines.first, counted_to);
+    if (lines.end <= first) continue;
+    count += lines.end - first;
+    counted_to = lines.end;
+  }
+  return static_cast<double>(count);
+}
+
+/// An entry of a list that grows as it is needed.
+template <class Value>
+Value& entry(std::vector<Value>& list, int index, Value initial) {
+  const auto place = static_cast<std::size_t>(index);
+  if (place >= list.size()) list.resize(place + 1, initial);
+  return list[place];
+}
+
+/// Makes `processor` the one that changed something last; whether that was another.
+bool passes_to(int processor, int& last) {
+  const int before = std::exchange(last, processor);
+  return before != -1 && before != processor;
 }
 
 }  // namespace
@@ -23,11 +65,11 @@ DataTraffic::DataTraffic(const StepGraph& graph, const Transfer& transfer, Writi
     : graph_(graph),
       writing_(writing),
       latency_(transfer.latency),
-      cluster_record_(2.0 * (transfer.latency + kCacheLine * transfer.per_byte)),
+      line_(transfer.latency + kLine * transfer.per_byte),
       holders_(graph.parts().size()) {
   seconds_.reserve(holders_.size());
   for (const Part& part : graph.parts())
-    seconds_.push_back(transfer.per_byte * static_cast<double>(bytes_of(part)));
+    seconds_.push_back(kLine * transfer.per_byte * count_lines(part));
 }
 
 /// Gives the processor a copy. Whether it has to wait for it.
@@ -43,30 +85,40 @@ bool DataTraffic::is_copied(std::size_t part) const {
   return holders_[part].size() > 1 && !graph_.parts()[part].memory.empty();
 }
 
-double DataTraffic::start_cluster(int cluster, int processor) {
-  const auto index = static_cast<std::size_t>(cluster);
-  if (index >= starters_.size()) starters_.resize(index + 1, -1);
-  const int before = std::exchange(starters_[index], processor);
-  return before == -1 || before == processor ? 0.0 : cluster_record_;
+double DataTraffic::wait_at_barrier(int processor) {
+  return std::exchange(entry(is_to_wait_, processor, '\0'), '\0') != 0 ? latency_ : 0.0;
 }
 
-double DataTraffic::run(NodeId node, int processor) {
+double DataTraffic::tell(int cluster, int processor) {
+  return passes_to(processor, entry(tellers_, cluster, -1)) ? line_ : 0.0;
+}
+
+double DataTraffic::start_cluster(int cluster, int processor) {
+  const bool comes_from_another = passes_to(processor, entry(starters_, cluster, -1));
+  return comes_from_another && entry(tellers_, cluster, -1) != processor ? line_ : 0.0;
+}
+
+double DataTraffic::run(NodeId node, int processor, double cost) {
   double seconds = 0.0;
-  bool is_waiting = false;
+  double waits = 0.0;
+  bool is_copied_elsewhere = false;  // what it writes
   const auto touch = [&](PartId part) {
     const auto index = static_cast<std::size_t>(part.index);
     if (!fetch(index, processor)) return;
     seconds += seconds_[index];
-    is_waiting = true;
+    ++waits;
   };
   for (const PartId part : graph_.node(node).reads) touch(part);
   for (const PartId part : graph_.node(node).writes) {
     const auto index = static_cast<std::size_t>(part.index);
-    if (writing_ == Writing::waits) is_waiting |= is_copied(index);
+    is_copied_elsewhere |= is_copied(index);
     touch(part);
     holders_[index].assign(1, processor);
   }
-  return is_waiting ? latency_ + seconds : seconds;
+  if (is_copied_elsewhere && writing_ == Writing::at_once) waits = std::max(waits, 1.0);
+  if (is_copied_elsewhere && writing_ == Writing::at_barriers)
+    entry(is_to_wait_, processor, '\0') = 1;
+  return latency_ * std::min(waits, 1.0 + std::floor(cost / kLookAhead)) + seconds;
 }
 
 }  // namespace spoke::graph

@@ -12,25 +12,32 @@ struct Transfer {
   double per_byte = 0.0;  ///< [s/byte]
 };
 
-/// While others give up their copies of what a node writes, its processor ...
+/// Until others have given up their copies of what a node has written, its processor waits ...
 enum class Writing {
-  goes_on,  ///< with what comes next
-  waits,    ///< as locked instructions make it, of which oneTBB runs some after each node
+  at_once,      ///< as locked instructions make it, of which oneTBB runs some after each node
+  at_barriers,  ///< where DataTraffic is told of them
 };
 
 /// Which processors hold which part of a graph's data in their caches, in a simulated run: the one
 /// that wrote it last, and those that have read it since. A node whose processor does not hold all
-/// that it reads and writes waits for it: once for the first of the data, and in proportion to
-/// their size, of a part of many records to that of one. Parts without memory cost nothing.
+/// that it reads and writes waits for it: for the first cache line of each part, as far as these
+/// waits do not overlap, and in proportion to the number of lines, of a part of many records that
+/// of one. Parts without memory cost nothing.
 class DataTraffic {
  public:
-  DataTraffic(const StepGraph& graph, const Transfer& transfer, Writing writing = Writing::goes_on);
+  DataTraffic(const StepGraph& graph, const Transfer& transfer, Writing writing = Writing::at_once);
 
-  /// Lets `processor` run `node`; returns how long it waits for the node's data [s].
-  double run(NodeId node, int processor);
-  /// Lets `processor` start a cluster of the plan that is run; returns how long it waits for what
-  /// the runtime keeps of the cluster, from the processor that started it last [s]: of a node of
-  /// oneTBB's flow graph two cache lines, which each run writes, not both at once.
+  /// Lets `processor` run `node`, which takes `cost` with all data at hand; returns how long it
+  /// waits for them [s].
+  double run(NodeId node, int processor, double cost);
+  /// Lets `processor` come to a barrier; returns how long it waits for others to give up their
+  /// copies of what it has written since the last one [s].
+  double wait_at_barrier(int processor);
+  /// Of what the runtime keeps of a cluster of the plan that is run, two neighbouring cache lines
+  /// change in each run. One when a predecessor on `processor` tells the cluster that it has ended,
+  double tell(int cluster, int processor);
+  /// and one when `processor` starts the cluster. Both return how long it waits for the line, from
+  /// the processor that changed it last [s]. Who told a cluster last has its neighbour, too.
   double start_cluster(int cluster, int processor);
 
  private:
@@ -40,10 +47,12 @@ class DataTraffic {
   const StepGraph& graph_;
   Writing writing_;
   double latency_;
-  double cluster_record_;                  // of what the runtime keeps of a cluster [s]
+  double line_;                            // until a single cache line is there [s]
   std::vector<double> seconds_;            // per part, without the latency
   std::vector<std::vector<int>> holders_;  // per part; of data that nobody has touched yet, empty
-  std::vector<int> starters_;              // per cluster the processor that started it last, or -1
+  std::vector<char> is_to_wait_;           // per processor, at its next barrier
+  std::vector<int> tellers_;               // per cluster the processor that told it last, or -1
+  std::vector<int> starters_;              // and that started it last
 };
 
 }  // namespace spoke::graph

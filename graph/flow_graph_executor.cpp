@@ -125,7 +125,8 @@ class FlowGraphExecutor final : public Executor {
     tell_start(graph_);
     arena_.execute([this] {
       for (int k = 0; k < final_clusters_; ++k) unfinished_->graph.reserve_wait();
-      for (FlowNode* root : roots_) root->try_put(flow::continue_msg());
+      for (auto root = roots_.rbegin(); root != roots_.rend(); ++root)
+        (*root)->try_put(flow::continue_msg());
       unfinished_->graph.wait_for_all();
     });
     tell_end(graph_);
@@ -148,7 +149,9 @@ class FlowGraphExecutor final : public Executor {
   }
 
   // oneTBB's edges are to stay within a flow graph: to a cluster that another one counts, its
-  // predecessors tell by themselves that they have ended.
+  // predecessors tell by themselves that they have ended. Threads of oneTBB go on with what became
+  // ready last: successors are told from the last to the first, so that a thread comes through the
+  // clusters, and through the memory of their flow nodes, in depth-first order.
   void make_flow(const std::vector<int>& places) {
     const auto are_apart = [&](int a, int b) {
       return places[static_cast<std::size_t>(a)] != places[static_cast<std::size_t>(b)];
@@ -164,11 +167,12 @@ class FlowGraphExecutor final : public Executor {
       if (before.empty()) roots_.push_back(&nodes_.back());
     }
     for (int c = 0; c < plan_.cluster_count(); ++c) {
-      for (const int next : plan_.successors(c)) {
-        if (are_apart(c, next)) {
-          told_.push_back(&node_of(next));
+      const auto after = plan_.successors(c);
+      for (auto next = after.rbegin(); next != after.rend(); ++next) {
+        if (are_apart(c, *next)) {
+          told_.push_back(&node_of(*next));
         } else {
-          flow::make_edge(node_of(c), node_of(next));
+          flow::make_edge(node_of(c), node_of(*next));
         }
       }
       told_.end_row();

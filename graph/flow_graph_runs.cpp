@@ -4,11 +4,13 @@
 
 #include "graph/cost_variation.h"
 #include "graph/data_traffic.h"
-#include "graph/schedule_simulator.h"
+#include "graph/work_stealing.h"
 
 namespace spoke::graph {
 
-int simulated_flow_graph_runs(int nodes) { return std::clamp(2000 / std::max(nodes, 1), 4, 32); }
+int simulated_flow_graph_runs(int clusters) {
+  return std::clamp(4000 / std::max(clusters, 1), 4, 64);
+}
 
 double simulate_flow_graph_runs(const StepGraph& graph, const Plan& plan,
                                 std::span<const double> node_costs, int threads,
@@ -16,16 +18,17 @@ double simulate_flow_graph_runs(const StepGraph& graph, const Plan& plan,
   const int width = level_width(plan);
   if (width <= 1) return work_of(node_costs);  // the executor then does without a flow graph
   const int used_threads = std::min(threads, width);
-  DataTraffic traffic(graph, runtime.transfer, Writing::waits);
+  DataTraffic traffic(graph, runtime.transfer);
   // Which processor comes first to the place of counting, or finds what another has kept, hangs on
   // nanoseconds: one run of exact costs may be far from the mean.
   CostVariation vary(node_costs, variation);
+  Chance chance;
   const auto makespan = [&] {
-    return simulate_work_stealing(plan, vary(), used_threads, runtime.flow_graph, &traffic)
+    return simulate_work_stealing(plan, vary(), used_threads, runtime.flow_graph, &traffic, &chance)
         .makespan;
   };
   makespan();  // leaves the data where a run finds them
-  const int runs = simulated_flow_graph_runs(plan.node_count());
+  const int runs = simulated_flow_graph_runs(plan.cluster_count());
   double sum = 0.0;
   for (int k = 0; k < runs; ++k) sum += makespan();
   return sum / runs +

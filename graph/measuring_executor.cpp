@@ -4,6 +4,7 @@
 #include <bit>
 #include <numeric>
 
+#include "graph/quantiles.h"
 #include "graph/time_stamp.h"
 
 namespace spoke::graph {
@@ -31,9 +32,7 @@ double robust_mean(const std::vector<double>& times) {
     const auto end = times.begin() + static_cast<std::ptrdiff_t>((k + 1) * times.size() / count);
     means[k] = std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
   }
-  const auto middle = means.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(means.begin(), middle, means.end());
-  return *middle;
+  return median(std::move(means));
 }
 
 std::vector<double> in_seconds(const std::vector<std::uint64_t>& ticks) {

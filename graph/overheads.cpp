@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "graph/calibration_graphs.h"
 #include "graph/executor_kinds.h"
@@ -14,15 +17,35 @@ namespace {
 
 constexpr double kBusy = 20e-6;  // s
 
-// Clusters that fork and join, as those of a step do, cost more than links of a chain.
-double measure_cluster() {
-  const StepGraph graph = make_fork_joins(70, 0.0);
-  const auto executor = make_flow_graph_executor(graph, plan_of_single_nodes(graph), 1);
-  constexpr double time = 3e-3;  // s
-  double least = seconds_per_run(*executor, 30);
-  for (const std::uint64_t begin = time_stamp(); seconds_since(begin) < time;)
-    least = std::min(least, seconds_per_run(*executor, 30));
+// What one thread takes for a cluster of forks and joins of empty nodes [s], which cost more than
+// links of a chain. Where in memory they lie makes some 10 %: the least of several places.
+double seconds_per_cluster(const StepGraph& graph) {
+  constexpr int places = 3;
+  constexpr double time = 1e-3;                      // s, of a place
+  std::vector<std::unique_ptr<Executor>> executors;  // all live, so that each has its own place
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < places; ++k) {
+    executors.push_back(make_flow_graph_executor(graph, plan_of_single_nodes(graph), 1));
+    for (const std::uint64_t begin = time_stamp(); seconds_since(begin) < time;)
+      least = std::min(least, seconds_per_run(*executors.back(), 20));
+  }
   return least / graph.node_count();
+}
+
+// The more branches a fork has, the more clusters its thread keeps for later: all but one of each.
+void measure_clusters(Overheads& overheads) {
+  constexpr int nodes = 200, few = 2, many = 16;
+  const auto seconds_and_kept = [](int branches) {
+    const int forks = nodes / (1 + branches);
+    const StepGraph graph = make_fork_joins(forks, 0.0, branches);
+    return std::pair(seconds_per_cluster(graph),
+                     static_cast<double>(forks * (branches - 1)) / graph.node_count());
+  };
+  const auto [seconds_of_few, kept_of_few] = seconds_and_kept(few);
+  const auto [seconds_of_many, kept_of_many] = seconds_and_kept(many);
+  overheads.keeping =
+      std::clamp((seconds_of_many - seconds_of_few) / (kept_of_many - kept_of_few), 0.0, 0.2e-6);
+  overheads.per_cluster = std::clamp(seconds_of_few - kept_of_few * overheads.keeping, 10e-9, 1e-6);
 }
 
 // A fork and join of two nodes takes one of them, one handover to the other thread and one back.
@@ -44,7 +67,7 @@ double measure_handover() {
 
 Overheads measure_flow_graph_overheads() {
   Overheads overheads;
-  overheads.per_cluster = std::clamp(measure_cluster(), 10e-9, 1e-6);
+  measure_clusters(overheads);
   overheads.handover = std::clamp(measure_handover(), 0.5e-6, 5e-6);
   return overheads;
 }

@@ -11,6 +11,7 @@
 #include "graph/cost_variation.h"
 #include "graph/flow_graph_runs.h"
 #include "graph/schedule_order.h"
+#include "graph/work_stealing.h"
 
 namespace spoke::graph {
 namespace {
@@ -137,7 +138,7 @@ std::vector<Candidate> find_candidates(const StepGraph& graph, std::span<const d
 }
 
 std::size_t weighable_candidates(const StepGraph& graph) {
-  constexpr std::size_t nodes = 30'000, fewest = 4, most = 16;
+  constexpr std::size_t nodes = 60'000, fewest = 4, most = 16;
   const auto count = static_cast<std::size_t>(std::max(graph.node_count(), 1));
   return std::clamp(
       nodes / (count * static_cast<std::size_t>(1 + simulated_flow_graph_runs(graph.node_count()))),

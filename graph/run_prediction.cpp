@@ -32,9 +32,10 @@ double critical_shares(const std::vector<Round>& rounds, const std::vector<doubl
     for (std::size_t thread = 0; thread < round.size(); ++thread) {
       double share = 0.0;
       for (const NodeId node : round[thread]) {
-        share += costs[static_cast<std::size_t>(node.index)] +
-                 traffic.run(node, static_cast<int>(thread));
+        const double cost = costs[static_cast<std::size_t>(node.index)];
+        share += cost + traffic.run(node, static_cast<int>(thread), cost);
       }
+      share += traffic.wait_at_barrier(static_cast<int>(thread));
       most = std::max(most, share);
     }
     seconds += most;
@@ -143,7 +144,7 @@ PredictedRun RunPredictor::predict_levels(int threads) const {
   const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
   return in_band(
       [&](const Assumptions& assumed) {
-        DataTraffic traffic(graph_, assumed.runtime.transfer);
+        DataTraffic traffic(graph_, assumed.runtime.transfer, Writing::at_barriers);
         critical_shares(rounds, assumed.costs.levels,
                         traffic);  // leaves the data where a run finds them
         return critical_shares(rounds, assumed.costs.levels, traffic) +

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "graph/data_traffic.h"
 #include "graph/schedule_simulator.h"
 
 namespace spoke::graph {
@@ -16,12 +17,12 @@ struct RuntimeCosts {
   Transfer transfer;           ///< of data from another processor's caches
 };
 
-/// Measured on graphs of empty nodes and of busy ones, none of them a model's, in about a fifth of
-/// a second. Bounded to what is plausible, for busy machines. Threads of OpenMP spin on for some
+/// Measured on graphs of empty nodes and of busy ones, none of them a model's, in about a quarter
+/// of a second. Bounded to what is plausible, for busy machines. Threads of OpenMP spin on for some
 /// milliseconds after that.
 RuntimeCosts measure_runtime_costs();
 
-/// The same without OpenMP, measured once per process, roughly, in some 25 ms.
+/// The same without OpenMP, measured once per process, roughly, in some 50 ms.
 const RuntimeCosts& flow_graph_costs();
 
 /// Of each cost the median. Precondition: there is one. Processors change their speed from one

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "graph/data_traffic.h"
 #include "graph/plan.h"
 
 namespace spoke::graph {
@@ -11,7 +10,7 @@ namespace spoke::graph {
 /// What running a plan costs beside its nodes' bodies [s].
 struct Overheads {
   double per_node = 2e-9;    ///< calling a node within its cluster
-  double per_cluster = 0.0;  ///< starting a cluster
+  double per_cluster = 0.0;  ///< starting a cluster with which its processor goes on
   double handover = 0.0;     ///< a cluster starts on another processor than made it ready
   /// Under work stealing, what another processor writes too takes this long to come: the place at
   /// which neighbours are counted when they start (counting_places()), for a start after one on
@@ -20,7 +19,16 @@ struct Overheads {
   double contention = 0.0;
   /// And from the moment a place of counting goes to a processor, others wait this long to get it.
   double counting = 0.0;
+  /// Under work stealing, what a cluster takes longer that its processor has kept meanwhile.
+  double keeping = 0.0;
+  /// What each cluster takes longer in a graph of kManyClusters, and in proportion in smaller ones
+  /// (crowding()): what the runtime keeps of them does not stay in the nearer caches.
+  double among_many = 0.0;
 };
+
+inline constexpr int kManyClusters = 12'000;
+/// How much of Overheads::among_many each of so many clusters takes, from 0 to 1.
+double crowding(int clusters);
 
 /// Where and when a cluster runs [s from the start of the run]; its overheads are part of it, a
 /// handover delays the start.
@@ -39,6 +47,10 @@ struct Schedule {
 /// Per processor the clusters it runs, in that order.
 using ProcessorLists = std::vector<std::vector<int>>;
 
+/// Per cluster what it takes with its nodes and overheads, without handovers [s].
+std::vector<double> cluster_times(const Plan& plan, std::span<const double> node_costs,
+                                  const Overheads& overheads);
+
 /// The work T1: the sum of all nodes' costs [s].
 double work_of(std::span<const double> node_costs);
 /// The span Tinf: the costliest path of clusters [s], without overheads.
@@ -52,17 +64,6 @@ std::vector<double> bottom_levels(const Plan& plan, std::span<const double> cost
 /// idle. Clusters without predecessors are made ready by processor 0. Event-driven; near-linear.
 Schedule simulate_list_schedule(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads);
-
-/// Work stealing, as oneTBB's flow graphs do it: of what a cluster makes ready its processor goes
-/// on with the last that is counted at the same place, and keeps the others; it takes what it kept
-/// last, and a processor that has nothing takes what another, the first that has any, has kept
-/// longest, if it still has it when a quarter of a handover has passed. Clusters without
-/// predecessors are kept by processor 0.
-/// Starting clusters contend (Overheads::contention, counting). With `traffic`, they also wait for
-/// their nodes' data. Event-driven; near-linear.
-Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
-                                int processors, const Overheads& overheads,
-                                DataTraffic* traffic = nullptr);
 
 /// Each processor runs its list in order, waiting for predecessors. The lists hold every cluster
 /// once, in an order that, together with the plan's edges, makes no cycle.

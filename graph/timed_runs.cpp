@@ -1,10 +1,9 @@
 #include "graph/timed_runs.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "graph/quantiles.h"
 #include "graph/time_stamp.h"
 
 namespace spoke::graph {
@@ -17,12 +16,6 @@ void be_busy(double seconds) noexcept {
   const std::uint64_t begin = time_stamp();
   while (seconds_since(begin) < seconds) {
   }
-}
-
-double lower_quartile(std::vector<double> values) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
 }
 
 double seconds_per_run(Executor& executor, int runs) {

@@ -3,7 +3,6 @@
 // What the calibrations of this folder time with.
 
 #include <cstdint>
-#include <vector>
 
 #include "graph/executor.h"
 
@@ -14,9 +13,6 @@ double seconds_since(std::uint64_t begin);
 
 /// Keeps the calling thread busy for so long [s].
 void be_busy(double seconds) noexcept;
-
-/// What an undisturbed sample is like, since what disturbs only adds. Precondition: not empty.
-double lower_quartile(std::vector<double> values);
 
 /// Of `runs` runs, behind one that warms up, the lower quartile [s].
 double seconds_per_run(Executor& executor, int runs);

@@ -20,6 +20,8 @@ Json describe_runtime(const graph::RuntimeCosts& runtime) {
           {"flow_graph_per_cluster_s", runtime.flow_graph.per_cluster},
           {"flow_graph_contention_s", runtime.flow_graph.contention},
           {"flow_graph_counting_s", runtime.flow_graph.counting},
+          {"flow_graph_keeping_s", runtime.flow_graph.keeping},
+          {"flow_graph_among_many_s", runtime.flow_graph.among_many},
           {"flow_graph_handover_s", runtime.flow_graph.handover},
           {"flow_graph_run_s", runtime.flow_graph_run},
           {"flow_graph_run_among_threads_s", runtime.flow_graph_run_among_threads},

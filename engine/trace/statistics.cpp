@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "graph/quantiles.h"
+
 namespace spoke::trace {
 namespace {
 
@@ -14,11 +16,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 double duration(const NodeSlice& slice) { return seconds(slice.end - slice.begin); }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using graph::median;
 
 /// What a step needs to be timed, gathered in one walk over all slices.
 struct StepSlices {

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <span>
 
-#include "graph/schedule_simulator.h"
 #include "tests/approx.h"
 
 using namespace spoke::graph;
@@ -13,10 +13,13 @@ using spoke::testing::approx;
 namespace {
 
 constexpr Transfer kPerByte{0.0, 1e-9};
+constexpr double kLine = 64e-9;   // s, of a cache line at that
+constexpr double kShort = 10e-9;  // s, that a node takes
 
-// "write" makes 10 doubles, "read" needs them and something without memory.
+// "write" makes 10 doubles, which lie on two cache lines, "read" needs them and something without
+// memory.
 struct Pair {
-  std::array<double, 10> memory{};
+  alignas(64) std::array<double, 10> memory{};
   StepGraph graph = build();
 
   StepGraph build() {
@@ -31,49 +34,64 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("data traffic: what another processor wrote is waited for once, in proportion") {
+TEST_CASE("data traffic: what another processor wrote is waited for once, by cache lines") {
   const Pair pair;
   DataTraffic traffic(pair.graph, kPerByte);
-  CHECK(traffic.run({0}, 3) == 0.0);  // nobody's yet
-  CHECK(traffic.run({1}, 3) == 0.0);
-  CHECK(traffic.run({1}, 0) == approx(80e-9));
-  CHECK(traffic.run({1}, 0) == 0.0);
-  CHECK(traffic.run({1}, 3) == 0.0);  // reading takes nothing from others
-  CHECK(traffic.run({1}, 0) == 0.0);
-  CHECK(traffic.run({0}, 3) == 0.0);  // who writes has the only copy
-  CHECK(traffic.run({1}, 0) == approx(80e-9));
-  CHECK(traffic.run({0}, 1) == approx(80e-9));
+  CHECK(traffic.run({0}, 3, kShort) == 0.0);  // nobody's yet
+  CHECK(traffic.run({1}, 3, kShort) == 0.0);
+  CHECK(traffic.run({1}, 0, kShort) == approx(2 * kLine));
+  CHECK(traffic.run({1}, 0, kShort) == 0.0);
+  CHECK(traffic.run({1}, 3, kShort) == 0.0);  // reading takes nothing from others
+  CHECK(traffic.run({1}, 0, kShort) == 0.0);
+  CHECK(traffic.run({0}, 3, kShort) == 0.0);  // who writes has the only copy
+  CHECK(traffic.run({1}, 0, kShort) == approx(2 * kLine));
+  CHECK(traffic.run({0}, 1, kShort) == approx(2 * kLine));
 }
 
-TEST_CASE("data traffic: who writes may wait until others have given up their copies") {
-  const Pair pair;
-  const auto seconds = [&](Writing writing) {
-    DataTraffic traffic(pair.graph, {100e-9, 1e-9}, writing);
-    traffic.run({0}, 0);
-    CHECK(traffic.run({0}, 0) == 0.0);
-    traffic.run({1}, 1);
-    const double copied = traffic.run({0}, 0);  // holds the data itself
-    CHECK(traffic.run({0}, 0) == 0.0);
-    traffic.run({1}, 0);
-    CHECK(traffic.run({0}, 0) == 0.0);  // its own copy
-    return copied;
-  };
-  CHECK(seconds(Writing::waits) == approx(100e-9));
-  CHECK(seconds(Writing::goes_on) == 0.0);
-}
-
-TEST_CASE("data traffic: what the runtime keeps of a cluster comes from who started it last") {
+TEST_CASE("data traffic: who writes waits until others have given up their copies") {
   const Pair pair;
   DataTraffic traffic(pair.graph, {100e-9, 1e-9});
-  CHECK(traffic.start_cluster(1, 0) == 0.0);
-  CHECK(traffic.start_cluster(1, 0) == 0.0);
-  CHECK(traffic.start_cluster(1, 1) == approx(328e-9));  // two cache lines
-  CHECK(traffic.start_cluster(1, 1) == 0.0);
-  CHECK(traffic.start_cluster(0, 1) == 0.0);
+  traffic.run({0}, 0, kShort);
+  CHECK(traffic.run({0}, 0, kShort) == 0.0);
+  traffic.run({1}, 1, kShort);
+  CHECK(traffic.run({0}, 0, kShort) == approx(100e-9));  // holds the data itself
+  CHECK(traffic.run({0}, 0, kShort) == 0.0);
+  traffic.run({1}, 0, kShort);
+  CHECK(traffic.run({0}, 0, kShort) == 0.0);  // its own copy
+  CHECK(traffic.wait_at_barrier(0) == 0.0);
 }
 
-TEST_CASE("data traffic: the first of a node's data is waited for once") {
-  std::array<double, 10> one{}, other{};
+TEST_CASE("data traffic: or it waits at its next barrier, once for all") {
+  const Pair pair;
+  DataTraffic traffic(pair.graph, {100e-9, 1e-9}, Writing::at_barriers);
+  traffic.run({0}, 0, kShort);
+  CHECK(traffic.wait_at_barrier(0) == 0.0);
+  for (int k = 0; k < 2; ++k) {
+    traffic.run({1}, 1, kShort);
+    CHECK(traffic.run({0}, 0, kShort) == 0.0);
+  }
+  CHECK(traffic.wait_at_barrier(1) == 0.0);
+  CHECK(traffic.wait_at_barrier(0) == approx(100e-9));
+  CHECK(traffic.wait_at_barrier(0) == 0.0);
+}
+
+TEST_CASE("data traffic: what the runtime keeps of a cluster comes from who changed it last") {
+  const Pair pair;
+  DataTraffic traffic(pair.graph, {100e-9, 1e-9});
+  for (const auto change : {&DataTraffic::start_cluster, &DataTraffic::tell}) {
+    CHECK((traffic.*change)(1, 0) == 0.0);
+    CHECK((traffic.*change)(1, 0) == 0.0);
+    CHECK((traffic.*change)(1, 1) == approx(164e-9));  // a cache line
+    CHECK((traffic.*change)(1, 1) == 0.0);
+    CHECK((traffic.*change)(0, 1) == 0.0);
+  }
+  CHECK(traffic.tell(1, 0) == approx(164e-9));
+  CHECK(traffic.start_cluster(1, 0) == 0.0);  // lies beside what it has told
+  CHECK(traffic.start_cluster(1, 1) == approx(164e-9));
+}
+
+TEST_CASE("data traffic: a short node's waits overlap, a long one's do not") {
+  alignas(64) std::array<double, 8> one{}, other{};
   StepGraphBuilder builder;
   const PartId a = builder.add_part("a", {one});
   const PartId b = builder.add_part("b", {other});
@@ -82,37 +100,34 @@ TEST_CASE("data traffic: the first of a node's data is waited for once") {
   builder.add_node({"nothing"}, reads(nothing), {}, []() noexcept {});
   const StepGraph graph = builder.build();
   DataTraffic traffic(graph, {100e-9, 1e-9});
-  CHECK(traffic.run({0}, 0) == 0.0);
-  CHECK(traffic.run({0}, 1) == approx(260e-9));
-  CHECK(traffic.run({0}, 1) == 0.0);
-  CHECK(traffic.run({1}, 0) == 0.0);
+  CHECK(traffic.run({0}, 0, kShort) == 0.0);
+  CHECK(traffic.run({0}, 1, kShort) == approx(100e-9 + 2 * kLine));
+  CHECK(traffic.run({0}, 0, 1e-6) == approx(2 * 100e-9 + 2 * kLine));
+  CHECK(traffic.run({0}, 1, kShort) > 0.0);
+  CHECK(traffic.run({0}, 1, kShort) == 0.0);
+  CHECK(traffic.run({1}, 0, kShort) == 0.0);
 }
 
 TEST_CASE("data traffic: of a part of many records a node brings one") {
-  std::array<double, 100> memory{};
+  alignas(64) std::array<double, 100> memory{};
   StepGraphBuilder builder;
   const PartId ring = builder.add_part("ring", {memory}, 5);
   builder.add_node({"write"}, {}, writes(ring), []() noexcept {});
   const StepGraph graph = builder.build();
   DataTraffic traffic(graph, kPerByte);
-  CHECK(traffic.run({0}, 0) == 0.0);
-  CHECK(traffic.run({0}, 1) == approx(40e-9));
+  CHECK(traffic.run({0}, 0, kShort) == 0.0);
+  CHECK(traffic.run({0}, 1, kShort) == approx(kLine));
 }
 
-TEST_CASE("data traffic: a stolen cluster waits for its data") {
-  // One writer, then two readers of its data on two processors.
-  std::array<double, 1000> memory{};
+TEST_CASE("data traffic: ranges on the same cache line come as one") {
+  alignas(64) std::array<double, 24> memory{};
+  const std::span<double> all = memory;
   StepGraphBuilder builder;
-  const PartId data = builder.add_part("data", {memory});
-  builder.add_node({"write"}, {}, writes(data), []() noexcept {});
-  for (int k = 0; k < 2; ++k) builder.add_node({"read"}, reads(data), {}, []() noexcept {});
+  const PartId part =
+      builder.add_part("part", {all.subspan(12, 2), all.first(2), all.subspan(4, 6)});
+  builder.add_node({"write"}, {}, writes(part), []() noexcept {});
   const StepGraph graph = builder.build();
-  const std::array costs{1e-6, 10e-6, 10e-6};
-  const Plan plan = plan_of_single_nodes(graph);
   DataTraffic traffic(graph, kPerByte);
-  const auto makespan = [&](DataTraffic* data_traffic) {
-    return simulate_work_stealing(plan, costs, 2, {0.0, 0.0, 0.0}, data_traffic).makespan;
-  };
-  CHECK(makespan(nullptr) == approx(11e-6));
-  CHECK(makespan(&traffic) == approx(19e-6));
+  CHECK(traffic.run({0}, 0, kShort) == 0.0);
+  CHECK(traffic.run({0}, 1, kShort) == approx(2 * kLine));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graph/coarsening.h"
+#include "graph/work_stealing.h"
 #include "tests/approx.h"
 #include "tests/graph/arithmetic_graph.h"
 #include "tests/graph/shapes.h"
@@ -101,91 +102,16 @@ TEST_CASE("simulator: a cluster on another processor than made it ready comes la
   CHECK(schedule.makespan == approx(33e-6));
 }
 
-TEST_CASE("simulator: work stealing follows chains to their ends, a list schedule does not") {
-  const StepGraph graph = make_window(50, 3, 1);
-  const auto costs = equal_costs(graph, 1e-6);
-  const Plan plan = plan_of_single_nodes(graph);
-  const double work = work_of(costs);
-  CHECK(simulate_work_stealing(plan, costs, 2, kNone).makespan == approx(work / 1.5));
-  CHECK(simulate_list_schedule(plan, costs, 2, kNone).makespan == approx(work / 2.0));
-  CHECK(simulate_work_stealing(plan, costs, 3, kNone).makespan == approx(work / 3.0));
-}
-
-TEST_CASE("simulator: a thief takes what was kept longest, and pays for it") {
-  const StepGraph graph = make_fan(3, 1);  // root, three nodes, join
-  const auto costs = equal_costs(graph, 10e-6);
-  const Schedule schedule =
-      simulate_work_stealing(plan_of_single_nodes(graph), costs, 2, {0.0, 0.0, 3e-6});
-  CHECK(schedule.slots[3].start == approx(10e-6));  // the last made ready
-  CHECK(schedule.slots[1].start == approx(13e-6));  // stolen
-  CHECK(schedule.slots[2].start == approx(20e-6));
-  CHECK(schedule.makespan == approx(40e-6));
-}
-
-TEST_CASE("simulator: processors that start clusters in turns contend for one place of counting") {
-  const StepGraph graph = make_fan(2, 2);
-  const Plan plan = plan_of_single_nodes(graph);
-  const auto costs = equal_costs(graph, 1e-6);
-  constexpr Overheads overheads{0.0, 0.0, 0.4e-6, 0.1e-6, 0.2e-6};  // found after 0.1 us
-  CHECK(simulate_work_stealing(plan, costs, 1, overheads).makespan == approx(6e-6));
-  const Schedule schedule = simulate_work_stealing(plan, costs, 2, overheads);
-  // Each of the two starts that are kept first waits for the list that another processor searches.
-  CHECK(schedule.slots[0].start == approx(0.1e-6));
-  CHECK(schedule.slots[3].start == approx(1.2e-6));
-  CHECK(schedule.slots[3].end == approx(2.2e-6));
-  CHECK(schedule.slots[1].start == approx(1.5e-6));  // stolen: a handover after 1.1 us
-  CHECK(schedule.slots[1].end == approx(2.6e-6));    // of which it waits to be counted
-  CHECK(schedule.slots[4].end == approx(3.3e-6));    // waits for the place that the thief has
-  CHECK(schedule.slots[2].end == approx(3.7e-6));
-  CHECK(schedule.slots[5].end == approx(4.7e-6));  // at once: the same processor counted last
-}
-
-namespace {
-
-// Of two processors that run a chain of empty nodes each [s].
-double makespan_of_two_chains(int links, double node, const Overheads& overheads) {
-  StepGraphBuilder builder;
-  for (const char* chain : {"one", "other"}) {
-    const PartId part = builder.add_part(chain, {});
-    for (int k = 0; k < links; ++k)
-      builder.add_node({chain}, reads(part), writes(part), []() noexcept {});
-  }
-  const StepGraph graph = builder.build();
-  return simulate_work_stealing(plan_of_single_nodes(graph), equal_costs(graph, node), 2, overheads)
-      .makespan;
-}
-
-}  // namespace
-
-TEST_CASE("simulator: a place of counting lets one cluster start at a time") {
-  constexpr Overheads overheads{0.0, 0.0, 0.0, 0.1e-6, 0.3e-6};
-  // Of few nodes, all of which are counted in one place.
-  const auto per_node = [&](double node) {
-    return (makespan_of_two_chains(15, node, overheads) -
-            makespan_of_two_chains(10, node, overheads)) /
-           10.0;
+TEST_CASE("simulator: clusters cost more in large graphs") {
+  Overheads overheads{0.0, 200e-9, 0.0};
+  overheads.among_many = 50e-9;
+  const auto per_cluster = [&](int layers) {
+    const StepGraph graph = make_fan(2, layers);
+    const auto costs = equal_costs(graph, 0.0);
+    return cluster_times(plan_of_single_nodes(graph), costs, overheads).front();
   };
-  CHECK(per_node(0.1e-6) == approx(0.3e-6).epsilon(0.01));
-  CHECK(per_node(0.4e-6) == approx(0.3e-6).epsilon(0.01));
-  CHECK(per_node(1e-6) == approx(0.55e-6).epsilon(0.01));  // 1 us and the wait, two at once
-}
-
-TEST_CASE("simulator: processors whose clusters are counted in different places do not wait") {
-  constexpr Overheads overheads{0.0, 0.0, 0.0, 0.1e-6, 0.3e-6};
-  const double links = 500, node = 0.2e-6;
-  CHECK(makespan_of_two_chains(500, node, overheads) == approx(links * node).epsilon(0.01));
-}
-
-TEST_CASE("simulator: who comes late for a cluster finds it gone") {
-  const StepGraph graph = make_fan(2, 1);
-  const Plan plan = plan_of_single_nodes(graph);
-  constexpr Overheads handover{0.0, 0.0, 0.4e-6};  // found after 0.1 us
-  const auto makespan = [&](double node) {
-    return simulate_work_stealing(plan, equal_costs(graph, node), 2, handover).makespan;
-  };
-  CHECK(makespan(0.09e-6) == approx(4 * 0.09e-6));
-  // Found while the other still works, it starts a handover behind what made it ready.
-  CHECK(makespan(0.2e-6) == approx(0.2e-6 + 0.4e-6 + 2 * 0.2e-6));
+  CHECK(per_cluster(1) == approx(200e-9 + 4.0 / kManyClusters * 50e-9));
+  CHECK(per_cluster(kManyClusters) == approx(250e-9));
 }
 
 TEST_CASE("simulator: the span is the costliest path") {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "graph/data_traffic.h"
+
+namespace spoke::graph {
+
+/// What it takes on this machine until data that another processor has written are there, measured
+/// in so many places in memory, on each in an equal share of twice `time` [s]. Nothing where this
+/// process gets no other processor.
+Transfer measure_transfer(int places, double time);
+
+}  // namespace spoke::graph
