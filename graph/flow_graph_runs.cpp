@@ -1,8 +1,10 @@
 #include "graph/flow_graph_runs.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "graph/cost_variation.h"
+#include "graph/counting_places.h"
 #include "graph/data_traffic.h"
 #include "graph/work_stealing.h"
 
@@ -23,8 +25,10 @@ double simulate_flow_graph_runs(const StepGraph& graph, const Plan& plan,
   // nanoseconds: one run of exact costs may be far from the mean.
   CostVariation vary(node_costs, variation);
   Chance chance;
+  const std::vector<int> places = counting_places(plan, used_threads);
   const auto makespan = [&] {
-    return simulate_work_stealing(plan, vary(), used_threads, runtime.flow_graph, &traffic, &chance)
+    return simulate_work_stealing(plan, vary(), used_threads, runtime.flow_graph, &traffic, &chance,
+                                  places)
         .makespan;
   };
   makespan();  // leaves the data where a run finds them

@@ -21,14 +21,15 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 class WorkStealer {
  public:
   WorkStealer(const Plan& plan, std::span<const double> node_costs, int processors,
-              const Overheads& overheads, DataTraffic* traffic, Chance* chance)
+              const Overheads& overheads, DataTraffic* traffic, Chance* chance,
+              std::vector<int> places)
       : plan_(plan),
         node_costs_(node_costs),
         overheads_(overheads),
         traffic_(traffic),
         chance_(chance),
         durations_(cluster_times(plan, node_costs, overheads)),
-        places_(counting_places(plan, processors)),
+        places_(places.empty() ? counting_places(plan, processors) : std::move(places)),
         counters_(places_.empty() ? 0 : at(1 + *std::max_element(places_.begin(), places_.end()))),
         processors_(at(processors)),
         schedule_{processors, 0.0, std::vector<Slot>(durations_.size())} {
@@ -240,8 +241,9 @@ class WorkStealer {
 
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads, DataTraffic* traffic,
-                                Chance* chance) {
-  return WorkStealer(plan, node_costs, processors, overheads, traffic, chance).run();
+                                Chance* chance, std::vector<int> places) {
+  return WorkStealer(plan, node_costs, processors, overheads, traffic, chance, std::move(places))
+      .run();
 }
 
 }  // namespace spoke::graph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "graph/chance.h"
 #include "graph/data_traffic.h"
@@ -20,9 +21,11 @@ namespace spoke::graph {
 /// list of what is kept, if another has looked at it meanwhile, and with `traffic` the records of
 /// clusters and the nodes' data. With `chance`, waits for the place and the list, and handovers,
 /// are longer or shorter by up to half of what they are without.
+/// `places`: where clusters are counted, unless given counting_places().
 /// Event-driven; near-linear.
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
                                 int processors, const Overheads& overheads,
-                                DataTraffic* traffic = nullptr, Chance* chance = nullptr);
+                                DataTraffic* traffic = nullptr, Chance* chance = nullptr,
+                                std::vector<int> places = {});
 
 }  // namespace spoke::graph

@@ -134,9 +134,10 @@ constexpr const char* kMethod =
     "flow_graph and auto by work stealing, as oneTBB does it, with the calibrated costs of "
     "starting a cluster, alone or while other threads do or search for work, and of handing it to "
     "another processor; openmp_levels level by level, the costliest thread of each and a barrier. "
-    "A node waits for declared data that another processor wrote last: "
-    "for the first of them, and in proportion to their size. The band is that of half these costs "
-    "with nodes at their cheapest, and of twice these costs with nodes at their dearest; a "
+    "A node waits for declared data that another processor wrote last: for the first line of each "
+    "part, as far as its processor does not look ahead, and in proportion to their size. The band "
+    "is that of half these costs with nodes at their cheapest, and of twice these costs with nodes "
+    "at their dearest; a "
     "barrier is taken to grow as the logarithm of the threads, in the band not at all and in "
     "proportion. That processors share cache capacity, memory and power is not modelled.";
 

@@ -90,6 +90,7 @@ TEST_CASE("prediction: auto is never slower than serial") {
     CHECK(tiny.predict(ExecutorKind::flow_graph, threads).expected > run.expected);
   }
   const RunPredictor large = predictor_of(graph, costly());
+  // At best 6 of 34 nodes, one after the other; processors have to find what there is for them.
   CHECK(large.predict(ExecutorKind::automatic, 8).expected < 0.3 * large.work());
 }
 

@@ -167,7 +167,7 @@ TEST_CASE("work stealing: a stolen cluster waits for its data") {
     return simulate_work_stealing(plan, costs, 2, kNone, data_traffic).makespan;
   };
   CHECK(makespan(nullptr) == approx(11e-6));
-  CHECK(makespan(&traffic) == approx(19e-6 + 2 * 64e-9).epsilon(1e-2));
+  CHECK(makespan(&traffic) == approx(19e-6));
 }
 
 TEST_CASE("work stealing: by chance waits are longer and shorter, about what they are without") {
@@ -183,6 +183,7 @@ TEST_CASE("work stealing: by chance waits are longer and shorter, about what the
   const double least = *std::min_element(makespans.begin(), makespans.end());
   const double most = *std::max_element(makespans.begin(), makespans.end());
   const double without = simulate_work_stealing(plan, costs, 2, overheads).makespan;
+  // Waits are a part of it, and not all of them are short, or long, at once.
   CHECK(least < most);
   CHECK(least > 0.8 * without);
   CHECK(most < 1.2 * without);
