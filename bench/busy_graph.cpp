@@ -1,3 +1,5 @@
+// Busy nodes: calibrates how many operations a second take, and builds the graph of such nodes.
+
 #include "bench/busy_graph.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #pragma once
 
+// A graph shaped like a step whose nodes take a given time, to measure executors without mechanics.
+
 #include <string>
 
 #include "graph/step_graph.h"

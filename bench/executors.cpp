@@ -204,8 +204,8 @@ Alternative after_pause(const RunnerPointer& runner, std::int64_t batch) {
   return alternative;
 }
 
-void demand_same_state(const Model& model, const std::vector<RunnerPointer>& runners,
-                       std::int64_t batch) {
+void require_same_state(const Model& model, const std::vector<RunnerPointer>& runners,
+                        std::int64_t batch) {
   std::int64_t last = 0;
   for (const RunnerPointer& runner : runners) last = std::max(last, runner->simulation().steps());
   for (const RunnerPointer& runner : runners) runner->advance_to(last, batch);
@@ -270,7 +270,7 @@ Measured measure_model(const Model& model, const QuestionOptions& options) {
     const std::vector<Timing> paused = measure(alternatives, effort_of(options));
     measured.timings.insert(measured.timings.end(), paused.begin() + 1, paused.end());
   }
-  demand_same_state(model, runners, batch);
+  require_same_state(model, runners, batch);
   measured.steps = serial->simulation().steps();
   return measured;
 }
@@ -347,7 +347,7 @@ void measure_nested_teams(const Model& model, const QuestionOptions& options, Re
     alternatives.push_back(after_pause(runner, batch));
   }
   const std::vector<Timing> timings = measure(alternatives, effort_of(options));
-  demand_same_state(model, runners, batch);
+  require_same_state(model, runners, batch);
   report.add_timing(model.name + ", 3x4 threads", timings[1]);
   report.add_target(
       at_least("openmp_scheme1 3x4 / serial, " + model.name, 1.0 / timings[1].ratio, 1.0 / 3.0));
@@ -371,7 +371,7 @@ void measure_oversubscription(const Model& model, const QuestionOptions& options
       alternatives.push_back(make_alternative(runner, batch));
     }
     const std::vector<Timing> timings = measure(alternatives, effort_of(options));
-    demand_same_state(model, runners, batch);
+    require_same_state(model, runners, batch);
     for (std::size_t k = 1; k < kCounts.size(); ++k) {
       report.add_timing(fmt::format("{}, {} threads", model.name, kCounts[k]), timings[k]);
       report.add_target(at_least(fmt::format("{}: speed on {} threads / {} threads, {}",

@@ -9,115 +9,21 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <memory>
-#include <random>
 #include <stdexcept>
 
+#include "bench/evaluated_model.h"
 #include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/integrator/time_stepper.h"
-#include "engine/step_graph_builder.h"
-#include "graph/executor.h"
 
 namespace spoke::bench {
 namespace {
 
-constexpr double kStateTime = 5.0;  // s
 constexpr RotorSize kSmall{3, 4, 4};
 constexpr RotorSize kWide{24, 8, 8};
 constexpr RotorSize kFine{3, 4, 64};
 constexpr std::array kSizes{kSmall, RotorSize{3, 4, 16}, RotorSize{3, 16, 4}, kFine, kWide};
-
-/// A system with its step graph.
-class Model {
- public:
-  Model(const Rotor& rotor, Formulation formulation, const Method& method) {
-    context_.system = make_system(rotor);
-    context_.formulation = formulation;
-    context_.integrator.method = method;
-    allocate(context_);
-    graph_ = std::make_unique<graph::StepGraph>(build_step_graph(context_));
-    executor_ = graph::make_executor(*graph_, graph::ExecutorKind::serial);
-  }
-
-  /// Integrates from rest to kStateTime.
-  void integrate() {
-    constexpr int kSteps = 500;
-    TimeStepper stepper(context_, *graph_);
-    const bool fine = stepper.start() == StepOutcome::done &&
-                      stepper.advance(kSteps, *executor_) == StepOutcome::done;
-    if (!fine) throw std::runtime_error("the state to evaluate at cannot be reached");
-  }
-
-  /// Scales each coordinate and velocity by a random factor, the same ones at every call.
-  void disturb() {
-    std::mt19937 random(20170941);
-    const auto scale = [&](double* values, int size) {
-      for (int k = 0; k < size; ++k)
-        values[k] *= 0.9 + 0.2 * random() / double{std::mt19937::max()};
-    };
-    for (SubsystemData& subsystem : context_.data.subsystems)
-      for (BodyData& body : subsystem.bodies) {
-        scale(body.coordinates.q, body.coordinates.size);
-        scale(body.coordinates.v, body.coordinates.size);
-      }
-  }
-
-  /// Takes the coordinates and velocities of another model of the same system, for evaluation.
-  void take_state(const Model& other) {
-    const auto copy = [](const CoordinateBlock& from, CoordinateBlock& to) {
-      std::copy_n(from.q, from.size, to.q);
-      std::copy_n(from.v, from.size, to.v);
-    };
-    StepData& data = context_.data;
-    const StepData& source = other.context_.data;
-    copy(source.hub_coordinates, data.hub_coordinates);
-    for (std::size_t i = 0; i < data.subsystems.size(); ++i)
-      for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
-        copy(source.subsystems[i].bodies[j].coordinates, data.subsystems[i].bodies[j].coordinates);
-  }
-
-  void evaluate() {
-    for (Clock& clock : context_.data.clocks) {
-      clock = make_start_clock();
-      clock.control.time = kStateTime;
-    }
-    executor_->run();
-  }
-
-  /// Of all deformations, with the padding's zeros.
-  Eigen::VectorXd accelerations() const {
-    std::vector<double> all;
-    for (const SubsystemData& subsystem : context_.data.subsystems)
-      for (const BodyData& body : subsystem.bodies)
-        all.insert(all.end(), body.coordinates.a, body.coordinates.a + body.coordinates.size);
-    return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
-  }
-
- private:
-  StepContext context_;
-  std::unique_ptr<graph::StepGraph> graph_;
-  std::unique_ptr<graph::Executor> executor_;
-};
-
-using ModelPointer = std::shared_ptr<Model>;
-
-/// The given formulations of one system, ready to evaluate at the same state.
-std::vector<ModelPointer> make_models(const Rotor& rotor,
-                                      const std::vector<Formulation>& formulations) {
-  Model source(rotor, Formulation::structured, make_generalized_alpha(0.8, 0.01));
-  source.integrate();
-  source.disturb();
-  std::vector<ModelPointer> models;
-  for (const Formulation formulation : formulations) {
-    // rk4's table is the one without an implicit method's extras; its step is not used.
-    models.push_back(std::make_shared<Model>(rotor, formulation, Rk4{1e-5}));
-    models.back()->take_state(source);
-  }
-  return models;
-}
 
 /// The conditioning of a clamped body falls with E^3, and every formulation loses those digits
 /// alike; relative to the largest acceleration.
@@ -125,7 +31,7 @@ double tolerance_for(int elements) { return 1e-11 * std::max(1.0, std::pow(eleme
 
 /// Evaluates all models and demands that they agree with the last one. Returns the largest
 /// difference.
-double demand_agreement(const RotorSize& size, const std::vector<ModelPointer>& models) {
+double require_agreement(const RotorSize& size, const std::vector<ModelPointer>& models) {
   for (const ModelPointer& model : models) model->evaluate();
   const Eigen::VectorXd reference = models.back()->accelerations();
   double largest = 0.0;
@@ -175,7 +81,7 @@ void compare_formulations(const QuestionOptions& options, Report& report) {
     show_progress(size.name() + ": building");
     const auto formulations = formulations_for(size, options.quick);
     const auto models = make_models(paper_rotor(size).rotor, formulations);
-    const std::string agreement = scientific(demand_agreement(size, models));
+    const std::string agreement = scientific(require_agreement(size, models));
     std::vector<Alternative> alternatives;
     for (std::size_t k = 0; k < models.size(); ++k)
       alternatives.push_back(make_alternative(std::string(name_of(formulations[k])), models[k]));

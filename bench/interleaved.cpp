@@ -1,3 +1,5 @@
+// Turns and rounds: how long each alternative's batches are, and what their times come to.
+
 #include "bench/interleaved.h"
 
 #include <algorithm>

@@ -20,18 +20,24 @@ struct Question {
   const char* name;
   const char* text;
   void (*measure)(const QuestionOptions&, Report&);
+  bool only_if_named = false;  ///< takes long
 };
 
 constexpr std::array kQuestions{
     Question{"formulations", "what one evaluation of the accelerations costs",
              measure_formulations},
+    Question{"whole_steps", "what a step costs beside the evaluations it contains",
+             measure_whole_steps},
     Question{"time_to_solution", "how long the 20 s spin-up takes at 0.1 % accuracy",
              measure_time_to_solution},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",
              measure_step_graphs},
     Question{"predict", "how far predicted times are from measured ones", measure_predict},
     Question{"executors", "what two threads gain on rotors, by executor", measure_executors},
-    Question{"tracing", "what recording nodes costs, switched off and on", measure_tracing}};
+    Question{"tracing", "what recording nodes costs, switched off and on", measure_tracing},
+    Question{"start_up", "what the program takes beyond its integration", measure_start_up},
+    Question{"whole_runs", "what auto gains or costs on whole runs of the program, in half an hour",
+             measure_whole_runs, true}};
 
 struct Arguments {
   std::string filter;
@@ -42,7 +48,9 @@ struct Arguments {
 std::vector<Question> chosen_questions(const std::string& filter) {
   std::vector<Question> chosen;
   for (const Question& question : kQuestions)
-    if (std::string(question.name).find(filter) != std::string::npos) chosen.push_back(question);
+    if (std::string(question.name).find(filter) != std::string::npos &&
+        !(filter.empty() && question.only_if_named))
+      chosen.push_back(question);
   return chosen;
 }
 

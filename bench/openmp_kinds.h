@@ -1,5 +1,7 @@
 #pragma once
 
+// The OpenMP executors of this build, which several questions of the benchmarks ask for.
+
 #include <vector>
 
 #include "graph/executor.h"

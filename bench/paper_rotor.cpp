@@ -1,3 +1,5 @@
+// Reads the paper's rotor and changes its size.
+
 #include "bench/paper_rotor.h"
 
 #include <spdlog/fmt/fmt.h>

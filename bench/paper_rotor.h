@@ -1,5 +1,7 @@
 #pragma once
 
+// The paper's rotor in any size, the model of most benchmarks.
+
 #include <string>
 
 #include "models/scenario.h"

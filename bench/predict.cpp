@@ -1,3 +1,6 @@
+// The question "predict": how far predicted times are from measured ones, on graphs of known costs
+// and on rotors.
+
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -14,9 +17,10 @@
 #include "bench/progress.h"
 #include "bench/questions.h"
 #include "engine/simulation.h"
-#include "graph/measuring_executor.h"
-#include "graph/quantiles.h"
-#include "graph/run_prediction.h"
+#include "engine/simulation/node_measurement.h"
+#include "graph/calibrate/measuring_executor.h"
+#include "graph/calibrate/quantiles.h"
+#include "graph/tune/run_prediction.h"
 
 namespace spoke::bench {
 namespace {
@@ -93,8 +97,8 @@ class Steps final : public Subject {
     scenario_.integration.duration = 1e9 * scenario_.integration.step;
     scenario_.integration.iterations = 2;  // a turn is the same work at any time
     simulation_ = make(ExecutorKind::serial, 1);
-    simulation_->measure_nodes(16L * window);  // memory is touched
-    const NodeMeasurement warm = simulation_->measure_nodes(16L * window);
+    measure_nodes(*simulation_, 16L * window);  // memory is touched
+    const NodeMeasurement warm = measure_nodes(*simulation_, 16L * window);
     runs_per_step_ = warm.runs_per_step;
     const double seconds = graph::work_of(warm.costs) * runs_per_step_;
     steps_ = window * std::max(1L, std::lround(kBatch / (seconds * window)));
@@ -113,7 +117,7 @@ class Steps final : public Subject {
     return turn;
   }
   NodeMeasurement measure_turn(NodeOrder order) override {
-    return simulation_->measure_nodes(steps_, order);
+    return measure_nodes(*simulation_, steps_, order);
   }
   double runs_per_turn() const override { return runs_per_step_ * static_cast<double>(steps_); }
 
@@ -237,13 +241,10 @@ std::vector<Alternative> make_alternatives(Subject& subject,
 std::string describe(const std::string& subject, const graph::RuntimeCosts& runtime) {
   const graph::Overheads& flow_graph = runtime.flow_graph;
   return fmt::format(
-      "  {}: a cluster {:.0f} ns, {:.0f} more if kept, {:.0f} after one of another thread, one in "
-      "{:.0f} ns at most; a handover {:.0f} ns; a run of one thread {:.0f} ns, of several {:.0f} "
-      "ns; data {:.0f} ns and {:.2f} a byte; OpenMP barrier of two threads {:.0f} ns",
-      subject, flow_graph.per_cluster * 1e9, flow_graph.keeping * 1e9, flow_graph.contention * 1e9,
-      flow_graph.counting * 1e9, flow_graph.handover * 1e9, runtime.flow_graph_run * 1e9,
-      runtime.flow_graph_run_among_threads * 1e9, runtime.transfer.latency * 1e9,
-      runtime.transfer.per_byte * 1e9, runtime.barrier * 1e9);
+      "  {}: a cluster {:.0f} ns, {:.0f} more if spawned; a handover {:.0f} ns; data {:.0f} ns and "
+      "{:.2f} a byte; OpenMP barrier of two threads {:.0f} ns",
+      subject, flow_graph.per_cluster * 1e9, flow_graph.spawn * 1e9, flow_graph.handover * 1e9,
+      runtime.transfer.latency * 1e9, runtime.transfer.per_byte * 1e9, runtime.barrier * 1e9);
 }
 
 // Processors change their speed from one second to the next: predictions and measurements are both

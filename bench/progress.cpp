@@ -1,3 +1,5 @@
+// Writes the line of progress.
+
 #include "bench/progress.h"
 
 #include <unistd.h>

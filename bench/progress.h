@@ -1,5 +1,7 @@
 #pragma once
 
+// A line on the terminal that says what the benchmarks are doing.
+
 #include <string>
 
 namespace spoke::bench {

@@ -1,5 +1,7 @@
 #pragma once
 
+// The questions that the benchmarks answer, one function for each.
+
 #include "bench/report.h"
 
 namespace spoke::bench {
@@ -10,6 +12,9 @@ struct QuestionOptions {
 
 /// What does one evaluation of the accelerations cost, by formulation and size?
 void measure_formulations(const QuestionOptions& options, Report& report);
+
+/// What does a whole step cost, with the sensors of every step, beside the evaluations it contains?
+void measure_whole_steps(const QuestionOptions& options, Report& report);
 
 /// How long does the 20 s spin-up take at 0.1 % accuracy, Spoke's way and the paper's way?
 void measure_time_to_solution(const QuestionOptions& options, Report& report);
@@ -23,7 +28,13 @@ void measure_predict(const QuestionOptions& options, Report& report);
 /// What do two threads gain on whole steps of rotors, by executor?
 void measure_executors(const QuestionOptions& options, Report& report);
 
+/// How long do commands of the program take beyond their integration?
+void measure_start_up(const QuestionOptions& options, Report& report);
+
 /// What does recording which node ran when cost, switched off and on?
 void measure_tracing(const QuestionOptions& options, Report& report);
+
+/// What does auto gain, or cost, on whole runs of the program? Takes half an hour: only if named.
+void measure_whole_runs(const QuestionOptions& options, Report& report);
 
 }  // namespace spoke::bench

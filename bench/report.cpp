@@ -1,3 +1,5 @@
+// Prints tables and targets, and writes them as JSON.
+
 #include "bench/report.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -12,7 +14,7 @@
 #include <stdexcept>
 
 #include "bench/progress.h"
-#include "engine/machine.h"
+#include "engine/support/machine.h"
 
 namespace spoke::bench {
 namespace {

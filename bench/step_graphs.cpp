@@ -1,3 +1,6 @@
+// The question "step_graphs": what two threads gain on graphs shaped like a step, by executor, size
+// and cost of a node.
+
 #include <algorithm>
 #include <array>
 #include <chrono>

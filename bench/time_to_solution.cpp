@@ -44,7 +44,7 @@ void run_to_end(Simulation& simulation) {
 }
 
 /// A deflection over time, from t = 0 on.
-struct History {
+struct TipCurve {
   double interval = 0.0;  ///< [s]
   std::vector<double> values;
 
@@ -56,27 +56,27 @@ struct History {
 };
 
 /// Runs to the end, sampling every `stride` steps.
-History record(Simulation& simulation, int stride, const std::string& what) {
+TipCurve record(Simulation& simulation, int stride, const std::string& what) {
   const auto& names = simulation.sensor_names();
   const auto column =
       static_cast<std::size_t>(std::find(names.begin(), names.end(), kSensor) - names.begin());
-  History history{simulation.step_size() * stride, {simulation.sensor_values()[column]}};
+  TipCurve curve{simulation.step_size() * stride, {simulation.sensor_values()[column]}};
   while (!simulation.done()) {
     for (int k = 0; k < stride; ++k) simulation.step();
-    history.values.push_back(simulation.sensor_values()[column]);
-    if (history.values.size() % 500 == 0)
+    curve.values.push_back(simulation.sensor_values()[column]);
+    if (curve.values.size() % 500 == 0)
       show_progress(what + ": t = " + figure(simulation.time()) + " s");
   }
-  return history;
+  return curve;
 }
 
 /// Largest difference over the times that both have, relative to the reference's largest value.
-double difference(const History& history, const History& reference) {
-  const double finer = std::min(history.interval, reference.interval);
-  const double coarser = std::max(history.interval, reference.interval);
+double difference(const TipCurve& curve, const TipCurve& reference) {
+  const double finer = std::min(curve.interval, reference.interval);
+  const double coarser = std::max(curve.interval, reference.interval);
   const auto stride = static_cast<std::size_t>(std::lround(coarser / finer));
-  const auto& dense = history.interval <= reference.interval ? history.values : reference.values;
-  const auto& sparse = history.interval <= reference.interval ? reference.values : history.values;
+  const auto& dense = curve.interval <= reference.interval ? curve.values : reference.values;
+  const auto& sparse = curve.interval <= reference.interval ? reference.values : curve.values;
   double most = 0.0;
   for (std::size_t k = 0; k < sparse.size(); ++k)
     most = std::max(most, std::abs(sparse[k] - dense.at(k * stride)));
@@ -104,23 +104,23 @@ ExplicitStep find_explicit_step() {
 
 /// The converged answer. Another integrator, of another order, must find the same; running to the
 /// end at rk4's largest stable step, it also shows that this step is stable.
-History converge(ExplicitStep step, Report& report) {
+TipCurve converge(ExplicitStep step, Report& report) {
   Simulation reference = make_simulation(IntegrationMethod::generalized_alpha, kReferenceStep,
                                          Formulation::structured);
-  History history = record(reference, 1, "converged answer");
+  TipCurve curve = record(reference, 1, "converged answer");
   Simulation check = make_simulation(IntegrationMethod::rk4, step.size(), Formulation::structured);
-  const double error = difference(record(check, step.per_sampling, "cross-check"), history);
+  const double error = difference(record(check, step.per_sampling, "cross-check"), curve);
   report.add_remark("\n  converged answer   generalized_alpha at " + duration(kReferenceStep) +
-                    ": largest lag of the tip " + std::to_string(history.largest()) + " m");
+                    ": largest lag of the tip " + std::to_string(curve.largest()) + " m");
   report.add_remark("  cross-check        rk4 at " + duration(step.size()) +
                     ", its largest stable step: differs by " + percent(error));
   report.add_result({{"model", "converged answer"},
-                     {"largest_deflection_m", history.largest()},
+                     {"largest_deflection_m", curve.largest()},
                      {"rk4_step_s", step.size()},
                      {"rk4_difference", error}});
   if (!(error < 0.01 * kAccuracy))
     throw std::runtime_error("the converged answer is not: rk4 differs by " + percent(error));
-  return history;
+  return curve;
 }
 
 /// A step that is accurate enough.
@@ -131,7 +131,7 @@ struct Solution {
 };
 
 /// Tries the candidates, largest first; all are shown.
-Solution find_largest_step(const History& reference, Report& report) {
+Solution find_largest_step(const TipCurve& reference, Report& report) {
   Table table{"Error of generalized_alpha over the 20 s, relative to the largest lag",
               {"step", "steps", "evaluations", "per step", "error", ""},
               {}};
@@ -139,10 +139,10 @@ Solution find_largest_step(const History& reference, Report& report) {
   for (const double step : kCandidates) {
     Simulation simulation =
         make_simulation(IntegrationMethod::generalized_alpha, step, Formulation::structured);
-    const History history = record(simulation, 1, "step " + duration(step));
-    const double error = difference(history, reference);
+    const TipCurve curve = record(simulation, 1, "step " + duration(step));
+    const double error = difference(curve, reference);
     const bool taken = !found && error <= kAccuracy;
-    if (taken) found = Solution{step, history.values.back(), simulation.state_hash()};
+    if (taken) found = Solution{step, curve.values.back(), simulation.state_hash()};
     const auto steps = static_cast<double>(simulation.steps());
     const auto evaluations = static_cast<double>(simulation.evaluations());
     table.rows.push_back({duration(step), std::to_string(simulation.steps()),
@@ -234,7 +234,7 @@ void demand(bool holds, const std::string& what) {
 }
 
 /// The timed runs must have computed what was judged accurate.
-void demand_agreement(const Solution& solution, const Slots& slots) {
+void require_agreement(const Solution& solution, const Slots& slots) {
   demand((*slots.ours)->state_hash() == solution.state_hash &&
              (*slots.with_sensors)->state_hash() == solution.state_hash,
          "generalized_alpha + structured ends in another state than before");
@@ -270,13 +270,13 @@ void report_timings(const std::vector<Timing>& timings, Report& report) {
 
 void measure_time_to_solution(const QuestionOptions& options, Report& report) {
   const ExplicitStep explicit_step = find_explicit_step();
-  const History reference = converge(explicit_step, report);
+  const TipCurve reference = converge(explicit_step, report);
   const Solution solution = find_largest_step(reference, report);
   const Slots slots;
   const Effort effort{options.quick ? 3 : 25, 0.0, 60.0};
   const std::vector<Timing> timings =
       measure(make_alternatives(solution.step, explicit_step, slots), effort);
-  demand_agreement(solution, slots);
+  require_agreement(solution, slots);
   report_timings(timings, report);
 }
 

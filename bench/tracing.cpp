@@ -17,8 +17,8 @@
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/step_graph_builder.h"
-#include "engine/step_recording.h"
+#include "engine/run/step_recording.h"
+#include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"
 
 namespace spoke::bench {

@@ -1,3 +1,6 @@
+// The bytes of a checkpoint file (docs/checkpoint.md): what is written, and what is checked when
+// they are read.
+
 #include "engine/checkpoint.h"
 
 #include <zlib.h>
@@ -11,9 +14,9 @@
 #include <sstream>
 #include <system_error>
 
-#include "engine/byte_order.h"
-#include "engine/log.h"
 #include "engine/output_file.h"
+#include "engine/support/byte_order.h"
+#include "engine/support/log.h"
 #include "models/error.h"
 
 namespace spoke {
@@ -95,7 +98,8 @@ RunRecord take_record(ByteReader& content) {
   return record;
 }
 
-void tell(const std::string& file, const char* what, const SavedState& state, std::size_t bytes) {
+void log_file(const std::string& file, const char* what, const SavedState& state,
+              std::size_t bytes) {
   if (!is_heard(LogLevel::debug)) return;
   std::ostringstream text;
   text << file << ": " << what << " a checkpoint: t = " << state.time << " s, step " << state.steps
@@ -110,7 +114,7 @@ std::string hexadecimal(std::uint32_t number) {
 }
 
 /// The content of an intact frame of this format.
-std::string_view demand_frame(std::string_view bytes, const std::string& name) {
+std::string_view require_frame(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) refuse(name, "is empty, expected a checkpoint");
   if (!kMagic.starts_with(bytes.substr(0, kMagic.size())))
     refuse(name, "is no checkpoint of Spoke");
@@ -154,7 +158,7 @@ std::string make_checkpoint(const SavedState& state, const std::optional<RunReco
 }
 
 Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name) {
-  ByteReader content(demand_frame(bytes, name));
+  ByteReader content(require_frame(bytes, name));
   Checkpoint checkpoint;
   checkpoint.program = content.take_text();
   checkpoint.state = take_state(content);
@@ -168,7 +172,7 @@ void save_checkpoint(const std::string& file, const SavedState& state,
                      const std::optional<RunRecord>& record) {
   const std::string bytes = make_checkpoint(state, record);
   replace_file(file, bytes);
-  tell(file, "wrote", state, bytes.size());
+  log_file(file, "wrote", state, bytes.size());
 }
 
 Checkpoint load_checkpoint(const std::string& file) {
@@ -181,7 +185,7 @@ Checkpoint load_checkpoint(const std::string& file) {
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (stream.bad()) refuse(file, std::string("cannot be read: ") + std::strerror(errno));
   Checkpoint checkpoint = parse_checkpoint(bytes, file);
-  tell(file, "read", checkpoint.state, bytes.size());
+  log_file(file, "read", checkpoint.state, bytes.size());
   return checkpoint;
 }
 

@@ -1,3 +1,5 @@
+// Makes a load of a function.
+
 #include "engine/load.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Writes by system calls, so that every failure is noticed, and synchronises files with the disk.
+
 #include "engine/output_file.h"
 
 #include <fcntl.h>
@@ -99,12 +101,12 @@ void OutputFile::demand_not_removed() const {
     fail(file_, "it was removed meanwhile");
 }
 
-void replace_file(const std::string& file, std::string_view bytes) {
+void replace_file(const std::string& file, std::string_view bytes, Outlives outlives) {
   const std::string temporary = file + ".tmp";
   try {
     OutputFile output(temporary);
     output.append(bytes);
-    output.sync();
+    if (outlives == Outlives::machine) output.sync();
     output.close();
     if (std::rename(temporary.c_str(), file.c_str()) != 0) fail(file);
   } catch (const InputError& error) {
@@ -113,7 +115,7 @@ void replace_file(const std::string& file, std::string_view bytes) {
     const std::string text = error.what();
     throw InputError(text.starts_with(temporary) ? file + text.substr(temporary.size()) : text);
   }
-  sync_folder(file);
+  if (outlives == Outlives::machine) sync_folder(file);
 }
 
 }  // namespace spoke

@@ -1,5 +1,7 @@
 #pragma once
 
+// Files that results are written to, with an error for everything that can go wrong.
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -45,8 +47,14 @@ class SPOKE_EXPORT OutputFile {
   std::uint64_t size_ = 0;
 };
 
-/// Replaces a file as a whole, or leaves it as it was: readers, and whoever starts after a crash,
-/// see the old file or the new one. Throws InputError if it cannot be written.
-SPOKE_EXPORT void replace_file(const std::string& file, std::string_view bytes);
+/// What a new file has to outlive.
+enum class Outlives {
+  process,  ///< a program that fails or is killed
+  machine   ///< a crash or power cut, too: the disk is waited for, some milliseconds
+};
+/// Replaces a file as a whole, or leaves it as it was: readers, and programs that start after what
+/// it outlives, see the old file or the new one. Throws InputError if it cannot be written.
+SPOKE_EXPORT void replace_file(const std::string& file, std::string_view bytes,
+                               Outlives outlives = Outlives::machine);
 
 }  // namespace spoke

@@ -1,3 +1,5 @@
+// Extremes of the sensors, times of output rows, and the fields of summary.json.
+
 #include "engine/results.h"
 
 #include <array>
@@ -5,8 +7,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "engine/json/machine_json.h"
 #include "engine/output_file.h"
+#include "engine/support/machine_json.h"
 
 namespace spoke {
 namespace {
@@ -104,6 +106,8 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void write_file(const std::string& file, const std::string& text) { replace_file(file, text); }
+void write_file(const std::string& file, const std::string& text) {
+  replace_file(file, text, Outlives::process);
+}
 
 }  // namespace spoke

@@ -80,7 +80,8 @@ SPOKE_EXPORT std::string make_summary(const Simulation& simulation,
                                       const SensorStatistics& statistics,
                                       const RunOutcome& outcome);
 
-/// Writes a whole file or nothing. Throws InputError if it cannot be written.
+/// Writes a whole file or nothing. Throws InputError if it cannot be written. The disk is not
+/// waited for, see replace_file().
 SPOKE_EXPORT void write_file(const std::string& file, const std::string& text);
 
 }  // namespace spoke

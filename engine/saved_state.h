@@ -1,5 +1,7 @@
 #pragma once
 
+// The state of a simulation as a value.
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -18,8 +20,8 @@ struct SavedState {
   std::int64_t evaluations = 0;  ///< of the accelerations, so far
   double work = 0.0;             ///< by drive and loads since t = 0 [J]
   double dissipated = 0.0;       ///< since t = 0 [J]
-  /// What a step leaves to the next: see for_each_state_part() in engine/state_values.h; then the
-  /// Observations of all steps so far (engine/observations.h).
+  /// What a step leaves to the next: see engine/table/state_values.h; then
+  /// the Observations of all steps so far (engine/simulation/observations.h).
   std::vector<double> values;
 };
 

@@ -1,3 +1,5 @@
+// Formats rows, keeps their checksum, and continues a file behind a checkpoint.
+
 #include "engine/sensor_file.h"
 
 #include <zlib.h>

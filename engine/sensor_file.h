@@ -1,5 +1,7 @@
 #pragma once
 
+// The file sensors.csv, written and read again.
+
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -29,7 +31,7 @@ class SPOKE_EXPORT SensorFile {
 
   /// One row: the time [s], then a value for each name.
   void write_row(double t, std::span<const double> values);
-  /// Hands all rows so far to the disk, and tells how far the file goes.
+  /// Synchronises all rows so far with the disk, and returns how far the file goes.
   SensorFileMark sync();
   /// Writes the rows so far. Rows are lost without a word unless this is called.
   void close();

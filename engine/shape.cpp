@@ -1,9 +1,11 @@
+// Positions, velocities and tensions along a blade, from the bodies' coordinates.
+
 #include "engine/shape.h"
 
 #include <array>
 
-#include "engine/kinematics.h"
-#include "engine/samples.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/samples.h"
 
 namespace spoke {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 std::array<double, kTwist> node_values(const BodyData& body, int node, const double* flex) {
   std::array<double, kTwist> values;
   for (int c = 0; c < kTwist; ++c)
-    values[c] = flex[body.layout.place(body.model->body->coordinate(node, c))];
+    values[c] = flex[body.layout.offset(body.model->body->coordinate(node, c))];
   return values;
 }
 

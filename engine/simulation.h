@@ -3,7 +3,6 @@
 // The engine's front door: load or build a system, step, read sensors and states.
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,42 +14,14 @@
 #include "engine/load.h"
 #include "engine/saved_state.h"
 #include "engine/shape.h"
+#include "engine/simulation_options.h"
 #include "engine/step_trace.h"
 #include "engine/warnings.h"
-#include "graph/executor.h"
-#include "graph/node_order.h"
+#include "graph/step_graph.h"
 #include "models/scenario.h"
 #include "spoke/export.h"
 
 namespace spoke {
-
-using graph::ExecutorKind;
-using graph::name_of;
-
-/// The widest window of steps that may be asked for.
-inline constexpr int kMostWindow = 1000;
-
-/// How a simulation is run. Only the formulation matters to the results, by round-off.
-struct SimulationOptions {
-  Formulation formulation = Formulation::structured;  ///< of the equations
-  ExecutorKind executor = ExecutorKind::automatic;    ///< what runs the step graph
-  graph::Threads threads;  ///< unless set: the cores available to the process
-  /// Steps that one run of the executor may make where the hub's whole motion is prescribed; there
-  /// blades need not wait for one another between steps. At most kMostWindow; 0: as the executor
-  /// chooses.
-  int window = 0;
-};
-
-/// The size of a model.
-struct ModelSize {
-  int subsystems = 0;   ///< blades
-  int bodies = 0;       ///< flexible bodies (without the hub)
-  int coordinates = 0;  ///< independent coordinates: free hub coordinates and all deformations
-  int joints = 0;       ///< between bodies, and to the hub
-  int graph_nodes = 0;  ///< of the step graph, one pass
-  int graph_edges = 0;  ///< likewise
-  std::size_t memory_bytes = 0;  ///< of one step's data and the constants
-};
 
 /// What a model does at rest, linearised.
 struct LinearProperties {
@@ -85,17 +56,7 @@ struct MarkerState : MarkerMotion {
   Eigen::Vector3d foreshortening{0.0, 0.0, 0.0};
 };
 
-/// Told of the end of a step: time [s] and the sensors there, in the order of
-/// Simulation::sensor_names(), valid during the call.
-using StepObserver = std::function<void(double t, std::span<const double> sensors)>;
-
-/// What the nodes of a step cost on one thread, from steps that were made.
-struct NodeMeasurement {
-  std::vector<double> costs;      ///< of run_graph(), by index of the node, mean per run [s]
-  std::vector<double> run_times;  ///< of all nodes, in the runs without time stamps [s]
-  double between_runs = 0.0;      ///< from the end of a run to the start of the next [s]
-  double runs_per_step = 0.0;     ///< of the graph, mean
-};
+class SimulationCore;
 
 /// Simulates one system. Not copyable; different Simulations may run in different threads.
 class SPOKE_EXPORT Simulation {
@@ -158,17 +119,6 @@ class SPOKE_EXPORT Simulation {
   /// InputError unless 1 <= steps <= planned_steps() - this->steps().
   StepTrace trace(std::int64_t steps, const StepObserver& observe = {},
                   const TraceOptions& options = TraceOptions());
-  /// Makes `steps` steps as run_until() does, to the same bits, but on one thread, nodes in
-  /// `order`, in half of the runs with a time stamp between any two, 8 bytes each meanwhile. Throws
-  /// DivergenceError, and InputError unless 1 <= steps <= planned_steps() - this->steps(); should
-  /// be 2 windows or more.
-  NodeMeasurement measure_nodes(std::int64_t steps,
-                                graph::NodeOrder order = graph::NodeOrder::serial);
-  /// Of the executor auto on several threads: builds the graph of the window that it chooses for
-  /// simulations that are long enough to plan for, without planning; run_graph() is then that, for
-  /// measure_nodes(). Makes the steps that the choice is timed by, unless run_until() has chosen.
-  /// Steps that a run of run_graph() makes, about. Throws like run_until().
-  int open_window();
 
   /// Copies the state, at the cost of some vectors of coordinates. Throws StateError after a step
   /// that could not be completed.
@@ -243,8 +193,9 @@ class SPOKE_EXPORT Simulation {
   std::uint64_t state_hash() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  friend SimulationCore& core_of(Simulation& simulation);
+
+  std::unique_ptr<SimulationCore> core_;
 };
 
 }  // namespace spoke

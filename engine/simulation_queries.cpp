@@ -1,11 +1,12 @@
-// What a simulation tells of its hub, bodies, markers and joints.
+// What a simulation knows of its hub, bodies, markers and joints.
 
 #include <utility>
 
-#include "engine/kinematics.h"
-#include "engine/section.h"
-#include "engine/simulation_impl.h"
-#include "engine/state_values.h"
+#include "engine/body/section.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/simulation.h"
+#include "engine/simulation/simulation_core.h"
+#include "engine/table/state_values.h"
 
 namespace spoke {
 namespace {
@@ -23,32 +24,32 @@ Wrench wrench_in_space(const Twist& wrench) {
 }  // namespace
 
 HubMotion Simulation::hub() const {
-  const CoordinateBlock& hub = impl_->context.data.hub_coordinates;
+  const CoordinateBlock& hub = core_->context.data.hub_coordinates;
   return {Twist(hub.q[0], hub.q[1], hub.q[2]), Twist(hub.v[0], hub.v[1], hub.v[2]),
           Twist(hub.a[0], hub.a[1], hub.a[2])};
 }
 
 BodyState Simulation::body(int blade, int body) const {
-  const BodyData& data = impl_->find_body(blade, body);
+  const BodyData& data = core_->find_body(blade, body);
   return {unpadded(data.coordinates.q, data.layout), unpadded(data.coordinates.v, data.layout),
           unpadded(data.coordinates.a, data.layout)};
 }
 
 void Simulation::calc_shape(int blade, BladeShape& shape) const {
-  impl_->find_body(blade, 0);
-  StepContext& context = impl_->context;
+  core_->find_body(blade, 0);
+  StepContext& context = core_->context;
   const auto index = static_cast<std::size_t>(blade);
-  spoke::calc_shape(impl_->scenario.rotor.blades[index], context.system.subsystems[index],
+  spoke::calc_shape(core_->scenario.rotor.blades[index], context.system.subsystems[index],
                     context.data.subsystems[index], shape);
 }
 
 MarkerState Simulation::marker(const Marker& marker) const {
-  const PlacedMarker placed = impl_->place(marker);
-  impl_->evaluate();
-  const System& system = impl_->context.system;
+  const PlacedMarker placed = core_->place(marker);
+  core_->evaluate();
+  const System& system = core_->context.system;
   const auto blade = static_cast<std::size_t>(marker.blade);
   const Subsystem& subsystem = system.subsystems[blade];
-  const SubsystemData& data = impl_->context.data.subsystems[blade];
+  const SubsystemData& data = core_->context.data.subsystems[blade];
   MarkerState state{calc_marker_motion(subsystem, data, placed)};
   const Twist acceleration = calc_marker_acceleration(system, data, placed);
   state.acceleration = in_space(Position(acceleration.head<kPosition>()));
@@ -64,30 +65,30 @@ MarkerState Simulation::marker(const Marker& marker) const {
 }
 
 Wrench Simulation::joint_reaction(int blade, int joint) const {
-  impl_->place({blade, joint, 0.0});
-  impl_->evaluate();
-  const SubsystemData& data = impl_->context.data.subsystems[static_cast<std::size_t>(blade)];
+  core_->place({blade, joint, 0.0});
+  core_->evaluate();
+  const SubsystemData& data = core_->context.data.subsystems[static_cast<std::size_t>(blade)];
   const Twist& wrench = data.wrenches[static_cast<std::size_t>(joint)].inboard;
   return wrench_in_space(data.hub->R * calc_rotation_to_hub(data, joint) * wrench);
 }
 
 Wrench Simulation::hub_reaction() const {
-  impl_->evaluate();
-  Twist wrench = impl_->evaluated.step.reaction;
-  wrench[kRotation] += impl_->evaluated.applied_torque;
-  return wrench_in_space(impl_->context.data.subsystems.front().hub->R * wrench);
+  core_->evaluate();
+  Twist wrench = core_->evaluated.step.reaction;
+  wrench[kRotation] += core_->evaluated.applied_torque;
+  return wrench_in_space(core_->context.data.subsystems.front().hub->R * wrench);
 }
 
 Wrench Simulation::section_force(const Marker& marker) const {
-  const PlacedMarker placed = impl_->place(marker);
-  impl_->evaluate();
+  const PlacedMarker placed = core_->place(marker);
+  core_->evaluate();
   const auto blade = static_cast<std::size_t>(marker.blade);
   return wrench_in_space(calc_section_force(
-      impl_->scenario.rotor.blades[blade], impl_->context.system.damping,
-      impl_->context.data.subsystems[blade].bodies[static_cast<std::size_t>(marker.body)],
+      core_->scenario.rotor.blades[blade], core_->context.system.damping,
+      core_->context.data.subsystems[blade].bodies[static_cast<std::size_t>(marker.body)],
       placed.section));
 }
 
-std::uint64_t Simulation::state_hash() const { return hash_state(impl_->context.data); }
+std::uint64_t Simulation::state_hash() const { return hash_state(core_->context.data); }
 
 }  // namespace spoke

@@ -6,7 +6,9 @@
 #include "engine/checkpoint.h"
 #include "engine/results.h"
 #include "engine/simulation.h"
+#include "graph/declaration_check.h"
 #include "graph/executor.h"
+#include "graph/run_trace.h"
 #include "models/error.h"
 #include "models/scenario.h"
 

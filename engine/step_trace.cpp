@@ -1,3 +1,5 @@
+// Slices of one step, and traces joined.
+
 #include "engine/step_trace.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #pragma once
 
+// Warnings that make results doubtful.
+
 #include <string>
 
 namespace spoke {

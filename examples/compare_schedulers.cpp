@@ -1,9 +1,9 @@
 // All executors on one model: what a step takes, and that the bits are the same.
 
+#include <spoke/spoke.h>
+
 #include <chrono>
 #include <cstdio>
-
-#include "engine/simulation.h"
 
 int main() {
   const spoke::Scenario scenario = spoke::parse_scenario(R"(

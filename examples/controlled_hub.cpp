@@ -1,9 +1,9 @@
 // A controller: every 20 ms a PI law sets the torque that brings the hub to its speed.
 
+#include <spoke/spoke.h>
+
 #include <cmath>
 #include <cstdio>
-
-#include "engine/simulation.h"
 
 int main() {
   const spoke::Scenario scenario = spoke::parse_scenario(R"(

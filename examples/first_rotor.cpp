@@ -1,11 +1,11 @@
 // A rotor in code: three aluminium blades are spun up to 4 rad/s.
 
+#include <spoke/spoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-
-#include "engine/simulation.h"
 
 int main() {
   spoke::Blade blade;

@@ -1,10 +1,10 @@
 // A load of one's own: the drag of still air on each strip of each blade. Each blade's load is a
 // node of the step graph.
 
+#include <spoke/spoke.h>
+
 #include <cmath>
 #include <cstdio>
-
-#include "engine/simulation.h"
 
 constexpr double air = 1.225, chord = 0.05, drag_coefficient = 0.02;
 

@@ -1,9 +1,9 @@
 // Rollouts: from one state, which constant torque brings the hub nearest to 1.5 rad/s in 3 s?
 
+#include <spoke/spoke.h>
+
 #include <cmath>
 #include <cstdio>
-
-#include "engine/simulation.h"
 
 int main() {
   const spoke::Scenario scenario = spoke::parse_scenario(R"(

@@ -1,11 +1,11 @@
 // A trace: which node ran when on which thread, in ten steps, by stage; and whether each node
 // waited for those that it depends on.
 
+#include <spoke/spoke.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <map>
-
-#include "engine/simulation.h"
 
 int main() {
   const spoke::Scenario scenario = spoke::parse_scenario(R"(

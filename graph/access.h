@@ -1,6 +1,11 @@
 #pragma once
 
+// How a node declares what it reads and writes.
+
 #include <compare>
+#include <cstddef>
+#include <ranges>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -55,6 +60,27 @@ Reads reads(const Parts&... parts) {
 template <class... Parts>
 Writes writes(const Parts&... parts) {
   return {detail::joined(parts...)};
+}
+
+/// The memory of `count` objects in a row, as a range of a part. Any bits must be a value of them,
+/// for check_declarations() overwrites what a node must not read: numbers and enumerations, but no
+/// bool and no pointer that is followed.
+template <class T>
+std::span<std::byte> bytes_of(T& first, std::size_t count) {
+  return {reinterpret_cast<std::byte*>(&first), count * sizeof(T)};
+}
+/// The memory of the elements of a range (array, vector, span), or of one object.
+template <class Data>
+std::span<std::byte> bytes_of(Data&& data) {
+  if constexpr (std::ranges::contiguous_range<Data>) {
+    auto* first = std::ranges::data(data);
+    return {reinterpret_cast<std::byte*>(first), std::ranges::size(data) * sizeof(*first)};
+  } else {
+    static_assert(std::is_lvalue_reference_v<Data>, "the data must outlive the graph");
+    static_assert(std::is_trivially_destructible_v<std::remove_reference_t<Data>>,
+                  "a part holds plain data");
+    return {reinterpret_cast<std::byte*>(&data), sizeof(data)};
+  }
 }
 
 }  // namespace spoke::graph

@@ -1,5 +1,7 @@
 #pragma once
 
+// Lists of lists in one array.
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -8,10 +10,12 @@
 
 namespace spoke::graph {
 
-/// A list of lists in one array (compressed rows); rows are appended at the end.
+/// A list of lists in one array (compressed rows): per node of a graph its neighbours, per cluster
+/// its nodes. Rows are appended at the end.
 template <class T>
 class CompressedRows {
  public:
+  /// Of no rows.
   CompressedRows() = default;
   /// Row i is values[begins[i]] up to, without, values[begins[i + 1]].
   CompressedRows(std::vector<std::size_t> begins, std::vector<T> values)

@@ -1,3 +1,5 @@
+// Runs each node on poisoned data and compares memory bit by bit.
+
 #include "graph/declaration_check.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace spoke::graph {
 namespace {
 
 // The values of all parts, one part after the other.
-using Image = std::vector<double>;
+using Image = std::vector<std::byte>;
 
 // Copies the memory of parts to and from images.
 class PartsMemory {
@@ -21,7 +23,7 @@ class PartsMemory {
     begins_.push_back(0);
     for (const Part& part : parts) {
       std::size_t size = 0;
-      for (const std::span<double> range : part.memory) size += range.size();
+      for (const std::span<std::byte> range : part.memory) size += range.size();
       begins_.push_back(begins_.back() + size);
     }
   }
@@ -31,24 +33,24 @@ class PartsMemory {
   std::size_t end(std::size_t part) const { return begins_[part + 1]; }
 
   void save(Image& image) const {
-    double* to = image.data();
+    std::byte* to = image.data();
     for (const Part& part : parts_) {
-      for (const std::span<double> range : part.memory) {
+      for (const std::span<std::byte> range : part.memory) {
         if (!range.empty()) std::memcpy(to, range.data(), range.size_bytes());
         to += range.size();
       }
     }
   }
   void load(std::size_t part, const Image& image) const {
-    const double* from = image.data() + begins_[part];
-    for (const std::span<double> range : parts_[part].memory) {
+    const std::byte* from = image.data() + begins_[part];
+    for (const std::span<std::byte> range : parts_[part].memory) {
       if (!range.empty()) std::memcpy(range.data(), from, range.size_bytes());
       from += range.size();
     }
   }
   // Comparisons are by bits: not-a-numbers must compare too.
   bool equal(std::size_t part, const Image& a, const Image& b) const {
-    const std::size_t bytes = (end(part) - begin(part)) * sizeof(double);
+    const std::size_t bytes = end(part) - begin(part);
     return bytes == 0 || std::memcmp(&a[begin(part)], &b[begin(part)], bytes) == 0;
   }
 
@@ -57,30 +59,50 @@ class PartsMemory {
   std::vector<std::size_t> begins_;
 };
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
 // Poison differs from place to place, so that poison copied from elsewhere is told from poison that
-// was left where it is.
-Image make_nan_poison(std::size_t size) {
-  constexpr std::uint64_t quiet_nan = 0x7ff85b0c00000000;
-  Image poison(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    poison[i] = std::bit_cast<double>(quiet_nan | (i & 0xffffffff));
+// was left where it is. As doubles, one pattern is not-a-numbers, the other finite numbers of 1 to
+// 1.5, which show what not-a-numbers hide: a comparison with one is false whatever the value was,
+// and a sum with one is that same not-a-number, as if nothing had been added. As whole numbers, one
+// is negative and the other positive. The two differ in every byte, so that no byte that an honest
+// node has written looks like both; and no byte is zero, so that a flag is set.
+using Word = std::array<std::byte, sizeof(std::uint64_t)>;
+struct PoisonWords {
+  Word not_a_number, finite;
+};
+PoisonWords make_poison_words(std::uint64_t place) {
+  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15, spread = 0x0007ffffffffffff;
+  // Bits 0 to 50 vary: of both words none of these bytes may become zero.
+  std::uint64_t bits = ((place + 1) * golden) & spread;
+  for (int shift = 0; shift < 48; shift += 8) {
+    const std::uint64_t byte = bits >> shift & 0xff;
+    if (byte == 0x00 || byte == 0xff) bits ^= std::uint64_t{0x55} << shift;
   }
-  return poison;
+  return {std::bit_cast<Word>(0xfff8000000000000 | (~bits & spread)),
+          std::bit_cast<Word>(0x3ff0000000000000 | bits)};
 }
 
-// Shows what not-a-numbers hide: a comparison with one is false whatever the value was, and a sum
-// with one is that same not-a-number, as if nothing had been added.
-Image make_finite_poison(std::size_t size) {
-  constexpr double golden = 0.6180339887498949;
-  Image poison(size);
-  double fraction = 0.0;
-  for (double& value : poison) {
-    fraction += fraction < 1.0 - golden ? golden : golden - 1.0;
-    value = 1.0 + fraction;
+struct Poison {
+  std::array<Image, 2> patterns;
+  std::vector<bool>
+      begins_word;  // per byte; a range may begin and end within a word, as a flag does
+};
+Poison make_poison(std::span<const Part> parts) {
+  Poison poison;
+  std::uint64_t place = 0;
+  for (const Part& part : parts) {
+    for (const std::span<const std::byte> range : part.memory) {
+      auto at = reinterpret_cast<std::uintptr_t>(range.data()) % sizeof(Word);
+      PoisonWords words = make_poison_words(place);
+      for (std::size_t i = 0; i < range.size(); ++i) {
+        poison.patterns[0].push_back(words.not_a_number[at]);
+        poison.patterns[1].push_back(words.finite[at]);
+        poison.begins_word.push_back(at == 0 || i == 0);
+        if (++at < words.finite.size()) continue;
+        at = 0;
+        words = make_poison_words(++place);
+      }
+      ++place;
+    }
   }
   return poison;
 }
@@ -96,7 +118,7 @@ class Checker {
   explicit Checker(const StepGraph& graph)
       : graph_(graph),
         memory_(graph.parts()),
-        poisons_{make_nan_poison(memory_.image_size()), make_finite_poison(memory_.image_size())},
+        poison_(make_poison(graph.parts())),
         before_(memory_.image_size()),
         after_(memory_.image_size()),
         results_{Image(memory_.image_size()), Image(memory_.image_size())} {}
@@ -119,6 +141,8 @@ class Checker {
 
   void check(NodeId node);
   void find_undeclared_writes();
+  bool looks_unwritten(std::size_t byte) const;
+  std::size_t mark_unwritten(std::size_t part);
   void find_unwritten_outputs();
   void find_undeclared_reads();
   void run_poisoned(const std::vector<bool>& poisoned, std::size_t round);
@@ -128,14 +152,14 @@ class Checker {
 
   const StepGraph& graph_;
   PartsMemory memory_;
-  std::array<Image, 2> poisons_;
+  Poison poison_;
   Image before_;                  // the node
   Image after_;                   // its ordinary run
   std::array<Image, 2> results_;  // of its last run with each poison
 
   NodeId node_;                     // being checked
   std::vector<Declared> declared_;  // per part
-  std::vector<bool> left_alone_;    // per place: only to be written, and not written
+  std::vector<bool> left_alone_;    // per byte: only to be written, and not written
   std::vector<DeclarationFault> faults_;
 };
 
@@ -154,7 +178,7 @@ void Checker::check(NodeId node) {
   memory_.save(after_);
   std::vector<bool> unread(part_count());
   for (std::size_t part = 0; part < part_count(); ++part) unread[part] = !declared_[part].read;
-  for (std::size_t round = 0; round < poisons_.size(); ++round) run_poisoned(unread, round);
+  for (std::size_t round = 0; round < poison_.patterns.size(); ++round) run_poisoned(unread, round);
 
   find_undeclared_writes();
   find_unwritten_outputs();
@@ -166,7 +190,7 @@ void Checker::check(NodeId node) {
 // Runs the node on the data it found, the parts marked in `poisoned` replaced by poison.
 void Checker::run_poisoned(const std::vector<bool>& poisoned, std::size_t round) {
   for (std::size_t part = 0; part < part_count(); ++part) {
-    memory_.load(part, poisoned[part] ? poisons_[round] : before_);
+    memory_.load(part, poisoned[part] ? poison_.patterns[round] : before_);
   }
   graph_.run_node(node_);
   memory_.save(results_[round]);
@@ -176,8 +200,8 @@ void Checker::find_undeclared_writes() {
   for (std::size_t part = 0; part < part_count(); ++part) {
     if (declared_[part].written) continue;
     bool changed = !memory_.equal(part, before_, after_);
-    for (std::size_t round = 0; round < poisons_.size(); ++round) {
-      const Image& found = declared_[part].read ? before_ : poisons_[round];
+    for (std::size_t round = 0; round < poison_.patterns.size(); ++round) {
+      const Image& found = declared_[part].read ? before_ : poison_.patterns[round];
       changed = changed || !memory_.equal(part, found, results_[round]);
     }
     if (!changed) continue;
@@ -186,23 +210,45 @@ void Checker::find_undeclared_writes() {
   }
 }
 
-// A place that shows either poison unchanged was not written. One poison would not do: sums with a
+// A byte that shows either poison unchanged was not written. One poison would not do: sums with a
 // not-a-number look unchanged.
+bool Checker::looks_unwritten(std::size_t byte) const {
+  return results_[0][byte] == poison_.patterns[0][byte] &&
+         results_[1][byte] == poison_.patterns[1][byte];
+}
+
+// Marks the bytes of a part that were left alone, and counts them. What a node computes from poison
+// may show some of its bytes by chance: where a word has bytes that differ from run to run, it
+// counts as a whole.
+std::size_t Checker::mark_unwritten(std::size_t part) {
+  std::size_t count = 0;
+  for (std::size_t begin = memory_.begin(part), end = begin; begin < memory_.end(part);
+       begin = end) {
+    bool is_left = true, is_equal = true;
+    do {
+      const bool is_unwritten = looks_unwritten(end);
+      is_left = is_left && is_unwritten;
+      is_equal = is_equal && (is_unwritten || results_[0][end] == results_[1][end]);
+      ++end;
+    } while (end < memory_.end(part) && !poison_.begins_word[end]);
+    for (std::size_t byte = begin; byte < end; ++byte) {
+      left_alone_[byte] = (is_left || is_equal) && looks_unwritten(byte);
+      count += left_alone_[byte] ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 void Checker::find_unwritten_outputs() {
   left_alone_.assign(memory_.image_size(), false);
   for (std::size_t part = 0; part < part_count(); ++part) {
     if (!declared_[part].written || declared_[part].read) continue;
-    std::size_t count = 0;
-    for (std::size_t i = memory_.begin(part); i < memory_.end(part); ++i) {
-      left_alone_[i] =
-          same_bits(results_[0][i], poisons_[0][i]) && same_bits(results_[1][i], poisons_[1][i]);
-      count += left_alone_[i] ? 1 : 0;
-    }
+    const std::size_t count = mark_unwritten(part);
     if (count == 0) continue;
     const std::size_t size = memory_.end(part) - memory_.begin(part);
     add_fault(FaultKind::unwritten_output, static_cast<int>(part), "leaves unwritten",
               ", which it declares as written and not as read: " + std::to_string(count) +
-                  " of its " + std::to_string(size) + " values keep what was there before");
+                  " of its " + std::to_string(size) + " bytes keep what was there before");
   }
 }
 
@@ -210,14 +256,14 @@ bool Checker::outputs_differ(const Image& result) const {
   for (std::size_t part = 0; part < part_count(); ++part) {
     if (!declared_[part].written || memory_.equal(part, after_, result)) continue;
     for (std::size_t i = memory_.begin(part); i < memory_.end(part); ++i) {
-      if (!left_alone_[i] && !same_bits(after_[i], result[i])) return true;
+      if (!left_alone_[i] && after_[i] != result[i]) return true;
     }
   }
   return false;
 }
 
 bool Checker::outputs_depend_on(const std::vector<bool>& poisoned) {
-  for (std::size_t round = 0; round < poisons_.size(); ++round) {
+  for (std::size_t round = 0; round < poison_.patterns.size(); ++round) {
     run_poisoned(poisoned, round);
     if (outputs_differ(results_[round])) return true;
   }
@@ -264,18 +310,18 @@ void Checker::add_fault(FaultKind kind, int part, const std::string& verb,
 }
 
 struct PartRange {
-  std::span<double> memory;
+  std::span<std::byte> memory;
   int part;
 };
 
 std::vector<DeclarationFault> find_overlaps(std::span<const Part> parts) {
   std::vector<PartRange> ranges;
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    for (const std::span<double> memory : parts[part].memory) {
+    for (const std::span<std::byte> memory : parts[part].memory) {
       if (!memory.empty()) ranges.push_back({memory, static_cast<int>(part)});
     }
   }
-  const std::less<const double*> before;
+  const std::less<const std::byte*> before;
   std::stable_sort(ranges.begin(), ranges.end(), [&](const PartRange& a, const PartRange& b) {
     return before(a.memory.data(), b.memory.data());
   });

@@ -1,12 +1,16 @@
 #pragma once
 
+// Whether the nodes of a graph read and write what they declare, and nothing else.
+
 #include <string>
 #include <vector>
 
 #include "graph/step_graph.h"
+#include "spoke/export.h"
 
 namespace spoke::graph {
 
+/// How a node departs from its declaration.
 enum class FaultKind {
   undeclared_read,    ///< the node's result depends on a part it does not declare as read
   undeclared_write,   ///< the node changes a part it does not declare as written
@@ -17,25 +21,26 @@ enum class FaultKind {
 
 /// One place where a node does not keep to its declaration.
 struct DeclarationFault {
-  FaultKind kind;
+  FaultKind kind;         ///< how
   NodeId node;            ///< index -1 if the fault is not one of a node
   PartId part;            ///< index -1 if no single part can be named
   std::string node_name;  ///< as by StepGraph::name_of()
-  std::string part_name;
-  std::string message;  ///< one sentence for people, with the names
+  std::string part_name;  ///< as it was added
+  std::string message;    ///< one sentence for people, with the names
 };
 
 /// Runs every node on its declared data alone and reports what it reads or writes beyond its
 /// declaration; no fault means that none showed with the data at hand. It finds accesses by their
 /// effect on memory, however the body comes by its data: run again with everything undeclared
-/// replaced by poison (not-a-numbers, then arbitrary finite numbers), a node must give the same
-/// bits and leave the poison alone. Serial, in any build type; afterwards the parts hold what one
+/// replaced by poison (bits that are not-a-numbers as doubles, then finite numbers), a node must
+/// give the same bits and leave the poison alone. Parts must hold data of which any bits are a
+/// value. Serial, in any build type; afterwards the parts hold what one
 /// ordinary serial run leaves. If parts overlap, that is reported and no node is run. Each body
 /// runs three times (more often if at fault), which must not matter to memory outside the parts.
-std::vector<DeclarationFault> check_declarations(const StepGraph& graph);
+SPOKE_EXPORT std::vector<DeclarationFault> check_declarations(const StepGraph& graph);
 
 /// The same for one node; those before it in the serial order run once, ordinarily, those behind it
 /// do not run.
-std::vector<DeclarationFault> check_declaration(const StepGraph& graph, NodeId node);
+SPOKE_EXPORT std::vector<DeclarationFault> check_declaration(const StepGraph& graph, NodeId node);
 
 }  // namespace spoke::graph

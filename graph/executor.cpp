@@ -1,36 +1,15 @@
+// Names and checks of kinds and numbers of threads.
+
 #include "graph/executor.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <fstream>
 #include <string>
-#include <thread>
-#include <utility>
 
-#include "graph/affinity.h"
-#include "graph/cgroup_processors.h"
-#include "graph/executor_kinds.h"
-#include "graph/thread_trial.h"
-#include "graph/unbound_thread.h"
 #include "spoke/error.h"
-
-#ifdef SPOKE_HAS_OPENMP
-#include "graph/openmp_runtime.h"
-#endif
 
 namespace spoke::graph {
 namespace {
-
-// Those the process started with: the OpenMP runtime may have bound the calling thread to one.
-int processors_of_process() {
-#ifdef SPOKE_HAS_OPENMP
-  if (const auto binding = openmp_binding()) return binding->processors;
-#endif
-  const std::size_t count = thread_affinity().size();
-  return count > 0 ? static_cast<int>(count)
-                   : static_cast<int>(std::thread::hardware_concurrency());
-}
 
 #ifdef SPOKE_HAS_OPENMP
 constexpr bool kHasOpenMp = true;
@@ -70,13 +49,6 @@ std::string kinds_of_nested_teams() {
   return names.empty() ? names : names + " take two)";
 }
 
-#ifdef SPOKE_HAS_OPENMP
-// OpenMP's runtimes end the program if the system refuses them a thread: that shows here.
-void try_if_many(const Threads& threads) {
-  if (threads.total() > processors_of_process()) try_threads(threads.total());
-}
-#endif
-
 }  // namespace
 
 bool is_openmp(ExecutorKind kind) {
@@ -86,15 +58,6 @@ bool is_openmp(ExecutorKind kind) {
 
 bool has_nested_teams(ExecutorKind kind) {
   return kind == ExecutorKind::openmp_scheme1 || kind == ExecutorKind::openmp_scheme2;
-}
-
-int available_threads() {
-  int threads = processors_of_process();
-  std::ifstream membership("/proc/self/cgroup");
-  if (const auto limit = cgroup_processors(membership, "/sys/fs/cgroup")) {
-    threads = static_cast<int>(std::min<double>(threads, std::ceil(*limit)));
-  }
-  return std::clamp(threads, 1, kMostThreads);
 }
 
 std::string name_of(const Threads& threads) {
@@ -168,47 +131,6 @@ void check_threads(ExecutorKind kind, const Threads& threads) {
                      " has one layer of threads, expected a number, got " + name_of(threads) +
                      kinds_of_nested_teams());
   }
-}
-
-void check_thread_limit([[maybe_unused]] ExecutorKind kind,
-                        [[maybe_unused]] const Threads& threads) {
-#ifdef SPOKE_HAS_OPENMP
-  if (is_openmp(kind)) check_openmp_limit(kind, threads);
-#endif
-}
-
-std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kind,
-                                        Threads threads) {
-  check_in_build(kind);
-  check_threads(kind, threads);
-  if (threads.outer == 0) {
-    threads.outer = available_threads();
-    check_threads(kind, threads);
-  }
-  switch (kind) {
-    case ExecutorKind::automatic:
-      return make_auto_executor(graph, threads.outer);
-    case ExecutorKind::serial:
-      return make_serial_executor(graph);
-    case ExecutorKind::flow_graph: {
-      const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
-      return make_flow_graph_executor(graph, plan_of_single_nodes(graph), threads.outer);
-    }
-#ifdef SPOKE_HAS_OPENMP
-    case ExecutorKind::openmp_scheme1:
-      return make_openmp_scheme1_executor(graph, threads, processors_for_openmp());
-    case ExecutorKind::openmp_scheme2:
-      try_if_many(threads);
-      return make_openmp_scheme2_executor(graph, threads);
-    case ExecutorKind::openmp_levels:
-      try_if_many(threads);
-      return make_openmp_levels_executor(graph, threads.outer);
-#else
-    default:
-      break;
-#endif
-  }
-  throw InputError("unknown kind of executor");
 }
 
 }  // namespace spoke::graph

@@ -1,5 +1,7 @@
 #pragma once
 
+// The interface of all executors, and the function that makes one.
+
 #include <functional>
 #include <memory>
 #include <span>
@@ -50,10 +52,10 @@ class SPOKE_EXPORT Executor {
   virtual std::string_view name() const = 0;
   /// The threads that were asked for.
   virtual Threads threads() const = 0;
-  /// In one line what runs how, for reports; an executor that chooses tells what it chose and why.
+  /// In one line what runs how, for reports; an executor that chooses says what it chose and why.
   /// May allocate. Not during a run.
   virtual std::string describe() const;
-  /// Whether it tries alternatives at present, so that the time of a run tells little.
+  /// Whether it tries alternatives at present, so that the time of a run means little.
   virtual bool tuning() const { return false; }
   /// How many times it has chosen among alternatives.
   virtual int choices() const { return 0; }
@@ -86,8 +88,8 @@ enum class ExecutorKind {
   /// and so on. Uses at most the available threads. With one thread serial from the start.
   automatic,
   /// A oneTBB flow graph in an arena of its own. As oneTBB does, lets no more threads work than
-  /// there
-  /// are processors, unless the program raises that limit by an oneapi::tbb::global_control.
+  /// there are processors, unless the program raises that limit by an
+  /// oneapi::tbb::global_control.
   flow_graph,
   serial,  ///< a loop on the calling thread; `threads` is ignored
   /// Nested OpenMP teams that last for all passes of run_while(); no more threads than processors.

@@ -1,21 +1,19 @@
+// Derives edges from declared reads and writes, and drops those that others imply.
+
 #include "graph/step_graph.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "graph/depth_first_order.h"
-#include "graph/reachability.h"
+#include "graph/structure/depth_first_order.h"
+#include "graph/structure/index_of.h"
+#include "graph/structure/reachability.h"
 #include "spoke/error.h"
 
 namespace spoke::graph {
 namespace {
 
 using NodeLists = std::vector<std::vector<NodeId>>;
-
-template <class Id>
-std::size_t at(Id id) {
-  return static_cast<std::size_t>(id.index);
-}
 
 template <class Id>
 void sort_unique(std::vector<Id>& list) {
@@ -29,24 +27,24 @@ struct LatestAccesses {
   std::vector<NodeId> readers;  // since that write
 };
 
-// Sequential task flow: whoever reads waits for the last writer; whoever writes waits for the last
-// writer and for all who have read since.
+// Sequential task flow: a node that reads a part waits for its last writer; a node that writes one
+// waits for its last writer and for all nodes that have read it since.
 NodeLists derive_predecessors(const std::vector<Node>& nodes, std::size_t part_count) {
   NodeLists predecessors(nodes.size());
   std::vector<LatestAccesses> latest(part_count);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const NodeId id{static_cast<int>(i)};
     for (const PartId part : nodes[i].reads) {
-      const NodeId writer = latest[at(part)].writer;
+      const NodeId writer = latest[index_of(part)].writer;
       if (writer.index >= 0) predecessors[i].push_back(writer);
     }
     for (const PartId part : nodes[i].writes) {
-      const LatestAccesses& before = latest[at(part)];
+      const LatestAccesses& before = latest[index_of(part)];
       if (before.writer.index >= 0) predecessors[i].push_back(before.writer);
       predecessors[i].insert(predecessors[i].end(), before.readers.begin(), before.readers.end());
     }
-    for (const PartId part : nodes[i].reads) latest[at(part)].readers.push_back(id);
-    for (const PartId part : nodes[i].writes) latest[at(part)] = {id, {}};
+    for (const PartId part : nodes[i].reads) latest[index_of(part)].readers.push_back(id);
+    for (const PartId part : nodes[i].writes) latest[index_of(part)] = {id, {}};
     sort_unique(predecessors[i]);
   }
   return predecessors;
@@ -72,9 +70,18 @@ void reduce_transitively(NodeLists& predecessors) {
 NodeLists inverted(const NodeLists& lists) {
   NodeLists inverse(lists.size());
   for (std::size_t i = 0; i < lists.size(); ++i) {
-    for (const NodeId other : lists[i]) inverse[at(other)].push_back({static_cast<int>(i)});
+    for (const NodeId other : lists[i]) inverse[index_of(other)].push_back({static_cast<int>(i)});
   }
   return inverse;
+}
+
+CompressedRows<NodeId> compressed(const NodeLists& lists) {
+  CompressedRows<NodeId> rows;
+  for (const std::vector<NodeId>& list : lists) {
+    rows.append(list);
+    rows.end_row();
+  }
+  return rows;
 }
 
 struct Access {
@@ -86,8 +93,8 @@ std::vector<std::vector<Access>> accesses_by_part(const StepGraph& graph) {
   std::vector<std::vector<Access>> accesses(graph.parts().size());
   for (int i = 0; i < graph.node_count(); ++i) {
     const Node& node = graph.node({i});
-    for (const PartId part : node.writes) accesses[at(part)].push_back({{i}, true});
-    for (const PartId part : node.reads) accesses[at(part)].push_back({{i}, false});
+    for (const PartId part : node.writes) accesses[index_of(part)].push_back({{i}, true});
+    for (const PartId part : node.reads) accesses[index_of(part)].push_back({{i}, false});
   }
   return accesses;
 }
@@ -108,14 +115,6 @@ std::string name_of(const NodeLabel& label, std::string_view subsystem_word) {
   return name;
 }
 
-Adjacency::Adjacency(const std::vector<std::vector<NodeId>>& lists) {
-  begins_.reserve(lists.size() + 1);
-  for (const auto& list : lists) {
-    targets_.insert(targets_.end(), list.begin(), list.end());
-    begins_.push_back(size());
-  }
-}
-
 // Not in the header: what makes a span of a vector takes long to compile.
 std::span<const Node> StepGraph::nodes() const { return nodes_; }
 std::span<const Part> StepGraph::parts() const { return parts_; }
@@ -128,7 +127,7 @@ std::string StepGraph::name_of(NodeId node) const {
 StepGraphBuilder::StepGraphBuilder(std::string subsystem_word)
     : subsystem_word_(std::move(subsystem_word)) {}
 
-PartId StepGraphBuilder::add_part(std::string name, std::vector<std::span<double>> memory,
+PartId StepGraphBuilder::add_part(std::string name, std::vector<std::span<std::byte>> memory,
                                   std::size_t record_size) {
   parts_.push_back({std::move(name), std::move(memory), record_size});
   return {static_cast<int>(parts_.size()) - 1};
@@ -150,10 +149,10 @@ NodeId StepGraphBuilder::add_declared_node(Node node, std::function<void()> body
 }
 
 NodeId StepGraphBuilder::repeat_node(NodeId node, int pass) {
-  Node copy = nodes_.at(at(node));
+  Node copy = nodes_.at(index_of(node));
   copy.label.pass = pass;
   nodes_.push_back(std::move(copy));
-  body_of_.push_back(body_of_[at(node)]);
+  body_of_.push_back(body_of_[index_of(node)]);
   return {static_cast<int>(nodes_.size()) - 1};
 }
 
@@ -162,11 +161,11 @@ StepGraph StepGraphBuilder::build() {
   reduce_transitively(predecessors);
 
   StepGraph graph;
-  graph.predecessors_ = Adjacency(predecessors);
-  graph.successors_ = Adjacency(inverted(predecessors));
+  graph.predecessors_ = compressed(predecessors);
+  graph.successors_ = compressed(inverted(predecessors));
   graph.serial_order_ = depth_first_order<NodeId>(
-      static_cast<int>(nodes_.size()), [&](NodeId node) { return graph.predecessors_.of(node); },
-      [&](NodeId node) { return graph.successors_.of(node); });
+      static_cast<int>(nodes_.size()), [&](NodeId node) { return graph.predecessors(node); },
+      [&](NodeId node) { return graph.successors(node); });
   graph.nodes_ = std::exchange(nodes_, {});
   graph.parts_ = std::exchange(parts_, {});
   graph.bodies_ = std::exchange(bodies_, {});

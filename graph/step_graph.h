@@ -1,9 +1,10 @@
 #pragma once
 
+// The step graph: nodes, what they read and write, and the edges that follow.
+
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "graph/access.h"
+#include "graph/compressed_rows.h"
 #include "spoke/export.h"
 
 namespace spoke::graph {
@@ -39,11 +41,11 @@ struct NodeLabel {
 SPOKE_EXPORT std::string name_of(const NodeLabel& label,
                                  std::string_view subsystem_word = "subsystem");
 
-/// A part of the step's data: one or several ranges of doubles under one name.
+/// A part of the step's data: one or several ranges of memory under one name.
 struct Part {
-  std::string name;                       ///< unique, for people
-  std::vector<std::span<double>> memory;  ///< where it lies
-  std::size_t record_size = 0;  ///< doubles of a record, if a node touches one of many; 0: all
+  std::string name;                          ///< unique, for people
+  std::vector<std::span<std::byte>> memory;  ///< where it lies
+  std::size_t record_size = 0;  ///< bytes of a record, if a node touches one of many; 0: all
 };
 
 /// A node as it was declared. `reads` and `writes` are sorted and free of repetitions; a part in
@@ -54,27 +56,6 @@ struct Node {
   std::vector<PartId> writes;  ///< what it changes
 };
 
-/// Per node a list of nodes, all lists in one array (compressed rows), each list ascending.
-class SPOKE_EXPORT Adjacency {
- public:
-  /// Of no nodes.
-  Adjacency() = default;
-  /// By node.
-  explicit Adjacency(const std::vector<std::vector<NodeId>>& lists);
-
-  /// The list of a node.
-  std::span<const NodeId> of(NodeId node) const {
-    const auto row = static_cast<std::size_t>(node.index);
-    return {targets_.data() + begins_[row], targets_.data() + begins_[row + 1]};
-  }
-  /// Entries of all lists.
-  int size() const { return static_cast<int>(targets_.size()); }
-
- private:
-  std::vector<int> begins_{0};
-  std::vector<NodeId> targets_;
-};
-
 /// One integration step as a graph of nodes, immutable. Its edges follow from the declared reads
 /// and writes in the order of insertion, and are transitively reduced. Made by StepGraphBuilder;
 /// run by an Executor (graph/executor.h).
@@ -82,7 +63,7 @@ class SPOKE_EXPORT StepGraph {
  public:
   int node_count() const { return static_cast<int>(nodes_.size()); }  ///< of all passes
   /// Without implied edges.
-  int edge_count() const { return successors_.size(); }
+  int edge_count() const { return static_cast<int>(successors_.size()); }
 
   /// All nodes in the order of insertion, which is a topological order.
   std::span<const Node> nodes() const;
@@ -94,9 +75,13 @@ class SPOKE_EXPORT StepGraph {
   const Part& part(PartId id) const { return parts_[static_cast<std::size_t>(id.index)]; }
 
   /// The nodes that wait for `node`; ascending, without implied edges, as all these lists.
-  std::span<const NodeId> successors(NodeId node) const { return successors_.of(node); }
+  std::span<const NodeId> successors(NodeId node) const {
+    return successors_.row(static_cast<std::size_t>(node.index));
+  }
   /// Those it waits for.
-  std::span<const NodeId> predecessors(NodeId node) const { return predecessors_.of(node); }
+  std::span<const NodeId> predecessors(NodeId node) const {
+    return predecessors_.row(static_cast<std::size_t>(node.index));
+  }
 
   /// A topological order for one thread, depth first: a node is followed by what it made ready,
   /// so that one subsystem is worked on while its data are in cache.
@@ -111,15 +96,6 @@ class SPOKE_EXPORT StepGraph {
   void run_node(NodeId node) const noexcept {
     bodies_[body_of_[static_cast<std::size_t>(node.index)]]();
   }
-  /// Lets the processor fetch what the body of a node begins with, while it is busy otherwise.
-  void prefetch_node(NodeId node) const noexcept {
-    // The first word of a body mostly tells where the first thing is that it captures, or where all
-    // are. Of what is no address nothing is fetched.
-    std::uintptr_t first = 0;
-    std::memcpy(&first, &bodies_[body_of_[static_cast<std::size_t>(node.index)]], sizeof first);
-    for (const std::uintptr_t line : {first, first + 64})
-      __builtin_prefetch(reinterpret_cast<const void*>(line));
-  }
 
  private:
   friend class StepGraphBuilder;
@@ -128,8 +104,8 @@ class SPOKE_EXPORT StepGraph {
   // Nodes that repeat another share its body: a graph of many passes stays small in cache.
   std::vector<std::function<void()>> bodies_;
   std::vector<std::uint32_t> body_of_;  // per node, its place in bodies_
-  Adjacency successors_;
-  Adjacency predecessors_;
+  CompressedRows<NodeId> successors_;   // per node
+  CompressedRows<NodeId> predecessors_;
   std::vector<NodeId> serial_order_;
   std::vector<Node> nodes_;
   std::vector<Part> parts_;
@@ -143,9 +119,9 @@ class SPOKE_EXPORT StepGraphBuilder {
   explicit StepGraphBuilder(std::string subsystem_word = "subsystem");
 
   /// Adds a part. Its memory must outlive the graph and stay where it is; ranges of different parts
-  /// must not overlap. The ranges serve check_declarations() and predictions of run times; no edge
-  /// is derived from them. `record_size`: see Part.
-  PartId add_part(std::string name, std::vector<std::span<double>> memory,
+  /// must not overlap (see bytes_of()). The ranges serve check_declarations() and predictions of
+  /// run times; no edge is derived from them. `record_size`: see Part.
+  PartId add_part(std::string name, std::vector<std::span<std::byte>> memory,
                   std::size_t record_size = 0);
 
   /// Adds a node that runs `body`, a copyable, nothrow `void()`. It sees every part as left by the

@@ -1,11 +1,14 @@
+// Slopes, values, derivatives and integrals of the pieces.
+
 #include "models/curve.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "models/quantity.h"
+#include "models/reader/quantity.h"
 #include "spoke/error.h"
 
 namespace spoke {
@@ -80,6 +83,7 @@ Curve::Curve(std::vector<double> times, std::vector<double> values)
 }
 
 std::size_t Curve::segment(double t) const {
+  assert(times_.front() <= t && t < times_.back());
   const auto next = std::upper_bound(times_.begin(), times_.end(), t);
   return static_cast<std::size_t>(next - times_.begin()) - 1;
 }

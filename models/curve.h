@@ -1,5 +1,7 @@
 #pragma once
 
+// Curves over time, for drives and loads.
+
 #include <cstddef>
 #include <vector>
 

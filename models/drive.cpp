@@ -1,5 +1,8 @@
+// Angle, speed, acceleration and torque of each kind of drive at a time.
+
 #include "models/drive.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -53,6 +56,7 @@ bool prescribes_motion(const Drive& drive) {
 }
 
 DriveMotion calc_motion(const Drive& drive, double t) {
+  assert(prescribes_motion(drive));
   return std::visit(
       Overloaded{[&](const SpinUp& d) { return calc_spin_up(d.speed, d.ramp, t); },
                  [&](const SpinUpHoldSpinDown& d) { return calc_up_and_down(d, t); },

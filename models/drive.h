@@ -1,5 +1,7 @@
 #pragma once
 
+// What moves the hub.
+
 #include <string_view>
 #include <variant>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+// The paper's rotor, built into the program.
+
 #include "models/scenario.h"
 
 namespace spoke {

@@ -31,7 +31,7 @@ struct Integration {
 
 /// What becomes of a simulation whose energy grows beyond the work done on it.
 enum class EnergyGrowth {
-  warn,  ///< it goes on, and Simulation::warnings() tells
+  warn,  ///< it goes on, with a warning in Simulation::warnings()
   stop,  ///< it ends with DivergenceError
 };
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Checks who includes whom:
-#   examples, bench, tests -> engine -> models, graph     (models and graph do not know each other)
-# and inside engine: report knows nothing of it; kernels below formulations, these below the step
-# graph, integration, simulation, cli. Threads (oneTBB, OpenMP) are seen in graph/*.cpp only, tests apart.
+# Checks who includes whom: the order of tests/include_order.txt, that no two files with their headers
+# include each other in a circle, and that libraries stay where they belong.
+#   check_includes.sh [ROOT]     ROOT: a tree with graph, models, engine and tests/include_order.txt
 set -u
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+cd "${1:-$here/..}" || exit 2
 failures=0
 
 # refuse PATTERN REASON FILE...: no file may include a path that matches the pattern.
@@ -23,49 +23,45 @@ refuse '(engine|models|Eigen)/' 'graph/ knows no physics' $(sources graph)
 refuse '(engine|graph)/' 'models/ knows neither engine nor graph' $(sources models)
 refuse '(tests|bench|examples)/' 'engine/ knows no user of its' $(sources engine)
 refuse '(oneapi/)?tbb/|omp\.h' 'threads belong to graph/' $(sources engine models)
-refuse '(oneapi/)?tbb/|omp\.h' 'no runtime in a public header' graph/*.h
+refuse '(oneapi/)?tbb/|omp\.h' 'no runtime in a header of graph/' $(find graph -name '*.h')
 refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of models/ and engine/' \
-  $(find models engine -maxdepth 1 -name '*.h' ! -name 'toml_*')
+  $(find models engine -maxdepth 2 -name '*.h' ! -name 'toml_*' ! -name '*_json.h' ! -path 'engine/cli/*')
 
-# Layers of the engine, lowest first: no file includes a header of a later layer.
-layers=(
-  'report/'
-  'apart lanes log flex_layout elastic_block clock load.h load.cpp section load_data step_data step_trace memory'
-  'kinematics body_terms hub natural_frequencies marker_motion load_terms'
-  'formulation/'
-  'integrator/generalized_alpha integrator/rk4 integrator/method integrator/step_control'
-  'step_context model_memory state_copy state_values pass_ends samples shape'
-  'step_parts step_graph_builder'
-  'integrator/time_stepper'
-  'step_recording'
-  'step_runner'
-  'warnings observations'
-  'sensors diagnosis model_identity saved_state'
-  'simulation'
-  'output_file sensor_file byte_order'
-  'machine json/'
-  'results'
-  'checkpoint vtk_series run_report/'
-  'spoke'
-  'compare/'
-  'reproduce/'
-  'predict/'
-  'trace/'
-  'cli/'
-)
-later=''
-for ((k = ${#layers[@]} - 1; k >= 0; --k)); do
-  files=()
-  for name in ${layers[k]}; do
-    files+=($(find engine -path "engine/$name*" \( -name '*.h' -o -name '*.cpp' \)))
-    [ ${#files[@]} -gt 0 ] || { echo "layer of engine without a file: $name"; failures=$((failures + 1)); }
-  done
-  [ -n "$later" ] && refuse "engine/($later)" "engine: a lower layer includes a higher one" "${files[@]}"
-  for name in ${layers[k]}; do later="${later:+$later|}$name"; done
-done
+# Rooms and circles. Of each include line of a file of ours: file and header.
+grep -HoE '^#include "(graph|models|engine)/[^"]*"' $(sources graph models engine) /dev/null |
+  sed -E 's/:#include "/ /; s/"$//' |
+  awk "$(cat "$here/rooms.awk")"'
+    function unit_of(file) { sub(/\.[a-z]+$/, "", file); return file }
+    function fail(text) { print text; failed = 1 }
+    {
+      from = room_of($1); to = room_of($2)
+      if (from == "") fail($1 ": belongs to no room of tests/include_order.txt")
+      else if (to == "") fail($2 ": belongs to no room of tests/include_order.txt")
+      else if (from != to && rank[from] <= rank[to])
+        fail($1 " includes " $2 ": " to " is not below " from)
+      a = unit_of($1); b = unit_of($2)
+      if (a != b && !((a, b) in seen)) { seen[a, b] = 1; targets[a] = targets[a] " " b; unit[a]; unit[b] }
+    }
+    # Units that include none that is left are no part of a circle.
+    END {
+      do {
+        removed = 0
+        for (u in unit) {
+          open = 0
+          count = split(targets[u], list, " ")
+          for (k = 1; k <= count; ++k) if (list[k] in unit) open = 1
+          if (!open) { delete unit[u]; removed = 1 }
+        }
+      } while (removed)
+      for (u in unit) fail(u ": part of a circle of includes, or includes one:" targets[u])
+      exit failed
+    }' tests/include_order.txt - || failures=$((failures + 1))
 
-# Every source of the engine belongs to a layer.
-for file in $(sources engine); do
-  [[ $file =~ ^engine/($later) ]] || { echo "engine file without a layer: $file"; failures=$((failures + 1)); }
+# Every room exists.
+for room in $(grep -v '^#' tests/include_order.txt); do
+  case $room in
+    */ | *.h) [ -e "$room" ] ;;
+    *) [ -e "$room.h" ] || [ -e "$room.cpp" ] ;;
+  esac || { echo "tests/include_order.txt: no such room: $room"; failures=$((failures + 1)); }
 done
 exit $((failures > 0))

@@ -1,5 +1,7 @@
 #pragma once
 
+// What a command line asks for, of all commands.
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +43,5 @@ struct Arguments {
   std::string trace_out;  ///< of run: folder of a trace; empty: none
   bool quick = false;     ///< of reproduce: few rounds
 };
-
-/// Parses the arguments behind the program's name. Throws InputError.
-Arguments parse_arguments(const std::vector<std::string>& arguments);
 
 }  // namespace spoke::cli

@@ -1,3 +1,5 @@
+// Names the scenario's file in what the simulation refuses.
+
 #include "engine/cli/build_simulation.h"
 
 #include "models/error.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+// How all commands build a simulation.
+
 #include <string>
 
 #include "engine/simulation.h"

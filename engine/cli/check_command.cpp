@@ -1,3 +1,5 @@
+// Prints the model, its natural frequencies and the limit of rk4.
+
 #include "engine/cli/check_command.h"
 
 #include <spdlog/fmt/fmt.h>

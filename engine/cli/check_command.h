@@ -1,5 +1,7 @@
 #pragma once
 
+// The command `spoke check`.
+
 #include "engine/cli/arguments.h"
 
 namespace spoke::cli {

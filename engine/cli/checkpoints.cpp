@@ -1,3 +1,5 @@
+// Checks that a checkpoint fits the run, and writes the next one when it is due.
+
 #include "engine/cli/checkpoints.h"
 
 #include <spdlog/spdlog.h>
@@ -15,8 +17,8 @@ namespace {
 }
 
 /// Whether the record is one of this run; else why not.
-void demand_fit(const std::filesystem::path& file, const RunRecord& record,
-                const Simulation& simulation) {
+void require_fit(const std::filesystem::path& file, const RunRecord& record,
+                 const Simulation& simulation) {
   const double interval = simulation.scenario().output.interval;
   if (record.output_interval != interval)
     refuse(file, fmt::format("output.interval is {} in the checkpoint and {} here",
@@ -39,7 +41,7 @@ Checkpoint resume(const std::filesystem::path& file, Simulation& simulation) {
   } catch (const InputError& error) {
     refuse(file, error.what());
   }
-  demand_fit(file, *checkpoint.record, simulation);
+  require_fit(file, *checkpoint.record, simulation);
   if (simulation.steps() > simulation.planned_steps())
     refuse(file, fmt::format("it stands at t = {:.6g} s, beyond the duration of {:.6g} s",
                              simulation.time(), simulation.scenario().integration.duration));

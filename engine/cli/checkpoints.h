@@ -1,5 +1,7 @@
 #pragma once
 
+// When a run writes checkpoints, and how it is resumed from one.
+
 #include <chrono>
 #include <filesystem>
 #include <optional>

@@ -1,3 +1,5 @@
+// Parses the lists of executors, threads, formulations and OpenMP settings.
+
 #include "engine/cli/compare_arguments.h"
 
 #include <CLI/CLI.hpp>

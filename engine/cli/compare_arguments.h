@@ -1,5 +1,7 @@
 #pragma once
 
+// The options of `spoke compare`.
+
 #include "engine/compare/configuration.h"
 
 namespace CLI {

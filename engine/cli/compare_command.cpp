@@ -1,3 +1,5 @@
+// From the options to configurations, rounds, a table and the files of a comparison.
+
 #include "engine/cli/compare_command.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -13,10 +15,10 @@
 #include "engine/compare/files.h"
 #include "engine/compare/probe.h"
 #include "engine/compare/table.h"
-#include "engine/machine.h"
 #include "engine/results.h"
+#include "engine/support/machine.h"
 #include "models/error.h"
-#include "models/text_file.h"
+#include "models/reader/text_file.h"
 
 namespace spoke::cli {
 namespace {
@@ -41,8 +43,8 @@ std::vector<compare::Configuration> choose_configurations(const Arguments& argum
 }
 
 /// All processes live at once, each with the whole model.
-void demand_memory(const compare::Comparison& comparison,
-                   const std::vector<compare::Configuration>& configurations) {
+void require_memory(const compare::Comparison& comparison,
+                    const std::vector<compare::Configuration>& configurations) {
   constexpr double kProcess = 2e7;  // of a process besides its model [bytes]
   double needed = 0.0;
   for (const auto& configuration : configurations)
@@ -97,10 +99,10 @@ int compare(const Arguments& arguments) {
   compare::Comparison comparison{.scenario = scenario, .rounds = arguments.compare.rounds};
   comparison.machine = this_machine();
   const auto configurations = choose_configurations(arguments, scenario, comparison.machine.cores);
-  demand_folder(folder);
+  require_folder(folder);
   comparison.loads.before = load_average();
   probe_models(comparison, arguments.compare.axes);
-  demand_memory(comparison, configurations);
+  require_memory(comparison, configurations);
   const ChildTask task{.scenario = arguments.scenario,
                        .text = text,
                        .overrides = arguments.overrides,

@@ -1,5 +1,7 @@
 #pragma once
 
+// The command `spoke compare`.
+
 #include "engine/cli/arguments.h"
 
 namespace spoke::cli {

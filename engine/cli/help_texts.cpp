@@ -1,3 +1,5 @@
+// The texts of --help.
+
 #include "engine/cli/help_texts.h"
 
 namespace spoke::cli {

@@ -1,5 +1,7 @@
 #pragma once
 
+// The texts that --help prints around the options.
+
 namespace spoke::cli {
 
 // What --help says below the options: of the program, of each command, and of the exit status; the

@@ -1,3 +1,5 @@
+// The handler of SIGINT and SIGTERM.
+
 #include "engine/cli/interruption.h"
 
 #include <atomic>

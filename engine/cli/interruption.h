@@ -1,5 +1,7 @@
 #pragma once
 
+// SIGINT and SIGTERM: the first one lets a command end in order.
+
 #include <csignal>
 #include <string>
 

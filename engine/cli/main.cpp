@@ -11,17 +11,17 @@
 #include <new>
 #include <optional>
 
-#include "engine/cli/arguments.h"
 #include "engine/cli/check_command.h"
 #include "engine/cli/compare_command.h"
 #include "engine/cli/measure_child_command.h"
+#include "engine/cli/parse_arguments.h"
 #include "engine/cli/predict_command.h"
 #include "engine/cli/report.h"
 #include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
 #include "engine/cli/trace_command.h"
+#include "graph/execute/unbound_thread.h"
 #include "graph/executor.h"
-#include "graph/unbound_thread.h"
 #include "models/error.h"
 
 namespace {

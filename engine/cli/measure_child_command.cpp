@@ -1,3 +1,6 @@
+// What the child process does: it reads its task, runs batches of steps and answers with their
+// times.
+
 #include "engine/cli/measure_child_command.h"
 
 #include <spdlog/fmt/fmt.h>

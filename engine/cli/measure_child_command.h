@@ -1,5 +1,8 @@
 #pragma once
 
+// The hidden command by which this program starts itself to measure one configuration in a process
+// of its own.
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,7 +31,7 @@ struct ChildTask {
 compare::Command make_child_command(const ChildTask& task,
                                     const compare::Configuration& configuration);
 
-/// Runs batches of steps as it is told on standard input, see compare/rounds.h. A batch of
+/// Runs batches of steps as standard input asks for, see compare/rounds.h. A batch of
 /// Work::run begins anew at t = 0, before its time counts; one of Work::inverse has no state, and
 /// its hash is 0.
 /// Ends with its input. The exit status.

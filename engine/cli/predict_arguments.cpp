@@ -1,3 +1,5 @@
+// Parses the numbers of threads and the window.
+
 #include "engine/cli/predict_arguments.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+// The options of `spoke predict`.
+
 #include <vector>
 
 namespace CLI {

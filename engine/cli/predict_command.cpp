@@ -1,3 +1,5 @@
+// Times nodes and measured processes in the same rounds, predicts, and writes table and files.
+
 #include "engine/cli/predict_command.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -19,7 +21,8 @@
 #include "engine/predict/files.h"
 #include "engine/predict/table.h"
 #include "engine/results.h"
-#include "models/text_file.h"
+#include "engine/simulation/node_measurement.h"
+#include "models/reader/text_file.h"
 
 namespace spoke::cli {
 namespace {
@@ -76,7 +79,7 @@ std::optional<Subject> open_window(const Arguments& arguments, const Scenario& s
   Subject subject{Simulation(scenario, {.formulation = arguments.options.formulation,
                                         .executor = ExecutorKind::automatic,
                                         .threads = 2})};  // their number does not matter to it
-  subject.window = subject.simulation.open_window();
+  subject.window = open_window(subject.simulation);
   if (runs_single_passes(subject.simulation)) return {};
   return subject;
 }
@@ -121,7 +124,7 @@ void warm_up(Subject& subject, std::int64_t batch) {
   const std::int64_t steps = compare::steps_of(batch, 0);
   Simulation& simulation = subject.simulation;
   while (simulation.steps() < steps)
-    simulation.measure_nodes(std::min(batch, steps - simulation.steps()));
+    measure_nodes(simulation, std::min(batch, steps - simulation.steps()));
 }
 
 /// Times the nodes of all subjects, over the same steps, and the runtimes in every few rounds.
@@ -216,7 +219,7 @@ int predict(const Arguments& arguments) {
   const fs::path folder = arguments.out.empty()
                               ? fs::path("results") / task.scenario.name / "predict"
                               : fs::path(arguments.out);
-  demand_folder(folder);
+  require_folder(folder);
   const Machine machine = this_machine();
   const double load_before = load_average();
   show_progress("warming up: nodes");

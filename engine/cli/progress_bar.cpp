@@ -1,3 +1,5 @@
+// Draws the bar, a few times a second at most.
+
 #include "engine/cli/progress_bar.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+// The bar that shows on a terminal how far a run is.
+
 #include <chrono>
 
 namespace spoke::cli {

@@ -1,3 +1,5 @@
+// Writes the line, if stderr is a terminal.
+
 #include "engine/cli/progress_line.h"
 
 #include <spdlog/fmt/fmt.h>

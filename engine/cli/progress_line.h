@@ -1,5 +1,7 @@
 #pragma once
 
+// A line on the terminal that says what a long command is doing.
+
 #include <string>
 
 namespace spoke::cli {

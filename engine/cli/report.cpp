@@ -1,3 +1,5 @@
+// Columns and sentences of what commands print.
+
 #include "engine/cli/report.h"
 
 #include <spdlog/fmt/fmt.h>

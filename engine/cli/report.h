@@ -1,5 +1,7 @@
 #pragma once
 
+// What commands print: labelled lines, the model, tables.
+
 #include <string>
 #include <string_view>
 

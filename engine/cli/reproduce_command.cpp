@@ -1,3 +1,5 @@
+// Computes and measures each part of the paper's evaluation, and writes page and numbers.
+
 #include "engine/cli/reproduce_command.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -104,7 +106,7 @@ void measure_all(const Effort& effort, Reproduction& all) {
 int reproduce(const Arguments& arguments) {
   const fs::path folder =
       arguments.out.empty() ? fs::path("results") / "reproduce" : fs::path(arguments.out);
-  demand_folder(folder);
+  require_folder(folder);
   const Effort& effort = arguments.quick ? kQuick : kFull;
   Reproduction all{.scenario = paper_rotor(), .is_quick = arguments.quick};
   all.scenario.integration.method = IntegrationMethod::rk4;

@@ -1,5 +1,7 @@
 #pragma once
 
+// The command `spoke reproduce`.
+
 #include "engine/cli/arguments.h"
 
 namespace spoke::cli {

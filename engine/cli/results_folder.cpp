@@ -1,3 +1,5 @@
+// Finds out whether a folder can be made without making it.
+
 #include "engine/cli/results_folder.h"
 
 #include <unistd.h>
@@ -24,7 +26,7 @@ bool is_there(const fs::path& path, std::error_code& error) {
 
 }  // namespace
 
-void demand_folder(const fs::path& folder) {
+void require_folder(const fs::path& folder) {
   std::error_code error;
   fs::path existing = fs::absolute(folder, error);
   while (!error && !is_there(existing, error) && existing.has_relative_path())
@@ -35,7 +37,7 @@ void demand_folder(const fs::path& folder) {
     refuse(folder, existing.string() + " is not writable");
 }
 
-void demand_no_folder(const fs::path& file) {
+void require_no_folder(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error))
     throw InputError(file.string() + ": cannot be written: Is a directory");

@@ -1,3 +1,5 @@
+// The loop of a run: rows, pictures, checkpoints, traces, and the lines that are printed.
+
 #include "engine/cli/run_command.h"
 
 #include <spdlog/spdlog.h>
@@ -22,7 +24,7 @@
 #include "engine/run_report/html_file.h"
 #include "engine/run_report/picture_steps.h"
 #include "engine/trace/files.h"
-#include "engine/vtk_series.h"
+#include "engine/vtk/vtk_series.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -134,7 +136,7 @@ std::string describe_interruption(const Simulation& simulation, const Checkpoint
 /// page a few hundred of them.
 struct Stops {
   Stops(const Simulation& simulation, const Recording& recording)
-      : pictures(simulation, recording.report ? recording.report->film().most_frames() : 0),
+      : pictures(simulation, recording.report ? recording.report->animation().most_frames() : 0),
         outputs(simulation, 0),
         has_pictures(recording.report),
         has_outputs(recording.vtk),
@@ -285,11 +287,11 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
 }
 
 /// Refuses what could not be written, while the files of an earlier run are still there.
-void demand_places(const Arguments& arguments, const fs::path& folder) {
-  if (!arguments.trace_out.empty()) demand_folder(arguments.trace_out);
-  if (arguments.writes_vtk) demand_folder(folder / "vtk");
+void require_places(const Arguments& arguments, const fs::path& folder) {
+  if (!arguments.trace_out.empty()) require_folder(arguments.trace_out);
+  if (arguments.writes_vtk) require_folder(folder / "vtk");
   for (const char* file : {"sensors.csv", "summary.json", "report.html", "checkpoint.spoke"})
-    demand_no_folder(folder / file);
+    require_no_folder(folder / file);
 }
 
 fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario) {
@@ -329,7 +331,7 @@ int run(const Arguments& arguments) {
   spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
                simulation.size().memory_bytes);
   const fs::path trace_folder = arguments.trace_out;
-  demand_places(arguments, folder);
+  require_places(arguments, folder);
   Recording recording = open_recording(arguments, folder, simulation);
   remove_stale(folder, arguments);
   if (!trace_folder.empty()) trace::remove_files(trace_folder);

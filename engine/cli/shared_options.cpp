@@ -1,3 +1,5 @@
+// Adds these options to a command, with their choices and help.
+
 #include "engine/cli/shared_options.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+// Options that several commands have in common.
+
 #include <string>
 
 #include "engine/cli/arguments.h"

@@ -1,3 +1,5 @@
+// Parses one number, or two with an x between them.
+
 #include "engine/cli/threads_option.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+// Numbers of threads on the command line.
+
 #include <string>
 
 #include "graph/executor.h"

@@ -1,8 +1,11 @@
+// Turns each tip's displacement to the direction of its blade, and describes the extremes.
+
 #include "engine/cli/tip_deflections.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -47,6 +50,7 @@ TipDeflections::TipDeflections(const Simulation& simulation) {
 TipDeflections::TipDeflections(const Simulation& simulation,
                                const std::vector<TipExtreme>& extremes)
     : TipDeflections(simulation) {
+  assert(extremes.size() == blades_.size());
   for (std::size_t i = 0; i < blades_.size(); ++i) blades_[i].extreme = extremes.at(i);
 }
 

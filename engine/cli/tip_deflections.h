@@ -1,5 +1,7 @@
 #pragma once
 
+// The largest deflection of each blade's tip, which a run prints.
+
 #include <cstddef>
 #include <span>
 #include <string>
@@ -11,7 +13,7 @@
 namespace spoke::cli {
 
 /// Finds the largest deflection of each blade's tip across the undeformed blade, over all steps.
-/// The sensors tell a tip's displacement in the hub frame; this turns it to the blade's direction.
+/// The sensors have a tip's displacement in the hub frame; this turns it to the blade's direction.
 class TipDeflections {
  public:
   /// Throws std::out_of_range if a blade has no tip sensors.

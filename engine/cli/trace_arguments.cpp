@@ -1,3 +1,5 @@
+// Parses the number of steps, the time and the size of the buffer.
+
 #include "engine/cli/trace_arguments.h"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+// The options of `spoke trace`.
+
 #include <cstdint>
 #include <string>
 

@@ -1,3 +1,5 @@
+// Runs to the time asked for, and records the steps that follow.
+
 #include "engine/cli/trace_command.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -23,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Whether the scenario has the steps that are asked for.
-void demand_steps(const TraceArguments& asked, const Simulation& simulation) {
+void require_steps(const TraceArguments& asked, const Simulation& simulation) {
   const double step = simulation.step_size();
   const std::int64_t planned = simulation.planned_steps();
   if (asked.steps > planned)
@@ -85,10 +87,10 @@ int trace(const Arguments& arguments) {
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
   const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "trace"
                                                 : fs::path(arguments.out);
-  demand_folder(folder);
+  require_folder(folder);
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   const TraceArguments& asked = arguments.trace;
-  demand_steps(asked, simulation);
+  require_steps(asked, simulation);
   trace::remove_files(folder);
   run_to(asked.from, simulation);
   Traced traced = record(asked, simulation);

@@ -1,5 +1,7 @@
 #pragma once
 
+// The command `spoke trace`.
+
 #include "engine/cli/arguments.h"
 
 namespace spoke::cli {

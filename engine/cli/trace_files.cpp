@@ -1,7 +1,10 @@
+// Writes the files, prints the summary, and explains why there is nothing to write.
+
 #include "engine/cli/trace_files.h"
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -71,6 +74,7 @@ std::int64_t megabytes(std::size_t bytes) {
 
 void write_trace(const Simulation& simulation, StepTrace steps, const std::filesystem::path& folder,
                  bool prints) {
+  assert(!steps.steps.empty());
   const trace::Trace trace = trace::describe(simulation, std::move(steps));
   make_folder(folder);
   const trace::WrittenFiles written = trace::write_files(trace, folder, graph::viewer_page());

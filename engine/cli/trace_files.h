@@ -1,5 +1,7 @@
 #pragma once
 
+// What `spoke trace` and `spoke run --trace` do with a trace.
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

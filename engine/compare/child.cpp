@@ -1,3 +1,5 @@
+// Starts the process, sends it lines, waits for its answers, and ends it.
+
 #include "engine/compare/child.h"
 
 #include <fcntl.h>

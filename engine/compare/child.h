@@ -1,5 +1,7 @@
 #pragma once
 
+// A child process that answers lines with lines, and can be halted between them.
+
 #include <sys/types.h>
 
 #include <string>
@@ -38,7 +40,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Does nothing if the child has ended; receive() tells.
+  /// Does nothing if the child has ended; receive() then says so.
   void send(const std::string& line);
   Answer receive(double seconds_allowed);
 

@@ -1,6 +1,9 @@
+// From samples to times, speedups, bounds and the best configuration.
+
 #include "engine/compare/comparison.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <utility>
 
@@ -63,6 +66,7 @@ const Model& model_of(const Comparison& comparison, Formulation formulation) {
 }
 
 void evaluate(Comparison& comparison, std::vector<Measurement> measurements) {
+  assert(!comparison.models.empty() && !measurements.empty());
   for (Model& model : comparison.models) {
     const auto of_model = [&](const Measurement& measurement) {
       return measurement.configuration.formulation == model.formulation;

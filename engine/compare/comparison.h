@@ -8,7 +8,7 @@
 
 #include "engine/compare/rounds.h"
 #include "engine/compare/span.h"
-#include "engine/machine.h"
+#include "engine/support/machine.h"
 
 namespace spoke::compare {
 

@@ -1,3 +1,5 @@
+// The sentences of the conclusion, a function for each.
+
 #include "engine/compare/conclusion.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -14,7 +16,7 @@ std::string speedup_text(const Result& result) {
                      result.figures->speedup_high);
 }
 
-/// The other ones whose quartiles reach into the best one's: not to be told from it.
+/// The other ones whose quartiles reach into the best one's: not distinguishable from it.
 std::string describe_equals(const Comparison& comparison, const Result& best) {
   std::vector<std::string> names;
   for (const Result& result : comparison.results) {

@@ -1,5 +1,7 @@
 #pragma once
 
+// What a comparison says in plain words.
+
 #include <string>
 #include <vector>
 

@@ -1,3 +1,5 @@
+// The default numbers of threads, names, and which settings of OpenMP are the same to the runtime.
+
 #include "engine/compare/configuration.h"
 
 #include <unistd.h>
@@ -29,7 +31,7 @@ std::vector<graph::Threads> default_threads(ExecutorKind kind, int subsystems, i
   return list;
 }
 
-void demand_use_of_nested_threads(const Axes& axes) {
+void require_use_of_nested_threads(const Axes& axes) {
   if (std::any_of(axes.executors.begin(), axes.executors.end(), graph::has_nested_teams)) return;
   for (const graph::Threads& threads : axes.threads)
     if (threads.inner > 1)
@@ -151,7 +153,7 @@ std::vector<std::string> environment_of(const Configuration& configuration) {
 }
 
 std::vector<Configuration> make_configurations(const Axes& axes, int subsystems, int available) {
-  demand_use_of_nested_threads(axes);
+  require_use_of_nested_threads(axes);
   std::vector<Configuration> list;
   for (const Formulation formulation : axes.formulations) {
     list.push_back({.formulation = formulation});

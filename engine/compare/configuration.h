@@ -15,7 +15,7 @@ namespace spoke::compare {
 
 /// How idle threads of an OpenMP runtime wait; read when the runtime starts.
 enum class Wait {
-  runtime_default,  ///< as the runtime does unless told
+  runtime_default,  ///< as the runtime does by default
   passive,          ///< asleep
   active,           ///< spinning
 };

@@ -1,3 +1,5 @@
+// The rows of compare.csv.
+
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/compare/files.h"

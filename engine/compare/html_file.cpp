@@ -1,3 +1,5 @@
+// The page compare.html: conclusion, charts, tables and method.
+
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>

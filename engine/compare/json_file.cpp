@@ -1,10 +1,12 @@
+// The fields of compare.json.
+
 #include <spdlog/fmt/fmt.h>
 
 #include <nlohmann/json.hpp>
 
 #include "engine/compare/conclusion.h"
 #include "engine/compare/files.h"
-#include "engine/json/machine_json.h"
+#include "engine/support/machine_json.h"
 
 namespace spoke::compare {
 namespace {

@@ -1,8 +1,12 @@
+// Runs some steps serially, and chooses from their time how many make a sample.
+
 #include "engine/compare/probe.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+
+#include "engine/simulation/node_measurement.h"
 
 namespace spoke::compare {
 namespace {
@@ -52,7 +56,7 @@ Model probe(const Scenario& scenario, Formulation formulation, double sample_sec
   const auto steps = static_cast<std::int64_t>(std::clamp(kCostSeconds / step, 5.0, 201.0));
   if (simulation.steps() + steps > simulation.planned_steps())
     simulation = Simulation(with_steps(simulation, steps), options);
-  model.pass = calc_work_and_span(simulation.run_graph(), simulation.measure_nodes(steps).costs);
+  model.pass = calc_work_and_span(simulation.run_graph(), measure_nodes(simulation, steps).costs);
   return model;
 }
 

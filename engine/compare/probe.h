@@ -1,5 +1,7 @@
 #pragma once
 
+// A first look at a formulation, before it is compared: sizes, steps of a sample, costs of nodes.
+
 #include "engine/compare/comparison.h"
 
 namespace spoke::compare {

@@ -1,6 +1,9 @@
+// Trials, warm-up and rounds of the child processes, and what makes one leave early.
+
 #include "engine/compare/rounds.h"
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 #include <sstream>
 
@@ -117,7 +120,7 @@ void take_turn(Contender& contender, int round, const Effort& effort) {
 }
 
 /// Nothing can be said without the serial one.
-void demand_reference(const Contender& contender) {
+void require_reference(const Contender& contender) {
   if (!is_serial(contender) || contender.takes_part()) return;
   if (!contender.measurement.step_times.empty()) return;
   throw InputError("serial could not be measured: " + contender.measurement.message);
@@ -137,7 +140,7 @@ std::vector<Contender> start_all(const std::vector<Configuration>& configuration
     contender.measurement.configuration = configuration;
     contender.batch = batch_size(configuration.formulation);
     start(contender, make_command(configuration), effort);
-    demand_reference(contender);
+    require_reference(contender);
   }
   return contenders;
 }
@@ -166,6 +169,7 @@ std::vector<Measurement> measure(const std::vector<Configuration>& configuration
                                  const MakeCommand& make_command, const BatchSize& batch_size,
                                  const Effort& effort, const Progress& progress,
                                  const BeforeRound& before_round) {
+  assert(!configurations.empty());
   std::vector<Contender> contenders =
       start_all(configurations, make_command, batch_size, effort, progress);
   for (int round = 0; round < effort.rounds; ++round) {
@@ -178,7 +182,7 @@ std::vector<Measurement> measure(const std::vector<Configuration>& configuration
       progress("round " + std::to_string(round + 1) + " of " + std::to_string(effort.rounds) +
                ": " + full_name(contender.measurement.configuration));
       take_turn(contender, round, effort);
-      demand_reference(contender);
+      require_reference(contender);
     }
   }
   progress("");

@@ -30,7 +30,7 @@ struct Measurement {
   std::vector<std::uint64_t> hashes = {};  ///< of the state after each batch, warm-ups included
 };
 
-/// Quarters of a batch at the very start: the last one tells what is too slow to go on with.
+/// Quarters of a batch at the very start: the last one shows what is too slow to go on with.
 constexpr int kTrials = 2;
 /// Untimed batches before the first round: memory is touched, and an executor that tunes itself has
 /// done so. Fewer of a configuration that is slow.

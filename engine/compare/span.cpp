@@ -1,10 +1,14 @@
+// The costliest path, by one sweep through the nodes.
+
 #include "engine/compare/span.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace spoke::compare {
 
 WorkAndSpan calc_work_and_span(const graph::StepGraph& graph, std::span<const double> costs) {
+  assert(costs.size() == static_cast<std::size_t>(graph.node_count()));
   WorkAndSpan result;
   std::vector<double> ends(costs.size());  // of the costliest path to and with each node
   for (int k = 0; k < graph.node_count(); ++k) {

@@ -1,5 +1,7 @@
 #pragma once
 
+// Work and span of a step graph for given costs of its nodes.
+
 #include <span>
 #include <vector>
 

@@ -1,18 +1,23 @@
+// Means, quantiles and deviations.
+
 #include "engine/compare/statistics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
 namespace spoke::compare {
 
 double mean(std::span<const double> values) {
+  assert(!values.empty());
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double median(std::span<const double> values) { return quantile(values, 0.5); }
 
 double quantile(std::span<const double> values, double share) {
+  assert(!values.empty());
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());
   const double place = share * static_cast<double>(sorted.size() - 1);

@@ -1,5 +1,7 @@
 #pragma once
 
+// Statistics of measured times.
+
 #include <optional>
 #include <span>
 #include <vector>

@@ -1,3 +1,5 @@
+// The rows of the table, with remarks and the best one marked.
+
 #include "engine/compare/table.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+// The table of a comparison.
+
 #include "engine/compare/comparison.h"
 #include "engine/report/page.h"
 

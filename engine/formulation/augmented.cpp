@@ -1,7 +1,9 @@
+// Assembles the augmented system, (P 4) to (P 6), and solves it by LU.
+
 #include "engine/formulation/augmented.h"
 
 #include "engine/formulation/dense_body.h"
-#include "engine/hub.h"
+#include "engine/kernels/hub_motion.h"
 
 namespace spoke::augmented {
 namespace {
@@ -55,7 +57,7 @@ void add_hub(const System& system, const StepData& data, Work& work) {
   const Hub& hub = system.hub;
   work.matrix.topLeftCorner<d, d>() =
       Twist(hub.mass, hub.mass, hub.inertia - centrifugal_inertia).asDiagonal();
-  work.right[kRotation] = calc_torque(hub.drive, data.clocks[0].control.time) +
+  work.right[kRotation] = calc_torque(hub.drive, data.progress[0].control.time) +
                           2.0 * data.hub.twist[kRotation] * centrifugal_rate;
   const Twist given =
       calc_prescribed_acceleration(system, data.hub.R, data.hub_coordinates.a[kRotation]);
@@ -107,7 +109,7 @@ void solve(const System& system, StepData& data, Work& work) noexcept {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     const SubsystemData& subsystem = data.subsystems[i];
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
-      add_body(subsystem.bodies[j], *work.elastic[i][j][data.clocks[0].control.is_implicit()],
+      add_body(subsystem.bodies[j], *work.elastic[i][j][data.progress[0].control.is_implicit],
                work.first[i][j], work);
       add_joint(subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }
@@ -120,7 +122,7 @@ void solve(const System& system, StepData& data, Work& work) noexcept {
 
   HubSolution& solution = data.hub_solution;
   solution.acceleration = work.solution.head<d>();
-  solution.applied_torque = calc_torque(system.hub.drive, data.clocks[0].control.time);
+  solution.applied_torque = calc_torque(system.hub.drive, data.progress[0].control.time);
   solution.reaction.setZero();
   int row = work.first_hub_multiplier;
   for (int c = 0; c < d; ++c)

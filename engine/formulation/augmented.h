@@ -11,7 +11,7 @@
 #include <Eigen/LU>
 
 #include "engine/formulation/subsystem.h"
-#include "engine/step_data.h"
+#include "engine/table/step_data.h"
 
 namespace spoke::augmented {
 

@@ -1,6 +1,8 @@
+// Assembles the dense matrices from the table's banded and symmetric parts.
+
 #include "engine/formulation/dense_body.h"
 
-#include "engine/kinematics.h"
+#include "engine/kernels/kinematics.h"
 
 namespace spoke {
 namespace {

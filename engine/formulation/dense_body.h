@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/step_data.h"
+#include "engine/table/step_data.h"
 
 namespace spoke {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+// The names of the three formulations; the one public header of this folder.
+
 #include <string_view>
 
 #include "spoke/export.h"

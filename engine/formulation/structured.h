@@ -5,24 +5,24 @@
 // Per body, with Mhat = Mff (+ the implicit shares of D and K) factorised once, C = M_Rf:
 //   Mhat qf'' + C^T X = Q_f + E_i^T F + E_o^T f      E: the handles' deformation coordinates
 //   M_RR X + C qf''   = Q   + J_i^T F + J_o^T f      F, f: wrenches on the handles
-// condense() eliminates qf'':
+// condense_body() eliminates qf'':
 //   qf'' = z - W X + Z_i F + Z_o f,   W = Mhat^-1 C^T,  z = Mhat^-1 Q_f,  Z_e = Mhat^-1 E_e^T
 //   S_R X = p + X_i^T F + X_o^T f,    S_R = M_RR - C W,  p = Q - C z,  X_e = J_e - E_e W
 // and so to the two-port of handle accelerations. Per subsystem the chain of two-ports is
 // eliminated from the tip to the root (the block-tridiagonal Phi M^-1 Phi^T of (P 8)); what remains
-// at the root is (P 10).
+// at the root is (P 10). Sources: structured/condense_body, effective_inertia and recovery.
 
-#include "engine/step_data.h"
+#include "engine/table/step_data.h"
 
 namespace spoke::structured {
 
 /// What the structured path keeps per body besides BodyData.
 struct BodyWork {
   TwoPort port;
-  JointElimination joint;     ///< of the outboard joint; unused at the tip
-  double* W_theta = nullptr;  ///< response to an angular acceleration (flex vector)
-  double* z = nullptr;        ///< response to Q_f (flex vector)
-  Pair* scratch = nullptr;    ///< of the solves
+  JointElimination joint;      ///< of the outboard joint; unused at the tip
+  double* W_theta = nullptr;   ///< response to an angular acceleration (flex vector)
+  double* z = nullptr;         ///< response to Q_f (flex vector)
+  Double2* scratch = nullptr;  ///< of the solves
 };
 
 /// How the root wrench of a subsystem follows from its root's acceleration (body frame).
@@ -32,11 +32,11 @@ struct RootInertia {
 };
 
 /// Per subsystem.
-struct alignas(kApart) SubsystemWork {
+struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork> bodies;
   RootInertia root;
-  ArenaVector<double> storage;  ///< of all flex vectors
-  ArenaVector<Pair> scratch;    ///< 3E pairs per body
+  ArenaVector<double> storage;   ///< of all flex vectors
+  ArenaVector<Double2> scratch;  ///< 3E pairs per body
 };
 
 void allocate(const SubsystemData& data, SubsystemWork& work);
@@ -44,9 +44,9 @@ void allocate(const SubsystemData& data, SubsystemWork& work);
 /// Solves for W_theta and z and condenses a body to its two-port.
 void condense_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept;
 
-/// Eliminates the joints of a chain from tip to root: effective mass and force (P 10).
-void condense_subsystem(const Subsystem& subsystem, SubsystemData& data,
-                        SubsystemWork& work) noexcept;
+/// Effective mass and force (P 10): eliminates the joints of a chain from tip to root.
+void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
+                            SubsystemWork& work) noexcept;
 
 /// Joint wrenches from root to tip (P 8), from the hub's acceleration.
 void recover_wrenches(const Subsystem& subsystem, const SubsystemWork& work,

@@ -4,12 +4,13 @@
 // matrix is assembled and factorised whole, Phi M^-1 Phi^T of each subsystem is formed and
 // factorised whole. The rows of Phi belong to the joints, resolved in the child's frame:
 //   [R^T J_out(parent), -J_in(child)] q'' = gamma,  with the hub's [R^T T] in front at the root.
+// Sources: subsystem/invert_body, effective_inertia and recovery.
 
 #include <Eigen/Core>
 #include <array>
 #include <memory>
 
-#include "engine/step_data.h"
+#include "engine/table/step_data.h"
 
 namespace spoke::subsystem {
 
@@ -26,7 +27,7 @@ struct BodyWork {
   Twist bias_out;                   ///< acceleration of the outboard handle at zero accelerations
 };
 
-struct alignas(kApart) SubsystemWork {
+struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork> bodies;
   Eigen::MatrixXd D;            ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
   Eigen::MatrixXd solution;     ///< D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1)
@@ -40,8 +41,8 @@ void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic
 void invert_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept;
 
 /// Effective mass and force, (P 10).
-void condense_subsystem(const Subsystem& subsystem, SubsystemData& data,
-                        SubsystemWork& work) noexcept;
+void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
+                            SubsystemWork& work) noexcept;
 
 /// Multipliers, (P 8), as wrenches on the handles.
 void recover_wrenches(const Subsystem& subsystem, SubsystemWork& work,

@@ -1,3 +1,5 @@
+// Allocates what the chosen formulation keeps, and estimates its memory.
+
 #include "engine/formulation/work.h"
 
 #include "engine/formulation/dense_body.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+// What a formulation keeps besides the table: constants and workspaces.
+
 #include <map>
 #include <memory>
 

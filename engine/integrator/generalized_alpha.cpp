@@ -1,9 +1,71 @@
+// The coefficients of the method, its predictor and its corrector (docs/formulation.md, section 5).
+
 #include "engine/integrator/generalized_alpha.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "engine/support/simd.h"
+
 namespace spoke {
+namespace {
+
+/// The greater of two values, place by place; of `b` and NaN, b.
+Double2 greater(Double2 a, Double2 b) { return a > b ? a : b; }
+
+/// Largest |x[i] - y[i]| of n values; those that are NaN do not count.
+double largest_difference(const double* x, const double* y, int n) {
+  Double2 first{}, second{};
+  int i = 0;
+  for (; i + 4 <= n; i += 4) {
+    const Double2 d = load(x + i) - load(y + i), e = load(x + i + 2) - load(y + i + 2);
+    first = greater(-d, greater(d, first));
+    second = greater(-e, greater(e, second));
+  }
+  first = greater(second, first);
+  double largest = std::max(first[0], first[1]);
+  for (; i < n; ++i) largest = std::max(largest, std::abs(x[i] - y[i]));
+  return largest;
+}
+
+// Parameters that promise not to overlap let the compiler take several coordinates at a time.
+
+inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q,
+                           double* __restrict v, const double* __restrict a, double* __restrict qp,
+                           double* __restrict vp, double* __restrict carry) noexcept {
+  const double h = m.step;
+  for (int i = 0; i < n; ++i) {
+    const double al = carry[i] + m.k * a[i];
+    const double next = m.af_share * a[i] - m.am_share * al;
+    carry[i] = next;
+    qp[i] = q[i] + h * v[i] + h * h * ((0.5 - m.beta) * al + m.beta * next);
+    vp[i] = v[i] + h * ((1.0 - m.gamma) * al + m.gamma * next);
+    q[i] = qp[i] + m.position_gain * a[i];
+    v[i] = vp[i] + m.velocity_gain * a[i];
+  }
+}
+
+inline void predict_block(const GeneralizedAlpha& method, const CoordinateBlock& block) noexcept {
+  double *qp = block.history[GeneralizedAlpha::predicted_q],
+         *vp = block.history[GeneralizedAlpha::predicted_v],
+         *carry = block.history[GeneralizedAlpha::carry];
+  block.for_parts([&](int first, int n) {
+    predict_values(method, n, block.q + first, block.v + first, block.a + first, qp + first,
+                   vp + first, carry + first);
+  });
+}
+
+void correct_values(const GeneralizedAlpha m, int n, const double* __restrict a_new,
+                    const double* __restrict qp, const double* __restrict vp, double* __restrict q,
+                    double* __restrict v, double* __restrict a) noexcept {
+  for (int i = 0; i < n; ++i) {
+    a[i] = a_new[i];
+    q[i] = qp[i] + m.position_gain * a_new[i];
+    v[i] = vp[i] + m.velocity_gain * a_new[i];
+  }
+}
+
+}  // namespace
 
 GeneralizedAlpha make_generalized_alpha(double radius, double step) {
   const double am = (2.0 * radius - 1.0) / (1.0 + radius);
@@ -21,49 +83,37 @@ GeneralizedAlpha make_generalized_alpha(double radius, double step) {
 }
 
 void start(const GeneralizedAlpha& method, CoordinateBlock& block) {
-  // al_0 = A_0
-  for (int i = 0; i < block.size; ++i)
-    block.history[GeneralizedAlpha::carry][i] = (1.0 - method.k) * block.a[i];
+  double* carry = block.history[GeneralizedAlpha::carry];
+  block.for_parts([&](int first, int n) {  // al_0 = A_0
+    for (int i = first; i < first + n; ++i) carry[i] = (1.0 - method.k) * block.a[i];
+  });
 }
 
 void hold(CoordinateBlock& block) {
-  std::copy_n(block.q, block.size, block.history[GeneralizedAlpha::predicted_q]);
-  std::copy_n(block.v, block.size, block.history[GeneralizedAlpha::predicted_v]);
+  block.for_parts([&](int first, int n) {
+    std::copy_n(block.q + first, n, block.history[GeneralizedAlpha::predicted_q] + first);
+    std::copy_n(block.v + first, n, block.history[GeneralizedAlpha::predicted_v] + first);
+  });
 }
 
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept {
-  double* __restrict q = block.q;
-  double* __restrict v = block.v;
-  const double* __restrict a = block.a;
-  double* __restrict qp = block.history[GeneralizedAlpha::predicted_q];
-  double* __restrict vp = block.history[GeneralizedAlpha::predicted_v];
-  double* __restrict carry = block.history[GeneralizedAlpha::carry];
-  const double h = method.step;
-  for (int i = 0; i < block.size; ++i) {
-    const double al = carry[i] + method.k * a[i];
-    const double next = method.af_share * a[i] - method.am_share * al;
-    carry[i] = next;
-    qp[i] = q[i] + h * v[i] + h * h * ((0.5 - method.beta) * al + method.beta * next);
-    vp[i] = v[i] + h * ((1.0 - method.gamma) * al + method.gamma * next);
-    q[i] = qp[i] + method.position_gain * a[i];
-    v[i] = vp[i] + method.velocity_gain * a[i];
-  }
+  predict_block(method, block);
+}
+
+void predict(const GeneralizedAlpha& method, std::span<BodyData> bodies) noexcept {
+  for (BodyData& body : bodies) predict_block(method, body.coordinates);
 }
 
 double correct(const GeneralizedAlpha& method, const double* a_new,
                CoordinateBlock& block) noexcept {
-  double* __restrict q = block.q;
-  double* __restrict v = block.v;
-  double* __restrict a = block.a;
-  const double* __restrict qp = block.history[GeneralizedAlpha::predicted_q];
-  const double* __restrict vp = block.history[GeneralizedAlpha::predicted_v];
+  const double *qp = block.history[GeneralizedAlpha::predicted_q],
+               *vp = block.history[GeneralizedAlpha::predicted_v];
   double change = 0.0;
-  for (int i = 0; i < block.size; ++i) {
-    change = std::max(change, std::abs(a_new[i] - a[i]));
-    a[i] = a_new[i];
-    q[i] = qp[i] + method.position_gain * a[i];
-    v[i] = vp[i] + method.velocity_gain * a[i];
-  }
+  block.for_parts([&](int first, int n) {
+    change = std::max(change, largest_difference(a_new + first, block.a + first, n));
+    correct_values(method, n, a_new + first, qp + first, vp + first, block.q + first,
+                   block.v + first, block.a + first);
+  });
   return method.position_gain * change;
 }
 

@@ -9,7 +9,9 @@
 // share of the unknown A, which joins the constant block: Mhat = Mff + beta' h^2 K + gamma' h D.
 // What is left is a fixed-point iteration that converges in one to three passes.
 
-#include "engine/step_data.h"
+#include <span>
+
+#include "engine/table/step_data.h"
 
 namespace spoke {
 
@@ -36,6 +38,8 @@ void start(const GeneralizedAlpha& method, CoordinateBlock& block);
 void hold(CoordinateBlock& block);
 /// First iteration of a step: predicts, and starts from the last accelerations.
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept;
+/// The same for the coordinates of bodies.
+void predict(const GeneralizedAlpha& method, std::span<BodyData> bodies) noexcept;
 /// Corrects the coordinates with accelerations `a`, which become the block's; returns the largest
 /// change of a coordinate since the last iterate [m, rad].
 double correct(const GeneralizedAlpha& method, const double* a, CoordinateBlock& block) noexcept;

@@ -1,5 +1,7 @@
 #pragma once
 
+// The integrator of a simulation: one of the two methods.
+
 #include <variant>
 
 #include "engine/integrator/generalized_alpha.h"

@@ -1,44 +1,70 @@
+// The stages of the classical Runge-Kutta method.
+
 #include "engine/integrator/rk4.h"
 
 namespace spoke {
 namespace {
 
+// Parameters that promise not to overlap let the compiler take several coordinates at a time.
+
 /// Stage 1: remembers the step's start, opens the sums.
-void open_step(double h, CoordinateBlock& block) {
-  double* q0 = block.history[Rk4::start_q];
-  double* v0 = block.history[Rk4::start_v];
-  double* sum_q = block.history[Rk4::sum_q];
-  double* sum_v = block.history[Rk4::sum_v];
-  for (int i = 0; i < block.size; ++i) {
-    q0[i] = block.q[i];
-    v0[i] = block.v[i];
-    sum_q[i] = Rk4::weights[0] * block.v[i];
-    sum_v[i] = Rk4::weights[0] * block.a[i];
-    block.q[i] = q0[i] + Rk4::nodes[1] * h * v0[i];
-    block.v[i] = v0[i] + Rk4::nodes[1] * h * block.a[i];
+void open_step(double h, int n, double* __restrict q, double* __restrict v,
+               const double* __restrict a, double* __restrict q0, double* __restrict v0,
+               double* __restrict sum_q, double* __restrict sum_v) noexcept {
+  for (int i = 0; i < n; ++i) {
+    q0[i] = q[i];
+    v0[i] = v[i];
+    sum_q[i] = Rk4::weights[0] * v[i];
+    sum_v[i] = Rk4::weights[0] * a[i];
+    q[i] = q0[i] + Rk4::nodes[1] * h * v0[i];
+    v[i] = v0[i] + Rk4::nodes[1] * h * a[i];
+  }
+}
+
+/// Stages 2 and 3: adds the rates of the stage before to the sums, and takes them from the step's
+/// start over `span`.
+void go_on(double weight, double span, int n, double* __restrict q, double* __restrict v,
+           const double* __restrict a, const double* __restrict q0, const double* __restrict v0,
+           double* __restrict sum_q, double* __restrict sum_v) noexcept {
+  for (int i = 0; i < n; ++i) {
+    const double rate_q = v[i], rate_v = a[i];
+    sum_q[i] += weight * rate_q;
+    sum_v[i] += weight * rate_v;
+    q[i] = q0[i] + span * rate_q;
+    v[i] = v0[i] + span * rate_v;
+  }
+}
+
+/// Stage 0: adds the last rates, and takes the weighted sum from the step's start over the step.
+void close_step(double h, int n, double* __restrict q, double* __restrict v,
+                const double* __restrict a, const double* __restrict q0,
+                const double* __restrict v0, double* __restrict sum_q,
+                double* __restrict sum_v) noexcept {
+  constexpr double kWeight = Rk4::weights[Rk4::kStages - 1];
+  for (int i = 0; i < n; ++i) {
+    sum_q[i] += kWeight * v[i];
+    sum_v[i] += kWeight * a[i];
+    q[i] = q0[i] + h * sum_q[i];
+    v[i] = v0[i] + h * sum_v[i];
   }
 }
 
 }  // namespace
 
 void advance(const Rk4& method, int stage, CoordinateBlock& block) noexcept {
-  if (stage == 1) return open_step(method.step, block);
-  const int last = stage == 0 ? Rk4::kStages - 1 : stage - 1;
-  const double weight = Rk4::weights[last];
-  const double* q0 = block.history[Rk4::start_q];
-  const double* v0 = block.history[Rk4::start_v];
-  double* sum_q = block.history[Rk4::sum_q];
-  double* sum_v = block.history[Rk4::sum_v];
-  for (int i = 0; i < block.size; ++i) {
-    const double rate_q = block.v[i];
-    const double rate_v = block.a[i];
-    sum_q[i] += weight * rate_q;
-    sum_v[i] += weight * rate_v;
-    // The end of the step takes the weighted sum, a stage within it the last rates.
-    const double span = stage == 0 ? method.step : Rk4::nodes[stage] * method.step;
-    block.q[i] = q0[i] + span * (stage == 0 ? sum_q[i] : rate_q);
-    block.v[i] = v0[i] + span * (stage == 0 ? sum_v[i] : rate_v);
-  }
+  const double h = method.step;
+  const auto k = static_cast<std::size_t>(stage);
+  block.for_parts([&](int first, int n) {
+    double *q = block.q + first, *v = block.v + first, *a = block.a + first;
+    double *q0 = block.history[Rk4::start_q] + first, *v0 = block.history[Rk4::start_v] + first;
+    double *sum_q = block.history[Rk4::sum_q] + first, *sum_v = block.history[Rk4::sum_v] + first;
+    if (stage == 0)
+      close_step(h, n, q, v, a, q0, v0, sum_q, sum_v);
+    else if (stage == 1)
+      open_step(h, n, q, v, a, q0, v0, sum_q, sum_v);
+    else
+      go_on(Rk4::weights[k - 1], Rk4::nodes[k] * h, n, q, v, a, q0, v0, sum_q, sum_v);
+  });
 }
 
 }  // namespace spoke

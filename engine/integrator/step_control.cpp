@@ -1,3 +1,6 @@
+// Decides at the end of a pass what the next one evaluates: another iteration or stage, or the next
+// step.
+
 #include "engine/integrator/step_control.h"
 
 namespace spoke {
@@ -5,67 +8,68 @@ namespace {
 
 const Rk4* as_rk4(const Integrator& integrator) { return std::get_if<Rk4>(&integrator.method); }
 
-/// Sets the stage or iteration that comes next in the clock's step.
-void set_stage(const Integrator& integrator, int stage, Clock& clock) {
+/// Sets the stage or iteration that comes next in the step.
+void set_stage(const Integrator& integrator, int stage, StepProgress& progress) {
   const double h = step_size(integrator);
-  clock.control.stage = stage;
-  clock.control.time = clock.step * h;
-  clock.control.implicit = 1.0;
+  progress.control.stage = stage;
+  progress.control.time = static_cast<double>(progress.step) * h;
+  progress.control.is_implicit = true;
   if (!as_rk4(integrator)) return;
-  clock.control.implicit = 0.0;
+  progress.control.is_implicit = false;
   const double node = Rk4::nodes[static_cast<std::size_t>(stage)];
-  if (stage != 0 && node != 1.0) clock.control.time = (clock.step - 1.0) * h + node * h;
+  if (stage != 0 && node != 1.0)
+    progress.control.time = static_cast<double>(progress.step - 1) * h + node * h;
 }
 
-void add_work(double duration, const Power& power, Clock& clock) {
-  clock.work += duration * power.applied;
-  clock.dissipated += duration * power.dissipation;
+void add_work(double duration, const Power& power, StepProgress& progress) {
+  progress.work += duration * power.applied;
+  progress.dissipated += duration * power.dissipation;
 }
 
-void fail(StepOutcome outcome, Clock& clock) {
-  clock.outcome = static_cast<double>(static_cast<int>(outcome));
-  clock.halted = 1.0;
+void fail(StepOutcome outcome, StepProgress& progress) {
+  progress.outcome = outcome;
+  progress.is_halted = true;
 }
 
 /// The step's end is reached: its record, and the start of the next step.
 void complete_step(const Integrator& integrator, const Window& window, const PassReport& report,
-                   Clock& clock, StepRecord& record) {
-  record.passes = clock.passes;
-  record.work = clock.work;
-  record.dissipated = clock.dissipated;
-  record.bend = report.bend;
-  clock.completed = clock.step;
-  clock.power = report.power;
-  begin_step(integrator, static_cast<std::int64_t>(clock.step) + 1, clock);
-  clock.halted = clock.step > static_cast<double>(window.last) ? 1.0 : 0.0;
+                   StepProgress& progress, StepRecord& record) {
+  record.passes = progress.passes;
+  record.work = progress.work;
+  record.dissipated = progress.dissipated;
+  record.deflection = report.deflection;
+  progress.completed = progress.step;
+  progress.power = report.power;
+  begin_step(integrator, progress.step + 1, progress);
+  progress.is_halted = progress.step > window.last;
 }
 
 /// Whether the pass completes the step; else sets the next one.
-bool end_iteration(const Integrator& integrator, const PassReport& report, Clock& clock) {
+bool end_iteration(const Integrator& integrator, const PassReport& report, StepProgress& progress) {
   const IterationLimits& limits = integrator.limits;
-  const int done = static_cast<int>(clock.passes);
-  clock.change = report.change;
+  const int done = progress.passes;
+  progress.change = report.change;
   const bool is_last = limits.fixed > 0 ? done == limits.fixed : report.change <= limits.tolerance;
   if (is_last) {
     // The trapezoidal rule: second order, as the method.
-    add_work(0.5 * step_size(integrator), clock.power, clock);
-    add_work(0.5 * step_size(integrator), report.power, clock);
+    add_work(0.5 * step_size(integrator), progress.power, progress);
+    add_work(0.5 * step_size(integrator), report.power, progress);
     return true;
   }
   if (limits.fixed == 0 && done >= limits.most)
-    fail(StepOutcome::not_converged, clock);
+    fail(StepOutcome::not_converged, progress);
   else
-    set_stage(integrator, done, clock);
+    set_stage(integrator, done, progress);
   return false;
 }
 
-bool end_stage(const Integrator& integrator, const PassReport& report, Clock& clock) {
-  const int stage = static_cast<int>(clock.control.stage);
+bool end_stage(const Integrator& integrator, const PassReport& report, StepProgress& progress) {
+  const int stage = progress.control.stage;
   if (stage == 0) return true;
   const double h = step_size(integrator);
-  if (stage == 1) add_work(Rk4::weights[0] * h, clock.power, clock);
-  add_work(Rk4::weights[static_cast<std::size_t>(stage)] * h, report.power, clock);
-  set_stage(integrator, (stage + 1) % Rk4::kStages, clock);
+  if (stage == 1) add_work(Rk4::weights[0] * h, progress.power, progress);
+  add_work(Rk4::weights[static_cast<std::size_t>(stage)] * h, report.power, progress);
+  set_stage(integrator, (stage + 1) % Rk4::kStages, progress);
   return false;
 }
 
@@ -75,23 +79,24 @@ double step_size(const Integrator& integrator) {
   return std::visit([](const auto& method) { return method.step; }, integrator.method);
 }
 
-Clock make_start_clock() { return {}; }
+StepProgress make_start_progress() { return {}; }
 
-void begin_step(const Integrator& integrator, std::int64_t step, Clock& clock) noexcept {
-  clock.step = static_cast<double>(step);
-  clock.passes = clock.work = clock.dissipated = 0.0;
-  set_stage(integrator, as_rk4(integrator) ? 1 : 0, clock);
+void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& progress) noexcept {
+  progress.step = step;
+  progress.passes = 0;
+  progress.work = progress.dissipated = 0.0;
+  set_stage(integrator, as_rk4(integrator) ? 1 : 0, progress);
 }
 
 void end_pass(const Integrator& integrator, const Window& window, const PassReport& report,
-              Clock& clock, StepRecord& record) noexcept {
-  clock.completed = -1.0;
-  ++clock.passes;
-  if (report.failed != 0.0) return fail(StepOutcome::left_limits, clock);
-  const bool is_complete = clock.control.stage == PassControl::kEvaluateOnly ||
-                           (as_rk4(integrator) ? end_stage(integrator, report, clock)
-                                               : end_iteration(integrator, report, clock));
-  if (is_complete) complete_step(integrator, window, report, clock, record);
+              StepProgress& progress, StepRecord& record) noexcept {
+  progress.completed = StepProgress::kNone;
+  ++progress.passes;
+  if (report.failed) return fail(StepOutcome::left_limits, progress);
+  const bool is_complete = progress.control.stage == PassControl::kEvaluateOnly ||
+                           (as_rk4(integrator) ? end_stage(integrator, report, progress)
+                                               : end_iteration(integrator, report, progress));
+  if (is_complete) complete_step(integrator, window, report, progress, record);
 }
 
 int usual_passes(const Integrator& integrator) {

@@ -3,8 +3,8 @@
 // From the end of a pass to the start of the next: whether the step is complete, what the next pass
 // evaluates, and the work done on the way.
 
-#include "engine/clock.h"
 #include "engine/integrator/method.h"
+#include "engine/table/step_progress.h"
 
 namespace spoke {
 
@@ -23,18 +23,18 @@ struct Integrator {
 /// h [s]: step n ends at n h.
 double step_size(const Integrator& integrator);
 
-/// A clock that evaluates the accelerations at t = 0 and halts.
-Clock make_start_clock();
+/// Progress before the start: one pass that evaluates the accelerations at t = 0, then a halt.
+StepProgress make_start_progress();
 
-/// Sets the clock to the first pass of step `step`.
-void begin_step(const Integrator& integrator, std::int64_t step, Clock& clock) noexcept;
+/// Sets the progress to the first pass of step `step`.
+void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& progress) noexcept;
 
-/// Takes the report of the pass that the clock stood at, and sets it to the next pass: of the same
+/// Takes the report of the pass that was made, and sets the progress to the next one: of the same
 /// step, or the first one of the next, halting behind the last step of the window. Afterwards
-/// `clock.completed` tells the step that this pass completed, if any, and `record` (written only
+/// `progress.completed` is the step that this pass completed, if any, and `record` (written only
 /// then, but for its reaction) what it did.
 void end_pass(const Integrator& integrator, const Window& window, const PassReport& report,
-              Clock& clock, StepRecord& record) noexcept;
+              StepProgress& progress, StepRecord& record) noexcept;
 
 /// Passes that one step takes: those of rk4, or of a fixed number of iterations; of an iteration to
 /// a tolerance 2, which is what it takes mostly.

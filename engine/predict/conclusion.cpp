@@ -1,3 +1,5 @@
+// The sentences of the conclusion, a function for each.
+
 #include "engine/predict/conclusion.h"
 
 #include <spdlog/fmt/fmt.h>

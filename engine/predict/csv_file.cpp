@@ -1,3 +1,5 @@
+// The rows of predict.csv.
+
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/predict/files.h"

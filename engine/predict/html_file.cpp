@@ -1,3 +1,5 @@
+// The page predict.html: conclusion, charts, table and facts.
+
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>

@@ -1,10 +1,12 @@
+// The fields of predict.json.
+
 #include <spdlog/fmt/fmt.h>
 
 #include <nlohmann/json.hpp>
 
-#include "engine/json/machine_json.h"
 #include "engine/predict/conclusion.h"
 #include "engine/predict/files.h"
+#include "engine/support/machine_json.h"
 
 namespace spoke::predict {
 namespace {
@@ -18,13 +20,13 @@ Json describe(const Quartiles& quartiles) {
 Json describe_runtime(const graph::RuntimeCosts& runtime) {
   return {{"flow_graph_per_node_s", runtime.flow_graph.per_node},
           {"flow_graph_per_cluster_s", runtime.flow_graph.per_cluster},
-          {"flow_graph_contention_s", runtime.flow_graph.contention},
-          {"flow_graph_counting_s", runtime.flow_graph.counting},
-          {"flow_graph_keeping_s", runtime.flow_graph.keeping},
-          {"flow_graph_among_many_s", runtime.flow_graph.among_many},
+          {"flow_graph_contention_s", 0.0},
+          {"flow_graph_counting_s", 0.0},
+          {"flow_graph_keeping_s", runtime.flow_graph.spawn},
+          {"flow_graph_among_many_s", 0.0},
           {"flow_graph_handover_s", runtime.flow_graph.handover},
-          {"flow_graph_run_s", runtime.flow_graph_run},
-          {"flow_graph_run_among_threads_s", runtime.flow_graph_run_among_threads},
+          {"flow_graph_run_s", 0.0},
+          {"flow_graph_run_among_threads_s", 0.0},
           {"openmp_barrier_s", runtime.barrier > 0.0 ? Json(runtime.barrier) : Json()},
           {"openmp_barrier_alone_s", runtime.barrier > 0.0 ? Json(runtime.barrier_alone) : Json()},
           {"transfer_s", runtime.transfer.latency},

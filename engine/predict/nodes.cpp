@@ -1,3 +1,5 @@
+// Medians over the rounds of what nodes cost.
+
 #include "engine/predict/nodes.h"
 
 #include <algorithm>
@@ -36,7 +38,7 @@ std::int64_t choose_steps(Simulation& simulation, double seconds) {
   constexpr double kMostStamps = 8e6;  // 64 MB of them
   constexpr double kFewestWindows = 8.0;
   const std::int64_t window = std::max(simulation.options().window, 1);
-  const NodeMeasurement first = simulation.measure_nodes(2 * window);
+  const NodeMeasurement first = measure_nodes(simulation, 2 * window);
   const double runs = first.runs_per_step * static_cast<double>(window);
   const double nodes = std::max(1, simulation.run_graph().node_count());
   const double affordable = seconds / (runs * compare::median(first.run_times));
@@ -47,9 +49,9 @@ std::int64_t choose_steps(Simulation& simulation, double seconds) {
 
 void NodeTimer::measure(std::int64_t steps) {
   const std::int64_t by_levels = by_levels_ ? steps / 2 : 0;
-  serial_.push_back(simulation_.measure_nodes(steps - by_levels));
+  serial_.push_back(measure_nodes(simulation_, steps - by_levels));
   if (by_levels > 0)
-    levels_.push_back(simulation_.measure_nodes(by_levels, graph::NodeOrder::levels));
+    levels_.push_back(measure_nodes(simulation_, by_levels, graph::NodeOrder::levels));
   steps_ += steps;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+// What the nodes of a graph cost, timed in rounds.
+
 #include <cstdint>
 
 #include "engine/simulation.h"
-#include "graph/run_prediction.h"
+#include "engine/simulation/node_measurement.h"
+#include "graph/tune/run_prediction.h"
 
 namespace spoke::predict {
 

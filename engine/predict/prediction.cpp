@@ -1,3 +1,5 @@
+// Predicts each executor on each number of threads, and adds the measured points.
+
 #include "engine/predict/prediction.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -99,7 +101,7 @@ void predict(Prediction& prediction, const graph::StepGraph& graph,
         point = prediction.serial;
         point.threads = count;
       }
-      series.points.push_back(std::move(point));
+      series.points.push_back(point);
     }
   }
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/compare/rounds.h"
-#include "engine/machine.h"
 #include "engine/predict/nodes.h"
+#include "engine/support/machine.h"
 
 namespace spoke::predict {
 

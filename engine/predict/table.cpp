@@ -1,3 +1,5 @@
+// The rows of the table and the facts above it.
+
 #include "engine/predict/table.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -78,14 +80,9 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
   if (prediction.auto_run) add_run(*prediction.auto_run, "auto", facts);
   facts.emplace_back(
       "flow graph",
-      fmt::format(
-          "{} a cluster, {} more if it is kept for later, {} more after one of another "
-          "thread, which start one in {} at most; {} a handover, {} a run of one thread, {} "
-          "of several",
-          duration_text(flow_graph.per_cluster), duration_text(flow_graph.keeping),
-          duration_text(flow_graph.contention), duration_text(flow_graph.counting),
-          duration_text(flow_graph.handover), duration_text(runtime.flow_graph_run),
-          duration_text(runtime.flow_graph_run_among_threads)));
+      fmt::format("{} a cluster, {} more if it is spawned, {} a handover to another thread",
+                  duration_text(flow_graph.per_cluster), duration_text(flow_graph.spawn),
+                  duration_text(flow_graph.handover)));
   facts.emplace_back(
       "data",
       fmt::format("{} and {:.3g} ns a byte, if another processor wrote it last",

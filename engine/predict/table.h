@@ -1,5 +1,7 @@
 #pragma once
 
+// The table of a prediction.
+
 #include <string>
 
 #include "engine/predict/prediction.h"

@@ -1,3 +1,5 @@
+// Draws a bar chart.
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,7 +68,7 @@ bool has_data(const BarChart& chart, const Scale& scale) {
 std::string text_of(const Bar& bar) { return bar.text.empty() ? figure(bar.value) : bar.text; }
 
 /// Where bars begin.
-double base_of(const Scale& scale) { return scale.place(std::max(scale.low(), 0.0)); }
+double base_of(const Scale& scale) { return scale.position(std::max(scale.low(), 0.0)); }
 
 Layout lay_out(const BarChart& chart) {
   double gutter = 40.0;
@@ -87,15 +89,15 @@ Layout lay_out(const BarChart& chart) {
 
 void draw_error_bar(Svg& svg, const Scale& scale, const Bar& bar, double middle) {
   if (!bar.low || !bar.high || !scale.shows(*bar.low) || !scale.shows(*bar.high)) return;
-  const double low = scale.place(*bar.low);
-  const double high = scale.place(*bar.high);
+  const double low = scale.position(*bar.low);
+  const double high = scale.position(*bar.high);
   svg.line({low, middle}, {high, middle}, "error");
   for (const double x : {low, high}) svg.line({x, middle - 3.0}, {x, middle + 3.0}, "error");
 }
 
 void draw_bar(Svg& svg, const Scale& scale, const Bar& bar, double top) {
   const double base = base_of(scale);
-  const double end = scale.place(bar.value);
+  const double end = scale.position(bar.value);
   const double middle = top + 0.5 * kBarHeight;
   svg.box({std::min(base, end), top + 1.0, std::abs(end - base), kBarHeight - 2.0},
           bar.faint ? "bar faint" : "bar");
@@ -128,7 +130,7 @@ void draw_marks(Svg& svg, const BarChart& chart, const Scale& scale, const Layou
   for (const BarMarks& marks : chart.marks)
     for (std::size_t g = 0; g < std::min(marks.values.size(), chart.groups.size()); ++g) {
       if (!marks.values[g] || !scale.shows(*marks.values[g])) continue;
-      const double x = scale.place(*marks.values[g]);
+      const double x = scale.position(*marks.values[g]);
       const double top = layout.plot.y + static_cast<double>(g) * layout.group_height;
       svg.begin_group("", chart.groups[g] + ", " + marks.name + ": " + figure(*marks.values[g], 4));
       svg.line({x, top + 3.0}, {x, top + layout.group_height - 3.0}, "mark");
@@ -139,7 +141,7 @@ void draw_marks(Svg& svg, const BarChart& chart, const Scale& scale, const Layou
 void draw_lines(Svg& svg, const BarChart& chart, const Scale& scale, const Box& plot) {
   for (const ReferenceLine& line : chart.lines) {
     if (!scale.shows(line.value)) continue;
-    const double x = scale.place(line.value);
+    const double x = scale.position(line.value);
     svg.begin_group("", line.name + ": " + figure(line.value, 4));
     svg.line({x, plot.y}, {x, plot.y + plot.height}, "reference");
     svg.end_group();

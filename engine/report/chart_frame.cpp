@@ -1,3 +1,5 @@
+// Draws what all charts have: title, legend, axes and grid.
+
 #include "engine/report/chart_frame.h"
 
 namespace spoke::report {
@@ -14,7 +16,7 @@ double entry_width(const LegendEntry& entry) {
 
 bool is_shown(const std::vector<LegendEntry>& legend) { return legend.size() > 1; }
 
-void draw_sample(Svg& svg, const LegendEntry& entry, Place at) {
+void draw_sample(Svg& svg, const LegendEntry& entry, Point2 at) {
   const double y = at.y - 4.0;
   switch (entry.sample) {
     case LegendEntry::Sample::box:
@@ -79,7 +81,7 @@ void draw_head(Svg& svg, const std::string& title, const std::vector<LegendEntry
 void draw_x_axis(Svg& svg, const Scale& scale, const Axis& axis, const Box& plot) {
   const double bottom = plot.y + plot.height;
   for (const Tick& tick : scale.ticks()) {
-    const double x = scale.place(tick.value);
+    const double x = scale.position(tick.value);
     svg.line({x, plot.y}, {x, bottom}, "grid");
     svg.text({x, bottom + 17.0}, tick.label, "tick middle");
   }
@@ -88,7 +90,7 @@ void draw_x_axis(Svg& svg, const Scale& scale, const Axis& axis, const Box& plot
 
 void draw_y_axis(Svg& svg, const Scale& scale, const Axis& axis, const Box& plot) {
   for (const Tick& tick : scale.ticks()) {
-    const double y = scale.place(tick.value);
+    const double y = scale.position(tick.value);
     svg.line({plot.x, y}, {plot.x + plot.width, y}, "grid");
     svg.text({plot.x - 8.0, y + 4.0}, tick.label, "tick end");
   }

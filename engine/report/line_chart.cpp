@@ -1,3 +1,5 @@
+// Draws a line chart.
+
 #include <algorithm>
 
 #include "engine/report/chart.h"
@@ -16,7 +18,7 @@ struct Axes {
   Scale x, y;
 
   bool show(double at_x, double at_y) const { return x.shows(at_x) && y.shows(at_y); }
-  Place place(double at_x, double at_y) const { return {x.place(at_x), y.place(at_y)}; }
+  Point2 position(double at_x, double at_y) const { return {x.position(at_x), y.position(at_y)}; }
 };
 
 /// The series that gives the s-th its colour and marker.
@@ -68,7 +70,7 @@ std::string line_path(const LineSeries& series, const Axes& axes) {
   bool joined = false;
   for (const DataPoint& point : series.points) {
     const bool shown = axes.show(point.x, point.y);
-    if (shown) commands += command(joined ? 'L' : 'M', axes.place(point.x, point.y));
+    if (shown) commands += command(joined ? 'L' : 'M', axes.position(point.x, point.y));
     joined = shown;
   }
   return commands;
@@ -81,9 +83,9 @@ std::string band_path(const LineSeries& series, const Axes& axes) {
     if (axes.show(point.x, point.low) && axes.show(point.x, point.high)) band.push_back(point);
   std::string commands;
   for (const BandPoint& point : band)
-    commands += command(commands.empty() ? 'M' : 'L', axes.place(point.x, point.high));
+    commands += command(commands.empty() ? 'M' : 'L', axes.position(point.x, point.high));
   for (auto point = band.rbegin(); point != band.rend(); ++point)
-    commands += command('L', axes.place(point->x, point->low));
+    commands += command('L', axes.position(point->x, point->low));
   return commands.empty() ? commands : commands + 'Z';
 }
 
@@ -105,7 +107,7 @@ void draw_series(Svg& svg, const LineChart& chart, std::size_t s, const Axes& ax
     for (const DataPoint& point : series.points) {
       if (!axes.show(point.x, point.y)) continue;
       svg.begin_group("", tooltip_of(chart, series, point));
-      svg.path(marker(axes.place(point.x, point.y), look), "point");
+      svg.path(marker(axes.position(point.x, point.y), look), "point");
       svg.end_group();
     }
   svg.end_group();
@@ -124,7 +126,7 @@ void draw_bands(Svg& svg, const LineChart& chart, const Axes& axes) {
 void draw_lines(Svg& svg, const LineChart& chart, const Axes& axes, const Box& plot) {
   for (const ReferenceLine& line : chart.lines) {
     if (!axes.y.shows(line.value)) continue;
-    const double y = axes.y.place(line.value);
+    const double y = axes.y.position(line.value);
     svg.begin_group("", line.name + ": " + figure(line.value, 4));
     svg.line({plot.x, y}, {plot.x + plot.width, y}, "reference");
     svg.end_group();

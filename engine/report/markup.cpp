@@ -1,3 +1,5 @@
+// Escapes text for HTML, and formats numbers.
+
 #include "engine/report/markup.h"
 
 #include <algorithm>

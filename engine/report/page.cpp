@@ -1,3 +1,5 @@
+// Puts a page together: its parts as HTML elements.
+
 #include "engine/report/page.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// The text of the style sheet.
+
 #include "engine/report/page_style.h"
 
 namespace spoke::report {

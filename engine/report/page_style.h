@@ -1,5 +1,7 @@
 #pragma once
 
+// The style sheet of all pages.
+
 #include <string_view>
 
 namespace spoke::report {

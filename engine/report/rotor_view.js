@@ -3,7 +3,7 @@
 
 /** Frames of a rotor. data: {times, hub: x, y, angle by frame, blades: [undeformed x, y by node],
  *  displacements: x, y by frame and node in hub axes, as shares of `unit`}. */
-class Film {
+class Animation {
   constructor(data) {
     Object.assign(this, data);
     this.nodes = this.blades.reduce((sum, blade) => sum + blade.length / 2, 0);
@@ -76,22 +76,22 @@ class Film {
 
 class RotorView {
   /** settings: {scale, outline, trails}, shared by the views. */
-  constructor(canvas, film, settings, isInertial) {
-    Object.assign(this, { canvas, film, settings, isInertial });
-    const box = film.travel();
+  constructor(canvas, animation, settings, isInertial) {
+    Object.assign(this, { canvas, animation, settings, isInertial });
+    const box = animation.travel();
     this.travelSize = Math.max(box.x[1] - box.x[0], box.y[1] - box.y[0]);
     this.centre = { x: 0.5 * (box.x[0] + box.x[1]), y: 0.5 * (box.y[0] + box.y[1]) };
     // A hub that goes far takes the view with it.
-    this.follows = isInertial && this.travelSize > 2 * film.radius;
-    this.time = film.begin;
+    this.follows = isInertial && this.travelSize > 2 * animation.radius;
+    this.time = animation.begin;
     new ResizeObserver(() => this.draw(this.time)).observe(canvas);
   }
 
   /** Half the width of what is shown [m]. */
   extent() {
-    const { film, settings } = this;
-    const deformed = film.radius + 0.35 * settings.scale * film.largest.size;
-    const reach = Math.min(deformed, 1.6 * film.radius);
+    const { animation, settings } = this;
+    const deformed = animation.radius + 0.35 * settings.scale * animation.largest.size;
+    const reach = Math.min(deformed, 1.6 * animation.radius);
     const travel = this.isInertial && !this.follows ? 0.5 * this.travelSize : 0;
     return 1.1 * (reach + travel);
   }
@@ -100,14 +100,14 @@ class RotorView {
     this.time = time;
     const { context, width, height } = prepareCanvas(this.canvas);
     const pixels = Math.min(width, height) / (2 * this.extent());
-    const hub = this.isInertial ? this.film.hubAt(time) : { x: 0, y: 0, angle: 0 };
+    const hub = this.isInertial ? this.animation.hubAt(time) : { x: 0, y: 0, angle: 0 };
     let centre = { x: 0, y: 0 };
     if (this.isInertial) centre = this.follows ? hub : this.centre;
     const at = (x, y) => [width / 2 + (x - centre.x) * pixels, height / 2 - (y - centre.y) * pixels];
     this.frame = { context, width, height, pixels, hub, centre, at };
     this.drawGround();
     if (this.isInertial && this.settings.trails) this.drawTrails();
-    const displacements = this.film.displacementsAt(time);
+    const displacements = this.animation.displacementsAt(time);
     if (this.settings.outline) this.drawBlades(displacements, 0, 'outline');
     this.drawBlades(displacements, this.settings.scale, 'blade');
     this.drawHub();
@@ -143,23 +143,23 @@ class RotorView {
     context.stroke();
   }
 
-  /** Where the tips have been in the last tenth of the film. */
+  /** Where the tips have been in the last tenth of the animation. */
   drawTrails() {
-    const { film, settings, frame } = this;
+    const { animation, settings, frame } = this;
     const { context } = frame;
-    const span = 0.1 * (film.end - film.begin);
+    const span = 0.1 * (animation.end - animation.begin);
     const kPieces = 60;
     let first = 0;
-    film.blades.forEach((blade, index) => {
+    animation.blades.forEach((blade, index) => {
       const tip = blade.length / 2 - 1;
       context.strokeStyle = seriesColor(index);
       context.lineWidth = 1.5;
       let last = null;
       for (let k = 0; k <= kPieces; ++k) {
         const time = this.time - span * (1 - k / kPieces);
-        if (time < film.begin) continue;
-        const d = film.displacementsAt(time);
-        const point = this.place(film.hubAt(time), blade, first, tip, d, settings.scale);
+        if (time < animation.begin) continue;
+        const d = animation.displacementsAt(time);
+        const point = this.place(animation.hubAt(time), blade, first, tip, d, settings.scale);
         if (last) {
           context.globalAlpha = 0.45 * (k / kPieces) ** 1.5;
           context.beginPath();
@@ -185,7 +185,7 @@ class RotorView {
   drawBlades(displacements, scale, kind) {
     const { context, hub } = this.frame;
     let first = 0;
-    this.film.blades.forEach((blade, index) => {
+    this.animation.blades.forEach((blade, index) => {
       const count = blade.length / 2;
       const isOutline = kind === 'outline';
       context.strokeStyle = isOutline ? colorOf('--soft') : seriesColor(index);
@@ -207,7 +207,7 @@ class RotorView {
   /** Dots where two bodies meet, and at the tip. */
   drawJoints(points, index) {
     const { context } = this.frame;
-    const every = this.film.joints[index];
+    const every = this.animation.joints[index];
     context.fillStyle = colorOf('--paper');
     context.lineWidth = 1.75;
     for (let k = every; every > 0 && k < points.length; k += every) {
@@ -221,7 +221,7 @@ class RotorView {
   /** The hub, with a stroke that shows how it is turned. */
   drawHub() {
     const { context, hub, pixels, at } = this.frame;
-    const radius = Math.max(7, this.film.hubRadius * pixels);
+    const radius = Math.max(7, this.animation.hubRadius * pixels);
     const [x, y] = at(hub.x, hub.y);
     context.fillStyle = colorOf('--panel');
     context.strokeStyle = colorOf('--ink');

@@ -45,19 +45,19 @@ function mergeEqual(curves) {
   return groups.map(({ first, color, names }) => ({ ...first, color, name: joinNames(names) }));
 }
 
-function decodeFilm(film) {
-  return new Film({
-    ...film,
-    times: decode(film.times, Float32Array),
-    hub: decode(film.hub, Float32Array),
-    blades: film.blades.map((blade) => decode(blade, Float32Array)),
-    displacements: decode(film.displacements, Int16Array),
+function decodeAnimation(animation) {
+  return new Animation({
+    ...animation,
+    times: decode(animation.times, Float32Array),
+    hub: decode(animation.hub, Float32Array),
+    blades: animation.blades.map((blade) => decode(blade, Float32Array)),
+    displacements: decode(animation.displacements, Int16Array),
   });
 }
 
 /** A scale at which the largest displacement is seen: 1, 2 or 5 times a power of ten. */
-function visibleScale(film) {
-  const wanted = (0.06 * film.radius) / film.largest.size;
+function visibleScale(animation) {
+  const wanted = (0.06 * animation.radius) / animation.largest.size;
   if (!(wanted > 1)) return 1;
   const power = 10 ** Math.floor(Math.log10(wanted));
   return Math.min(100, power * [5, 2, 1].find((factor) => factor * power <= wanted));
@@ -65,8 +65,8 @@ function visibleScale(film) {
 
 /** The animation's controls, two views and the clock that moves them. */
 class Player {
-  constructor(film, axis) {
-    this.film = film;
+  constructor(animation, axis) {
+    this.animation = animation;
     this.axis = axis;
     this.isPlaying = false;
     this.controls = Object.fromEntries(
@@ -75,23 +75,23 @@ class Player {
         document.getElementById(`film-${name}`),
       ]),
     );
-    this.settings = { scale: visibleScale(film), outline: true, trails: true };
+    this.settings = { scale: visibleScale(animation), outline: true, trails: true };
     this.views = ['hub', 'inertial'].map((name) => {
       const canvas = document.getElementById(`film-${name}`);
-      return new RotorView(canvas, film, this.settings, name === 'inertial');
+      return new RotorView(canvas, animation, this.settings, name === 'inertial');
     });
     if (this.views[1].follows)
       document.getElementById('film-inertial-note').textContent = ', following the hub';
     this.prepareControls();
-    this.seek(film.largest.time);
+    this.seek(animation.largest.time);
   }
 
   prepareControls() {
     const { play, time, speed, scale, outline, trails } = this.controls;
-    const { film } = this;
-    time.min = film.begin;
-    time.max = film.end;
-    time.step = (film.end - film.begin) / 2000;
+    const { animation } = this;
+    time.min = animation.begin;
+    time.max = animation.end;
+    time.step = (animation.end - animation.begin) / 2000;
     scale.value = 100 * Math.log10(this.settings.scale);
     play.addEventListener('click', () => (this.isPlaying ? this.pause() : this.play()));
     time.addEventListener('input', () => this.seek(Number(time.value)));
@@ -108,7 +108,7 @@ class Player {
   }
 
   seek(time) {
-    this.time = Math.min(Math.max(time, this.film.begin), this.film.end);
+    this.time = Math.min(Math.max(time, this.animation.begin), this.animation.end);
     this.axis.marker = this.time;
     this.axis.changed();
     this.redraw();
@@ -128,7 +128,7 @@ class Player {
   play() {
     this.isPlaying = true;
     this.lastFrame = null;
-    if (this.time >= this.film.end) this.seek(this.film.begin);
+    if (this.time >= this.animation.end) this.seek(this.animation.begin);
     this.controls.play.textContent = 'Pause';
     requestAnimationFrame((now) => this.advance(now));
   }
@@ -145,7 +145,7 @@ class Player {
       this.lastFrame = now;
       this.seek(this.time + passed * Number(this.controls.speed.value));
     }
-    if (this.time >= this.film.end) this.pause();
+    if (this.time >= this.animation.end) this.pause();
     else requestAnimationFrame((next) => this.advance(next));
   }
 }
@@ -155,7 +155,7 @@ function startPage() {
   const axis = new TimeAxis(0, data.end);
   const region = document.getElementById('spoken');
   const say = (text) => (region.textContent = text);
-  const player = data.film ? new Player(decodeFilm(data.film), axis) : null;
+  const player = data.film ? new Player(decodeAnimation(data.film), axis) : null;
   const host = document.getElementById('plots');
   const plots = data.plots.map((plot) => ({ ...plot, curves: mergeEqual(plot.curves.map(decodeCurve)) }));
   for (const plot of plots)

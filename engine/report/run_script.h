@@ -1,5 +1,7 @@
 #pragma once
 
+// The script of report.html, which the build embeds.
+
 #include <string_view>
 
 namespace spoke::report {

@@ -1,7 +1,10 @@
+// Round ticks, linear and logarithmic, and their labels.
+
 #include "engine/report/scale.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdio>
 
@@ -75,10 +78,12 @@ void Range::add(double value) {
 }
 
 std::vector<double> round_ticks(double low, double high, int most) {
+  assert(low < high && std::isfinite(low) && std::isfinite(high));
   return multiples(low, high, round_step(high - low, most));
 }
 
 std::vector<double> log_ticks(double low, double high, int most) {
+  assert(0.0 < low && low < high && std::isfinite(high));
   const double first = std::floor(std::log10(low) + 1e-12);
   const double decades = std::ceil(std::log10(high) - 1e-12) - first;
   const bool only_powers = 3.0 * std::log10(high / low) > most;
@@ -131,7 +136,7 @@ double Scale::share(double value) const {
                                     : std::log(value / low_) / std::log(high_ / low_);
 }
 
-double Scale::place(double value) const {
+double Scale::position(double value) const {
   return std::lerp(first_, last_, std::clamp(share(std::clamp(value, low_, high_)), 0.0, 1.0));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Axes of charts: from values to places, with ticks at round numbers.
+// Axes of charts: from values to positions, with ticks at round numbers.
 
 #include <optional>
 #include <string>
@@ -42,14 +42,14 @@ std::vector<double> round_ticks(double low, double high, int most);
 /// Precondition: 0 < low < high, finite.
 std::vector<double> log_ticks(double low, double high, int most);
 
-/// Maps the values of an axis to places between `first` (at the low end) and `last`.
+/// Maps the values of an axis to positions between `first` (at the low end) and `last`.
 class Scale {
  public:
   /// `values`: what the chart shows; may be empty. `most_ticks`: that there is room for.
   Scale(const Axis& axis, const Range& values, double first, double last, int most_ticks = 7);
 
-  /// The place of a value; of one beyond an end, that end.
-  double place(double value) const;
+  /// The position of a value; of one beyond an end, that end.
+  double position(double value) const;
   /// Whether the axis can show it at all: finite, and positive if it is logarithmic.
   bool shows(double value) const;
   const std::vector<Tick>& ticks() const { return ticks_; }

@@ -1,6 +1,9 @@
+// Writes the elements of a drawing.
+
 #include "engine/report/svg.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/report/markup.h"
 
@@ -22,9 +25,9 @@ std::size_t characters_of(std::string_view text) {
   return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues));
 }
 
-std::string polygon(std::initializer_list<Place> corners) {
+std::string polygon(std::initializer_list<Point2> corners) {
   std::string commands;
-  for (const Place corner : corners) commands += command(commands.empty() ? 'M' : 'L', corner);
+  for (const Point2 corner : corners) commands += command(commands.empty() ? 'M' : 'L', corner);
   return commands + 'Z';
 }
 
@@ -36,7 +39,7 @@ Svg::Svg(double width, double height, std::string_view label) {
           coordinate(height) + "\">\n";
 }
 
-void Svg::line(Place from, Place to, std::string_view css) {
+void Svg::line(Point2 from, Point2 to, std::string_view css) {
   text_ += "<line" + attribute("x1", from.x) + attribute("y1", from.y) + attribute("x2", to.x) +
            attribute("y2", to.y) + attribute("class", css) + "/>\n";
 }
@@ -50,12 +53,12 @@ void Svg::path(std::string_view commands, std::string_view css) {
   text_ += "<path" + attribute("d", commands) + attribute("class", css) + "/>\n";
 }
 
-void Svg::text(Place at, std::string_view text, std::string_view css) {
+void Svg::text(Point2 at, std::string_view text, std::string_view css) {
   text_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + attribute("class", css) + '>' +
            escape(text) + "</text>\n";
 }
 
-void Svg::upward_text(Place at, std::string_view text, std::string_view css) {
+void Svg::upward_text(Point2 at, std::string_view text, std::string_view css) {
   text_ += "<text transform=\"translate(" + coordinate(at.x) + ' ' + coordinate(at.y) +
            ") rotate(-90)\"" + attribute("class", css) + '>' + escape(text) + "</text>\n";
 }
@@ -64,9 +67,18 @@ void Svg::begin_group(std::string_view css, std::string_view tooltip) {
   text_ += "<g" + attribute("class", css) + '>';
   if (!tooltip.empty()) text_ += "<title>" + escape(tooltip) + "</title>";
   text_ += '\n';
+  ++open_groups_;
 }
 
-void Svg::end_group() { text_ += "</g>\n"; }
+void Svg::end_group() {
+  text_ += "</g>\n";
+  --open_groups_;
+}
+
+std::string Svg::markup() const {
+  assert(open_groups_ == 0);
+  return text_ + "</svg>\n";
+}
 
 std::string shortened(std::string_view text, std::size_t most) {
   if (characters_of(text) <= most) return std::string(text);
@@ -79,14 +91,14 @@ std::string shortened(std::string_view text, std::size_t most) {
 
 double width_of(std::string_view text) { return 7.7 * static_cast<double>(characters_of(text)); }
 
-std::string command(char letter, Place at) {
+std::string command(char letter, Point2 at) {
   std::string text(1, letter);
   text += coordinate(at.x);
   text += ' ';
   return text += coordinate(at.y);
 }
 
-std::string marker(Place at, std::size_t shape) {
+std::string marker(Point2 at, std::size_t shape) {
   const auto [x, y] = at;
   constexpr double r = 4.2;
   switch (shape % 5) {

@@ -1,11 +1,13 @@
 #pragma once
 
+// A drawing as SVG.
+
 #include <string>
 #include <string_view>
 
 namespace spoke::report {
 
-struct Place {
+struct Point2 {
   double x = 0.0, y = 0.0;  ///< to the right, and down
 };
 
@@ -20,21 +22,22 @@ class Svg {
   /// `label` is what a screen reader says.
   Svg(double width, double height, std::string_view label);
 
-  void line(Place from, Place to, std::string_view css);
+  void line(Point2 from, Point2 to, std::string_view css);
   void box(const Box& box, std::string_view css);
   void path(std::string_view commands, std::string_view css);
-  void text(Place at, std::string_view text, std::string_view css);
+  void text(Point2 at, std::string_view text, std::string_view css);
   /// Text that reads upwards.
-  void upward_text(Place at, std::string_view text, std::string_view css);
+  void upward_text(Point2 at, std::string_view text, std::string_view css);
   /// Elements up to end_group() share the classes and show the tooltip, if there is one.
   void begin_group(std::string_view css, std::string_view tooltip = {});
   void end_group();
 
   /// The markup. Precondition: all groups are ended.
-  std::string markup() const { return text_ + "</svg>\n"; }
+  std::string markup() const;
 
  private:
   std::string text_;
+  int open_groups_ = 0;
 };
 
 /// A text cut to the number of characters, the last one then an ellipsis.
@@ -42,9 +45,9 @@ std::string shortened(std::string_view text, std::size_t most);
 /// About how wide a text of a chart is.
 double width_of(std::string_view text);
 
-/// One command of a path: a letter such as M (move there) or L (a line to there), and the place.
-std::string command(char letter, Place at);
+/// One command of a path: a letter such as M (move there) or L (a line to there), and the point.
+std::string command(char letter, Point2 at);
 /// Path commands of a marker of the k-th shape, to tell series apart without colour.
-std::string marker(Place at, std::size_t shape);
+std::string marker(Point2 at, std::size_t shape);
 
 }  // namespace spoke::report

@@ -1,3 +1,5 @@
+// Fills the charts with what was computed and with the paper's values.
+
 #include "engine/reproduce/charts.h"
 
 #include <spdlog/fmt/fmt.h>

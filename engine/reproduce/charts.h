@@ -1,5 +1,7 @@
 #pragma once
 
+// The charts of the page of reproduce.
+
 #include "engine/report/chart.h"
 #include "engine/reproduce/reproduction.h"
 

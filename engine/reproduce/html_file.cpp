@@ -1,3 +1,5 @@
+// The page reproduce.html: a part for each table and figure of the paper.
+
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/reproduce/charts.h"

@@ -1,13 +1,16 @@
+// Takes the nodes "inverse" out of a step's graph, and runs and times them.
+
 #include "engine/reproduce/inverse_part.h"
 
+#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <string_view>
 #include <vector>
 
-#include "engine/integrator/time_stepper.h"
-#include "engine/step_graph_builder.h"
-#include "graph/node_costs.h"
+#include "engine/run/time_stepper.h"
+#include "engine/step/step_graph_builder.h"
+#include "graph/calibrate/node_costs.h"
 
 namespace spoke::reproduce {
 namespace {
@@ -29,11 +32,10 @@ graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) 
   return builder.build();
 }
 
-/// After the evaluation at t = 0 clocks wait for a window, and nodes for them. Here they may go on
-/// and on.
-void free_clocks(StepContext& context) {
+/// After the evaluation at t = 0 all nodes wait for a window. Here they may go on and on.
+void resume_all(StepContext& context) {
   context.data.window.last = std::numeric_limits<std::int32_t>::max();
-  for (Clock& clock : context.data.clocks) clock.halted = 0.0;
+  for (StepProgress& progress : context.data.progress) progress.is_halted = false;
 }
 
 std::unique_ptr<StepContext> make_context(const Scenario& scenario, Formulation formulation) {
@@ -54,7 +56,7 @@ struct InversePart::Impl {
         part(extract(whole, kStage)),
         executor(graph::make_executor(part, options.executor, options.threads)) {
     TimeStepper(*context, whole).start();
-    free_clocks(*context);
+    resume_all(*context);
   }
 
   std::unique_ptr<StepContext> context;
@@ -64,7 +66,9 @@ struct InversePart::Impl {
 };
 
 InversePart::InversePart(const Scenario& scenario, const SimulationOptions& options)
-    : impl_(std::make_unique<Impl>(scenario, options)) {}
+    : impl_(std::make_unique<Impl>(scenario, options)) {
+  assert(options.formulation != Formulation::augmented);
+}
 InversePart::~InversePart() = default;
 
 void InversePart::run(std::int64_t steps) {
@@ -79,7 +83,7 @@ double measure_inverse_share(const Scenario& scenario, Formulation formulation) 
   const auto context = make_context(scenario, formulation);
   const graph::StepGraph whole = build_step_graph(*context);
   TimeStepper(*context, whole).start();
-  free_clocks(*context);
+  resume_all(*context);
   for (int pass = 0; pass < kWarmUpPasses; ++pass)
     for (const graph::NodeId node : whole.serial_order()) whole.run_node(node);
   graph::NodeCosts costs(whole);

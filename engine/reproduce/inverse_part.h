@@ -1,5 +1,7 @@
 #pragma once
 
+// The part of a step that the paper times in Fig. 12.
+
 #include <memory>
 
 #include "engine/simulation.h"

@@ -1,10 +1,12 @@
+// The fields of reproduce.json.
+
 #include <nlohmann/json.hpp>
 
-#include "engine/json/machine_json.h"
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/paper.h"
 #include "engine/reproduce/remarks.h"
 #include "engine/reproduce/tables.h"
+#include "engine/support/machine_json.h"
 
 namespace spoke::reproduce {
 namespace {

@@ -1,3 +1,5 @@
+// Closed forms of the operations of dense and banded kernels.
+
 #include "engine/reproduce/kernel_operations.h"
 
 #include <algorithm>

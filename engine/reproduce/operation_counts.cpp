@@ -1,3 +1,5 @@
+// Operations of one evaluation, summed over the kernels of each formulation.
+
 #include "engine/reproduce/operation_counts.h"
 
 // Each function counts one node of the step graph, in the order of its statements; the kernels'

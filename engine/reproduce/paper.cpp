@@ -1,3 +1,5 @@
+// Evaluates the formulas of the paper's Table 2.
+
 #include "engine/reproduce/paper.h"
 
 namespace spoke::reproduce::paper {

@@ -1,3 +1,5 @@
+// The paragraphs, a function for each table and figure.
+
 #include "engine/reproduce/remarks.h"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,7 +1,9 @@
 #pragma once
 
+// All that `spoke reproduce` computes and measures.
+
 #include "engine/compare/comparison.h"
-#include "engine/reproduce/histories.h"
+#include "engine/reproduce/figures.h"
 #include "engine/reproduce/timings.h"
 
 namespace spoke::reproduce {

@@ -1,3 +1,5 @@
+// The rows of the tables, beside the paper's values.
+
 #include "engine/reproduce/tables.h"
 
 #include <spdlog/fmt/fmt.h>

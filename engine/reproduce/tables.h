@@ -1,5 +1,7 @@
 #pragma once
 
+// The tables of the page of reproduce.
+
 #include "engine/report/page.h"
 #include "engine/reproduce/reproduction.h"
 

@@ -1,3 +1,5 @@
+// Which configurations are measured, and how their times are found again.
+
 #include "engine/reproduce/timings.h"
 
 #include <utility>

@@ -1,3 +1,5 @@
+// Encodes three bytes as four letters.
+
 #include "engine/run_report/base64.h"
 
 #include <bit>

@@ -1,5 +1,7 @@
 #pragma once
 
+// Numbers as text, for the data in a page.
+
 #include <cstdint>
 #include <span>
 #include <string>

@@ -1,3 +1,5 @@
+// The page report.html: warnings, tiles, pictures, plots and facts.
+
 #include "engine/run_report/html_file.h"
 
 #include <spdlog/fmt/fmt.h>
@@ -5,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/machine.h"
 #include "engine/report/markup.h"
 #include "engine/report/page.h"
 #include "engine/report/run_script.h"
+#include "engine/support/machine.h"
 
 namespace spoke::run_report {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 // Beyond this share of the kinetic energy an error of integration is worth a warning.
 constexpr double kNotableResidual = 1e-3;
 
-constexpr const char* kFilmMarkup = R"(<div class="film">
+constexpr const char* kAnimationMarkup = R"(<div class="film">
 <div class="views">
 <figure><figcaption><strong>In the hub's frame</strong></figcaption>
 <canvas id="film-hub" role="img" aria-label="The rotor from above, seen from the turning hub"></canvas></figure>
@@ -190,14 +192,14 @@ report::Table extremes(const Simulation& simulation, const SensorStatistics& sta
 }
 
 std::string describe_data(const Recorder& recorder) {
-  const std::size_t rows = recorder.history().rows_per_bucket();
+  const std::size_t rows = recorder.curves().rows_per_bucket();
   std::string text = rows == 1
                          ? "The plots show every row of sensors.csv."
                          : fmt::format(
                                "The plots show, of each {} rows of sensors.csv, the lowest and the "
                                "highest value.",
                                rows);
-  const std::vector<double>& times = recorder.film().times();
+  const std::vector<double>& times = recorder.animation().times();
   if (times.size() < 2) return text + " The run was too short for an animation.";
   return text + fmt::format(
                     " The animation has {} pictures, {} s apart; in between it moves along "
@@ -217,9 +219,9 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
   page.widen();
   add_warnings(page, simulation, statistics, outcome);
   page.add_tiles(make_tiles(simulation, statistics, outcome, tips));
-  if (recorder.film().times().size() > 1) {
+  if (recorder.animation().times().size() > 1) {
     page.add_heading("Motion");
-    page.add_markup(kFilmMarkup);
+    page.add_markup(kAnimationMarkup);
   }
   page.add_heading("Over time");
   page.add_markup(kPlotsMarkup);

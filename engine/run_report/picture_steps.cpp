@@ -1,3 +1,5 @@
+// Chooses every k-th output time.
+
 #include "engine/run_report/picture_steps.h"
 
 #include <algorithm>

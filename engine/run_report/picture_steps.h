@@ -1,5 +1,7 @@
 #pragma once
 
+// At which steps pictures are taken.
+
 #include <cstddef>
 #include <cstdint>
 

@@ -1,3 +1,5 @@
+// Hands rows to curves and pictures, and writes both as the data of the page.
+
 #include "engine/run_report/recorder.h"
 
 #include <algorithm>
@@ -37,31 +39,31 @@ Json describe_plots(const Recorder& recorder) {
     Json curves = Json::array();
     for (const Channel& channel : plot.channels)
       curves.push_back(
-          {{"name", channel.name}, {"samples", encode_curve(recorder.history().curve(index++))}});
+          {{"name", channel.name}, {"samples", encode_curve(recorder.curves().curve(index++))}});
     plots.push_back({{"title", plot.title}, {"unit", plot.unit}, {"curves", curves}});
   }
   return plots;
 }
 
 /// Displacements as 16-bit shares of the largest one.
-Json describe_film(const Film& film, double hub_radius) {
+Json describe_animation(const Animation& animation, double hub_radius) {
   constexpr float kMost = 32767.0F;
-  const float largest = film.largest_displacement();
+  const float largest = animation.largest_displacement();
   const float unit = largest > 0.0F ? largest / kMost : 1.0F;
   std::vector<std::int16_t> displacements;
-  displacements.reserve(film.displacements().size());
-  for (const float number : film.displacements())
+  displacements.reserve(animation.displacements().size());
+  for (const float number : animation.displacements())
     displacements.push_back(static_cast<std::int16_t>(std::lround(number / unit)));
   Json blades = Json::array(), joints = Json::array();
-  for (const Film::Blade& blade : film.blades()) {
+  for (const Animation::Blade& blade : animation.blades()) {
     std::vector<float> places;
     for (const Position& p : blade.undeformed)
       places.insert(places.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
     blades.push_back(encode(places));
     joints.push_back(blade.nodes_per_body);
   }
-  return {{"times", encode(to_floats(film.times()))},
-          {"hub", encode(film.hub())},
+  return {{"times", encode(to_floats(animation.times()))},
+          {"hub", encode(animation.hub())},
           {"hubRadius", hub_radius},
           {"blades", blades},
           {"joints", joints},
@@ -74,8 +76,8 @@ Json describe_film(const Film& film, double hub_radius) {
 Recorder::Recorder(const Simulation& simulation)
     : plots_(make_plots(simulation)),
       values_(count_channels(plots_)),
-      history_(values_.size()),
-      film_(simulation) {}
+      curves_(values_.size()),
+      animation_(simulation) {}
 
 void Recorder::add_row(double t, std::span<const double> sensors) {
   std::size_t at = 0;
@@ -85,16 +87,18 @@ void Recorder::add_row(double t, std::span<const double> sensors) {
       if (channel.second_factor != 0.0) value += channel.second_factor * sensors[channel.second];
       values_[at++] = value;
     }
-  history_.add(t, values_);
+  curves_.add(t, values_);
 }
 
 std::string make_data(const Recorder& recorder, double hub_radius) {
   double end = 0.0;
-  const auto samples = recorder.history().curve(0);
+  const auto samples = recorder.curves().curve(0);
   if (!samples.empty()) end = samples.back().t;
-  if (!recorder.film().times().empty()) end = std::max(end, recorder.film().times().back());
+  if (!recorder.animation().times().empty())
+    end = std::max(end, recorder.animation().times().back());
   Json data = {{"end", end > 0.0 ? end : 1.0}, {"plots", describe_plots(recorder)}};
-  if (recorder.film().times().size() > 1) data["film"] = describe_film(recorder.film(), hub_radius);
+  if (recorder.animation().times().size() > 1)
+    data["film"] = describe_animation(recorder.animation(), hub_radius);
   return data.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

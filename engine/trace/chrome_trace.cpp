@@ -1,8 +1,11 @@
+// Writes the tracks, their slices and the arrows of one step.
+
 #include "engine/trace/chrome_trace.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -206,6 +209,7 @@ Json describe_origin(const Trace& trace) {
 }  // namespace
 
 std::string make_chrome_trace(const Trace& trace) {
+  assert(!trace.steps.steps.empty());
   Events events;
   add_names(trace, events);
   add_runs(trace.steps, events);

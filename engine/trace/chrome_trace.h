@@ -1,5 +1,7 @@
 #pragma once
 
+// A trace as Chrome trace events.
+
 #include <string>
 
 #include "engine/trace/trace.h"

@@ -1,5 +1,8 @@
+// Writes each file whole or not at all.
+
 #include "engine/trace/files.h"
 
+#include <cassert>
 #include <string>
 #include <system_error>
 
@@ -23,6 +26,7 @@ void remove_files(const std::filesystem::path& folder) {
 
 WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder,
                          std::string_view viewer_page) {
+  assert(!trace.steps.steps.empty());
   WrittenFiles written{{"trace.json", "graph.dot"}, {}};
   write_file(folder / "trace.json", make_chrome_trace(trace));
   write_file(folder / "graph.dot", make_dot(trace));

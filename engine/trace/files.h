@@ -1,5 +1,7 @@
 #pragma once
 
+// The files of a trace.
+
 #include <cstddef>
 #include <filesystem>
 #include <string>

@@ -1,9 +1,12 @@
+// Groups nodes into boxes where there are many, and writes boxes and edges for Graphviz.
+
 #include "engine/trace/graph_picture.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -12,9 +15,12 @@
 #include <utility>
 
 #include "engine/trace/statistics.h"
+#include "graph/structure/index_of.h"
 
 namespace spoke::trace {
 namespace {
+
+using graph::index_of;
 
 constexpr int kMostNodes = 1000;
 
@@ -24,8 +30,6 @@ constexpr std::array kShades{"#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed
 constexpr std::size_t kFirstDark = 5;  // from here on letters are white
 /// Okabe and Ito's vermilion, against the blues.
 constexpr const char* kCritical = "#d55e00";
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// What one box of the picture stands for.
 struct Box {
@@ -71,12 +75,13 @@ Boxes group(const TracedGraph& graph, std::string unit, KeyOf key_of) {
 Boxes boxes_of_nodes(const TracedGraph& graph) {
   Boxes boxes = group(graph, "node", [](int node) { return node; });
   for (int node = 0; node < graph.node_count(); ++node) {
-    const graph::NodeLabel& label = graph.labels[at(node)];
+    const graph::NodeLabel& label = graph.labels[index_of(node)];
     const std::string stage =
         label.body < 0 ? label.stage : fmt::format("body {} / {}", label.body + 1, label.stage);
-    boxes.all[at(node)].label = label.subsystem < 0 ? stage
-                                                    : fmt::format("{} {}\n{}", graph.subsystem_word,
-                                                                  label.subsystem + 1, stage);
+    boxes.all[index_of(node)].label =
+        label.subsystem < 0
+            ? stage
+            : fmt::format("{} {}\n{}", graph.subsystem_word, label.subsystem + 1, stage);
   }
   return boxes;
 }
@@ -85,7 +90,7 @@ Boxes boxes_of_nodes(const TracedGraph& graph) {
 std::vector<int> clusters_of_nodes(const StepTrace& trace) {
   std::vector<int> clusters(trace.graph.labels.size(), -1);
   for (const NodeSlice& slice : trace.slices_of(middle_step(trace).step))
-    if (slice.pass == 0) clusters[at(slice.node)] = slice.cluster;
+    if (slice.pass == 0) clusters[index_of(slice.node)] = slice.cluster;
   return clusters;
 }
 
@@ -93,13 +98,14 @@ Boxes boxes_of_clusters(const StepTrace& trace) {
   const std::vector<int> clusters = clusters_of_nodes(trace);
   Boxes boxes = group(trace.graph, "cluster", [&](int node) {
     // A node that did not run in that pass stays alone.
-    return clusters[at(node)] >= 0 ? std::pair(0, clusters[at(node)]) : std::pair(1, node);
+    return clusters[index_of(node)] >= 0 ? std::pair(0, clusters[index_of(node)])
+                                         : std::pair(1, node);
   });
   std::vector<std::set<std::string>> stages(boxes.all.size());
   for (int node = 0; node < trace.graph.node_count(); ++node) {
-    const int box = boxes.of_node[at(node)];
-    boxes.all[at(box)].label = fmt::format("cluster {}", clusters[at(node)]);
-    stages[at(box)].insert(trace.graph.labels[at(node)].stage);
+    const int box = boxes.of_node[index_of(node)];
+    boxes.all[index_of(box)].label = fmt::format("cluster {}", clusters[index_of(node)]);
+    stages[index_of(box)].insert(trace.graph.labels[index_of(node)].stage);
   }
   constexpr std::size_t most_stages = 3;
   for (std::size_t box = 0; box < boxes.all.size(); ++box) {
@@ -114,12 +120,12 @@ Boxes boxes_of_clusters(const StepTrace& trace) {
 Boxes boxes_of_stages(const TracedGraph& graph, bool by_subsystem) {
   Boxes boxes =
       group(graph, by_subsystem ? graph.subsystem_word + " and stage" : "stage", [&](int node) {
-        const graph::NodeLabel& label = graph.labels[at(node)];
+        const graph::NodeLabel& label = graph.labels[index_of(node)];
         return std::pair(by_subsystem ? label.subsystem : -1, label.stage);
       });
   for (int node = 0; node < graph.node_count(); ++node) {
-    const graph::NodeLabel& label = graph.labels[at(node)];
-    std::string& text = boxes.all[at(boxes.of_node[at(node)])].label;
+    const graph::NodeLabel& label = graph.labels[index_of(node)];
+    std::string& text = boxes.all[index_of(boxes.of_node[index_of(node)])].label;
     text = by_subsystem && label.subsystem >= 0
                ? fmt::format("{} {}\n{}", graph.subsystem_word, label.subsystem + 1, label.stage)
                : label.stage;
@@ -142,7 +148,7 @@ Boxes make_boxes(const StepTrace& trace) {
 void add_costs(const StepTrace& trace, Boxes& boxes) {
   const std::vector<double> costs = mean_costs(trace), shares = time_shares(trace);
   for (std::size_t node = 0; node < costs.size(); ++node) {
-    Box& box = boxes.all[at(boxes.of_node[node])];
+    Box& box = boxes.all[index_of(boxes.of_node[node])];
     box.cost += costs[node];
     box.share += shares[node];
     ++box.nodes;
@@ -152,7 +158,7 @@ void add_costs(const StepTrace& trace, Boxes& boxes) {
 std::vector<NodeEdge> edges_between(const TracedGraph& graph, const Boxes& boxes) {
   std::set<std::pair<int, int>> pairs;
   for (const NodeEdge& edge : graph.edges) {
-    const int from = boxes.of_node[at(edge.from)], to = boxes.of_node[at(edge.to)];
+    const int from = boxes.of_node[index_of(edge.from)], to = boxes.of_node[index_of(edge.to)];
     if (from != to) pairs.emplace(from, to);
   }
   std::vector<NodeEdge> edges;
@@ -196,6 +202,7 @@ void write_edges(fmt::memory_buffer& text, const std::vector<NodeEdge>& edges,
 }  // namespace
 
 std::string make_dot(const Trace& trace) {
+  assert(!trace.steps.steps.empty());
   Boxes boxes = make_boxes(trace.steps);
   add_costs(trace.steps, boxes);
   const std::vector<NodeEdge> edges = edges_between(trace.steps.graph, boxes);
@@ -218,7 +225,7 @@ std::string make_dot(const Trace& trace) {
       in_dot(trace.title), in_dot(boxes.unit), trace.steps.steps.size(),
       in_dot(trace.steps.executor), duration([&] {
         double sum = 0.0;
-        for (const int box : path) sum += costs[at(box)];
+        for (const int box : path) sum += costs[index_of(box)];
         return sum;
       }()));
   for (std::size_t box = 0; box < boxes.all.size(); ++box)

@@ -1,5 +1,7 @@
 #pragma once
 
+// The step graph as a picture, coloured by time.
+
 #include <string>
 
 #include "engine/trace/trace.h"

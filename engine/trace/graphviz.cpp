@@ -1,3 +1,5 @@
+// Starts `dot`, and ends it if it takes too long.
+
 #include "engine/trace/graphviz.h"
 
 #include <fcntl.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+// Pictures by Graphviz.
+
 #include <filesystem>
 #include <string>
 

@@ -1,3 +1,5 @@
+// Writes the fields of docs/trace.md, slices as columns.
+
 #include "engine/trace/page_data.h"
 
 #include <spdlog/fmt/fmt.h>

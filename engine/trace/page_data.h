@@ -1,5 +1,7 @@
 #pragma once
 
+// A trace as the data of trace.html.
+
 #include <string>
 #include <string_view>
 

@@ -1,21 +1,24 @@
+// Work, span, makespan and idle time of traced steps.
+
 #include "engine/trace/statistics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <numeric>
 
-#include "graph/quantiles.h"
+#include "graph/calibrate/quantiles.h"
+#include "graph/structure/index_of.h"
 
 namespace spoke::trace {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 double seconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 double duration(const NodeSlice& slice) { return seconds(slice.end - slice.begin); }
 
+using graph::index_of;
 using graph::median;
 
 /// What a step needs to be timed, gathered in one walk over all slices.
@@ -29,12 +32,12 @@ std::map<std::int64_t, StepSlices> gather(const StepTrace& trace) {
   std::map<std::int64_t, StepSlices> steps;
   const std::size_t nodes = trace.graph.labels.size();
   for (const TracedStep& step : trace.steps)
-    steps[step.step].durations.resize(nodes * at(step.passes));
+    steps[step.step].durations.resize(nodes * index_of(step.passes));
   for (const NodeSlice& slice : trace.slices) {
     const auto found = steps.find(slice.step);
     if (found == steps.end()) continue;
     StepSlices& step = found->second;
-    step.durations[at(slice.pass) * nodes + at(slice.node)] += duration(slice);
+    step.durations[index_of(slice.pass) * nodes + index_of(slice.node)] += duration(slice);
     step.begin = std::min(step.begin, slice.begin);
     step.end = std::max(step.end, slice.end);
   }
@@ -45,18 +48,19 @@ std::map<std::int64_t, StepSlices> gather(const StepTrace& trace) {
 double find_span(const TracedGraph& graph, const std::vector<double>& durations) {
   const std::size_t nodes = graph.labels.size();
   std::vector<std::vector<int>> before(nodes), in_pass_before(nodes);
-  for (const NodeEdge& edge : graph.edges) before[at(edge.to)].push_back(edge.from);
+  for (const NodeEdge& edge : graph.edges) before[index_of(edge.to)].push_back(edge.from);
   for (const NodeEdge& edge : graph.next_pass_edges)
-    in_pass_before[at(edge.to)].push_back(edge.from);
+    in_pass_before[index_of(edge.to)].push_back(edge.from);
   std::vector<double> ends(durations.size());
   double span = 0.0;
   for (std::size_t k = 0; k < durations.size(); ++k) {
     const std::size_t pass = k / nodes, node = k % nodes;
     double begin = 0.0;
-    for (const int from : before[node]) begin = std::max(begin, ends[pass * nodes + at(from)]);
+    for (const int from : before[node])
+      begin = std::max(begin, ends[pass * nodes + index_of(from)]);
     if (pass > 0)
       for (const int from : in_pass_before[node])
-        begin = std::max(begin, ends[(pass - 1) * nodes + at(from)]);
+        begin = std::max(begin, ends[(pass - 1) * nodes + index_of(from)]);
     ends[k] = begin + durations[k];
     span = std::max(span, ends[k]);
   }
@@ -83,6 +87,7 @@ bool overlap(const StepTrace& trace) {
 }
 
 Summary summarise(const StepTrace& trace) {
+  assert(!trace.steps.empty());
   const std::vector<StepTimes> times = time_steps(trace);
   std::vector<double> works, spans, makespans;
   for (const StepTimes& step : times) {
@@ -115,8 +120,8 @@ std::vector<double> mean_costs(const StepTrace& trace) {
   std::vector<double> sums(trace.graph.labels.size()), counts(sums.size());
   for (const NodeSlice& slice : trace.slices) {
     if (slice.step < 0) continue;
-    sums[at(slice.node)] += duration(slice);
-    counts[at(slice.node)] += 1.0;
+    sums[index_of(slice.node)] += duration(slice);
+    counts[index_of(slice.node)] += 1.0;
   }
   for (std::size_t node = 0; node < sums.size(); ++node)
     if (counts[node] > 0.0) sums[node] /= counts[node];
@@ -128,7 +133,7 @@ std::vector<double> time_shares(const StepTrace& trace) {
   double all = 0.0;
   for (const NodeSlice& slice : trace.slices) {
     if (slice.step < 0) continue;
-    shares[at(slice.node)] += duration(slice);
+    shares[index_of(slice.node)] += duration(slice);
     all += duration(slice);
   }
   for (double& share : shares) share = all > 0.0 ? share / all : 0.0;
@@ -140,27 +145,27 @@ std::vector<int> longest_path(const std::vector<NodeEdge>& edges,
   std::vector<std::vector<int>> next(costs.size());
   std::vector<int> waiting(costs.size()), ready, before(costs.size(), -1);
   for (const NodeEdge& edge : edges) {
-    next[at(edge.from)].push_back(edge.to);
-    ++waiting[at(edge.to)];
+    next[index_of(edge.from)].push_back(edge.to);
+    ++waiting[index_of(edge.to)];
   }
   for (std::size_t node = 0; node < costs.size(); ++node)
     if (waiting[node] == 0) ready.push_back(static_cast<int>(node));
   std::vector<double> ends = costs;
   for (std::size_t k = 0; k < ready.size(); ++k) {
     const int node = ready[k];
-    for (const int successor : next[at(node)]) {
-      const double end = ends[at(node)] + costs[at(successor)];
-      if (before[at(successor)] < 0 || end > ends[at(successor)]) {
-        ends[at(successor)] = end;
-        before[at(successor)] = node;
+    for (const int successor : next[index_of(node)]) {
+      const double end = ends[index_of(node)] + costs[index_of(successor)];
+      if (before[index_of(successor)] < 0 || end > ends[index_of(successor)]) {
+        ends[index_of(successor)] = end;
+        before[index_of(successor)] = node;
       }
-      if (--waiting[at(successor)] == 0) ready.push_back(successor);
+      if (--waiting[index_of(successor)] == 0) ready.push_back(successor);
     }
   }
   std::vector<int> path;
   if (costs.empty()) return path;
   for (int node = static_cast<int>(std::max_element(ends.begin(), ends.end()) - ends.begin());
-       node >= 0; node = before[at(node)])
+       node >= 0; node = before[index_of(node)])
     path.push_back(node);
   std::reverse(path.begin(), path.end());
   return path;

@@ -1,8 +1,11 @@
+// Collects settings, machine and remarks of a trace.
+
 #include "engine/trace/trace.h"
 
 #include <spdlog/fmt/fmt.h>
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <ctime>
 #include <utility>
@@ -73,6 +76,7 @@ Trace describe(const Simulation& simulation, StepTrace steps) {
 }
 
 const TracedStep& middle_step(const StepTrace& steps) {
+  assert(!steps.steps.empty());
   return steps.steps[steps.steps.size() / 2];
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+// A trace with all that its files say of it.
+
 #include <string>
 #include <vector>
 
-#include "engine/machine.h"
 #include "engine/simulation.h"
+#include "engine/support/machine.h"
 
 namespace spoke::trace {
 

@@ -1,3 +1,5 @@
+// The page of traces in builds without Node: none.
+
 #include "graph/viewer/viewer_page.h"
 
 namespace spoke::graph {

@@ -1,4 +1,7 @@
 #pragma once
+
+// The page of traces, which the build embeds.
+
 #include <string_view>
 
 namespace spoke::graph {

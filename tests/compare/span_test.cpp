@@ -15,7 +15,7 @@ graph::StepGraph diamond(std::vector<double>& data) {
   graph::StepGraphBuilder builder;
   std::vector<graph::PartId> parts;
   for (std::size_t k = 0; k < 4; ++k)
-    parts.push_back(builder.add_part(std::string(k + 1, 'p'), {{&data[k], 1}}));
+    parts.push_back(builder.add_part(std::string(k + 1, 'p'), {graph::bytes_of(data[k])}));
   const auto add = [&](std::size_t k, std::vector<graph::PartId> reads) {
     builder.add_node({std::string(k + 1, 'n')}, graph::Reads{std::move(reads)},
                      graph::Writes{{parts[k]}}, [&data, k]() noexcept { data[k] += 1.0; });

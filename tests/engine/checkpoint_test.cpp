@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 

@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-#include "engine/integrator/time_stepper.h"
-#include "engine/load_terms.h"
-#include "engine/sensors.h"
-#include "engine/step_graph_builder.h"
-#include "lagrangian.h"
-#include "load_rotors.h"
-#include "rotors.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/run/time_stepper.h"
+#include "engine/simulation/sensors.h"
+#include "engine/step/step_graph_builder.h"
+#include "tests/engine/lagrangian.h"
+#include "tests/engine/load_rotors.h"
+#include "tests/engine/rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/integrator/time_stepper.h"
+#include "engine/run/time_stepper.h"
 #include "engine/simulation.h"
-#include "engine/state_values.h"
-#include "engine/step_graph_builder.h"
-#include "graph/executor_kinds.h"
-#include "graph/plan_candidates.h"
+#include "engine/step/step_graph_builder.h"
+#include "engine/table/state_values.h"
+#include "graph/execute/executor_kinds.h"
+#include "graph/tune/plan_candidates.h"
 
 using namespace spoke;
 
@@ -142,10 +142,10 @@ void check_plans(const Scenario& scenario, Formulation formulation) {
     expected.resize(alone.size());  // behind the state stand observations
     CHECK(expected == alone);
     for (const int processors : {2, 3, 6, 12}) {
-      const graph::Overheads overheads{2e-9, 0.2e-6, 1e-6};
+      const graph::Overheads overheads{2e-9, 0.2e-6, 1e-6, 0.0};
       const auto costs = invent_costs(repetition.graph(), static_cast<std::uint32_t>(processors));
       for (graph::Candidate& candidate :
-           graph::find_candidates(repetition.graph(), costs, processors, overheads, 2)) {
+           graph::find_candidates(repetition.graph(), costs, processors, overheads, 6)) {
         CAPTURE(window);
         CAPTURE(processors);
         CAPTURE(candidate.plan.cluster_count());

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/simulation.h"
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;

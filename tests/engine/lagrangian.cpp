@@ -1,9 +1,9 @@
-#include "lagrangian.h"
+#include "tests/engine/lagrangian.h"
 
 #include <array>
 #include <cmath>
 
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 
 namespace spoke::test {
 namespace {

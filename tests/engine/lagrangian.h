@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/step_context.h"
+#include "engine/step/step_context.h"
 
 namespace spoke::test {
 

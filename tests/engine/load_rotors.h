@@ -3,7 +3,7 @@
 // Rotors and loads that the tests of loads, markers and reactions share.
 
 #include "engine/simulation.h"
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 
 namespace spoke::test {
 

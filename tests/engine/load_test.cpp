@@ -8,12 +8,12 @@
 #include <atomic>
 #include <cmath>
 
-#include "engine/load_terms.h"
-#include "engine/step_graph_builder.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
-#include "load_rotors.h"
 #include "models/error.h"
 #include "tests/approx.h"
+#include "tests/engine/load_rotors.h"
 #include "tests/message_of.h"
 
 using namespace spoke;
@@ -215,7 +215,7 @@ TEST_CASE("the nodes of loads declare what they read and write, and show in trac
     std::mt19937 random(3);
     randomize_state(random, context);
     const graph::StepGraph graph = build_step_graph(context);
-    start_clocks({0.1, PassControl::kEvaluateOnly, 0.0}, context.data);
+    start_progress({0.1, PassControl::kEvaluateOnly, false}, context.data);
     for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
       FAIL_CHECK(fault.message);
     CHECK(graph::conflicts_are_ordered(graph));

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/simulation.h"
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/machine.h"
+#include "engine/support/machine.h"
 #include "tests/approx.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"

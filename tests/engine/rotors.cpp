@@ -1,10 +1,11 @@
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 
 #include <numbers>
 
-#include "engine/hub.h"
-#include "engine/kinematics.h"
-#include "engine/step_graph_builder.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"
 
 namespace spoke::test {
@@ -88,8 +89,8 @@ void randomize_state(std::mt19937& random, StepContext& context) {
         const auto set = [&](int component, double q, double v) {
           const int index = body.coordinate(node, component);
           if (index < 0) return;
-          member.coordinates.q[member.layout.place(index)] = q * (1 + 0.1 * unit(random));
-          member.coordinates.v[member.layout.place(index)] = v * (1 + 0.1 * unit(random));
+          member.coordinates.q[member.layout.offset(index)] = q * (1 + 0.1 * unit(random));
+          member.coordinates.v[member.layout.offset(index)] = v * (1 + 0.1 * unit(random));
         };
         set(0, stretch * x, stretch_rate * x);
         set(1, bend * x * x, bend_rate * x * x);
@@ -100,14 +101,14 @@ void randomize_state(std::mt19937& random, StepContext& context) {
 
 Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout) {
   Eigen::VectorXd values(layout.axial + layout.bending);
-  for (int k = 0; k < values.size(); ++k) values[k] = flex[layout.place(k)];
+  for (int k = 0; k < values.size(); ++k) values[k] = flex[layout.offset(k)];
   return values;
 }
 
-void start_clocks(const PassControl& control, StepData& data) {
-  for (Clock& clock : data.clocks) {
-    clock = make_start_clock();
-    clock.control = control;
+void start_progress(const PassControl& control, StepData& data) {
+  for (StepProgress& progress : data.progress) {
+    progress = make_start_progress();
+    progress.control = control;
   }
 }
 
@@ -128,7 +129,7 @@ Twist hub_reaction(double t, const StepContext& context) {
 Evaluation evaluate(double t, StepContext& context, bool implicit) {
   const graph::StepGraph graph = build_step_graph(context);
   StepData& data = context.data;
-  start_clocks({t, PassControl::kEvaluateOnly, implicit ? 1.0 : 0.0}, data);
+  start_progress({t, PassControl::kEvaluateOnly, implicit}, data);
   if (std::holds_alternative<GeneralizedAlpha>(context.integrator.method))
     for (SubsystemData& subsystem : data.subsystems)
       for (BodyData& body : subsystem.bodies) hold(body.coordinates);

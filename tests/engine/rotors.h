@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "engine/step_context.h"
+#include "engine/step/step_context.h"
 #include "models/scenario.h"
 
 namespace spoke::test {
@@ -30,8 +30,8 @@ Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random);
 /// motion.
 void randomize_state(std::mt19937& random, StepContext& context);
 
-/// Sets every clock to one pass with `control`.
-void start_clocks(const PassControl& control, StepData& data);
+/// Sets all progress to one pass with `control`.
+void start_progress(const PassControl& control, StepData& data);
 
 /// All accelerations found by a pass that only evaluates: hub, then bodies; and all root-to-tip
 /// joint wrenches.

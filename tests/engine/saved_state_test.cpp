@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/observations.h"
 #include "engine/simulation.h"
+#include "engine/simulation/observations.h"
 #include "models/error.h"
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 #include "tests/message_of.h"
 
 using namespace spoke;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "engine/kinematics.h"
-#include "engine/samples.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/samples.h"
 #include "engine/simulation.h"
-#include "rotors.h"
 #include "tests/approx.h"
+#include "tests/engine/rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;

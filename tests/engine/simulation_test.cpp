@@ -4,9 +4,10 @@
 
 #include <cmath>
 
+#include "engine/simulation/node_measurement.h"
 #include "models/error.h"
-#include "rotors.h"
 #include "tests/approx.h"
+#include "tests/engine/rotors.h"
 #include "tests/message_of.h"
 
 using namespace spoke;
@@ -202,7 +203,7 @@ TEST_CASE("what does not exist is refused with what was expected") {
         "the index of the blade is -1, expected 0 to 2");
   CHECK(message_of([&] { simulation.trace(0); }) ==
         "the number of steps to trace is 0, expected 1 to 4000");
-  CHECK(message_of([&] { simulation.measure_nodes(4001); }) ==
+  CHECK(message_of([&] { measure_nodes(simulation, 4001); }) ==
         "the number of steps to measure is 4001, expected 1 to 4000");
 }
 

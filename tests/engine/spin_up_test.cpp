@@ -10,8 +10,8 @@
 
 #include "engine/simulation.h"
 #include "models/error.h"
-#include "rotors.h"
 #include "tests/approx.h"
+#include "tests/engine/rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -10,7 +10,7 @@
 
 #include "engine/simulation.h"
 #include "models/error.h"
-#include "rotors.h"
+#include "tests/engine/rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "load_rotors.h"
+#include "tests/engine/load_rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/byte_order.h"
 #include "engine/checkpoint.h"
+#include "engine/support/byte_order.h"
 #include "models/error.h"
 
 using namespace spoke;

@@ -144,7 +144,8 @@ StepGraph build_graph(GraphPlan& plan) {
   for (std::size_t i = 0; i < plan.memory.size(); ++i) {
     // Two ranges, since a part need not be contiguous.
     const std::span<double> all = plan.memory[i];
-    builder.add_part("part " + std::to_string(i), {all.first(1), all.subspan(1)});
+    builder.add_part("part " + std::to_string(i),
+                     {bytes_of(all.first(1)), bytes_of(all.subspan(1))});
   }
   for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
     const NodePlan* node = &plan.nodes[i];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -23,9 +24,9 @@ struct Bench {
   std::array<double, 2> b{3.0, 4.0};
   std::array<double, 2> c{5.0, 6.0};
   StepGraphBuilder builder{"blade"};
-  PartId part_a = builder.add_part("a", {a});
-  PartId part_b = builder.add_part("b", {b});
-  PartId part_c = builder.add_part("c", {c});
+  PartId part_a = builder.add_part("a", {bytes_of(a)});
+  PartId part_b = builder.add_part("b", {bytes_of(b)});
+  PartId part_c = builder.add_part("c", {bytes_of(c)});
 
   template <class Body>
   std::vector<DeclarationFault> check(Reads r, Writes w, Body body) {
@@ -136,7 +137,7 @@ TEST_CASE("an output left unwritten in part is a fault, and is kept as found") {
   REQUIRE(faults.size() == 1);
   CHECK(faults[0].kind == FaultKind::unwritten_output);
   CHECK(faults[0].part_name == "c");
-  CHECK(faults[0].message.find("1 of its 2 values") != std::string::npos);
+  CHECK(faults[0].message.find("8 of its 16 bytes") != std::string::npos);
   CHECK(bench.c == std::array{5.0, 1.0});
 }
 
@@ -152,6 +153,49 @@ TEST_CASE("a result that depends on memory outside the parts is a fault") {
   CHECK(bench.c == std::array{1.0, 1.0});
 }
 
+TEST_CASE("an undeclared read of a whole number, of an enumeration or of a single byte is named") {
+  enum class Choice { first, second };
+  struct Data {
+    int number = 0;
+    Choice choice = Choice::second;
+    std::int64_t step = 7;
+    std::uint8_t flag = 0;
+  } data;
+  double result = 0.0;
+  for (int which = 0; which < 4; ++which) {
+    CAPTURE(which);
+    StepGraphBuilder builder;
+    const PartId read = which == 0   ? builder.add_part("read", {bytes_of(data.number)})
+                        : which == 1 ? builder.add_part("read", {bytes_of(data.choice)})
+                        : which == 2 ? builder.add_part("read", {bytes_of(data.step)})
+                                     : builder.add_part("read", {bytes_of(data.flag)});
+    const PartId written = builder.add_part("written", {bytes_of(result)});
+    builder.add_node({"node"}, reads(), writes(written), [&data, &result, which]() noexcept {
+      result = which == 0   ? data.number + 1.0
+               : which == 1 ? (data.choice == Choice::second ? 2.0 : 3.0)
+               : which == 2 ? static_cast<double>(data.step)
+                            : (data.flag != 0 ? 4.0 : 5.0);
+    });
+    const auto faults = check_declarations(builder.build());
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].kind == FaultKind::undeclared_read);
+    CHECK(faults[0].part == read);
+  }
+  CHECK(result == 5.0);
+  CHECK(data.step == 7);
+}
+
+TEST_CASE("a byte that is left unwritten is found, whatever the others hold") {
+  std::array<std::uint8_t, 3> bytes{};
+  StepGraphBuilder builder;
+  const PartId part = builder.add_part("bytes", {bytes_of(bytes)});
+  builder.add_node({"node"}, {}, writes(part), [&bytes]() noexcept { bytes[0] = bytes[2] = 1; });
+  const auto faults = check_declarations(builder.build());
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].kind == FaultKind::unwritten_output);
+  CHECK(faults[0].message.find("1 of its 3 bytes") != std::string::npos);
+}
+
 TEST_CASE("a not-a-number in honest data is no fault") {
   Bench bench;
   bench.a[0] = std::numeric_limits<double>::quiet_NaN();
@@ -164,8 +208,8 @@ TEST_CASE("parts that share memory are reported before any node runs") {
   std::array<double, 4> memory{};
   const std::span<double> all = memory;
   StepGraphBuilder builder;
-  builder.add_part("x", {all.first(3)});
-  const PartId y = builder.add_part("y", {all.last(2)});
+  builder.add_part("x", {bytes_of(all.first(3))});
+  const PartId y = builder.add_part("y", {bytes_of(all.last(2))});
   builder.add_node({"write"}, {}, writes(y), [&memory]() noexcept { memory.fill(1.0); });
   const auto faults = check_declarations(builder.build());
   REQUIRE(faults.size() == 1);

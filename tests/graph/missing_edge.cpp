@@ -18,7 +18,7 @@ int main() {
     while (arrived.load(std::memory_order_relaxed) < 2) std::this_thread::yield();
   };
   StepGraphBuilder builder;
-  const PartId part = builder.add_part("shared", {{&shared, 1}});
+  const PartId part = builder.add_part("shared", {bytes_of(shared)});
   builder.add_node({"first"}, reads(), writes(part), [&]() noexcept {
     meet();
     shared = 1.0;

@@ -238,8 +238,8 @@ TEST_CASE("large graphs lose the edges that others imply") {
 TEST_CASE("a repeated node does the same again, after what it conflicts with, in its own pass") {
   double sum = 1.0, other = 0.0;
   StepGraphBuilder builder("blade");
-  const PartId a = builder.add_part("a", {{&sum, 1}});
-  const PartId b = builder.add_part("b", {{&other, 1}});
+  const PartId a = builder.add_part("a", {bytes_of(sum)});
+  const PartId b = builder.add_part("b", {bytes_of(other)});
   const NodeId twice =
       builder.add_node({"twice", 0, -1, 0}, reads(a), writes(a), [&sum]() noexcept { sum *= 2.0; });
   const NodeId copy = builder.add_node({"copy", 1, -1, 0}, reads(a), writes(b),

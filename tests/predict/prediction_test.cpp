@@ -34,7 +34,7 @@ Prediction predict_with(double handover) {
   Prediction prediction{.scenario = {}};
   prediction.run = run_of(single, 1);
   prediction.auto_run = run_of(window, kSteps);
-  prediction.runtime.flow_graph.handover = handover;
+  prediction.runtime.flow_graph = {2e-9, 0.0, handover, 0.0};
   predict::predict(prediction, single, &window, {1, 2, 3});
   return prediction;
 }

@@ -73,13 +73,13 @@ TEST_CASE("labels have the decimals they need") {
 
 TEST_CASE("a scale maps its ends and clamps what is beyond") {
   const Scale linear({.low = 0.0, .high = 10.0}, {}, 100.0, 200.0);
-  CHECK(linear.place(0.0) == 100.0);
-  CHECK(linear.place(5.0) == approx(150.0));
-  CHECK(linear.place(99.0) == 200.0);
-  CHECK(linear.place(-99.0) == 100.0);
+  CHECK(linear.position(0.0) == 100.0);
+  CHECK(linear.position(5.0) == approx(150.0));
+  CHECK(linear.position(99.0) == 200.0);
+  CHECK(linear.position(-99.0) == 100.0);
   const Scale log({.kind = ScaleKind::log, .low = 1.0, .high = 100.0}, {}, 300.0, 100.0);
-  CHECK(log.place(10.0) == approx(200.0));
-  CHECK(log.place(100.0) == approx(100.0));
+  CHECK(log.position(10.0) == approx(200.0));
+  CHECK(log.position(100.0) == approx(100.0));
 }
 
 TEST_CASE("a scale without values or of a single one has a length") {

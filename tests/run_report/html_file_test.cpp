@@ -54,8 +54,8 @@ TEST_CASE("the data hold the curves of all plots and a film") {
 
 TEST_CASE("deflections across and along the blade have the blade's directions") {
   const Run run(test_scenario());
-  const auto across = run.recorder.history().curve(1).back();
-  const auto along = run.recorder.history().curve(3).back();
+  const auto across = run.recorder.curves().curve(1).back();
+  const auto along = run.recorder.curves().curve(3).back();
   CHECK(across.value == approx(-run.simulation.sensor("blade2.tip.y")));
   CHECK(along.value == approx(-run.simulation.sensor("blade2.tip.x")));
   CHECK(across.value < 0.0);  // lags behind

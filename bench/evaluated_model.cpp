@@ -1,0 +1,91 @@
+// Sets a random state and runs passes that only evaluate.
+
+#include "bench/evaluated_model.h"
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+
+#include "engine/run/time_stepper.h"
+#include "engine/step/step_graph_builder.h"
+
+namespace spoke::bench {
+namespace {
+
+constexpr double kStateTime = 5.0;  // s
+
+}  // namespace
+
+EvaluatedModel::EvaluatedModel(const Rotor& rotor, Formulation formulation, const Method& method) {
+  context_.system = make_system(rotor);
+  context_.formulation = formulation;
+  context_.integrator.method = method;
+  allocate(context_);
+  graph_ = std::make_unique<graph::StepGraph>(build_step_graph(context_));
+  executor_ = graph::make_executor(*graph_, graph::ExecutorKind::serial);
+}
+
+void EvaluatedModel::integrate() {
+  constexpr int kSteps = 500;
+  TimeStepper stepper(context_, *graph_);
+  const bool fine = stepper.start() == StepOutcome::done &&
+                    stepper.advance(kSteps, *executor_) == StepOutcome::done;
+  if (!fine) throw std::runtime_error("the state to evaluate at cannot be reached");
+}
+
+void EvaluatedModel::disturb() {
+  std::mt19937 random(20170941);
+  const auto scale = [&](double* values, int size) {
+    for (int k = 0; k < size; ++k) values[k] *= 0.9 + 0.2 * random() / double{std::mt19937::max()};
+  };
+  for (SubsystemData& subsystem : context_.data.subsystems)
+    for (BodyData& body : subsystem.bodies) {
+      scale(body.coordinates.q, body.coordinates.size);
+      scale(body.coordinates.v, body.coordinates.size);
+    }
+}
+
+void EvaluatedModel::take_state(const EvaluatedModel& other) {
+  const auto copy = [](const CoordinateBlock& from, CoordinateBlock& to) {
+    std::copy_n(from.q, from.size, to.q);
+    std::copy_n(from.v, from.size, to.v);
+  };
+  StepData& data = context_.data;
+  const StepData& source = other.context_.data;
+  copy(source.hub_coordinates, data.hub_coordinates);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
+      copy(source.subsystems[i].bodies[j].coordinates, data.subsystems[i].bodies[j].coordinates);
+}
+
+void EvaluatedModel::evaluate() {
+  for (StepProgress& progress : context_.data.progress) {
+    progress = make_start_progress();
+    progress.control.time = kStateTime;
+  }
+  executor_->run();
+}
+
+Eigen::VectorXd EvaluatedModel::accelerations() const {
+  std::vector<double> all;
+  for (const SubsystemData& subsystem : context_.data.subsystems)
+    for (const BodyData& body : subsystem.bodies)
+      all.insert(all.end(), body.coordinates.a, body.coordinates.a + body.coordinates.size);
+  return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+std::vector<ModelPointer> make_models(const Rotor& rotor,
+                                      const std::vector<Formulation>& formulations) {
+  EvaluatedModel source(rotor, Formulation::structured, make_generalized_alpha(0.8, 0.01));
+  source.integrate();
+  source.disturb();
+  std::vector<ModelPointer> models;
+  for (const Formulation formulation : formulations) {
+    // rk4's table is the one without an implicit method's extras; its step is not used.
+    models.push_back(std::make_shared<EvaluatedModel>(rotor, formulation, Rk4{1e-5}));
+    models.back()->take_state(source);
+  }
+  return models;
+}
+
+}  // namespace spoke::bench

@@ -1,0 +1,32 @@
+#pragma once
+
+// How the deformation coordinates of a body lie in memory.
+
+namespace spoke {
+
+/// Where the axial and bending parts of a body's flex vector stand in its storage. Four zeros stand
+/// before and behind each part, so that banded products need no special rows at the ends.
+struct FlexLayout {
+  int axial = 0;
+  int bending = 0;
+
+  static constexpr int kPad = 4;
+  int u() const { return kPad; }
+  int v() const { return 2 * kPad + rounded(axial); }
+  int size() const { return 3 * kPad + rounded(axial) + rounded(bending); }
+  /// Behind the axial part, and a zero more if it is odd: vectors are taken two values at a time.
+  int u_end() const { return u() + axial + axial % 2; }
+  /// From a vector to the next in storage: the zeros behind the one stand before the other, too, so
+  /// that more bodies fit into the processor's cache.
+  int stride() const { return size() - kPad; }
+  /// Where coordinate `index` stands, in the order "axial, then bending"; of -1, a zero.
+  int offset(int index) const {
+    if (index < 0) return 0;
+    return index < axial ? u() + index : v() + (index - axial);
+  }
+
+ private:
+  static int rounded(int n) { return (n + kPad - 1) / kPad * kPad; }
+};
+
+}  // namespace spoke

@@ -1,0 +1,24 @@
+#pragma once
+
+// How far a body may deform: the range of linear elasticity, beyond which results are doubtful, and
+// limits beyond which its linear model means nothing.
+
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// The largest deflection of a body at its nodes and in the middle between them, by its length; 0
+/// if it is within the linear range.
+double find_large_deflection(const BodyData& body) noexcept;
+
+/// A deformation coordinate that has left its limits.
+struct LimitViolation {
+  int coordinate = -1;  ///< in the order "axial, then bending"; -1: none has
+  double value = 0.0;
+  double limit = 0.0;
+};
+/// Finds the first coordinate of a body that is not finite, or else the one farthest beyond its
+/// limit.
+LimitViolation find_limit_violation(const BodyData& body);
+
+}  // namespace spoke

@@ -1,0 +1,112 @@
+// Evaluates position, velocity, acceleration and section force at a marker.
+
+#include "engine/kernels/marker_motion.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/kernels/kinematics.h"
+
+namespace spoke {
+
+Eigen::Matrix3d in_space(const Rotation& R) {
+  Eigen::Matrix3d matrix;
+  matrix << R.cosine, -R.sine, 0.0, R.sine, R.cosine, 0.0, 0.0, 0.0, 1.0;
+  return matrix;
+}
+
+Pose calc_pose_in_hub(const Subsystem& subsystem, const SubsystemData& data, int body) noexcept {
+  Pose pose{subsystem.root.p, data.rotations[0]};
+  for (int j = 1; j <= body; ++j) {
+    pose.p += pose.R * calc_outboard_position(data.bodies[j - 1]);
+    pose.R = pose.R * data.rotations[j];
+  }
+  return pose;
+}
+
+MarkerMotion calc_marker_motion(const Subsystem& subsystem, const SubsystemData& data,
+                                const PlacedMarker& marker) noexcept {
+  const Pose X_HB = calc_pose_in_hub(subsystem, data, marker.body);
+  const HubState& hub = *data.hub;
+  const Rotation R = hub.R * X_HB.R;
+  const BodyData& body = data.bodies[marker.body];
+  const Twist& twist = data.twists[marker.body];
+  const Twist q = section_values(marker.section, body.coordinates.q);
+  const Twist v = section_values(marker.section, body.coordinates.v);
+  const Position s{marker.section.x + q[0], q[1]};
+  const double speed = twist[kRotation];
+  const Position velocity =
+      Position(twist.head<kPosition>()) + speed * quarter_turn(s) + Position(v.head<kPosition>());
+  MarkerMotion motion;
+  motion.position = in_space(hub.p + hub.R * Position(X_HB.p + X_HB.R * s));
+  motion.rotation = in_space(R * Rotation::from_angle(q[kRotation]));
+  motion.velocity = in_space(R * velocity);
+  motion.angular_velocity.z() = speed + v[kRotation];
+  return motion;
+}
+
+Twist calc_marker_acceleration(const System& system, const SubsystemData& data,
+                               const PlacedMarker& marker) noexcept {
+  const BodyData& body = data.bodies[marker.body];
+  const Rotation R = data.hub->R * calc_rotation_to_hub(data, marker.body);
+  const Twist q = section_values(marker.section, body.coordinates.q);
+  const Twist v = section_values(marker.section, body.coordinates.v);
+  const Twist a = section_values(marker.section, body.a_found);
+  const Position s{marker.section.x + q[0], q[1]};
+  const double w = data.twists[marker.body][kRotation];
+  const Position local = Position(body.X.head<kPosition>()) + body.X[kRotation] * quarter_turn(s) -
+                         w * w * s + 2.0 * w * quarter_turn(v.head<kPosition>()) +
+                         Position(a.head<kPosition>());
+  const Position acceleration = system.gravity + Position(R * local);
+  return {acceleration.x(), acceleration.y(), body.X[kRotation] + a[kRotation]};
+}
+
+namespace {
+
+/// 1/2 int v'^2 dx from a body's inboard end to `station`, by a rule that is exact for it [m].
+double integrate_foreshortening(const BodyData& body, double station) {
+  static constexpr std::array<double, 3> places{0.11270166537925831, 0.5, 0.88729833462074169};
+  static constexpr std::array<double, 3> weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  const FlexibleBody& model = *body.model->body;
+  double sum = 0.0;
+  for (int e = 0; e < model.elements; ++e) {
+    const double begin = static_cast<double>(e) / model.elements;
+    const double length = std::min(station, (e + 1.0) / model.elements) - begin;
+    if (length <= 0.0) break;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Section at = make_section(model, body.layout, begin + places[k] * length);
+      const double slope = value_at(at.slope, at.bending_at, body.coordinates.q);
+      sum += weights[k] * length * model.length * slope * slope;
+    }
+  }
+  return 0.5 * sum;
+}
+
+}  // namespace
+
+Position calc_marker_foreshortening(const Subsystem& subsystem, const SubsystemData& data, int body,
+                                    double station) {
+  Position sum = Position::Zero();
+  for (int j = 0; j <= body; ++j) {
+    const BodyData& member = data.bodies[j];
+    if (!member.model->slope_integral) continue;
+    const double shortened =
+        j < body ? calc_foreshortening(member) : integrate_foreshortening(member, station);
+    sum += calc_pose_in_hub(subsystem, data, j).R * Position{shortened, 0.0};
+  }
+  return sum;
+}
+
+Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData& body,
+                         const Section& section) noexcept {
+  const auto with_damping = [&](const auto& shape, const auto& places) {
+    return value_at(shape, places, body.coordinates.q) +
+           damping.stiffness_factor * value_at(shape, places, body.coordinates.v);
+  };
+  const double bending_stiffness = blade.youngs_modulus * blade.second_moment;
+  return {blade.youngs_modulus * blade.area * with_damping(section.strain, section.axial_at),
+          -bending_stiffness * with_damping(section.curvature_change, section.bending_at),
+          bending_stiffness * with_damping(section.curvature, section.bending_at)};
+}
+
+}  // namespace spoke

@@ -1,0 +1,116 @@
+// Counts the frequencies below a given one, and bisects (docs/formulation.md, section 6).
+
+#include "engine/kernels/natural_frequencies.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <vector>
+
+#include "models/system/beam_elements.h"
+
+namespace spoke {
+namespace {
+
+/// Negative pivots of an elimination so far, and the dynamic stiffness left at its end.
+struct Elimination {
+  int negative = 0;
+  TwistMatrix rest = TwistMatrix::Zero();
+};
+
+template <class Matrix>
+int count_negative(const Matrix& symmetric) {
+  return static_cast<int>((Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly)
+                               .eigenvalues()
+                               .array() < 0.0)
+                              .count());
+}
+
+/// Eliminates a blade's nodes from the tip; `rest` is its dynamic stiffness at the root node.
+Elimination eliminate(const Blade& blade, double frequency) {
+  constexpr int d = kTwist;
+  const BeamElement element = make_beam_element(make_beam_properties(blade));
+  const BeamElement::Matrix A = element.stiffness - frequency * frequency * element.mass;
+  Elimination sum;
+  const int nodes = blade.bodies * blade.elements;
+  for (int node = nodes; node > 0; --node) {
+    const TwistMatrix pivot = sum.rest + A.bottomRightCorner<d, d>();
+    sum.negative += count_negative(pivot);
+    sum.rest = A.topLeftCorner<d, d>() -
+               A.topRightCorner<d, d>() * pivot.inverse() * A.bottomLeftCorner<d, d>();
+  }
+  return sum;
+}
+
+bool have_equal_dynamics(const Blade& a, const Blade& b) {
+  return a.bodies == b.bodies && a.elements == b.elements &&
+         make_beam_properties(a) == make_beam_properties(b);
+}
+
+/// Components of the hub's motion that are not prescribed.
+std::vector<int> free_components(const Hub& hub) {
+  std::vector<int> free;
+  for (int c = 0; c < kTwist; ++c)
+    if (!is_prescribed(hub, c)) free.push_back(c);
+  return free;
+}
+
+int count_coordinates(const Rotor& rotor) {
+  int count = static_cast<int>(free_components(rotor.hub).size());
+  for (const Blade& blade : rotor.blades) count += kTwist * blade.bodies * blade.elements;
+  return count;
+}
+
+/// Smallest frequency below which at least `count` others lie, by bisection to round-off.
+double find_frequency(const Rotor& rotor, int count) {
+  double high = 1.0;
+  while (count_frequencies_below(rotor, high) < count) high *= 2.0;
+  double low = high;
+  while (low > 1e-6 && count_frequencies_below(rotor, low) >= count) low /= 2.0;
+  for (int k = 0; k < 50 && high - low > 1e-13 * high; ++k) {
+    const double middle = 0.5 * (low + high);
+    (count_frequencies_below(rotor, middle) >= count ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+int count_frequencies_below(const Rotor& rotor, double frequency) {
+  const Hub& hub = rotor.hub;
+  TwistMatrix at_hub = TwistMatrix::Zero();
+  at_hub.diagonal() = -frequency * frequency * Twist(hub.mass, hub.mass, hub.inertia);
+  int negative = 0;
+  Elimination blade_sum;
+  for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
+    const Blade& blade = rotor.blades[i];
+    if (i == 0 || !have_equal_dynamics(blade, rotor.blades[i - 1]))
+      blade_sum = eliminate(blade, frequency);
+    negative += blade_sum.negative;
+    const Rotation R = Rotation::from_angle(blade.azimuth);
+    TwistMatrix T = TwistMatrix::Identity();
+    T.col(kRotation).head<kPosition>() = quarter_turn(R * Position{hub.radius, 0.0});
+    const TwistMatrix M = R.matrix();
+    at_hub += T.transpose() * M * blade_sum.rest * M.transpose() * T;
+  }
+  const std::vector<int> free = free_components(hub);
+  if (free.empty()) return negative;
+  return negative + count_negative(Eigen::MatrixXd(at_hub(free, free)));
+}
+
+FrequencyRange calc_frequency_range(const Rotor& rotor) {
+  const int rigid = static_cast<int>(free_components(rotor.hub).size());
+  return {find_frequency(rotor, rigid + 1), find_frequency(rotor, count_coordinates(rotor))};
+}
+
+double calc_first_frequency(const Blade& blade) {
+  Rotor rotor;
+  rotor.blades = {blade};
+  return find_frequency(rotor, 1);
+}
+
+double calc_rk4_largest_step(const FrequencyRange& range) {
+  return 2.0 * std::sqrt(2.0) / range.highest;
+}
+
+}  // namespace spoke

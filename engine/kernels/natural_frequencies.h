@@ -1,0 +1,31 @@
+#pragma once
+
+// Natural frequencies of a rotor at rest, and the step that they allow rk4.
+
+#include "models/system/system.h"
+
+namespace spoke {
+
+/// Natural frequencies of a system at rest, undeformed [rad/s].
+struct FrequencyRange {
+  double lowest = 0.0;  ///< of the vibrations; rigid-body motions of a free hub do not count
+  double highest = 0.0;
+};
+
+/// Finds the range by bisection. At rest the bodies of a straight blade together are one
+/// finite-element beam, so K - w^2 M is block tridiagonal along each blade; the number of its
+/// negative pivots, eliminated from the tips to the hub, is the number of frequencies below w
+/// (Sylvester's law of inertia). Cost: O(elements) per bisection.
+FrequencyRange calc_frequency_range(const Rotor& rotor);
+
+/// Lowest natural frequency of a blade clamped at its root, at rest [rad/s].
+double calc_first_frequency(const Blade& blade);
+
+/// Number of natural frequencies below `frequency` [rad/s], zero ones of rigid-body motions
+/// included.
+int count_frequencies_below(const Rotor& rotor, double frequency);
+
+/// Largest step at which rk4 is stable for undamped vibrations: 2 sqrt(2) / highest frequency [s].
+double calc_rk4_largest_step(const FrequencyRange& range);
+
+}  // namespace spoke

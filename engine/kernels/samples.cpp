@@ -1,0 +1,51 @@
+// Tip displacement and energies of a blade at the state in the table.
+
+#include "engine/kernels/samples.h"
+
+#include "engine/kernels/body_energies.h"
+#include "engine/kernels/kinematics.h"
+
+namespace spoke {
+
+Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data) {
+  const Position undeformed = subsystem.root.p + subsystem.root.R * Position{subsystem.length, 0.0};
+  Position tip =
+      data.poses.back().p + data.poses.back().R * calc_outboard_position(data.bodies.back());
+  double rotation = 0.0;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const BodyData& body = data.bodies[j];
+    tip -= data.poses[j].R * Position{calc_foreshortening(body), 0.0};
+    rotation += body.coordinates.q[body.outboard_at[kRotation]] -
+                body.coordinates.q[body.inboard_at[kRotation]];
+  }
+  const Position displacement = tip - undeformed;
+  return {displacement.x(), displacement.y(), rotation};
+}
+
+SubsystemSample calc_sample(const System& system, std::size_t i, SubsystemData& data) noexcept {
+  const Subsystem& subsystem = system.subsystems[i];
+  calc_poses(subsystem, data);
+  const Twist tip = calc_tip_displacement(subsystem, data);
+  SubsystemSample sample{tip[0], tip[1], 0.0, 0.0, 0.0};
+  const HubState& hub = *data.hub;
+  const bool has_gravity = system.gravity != Position::Zero();
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const BodyEnergies body =
+        calc_body_energies(data.bodies[j], data.twists[j], hub.twist[kRotation]);
+    sample.kinetic += body.kinetic;
+    sample.strain += body.strain;
+    if (!has_gravity) continue;
+    const double mass = data.bodies[j].model->body->mass;
+    const Pose& X_HB = data.poses[j];
+    const Position moment = mass * X_HB.p + Position(X_HB.R * body.S);
+    sample.gravity += system.gravity.dot(Position(mass * hub.p + Position(hub.R * moment)));
+  }
+  return sample;
+}
+
+void update_kinematics(const Subsystem& subsystem, SubsystemData& data) noexcept {
+  calc_rotations(subsystem, data);
+  calc_velocities(subsystem, data);
+}
+
+}  // namespace spoke

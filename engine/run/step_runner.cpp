@@ -1,0 +1,307 @@
+// Times the first steps, chooses the window, and runs steps by the graph and executor that fit.
+
+#include "engine/run/step_runner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "engine/run/step_recording.h"
+#include "engine/step/step_graph_builder.h"
+#include "graph/calibrate/quantiles.h"
+#include "graph/tune/auto_executor.h"
+
+namespace spoke {
+namespace {
+
+using graph::ExecutorKind;
+
+// Below this, a step by itself is no longer than handing its parts to threads.
+constexpr double kLongStep = 40e-6;  // s
+// Building a graph and planning its runs takes so long for each of its nodes ...
+constexpr double kBuildingPerNode = 4e-6;  // s
+// ... and starting and ending a run on several threads so long beside its nodes.
+constexpr double kRunOverhead = 3e-6;  // s
+// Runs longer than this gain nothing more, and graphs larger than this leave the nearer caches.
+constexpr double kLongestRun = 600e-6;  // s
+constexpr int kMostNodes = 12000;
+// What is left must take as many times as long as the building of one pass's graph, or of the
+// window's.
+constexpr double kLeastPayback = 10.0;
+
+constexpr int kBatch = 8;                 // steps that are timed together
+constexpr double kTimingLength = 400e-6;  // s
+
+graph::Threads resolved(graph::Threads threads) {
+  if (threads.outer == 0) threads.outer = graph::available_threads();
+  return threads;
+}
+
+/// Throws InputError if OpenMP would not give them.
+graph::Threads allowed_threads(const RunnerOptions& options) {
+  const graph::Threads threads = resolved(options.threads);
+  graph::check_thread_limit(options.executor, threads);
+  return threads;
+}
+
+/// While it lives, a recording follows an executor and a stepper.
+class RecordingScope {
+ public:
+  RecordingScope(graph::Executor& executor, TimeStepper& stepper, StepRecording& recording,
+                 bool together)
+      : executor_(executor), stepper_(stepper) {
+    executor.set_recorder(&recording.recorder());
+    stepper.watch_runs(&recording, together);
+  }
+  RecordingScope(const RecordingScope&) = delete;
+  RecordingScope& operator=(const RecordingScope&) = delete;
+  ~RecordingScope() {
+    stepper_.watch_runs(nullptr);
+    executor_.set_recorder(nullptr);
+  }
+
+ private:
+  graph::Executor& executor_;
+  TimeStepper& stepper_;
+};
+
+ExecutorKind single_kind(ExecutorKind kind) {
+  return kind == ExecutorKind::automatic ? ExecutorKind::serial : kind;
+}
+
+}  // namespace
+
+int window_records(const RunnerOptions& options, const System& system) {
+  // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
+  if (options.window > 0) return options.window > 1 ? 2 * options.window : 1;
+  if (options.executor != ExecutorKind::automatic || resolved(options.threads).total() == 1)
+    return 1;
+  constexpr double most_bytes = 4e6;
+  const double bytes = sizeof(SystemRecord) + static_cast<double>(system.subsystems.size()) *
+                                                  (sizeof(StepRecord) + sizeof(SubsystemSample));
+  return static_cast<int>(std::clamp(most_bytes / bytes, 4.0, 1024.0));
+}
+
+StepRunner::Runner::Runner(StepContext& context, int passes, ExecutorKind kind,
+                           graph::Threads threads)
+    : graph(build_step_graph(context, passes)),
+      executor(graph::make_executor(graph, kind, threads)) {}
+
+StepRunner::Runner::Runner(StepContext& context, int passes)
+    : graph(build_step_graph(context, passes)),
+      steps(std::max(1, passes / usual_passes(context.integrator))) {}
+
+StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
+    : context_(context),
+      options_(options),
+      threads_(allowed_threads(options)),
+      single_(context, 1, single_kind(options.executor), threads_),
+      stepper_(context, single_.graph),
+      timed_(single_.graph) {
+  if (!is_automatic()) threads_ = single_.executor->threads();
+  if (is_automatic() && threads_.total() == 1) reason_ = "serial: one thread";
+  if (options.window <= 1 || !reason_.empty()) return;
+  window_ = std::make_unique<Runner>(context, options.window * usual_passes(context.integrator));
+  window_->executor = graph::make_executor(window_->graph, options.executor, threads_);
+}
+
+StepRunner::~StepRunner() = default;
+
+// By the costs of the nodes that were timed: a body costs the same in every pass.
+std::unique_ptr<graph::Executor> StepRunner::make_planned(const graph::StepGraph& graph) const {
+  const std::vector<double> timed = timed_.node_costs();
+  std::map<std::tuple<std::string_view, int, int>, double> cost_of;
+  for (int i = 0; i < single_.graph.node_count(); ++i) {
+    const graph::NodeLabel& label = single_.graph.node({i}).label;
+    cost_of[{label.stage, label.subsystem, label.body}] = timed[static_cast<std::size_t>(i)];
+  }
+  std::vector<double> costs;
+  costs.reserve(static_cast<std::size_t>(graph.node_count()));
+  for (const graph::Node& node : graph.nodes())
+    costs.push_back(cost_of[{node.label.stage, node.label.subsystem, node.label.body}]);
+  return graph::make_auto_executor(graph, threads_.total(),
+                                   {std::move(costs), remaining_seconds()});
+}
+
+StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
+                                   const TimeStepper::Completed& completed) {
+  const std::int64_t asked = target - steps();
+  while (is_automatic() && !window_ && reason_.empty() && steps() < target) {
+    if (has_timed()) {
+      choose_window(asked);
+      break;
+    }
+    const StepOutcome outcome =
+        advance_timed(std::min(target, steps() + kBatch), observed, completed);
+    if (outcome != StepOutcome::done || stepper_.is_stopping()) return outcome;
+  }
+  if (window_ && options_.window == 0 && window_->executor->settled_on_serial()) {
+    reason_ = window_->executor->describe();
+    window_.reset();
+  }
+  return stepper_.advance(target, *runner_for(target - steps()).executor, observed, completed);
+}
+
+StepOutcome StepRunner::open_window(bool observed, const TimeStepper::Completed& completed) {
+  if (!is_automatic() || window_ || !reason_.empty()) return StepOutcome::done;
+  while (!has_timed() && steps() < options_.planned_steps) {
+    const std::int64_t target = std::min(options_.planned_steps, steps() + kBatch);
+    const StepOutcome outcome = advance_timed(target, observed, completed);
+    if (outcome != StepOutcome::done) return outcome;
+  }
+  window_ = std::make_unique<Runner>(context_, window_passes(options_.planned_steps - steps()));
+  window_->executor = graph::make_executor(window_->graph, ExecutorKind::serial);
+  return StepOutcome::done;
+}
+
+StepRunner::Runner& StepRunner::runner_for(std::int64_t steps_asked) {
+  // A window much longer than what is asked for would mostly be idle.
+  return window_ && 2 * steps_asked >= window_->steps ? *window_ : single_;
+}
+
+StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
+                                       const TimeStepper::Completed& completed,
+                                       const TraceOptions& options, StepTrace& trace) {
+  trace.asked_steps = target - steps();
+  Runner& runner = runner_for(trace.asked_steps);
+  StepRecording recording(runner.graph, context_.data,
+                          {steps() + 1, target, most_passes(context_.integrator),
+                           runner.executor->threads().total(), options.buffer_bytes});
+  const RecordingScope scope(*runner.executor, stepper_, recording, &runner == &single_);
+  const auto told = [&](std::int64_t step) {
+    completed(step);
+    if (!options.finished || !recording.is_recorded(step)) return;
+    std::vector<NodeSlice> slices;
+    const TracedStep traced = recording.collect_step(step, step_size(context_.integrator), slices);
+    options.finished(traced, slices);
+  };
+  const auto collect = [&] {
+    recording.end_with(steps());
+    recording.collect(step_size(context_.integrator), trace);
+    describe_traced(runner, trace);
+  };
+  StepOutcome outcome = StepOutcome::done;
+  try {
+    outcome = stepper_.advance(target, *runner.executor, observed, told);
+  } catch (...) {
+    collect();
+    throw;
+  }
+  collect();
+  return outcome;
+}
+
+/// What really ran the steps, which need not be what runs more of them.
+void StepRunner::describe_traced(const Runner& runner, StepTrace& trace) const {
+  const bool is_window = &runner == window_.get();
+  const bool is_tuning = window_ && window_->executor->tuning();
+  trace.graph = describe_graph(single_.graph, build_step_graph(context_, 2));
+  trace.threads = runner.executor->recorded_threads().total();
+  trace.window_steps = runner.steps;
+  trace.unused_window = window_ && !is_window ? window_->steps : 0;
+  if (is_tuning)
+    trace.choice = ChoiceState::tuning;
+  else if (is_automatic() && !window_ && reason_.empty())
+    trace.choice = ChoiceState::none;
+  if (is_window)
+    trace.executor = describe_window(is_tuning ? "serial: " : "");
+  else if (is_automatic() && !window_ && !stepping_)
+    trace.executor = describe();
+  else
+    trace.executor = single_.executor->describe();
+}
+
+StepOutcome StepRunner::advance_one(const TimeStepper::Completed& completed) {
+  if (stepping_) return stepper_.advance(steps() + 1, *stepping_->executor, false, completed);
+  if (!is_automatic() || threads_.total() == 1 || has_timed())
+    return stepper_.advance(steps() + 1, *single_.executor, false, completed);
+  const StepOutcome outcome = advance_timed(steps() + 1, false, completed);
+  if (outcome == StepOutcome::done && has_timed()) choose_stepping();
+  return outcome;
+}
+
+bool StepRunner::has_timed() const {
+  return timed_steps_ >= 2 * kBatch && timed_steps_ * seconds_per_step() >= kTimingLength;
+}
+
+double StepRunner::seconds_per_step() const {
+  const double run = graph::median(timed_.run_times()) + timed_.between_runs();
+  return run * timed_.runs() / timed_steps_;
+}
+
+double StepRunner::remaining_seconds() const {
+  return static_cast<double>(options_.planned_steps - steps()) * seconds_per_step();
+}
+
+StepOutcome StepRunner::advance_timed(std::int64_t target, bool observed,
+                                      const TimeStepper::Completed& completed) {
+  const auto count = static_cast<int>(target - steps());
+  const StepOutcome outcome = stepper_.advance(target, timed_, observed, completed);
+  timed_steps_ += count;
+  return outcome;
+}
+
+void StepRunner::choose_window(std::int64_t steps_asked) {
+  const int passes = window_passes(steps_asked);
+  const double building = passes * single_.graph.node_count() * kBuildingPerNode;
+  if (remaining_seconds() < kLeastPayback * building) {
+    std::ostringstream text;
+    text.precision(2);
+    text << "serial: what is left takes " << remaining_seconds() << " s, too short to plan for";
+    reason_ = text.str();
+    return;
+  }
+  window_ = std::make_unique<Runner>(context_, passes);
+  window_->executor = make_planned(window_->graph);
+}
+
+// A window of n passes costs n times the building of one pass's graph, once, and what is left of
+// the simulation so many times the overhead of a run as there are windows in it: the sum is least
+// where both are equal.
+int StepRunner::window_passes(std::int64_t steps_asked) const {
+  const int usual = usual_passes(context_.integrator);
+  const double pass = seconds_per_step() / usual;
+  const double passes_left = remaining_seconds() / pass;
+  const double building = single_.graph.node_count() * kBuildingPerNode;
+  const double best = std::sqrt(passes_left * kRunOverhead / building);
+  const double records = static_cast<double>(context_.data.records.size()) / 2.0;
+  const double most = std::min({static_cast<double>(kMostNodes) / single_.graph.node_count(),
+                                std::ceil(kLongestRun / pass), records * usual,
+                                static_cast<double>(steps_asked) * usual});
+  return static_cast<int>(std::clamp(std::ceil(best), 1.0, std::max(most, 1.0)));
+}
+
+void StepRunner::choose_stepping() {
+  if (seconds_per_step() < kLongStep) return;
+  const double building = single_.graph.node_count() * kBuildingPerNode;
+  if (remaining_seconds() < kLeastPayback * building) return;
+  stepping_ = std::make_unique<Runner>(context_, 1);
+  stepping_->executor = make_planned(stepping_->graph);
+}
+
+int StepRunner::choices() const {
+  if (!is_automatic()) return 0;
+  if (window_) return window_->executor->choices();
+  if (stepping_) return stepping_->executor->choices();
+  return reason_.empty() ? 0 : 1;
+}
+
+std::string StepRunner::describe_window(const std::string& before) const {
+  std::string how = before + window_->executor->describe();
+  if (window_->steps == 1) return how;
+  return "windows of " + std::to_string(window_->steps) + " steps, " + how;
+}
+
+std::string StepRunner::describe() const {
+  if (window_) return describe_window("");
+  if (stepping_) return stepping_->executor->describe();
+  if (!is_automatic()) return single_.executor->describe();
+  return reason_.empty() ? "serial: not timed yet" : reason_;
+}
+
+}  // namespace spoke

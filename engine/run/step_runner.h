@@ -1,0 +1,118 @@
+#pragma once
+
+// Which step graph and which executor run the steps.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "engine/run/time_stepper.h"
+#include "engine/step/step_context.h"
+#include "engine/step_trace.h"
+#include "graph/calibrate/measuring_executor.h"
+#include "graph/executor.h"
+
+namespace spoke {
+
+/// How steps are to be run.
+struct RunnerOptions {
+  graph::ExecutorKind executor = graph::ExecutorKind::automatic;
+  graph::Threads threads;          ///< unset: the available ones
+  int window = 0;                  ///< steps; 0: as the executor chooses
+  std::int64_t planned_steps = 0;  ///< of the simulation
+};
+
+/// Records that the table of a system needs for these options, see TableOptions::window_steps.
+int window_records(const RunnerOptions& options, const System& system);
+
+/// Step graphs of a context, and the executors that run them: one graph of a single pass, and, if
+/// it pays, one of the passes of a window of steps.
+///
+/// The executor `automatic` begins with some serial steps whose nodes it times. If what is left of
+/// the simulation takes long enough to win back the building, it makes the graph of a window, the
+/// longer the more is left, and hands it with the nodes' costs to graph::make_auto_executor(),
+/// which goes parallel at once. Callers of advance_one() get no window; then long steps only are
+/// planned.
+class StepRunner {
+ public:
+  /// `context` must be allocated with window_records() and outlive this.
+  StepRunner(StepContext& context, const RunnerOptions& options);
+  ~StepRunner();
+
+  /// See TimeStepper.
+  StepOutcome start() { return stepper_.start(); }
+  StepOutcome advance_to(std::int64_t target, bool observed,
+                         const TimeStepper::Completed& completed);
+  StepOutcome advance_one(const TimeStepper::Completed& completed);
+  /// Of `automatic` on several threads without a window: makes the steps that it times first, and
+  /// builds the graph of the window that it would choose for a simulation that is worth planning
+  /// for. Plans nothing.
+  StepOutcome open_window(bool observed, const TimeStepper::Completed& completed);
+  /// By an executor of the caller's that runs run_graph().
+  StepOutcome advance_by(graph::Executor& executor, std::int64_t target, bool observed,
+                         const TimeStepper::Completed& completed) {
+    return stepper_.advance(target, executor, observed, completed);
+  }
+  /// Like advance_to(), with what runs the steps at present, and nothing is chosen meanwhile. What
+  /// each thread does is recorded; also of steps before one that fails or an exception.
+  StepOutcome advance_traced(std::int64_t target, bool observed,
+                             const TimeStepper::Completed& completed, const TraceOptions& options,
+                             StepTrace& trace);
+  std::int64_t steps() const { return stepper_.steps(); }
+  /// See TimeStepper: while advance_to() runs.
+  void stop() { stepper_.stop(); }
+  StepOutcome evaluate(bool renew, SystemRecord& record) {
+    return stepper_.evaluate(renew, record);
+  }
+  void continue_from(std::int64_t steps) { stepper_.continue_from(steps); }
+
+  /// Of one pass.
+  const graph::StepGraph& step_graph() const { return single_.graph; }
+  /// Of a window, if there is one, else of one pass.
+  const graph::StepGraph& run_graph() const { return window_ ? window_->graph : single_.graph; }
+  /// Steps that a run of run_graph() makes, about.
+  int run_steps() const { return window_ ? window_->steps : 1; }
+  graph::Threads threads() const { return threads_; }
+  /// How many times `automatic` has chosen; 0 for the others.
+  int choices() const;
+  /// In one line what runs the steps, and if it was chosen, why.
+  std::string describe() const;
+
+ private:
+  /// A graph and what runs it.
+  struct Runner {
+    Runner(StepContext& context, int passes, graph::ExecutorKind kind, graph::Threads threads);
+    /// The graph alone.
+    Runner(StepContext& context, int passes);
+    graph::StepGraph graph;
+    std::unique_ptr<graph::Executor> executor;
+    int steps = 1;  ///< that a run makes, about
+  };
+
+  Runner& runner_for(std::int64_t steps);
+  bool is_automatic() const { return options_.executor == graph::ExecutorKind::automatic; }
+  bool has_timed() const;
+  double remaining_seconds() const;
+  StepOutcome advance_timed(std::int64_t target, bool observed,
+                            const TimeStepper::Completed& completed);
+  void choose_window(std::int64_t steps);
+  int window_passes(std::int64_t steps) const;
+  void choose_stepping();
+  std::unique_ptr<graph::Executor> make_planned(const graph::StepGraph& graph) const;
+  double seconds_per_step() const;
+  void describe_traced(const Runner& runner, StepTrace& trace) const;
+  std::string describe_window(const std::string& before) const;
+
+  StepContext& context_;
+  RunnerOptions options_;
+  graph::Threads threads_;
+  Runner single_;
+  std::unique_ptr<Runner> window_;
+  std::unique_ptr<Runner> stepping_;  ///< of automatic, for steps one by one
+  TimeStepper stepper_;
+  graph::MeasuringExecutor timed_;  ///< of the first steps of automatic
+  int timed_steps_ = 0;
+  std::string reason_;  ///< for having no window
+};
+
+}  // namespace spoke

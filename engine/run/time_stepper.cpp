@@ -1,0 +1,265 @@
+// Opens a window, runs the graph until its steps are complete, and goes back where a step has
+// failed.
+
+#include "engine/run/time_stepper.h"
+
+#include <algorithm>
+#include <cassert>
+#include <exception>
+
+#include "engine/kernels/load_terms.h"
+#include "engine/step/pass_integration.h"
+#include "engine/table/state_values.h"
+
+namespace spoke {
+namespace {
+
+/// Steps between two copies of the state: what a failure costs to repeat, against what copies cost.
+constexpr std::int64_t kStepsPerCopy = 256;
+
+bool is_any_failed(const StepData& data) {
+  return std::any_of(data.progress.begin(), data.progress.end(), [](const StepProgress& progress) {
+    return progress.outcome != StepOutcome::done;
+  });
+}
+
+bool are_all_halted(const StepData& data) {
+  return std::all_of(data.progress.begin(), data.progress.end(),
+                     [](const StepProgress& progress) { return progress.is_halted; });
+}
+
+StepOutcome first_failure(const StepData& data) {
+  for (const StepProgress& progress : data.progress)
+    if (progress.outcome != StepOutcome::done) return progress.outcome;
+  return StepOutcome::done;
+}
+
+/// The last step that any subsystem has begun.
+std::int64_t furthest_step(const StepData& data) {
+  std::int64_t furthest = 0;
+  for (const StepProgress& progress : data.progress)
+    furthest = std::max(furthest, progress.passes > 0 ? progress.step : progress.step - 1);
+  return furthest;
+}
+
+/// Lets all subsystems go to the end of step `last`.
+void let_go(std::int64_t last, StepData& data) {
+  data.window.last = last;
+  for (StepProgress& progress : data.progress)
+    if (progress.outcome == StepOutcome::done) progress.is_halted = progress.step > last;
+}
+
+}  // namespace
+
+bool are_together(const StepData& data) {
+  const std::int64_t step = data.progress[0].step;
+  return std::all_of(data.progress.begin(), data.progress.end(),
+                     [step](const StepProgress& progress) {
+                       return progress.step == step && progress.passes == 0 &&
+                              progress.outcome == StepOutcome::done;
+                     });
+}
+
+/// One call of advance().
+struct TimeStepper::Advance {
+  std::int64_t target;
+  const Completed& completed;
+  bool is_wide;                ///< subsystems may stand at different steps
+  std::int64_t next_copy = 0;  ///< at which step
+  std::exception_ptr thrown;   ///< by `completed`; no exception may cross an executor
+};
+
+TimeStepper::TimeStepper(StepContext& context, const graph::StepGraph& graph)
+    : context_(context), graph_(graph), saved_(context.data) {}
+
+void TimeStepper::run_serially() {
+  for (const graph::NodeId node : graph_.serial_order()) graph_.run_node(node);
+}
+
+StepOutcome TimeStepper::start() {
+  const auto* alpha = std::get_if<GeneralizedAlpha>(&context_.integrator.method);
+  StepData& data = context_.data;
+  const auto each_block = [&](auto&& apply) {
+    apply(data.hub_coordinates);
+    for (SubsystemData& subsystem : data.subsystems)
+      for (BodyData& body : subsystem.bodies) apply(body.coordinates);
+  };
+  if (alpha) each_block([](CoordinateBlock& block) { hold(block); });
+  data.window = {};
+  std::fill(data.progress.begin(), data.progress.end(), make_start_progress());
+  run_serially();
+  if (is_any_failed(data))
+    return is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
+  if (alpha) each_block([&](CoordinateBlock& block) { spoke::start(*alpha, block); });
+  steps_ = 0;
+  return StepOutcome::done;
+}
+
+void TimeStepper::continue_from(std::int64_t steps) {
+  for (StepProgress& progress : context_.data.progress) {
+    const Power power = progress.power;
+    progress = StepProgress{};
+    progress.power = power;
+    progress.completed = steps;
+    progress.is_halted = true;
+    begin_step(context_.integrator, steps + 1, progress);
+  }
+  steps_ = steps;
+  good_steps_ = -1;
+}
+
+StepOutcome TimeStepper::evaluate(bool renew, SystemRecord& record) {
+  StepData& data = context_.data;
+  assert(are_together(data));
+  const bool is_rk4 = std::holds_alternative<Rk4>(context_.integrator.method);
+  const std::vector<double> before = take_state_values(steps_, data);
+  const SystemRecord record_before = of_step(data.records, steps_);
+  clear_load_failures(data);
+  if (!is_rk4)
+    for (SubsystemData& subsystem : data.subsystems)
+      for (BodyData& body : subsystem.bodies) hold(body.coordinates);
+  data.window = {steps_, steps_, false};
+  for (StepProgress& progress : data.progress) {
+    progress = make_start_progress();
+    progress.step = steps_;
+    progress.control.time = static_cast<double>(steps_) * step_size(context_.integrator);
+  }
+  run_serially();
+  record = of_step(data.records, steps_);
+  const StepOutcome outcome =
+      is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
+  std::vector<Power> power;
+  for (const StepProgress& progress : data.progress) power.push_back(progress.power);
+  const bool is_renewed = renew && outcome == StepOutcome::done;
+  if (is_renewed && is_rk4)
+    of_step(data.records, steps_) = record_before;
+  else
+    put_state_values(before, steps_, data);
+  if (is_renewed)
+    for (std::size_t i = 0; i < power.size(); ++i) data.progress[i].power = power[i];
+  continue_from(steps_);
+  return outcome;
+}
+
+StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor, bool observed,
+                                 const Completed& completed) {
+  StepData& data = context_.data;
+  is_stopping_ = false;
+  if (steps_ >= target) return StepOutcome::done;
+  clear_load_failures(data);
+  const bool is_wide = data.records.size() > 1 && target > steps_ + 1 && !stays_together_;
+  Advance advance{target, completed, is_wide, steps_, nullptr};
+  data.window.observed = observed;
+  open_window(advance);
+  if (watch_) watch_->begin_run(data);
+  executor.run_while([this, &advance] { return continues(advance); });
+  if (advance.thrown) {
+    if (advance.is_wide) return_to_last_step();
+    std::rethrow_exception(advance.thrown);
+  }
+  if (!is_any_failed(data)) return StepOutcome::done;
+  return advance.is_wide ? repeat_failure(advance) : end_failed();
+}
+
+/// A step has failed. If by a load, the system goes back to the end of the step before.
+StepOutcome TimeStepper::end_failed() {
+  StepData& data = context_.data;
+  if (!is_any_load_failed(data)) return first_failure(data);
+  put_state_values(good_, steps_, data);
+  continue_from(steps_);
+  return StepOutcome::load_failed;
+}
+
+/// Of systems with loads: a state to go back to.
+void TimeStepper::keep_good_state() {
+  StepData& data = context_.data;
+  if (good_steps_ == steps_ || !has_loads(data) || !are_together(data)) return;
+  take_state_values(steps_, data, good_);
+  good_steps_ = steps_;
+}
+
+void TimeStepper::open_window(Advance& advance) {
+  StepData& data = context_.data;
+  std::int64_t last =
+      std::min(advance.target,
+               steps_ + (advance.is_wide ? static_cast<std::int64_t>(data.records.size()) : 1));
+  if (advance.is_wide && steps_ >= advance.next_copy) {
+    if (are_together(data)) {
+      saved_.save();
+      saved_steps_ = steps_;
+      advance.next_copy = steps_ + kStepsPerCopy;
+    } else {
+      last = furthest_step(data);  // wait for one another
+    }
+  }
+  if (!advance.is_wide) keep_good_state();
+  data.window.first = steps_ + 1;
+  let_go(last, data);
+}
+
+/// After a run: reports its steps and sets the next one, if there is one to be made.
+bool TimeStepper::continues(Advance& advance) {
+  StepData& data = context_.data;
+  if (watch_) watch_->end_run(data);
+  report_steps(advance);
+  if (is_stopping_)
+    advance.target = std::min(advance.target, std::max(steps_, furthest_step(data)));
+  if (advance.thrown || steps_ >= advance.target) return false;
+  if (is_any_failed(data)) {
+    // Where subsystems do not part, the others complete the step; where they do, it will be
+    // repeated.
+    if (advance.is_wide || are_all_halted(data)) return false;
+  } else {
+    open_window(advance);
+  }
+  if (watch_) watch_->begin_run(data);
+  return true;
+}
+
+void TimeStepper::report_steps(Advance& advance) {
+  const std::int64_t last = last_complete_step(context_.data);
+  while (steps_ < last && !advance.thrown) {
+    ++steps_;
+    if (!advance.completed) continue;
+    try {
+      advance.completed(steps_);
+    } catch (...) {
+      advance.thrown = std::current_exception();
+    }
+  }
+}
+
+void TimeStepper::run_step_serially(std::int64_t step) {
+  StepData& data = context_.data;
+  data.window.first = step;
+  let_go(step, data);
+  while (!are_all_halted(data)) run_serially();
+}
+
+/// Goes back to the last copy and steps, one step at a time, to the end of the step that was
+/// reported last: some subsystems were beyond it.
+void TimeStepper::return_to_last_step() {
+  saved_.restore();
+  clear_load_failures(context_.data);
+  good_steps_ = -1;
+  for (std::int64_t step = saved_steps_ + 1; step <= steps_; ++step) run_step_serially(step);
+}
+
+/// Goes back to the last copy and steps, one step at a time, into the failure again; or to the
+/// target, if it was the failure of a load that does not fail again.
+StepOutcome TimeStepper::repeat_failure(Advance& advance) {
+  StepData& data = context_.data;
+  saved_.restore();
+  clear_load_failures(data);
+  good_steps_ = -1;
+  for (std::int64_t step = saved_steps_ + 1; step <= advance.target; ++step) {
+    if (step == steps_ + 1) keep_good_state();
+    run_step_serially(step);
+    report_steps(advance);
+    if (advance.thrown) std::rethrow_exception(advance.thrown);
+    if (is_any_failed(data)) return end_failed();
+  }
+  return StepOutcome::done;
+}
+
+}  // namespace spoke

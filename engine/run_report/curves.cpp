@@ -1,0 +1,115 @@
+// Keeps extremes of stretches of rows, which become longer as more rows come.
+
+#include "engine/run_report/curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace spoke::run_report {
+namespace {
+
+std::size_t index_of(const Simulation& simulation, const std::string& sensor) {
+  const auto& names = simulation.sensor_names();
+  const auto found = std::find(names.begin(), names.end(), sensor);
+  if (found == names.end()) throw std::out_of_range("no sensor " + sensor);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// Displacements of the tips in the direction that is turned by `turn` from the blade's.
+Plot plot_of_tips(const Simulation& simulation, std::string title, bool is_across) {
+  Plot plot{std::move(title), "m", {}};
+  const auto& blades = simulation.scenario().rotor.blades;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    const double c = std::cos(blades[i].azimuth), s = std::sin(blades[i].azimuth);
+    plot.channels.push_back({"blade " + number, index_of(simulation, "blade" + number + ".tip.x"),
+                             is_across ? -s : c, index_of(simulation, "blade" + number + ".tip.y"),
+                             is_across ? c : s});
+  }
+  return plot;
+}
+
+}  // namespace
+
+std::vector<Plot> make_plots(const Simulation& simulation) {
+  const auto one = [&](const char* name, const std::string& sensor) {
+    return Channel{name, index_of(simulation, sensor)};
+  };
+  std::vector<Plot> plots;
+  plots.push_back(plot_of_tips(simulation, "Tip deflection across the blade", true));
+  plots.push_back(plot_of_tips(simulation, "Tip displacement along the blade", false));
+  plots.push_back({"Hub speed", "rad/s", {one("speed", "hub.speed")}});
+  plots.push_back({"Torque on the hub", "N m", {one("torque", "hub.torque")}});
+  if (simulation.scenario().rotor.hub.support == HubSupport::free)
+    plots.push_back({"Place of the hub", "m", {one("x", "hub.x"), one("y", "hub.y")}});
+  plots.push_back({"Energies",
+                   "J",
+                   {one("kinetic", "energy.kinetic"), one("strain", "energy.strain"),
+                    one("work", "energy.work"), one("dissipated", "energy.dissipated")}});
+  plots.push_back({"Energy residual", "J", {one("residual", "energy.residual")}});
+  return plots;
+}
+
+void Curves::Extremes::add(Sample sample) {
+  if (is_empty || sample.value < low.value) low = sample;
+  if (is_empty || sample.value > high.value) high = sample;
+  is_empty = false;
+}
+
+void Curves::Extremes::add(const Extremes& other) {
+  if (other.is_empty) return;
+  add(other.low);
+  add(other.high);
+}
+
+Curves::Curves(std::size_t curves)
+    : curves_(curves),
+      most_buckets_(
+          std::clamp<std::size_t>(kMostInAll / std::max<std::size_t>(1, curves), 50, kMostBuckets)),
+      last_(curves) {}
+
+void Curves::add(double t, std::span<const double> values) {
+  if (buckets_.empty() || rows_in_last_ == rows_per_bucket_) {
+    if (buckets_.size() == most_buckets_ * curves_) merge_pairs();
+    buckets_.resize(buckets_.size() + curves_);
+    rows_in_last_ = 0;
+  }
+  ++rows_in_last_;
+  for (std::size_t i = 0; i < curves_; ++i) {
+    if (!std::isfinite(values[i])) continue;
+    last_[i] = {t, values[i]};
+    buckets_[buckets_.size() - curves_ + i].add(last_[i]);
+  }
+}
+
+void Curves::merge_pairs() {
+  const std::size_t buckets = most_buckets_ / 2;
+  for (std::size_t b = 0; b < buckets; ++b)
+    for (std::size_t i = 0; i < curves_; ++i) {
+      Extremes both = buckets_[2 * b * curves_ + i];
+      both.add(buckets_[(2 * b + 1) * curves_ + i]);
+      buckets_[b * curves_ + i] = both;
+    }
+  // Of an odd number the last one stays by itself.
+  for (std::size_t i = 0; i < most_buckets_ % 2 * curves_; ++i)
+    buckets_[buckets * curves_ + i] = buckets_[2 * buckets * curves_ + i];
+  buckets_.resize((buckets + most_buckets_ % 2) * curves_);
+  rows_per_bucket_ *= 2;
+}
+
+std::vector<Sample> Curves::curve(std::size_t index) const {
+  std::vector<Sample> samples;
+  for (std::size_t at = index; at < buckets_.size(); at += curves_) {
+    const Extremes& bucket = buckets_[at];
+    if (bucket.is_empty) continue;
+    const bool is_rising = bucket.low.t <= bucket.high.t;
+    samples.push_back(is_rising ? bucket.low : bucket.high);
+    if (bucket.low.t != bucket.high.t) samples.push_back(is_rising ? bucket.high : bucket.low);
+  }
+  if (!samples.empty() && samples.back().t < last_[index].t) samples.push_back(last_[index]);
+  return samples;
+}
+
+}  // namespace spoke::run_report

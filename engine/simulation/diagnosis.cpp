@@ -1,0 +1,275 @@
+// Finds the place of a failure in the table, and its likely cause.
+
+#include "engine/simulation/diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "engine/kernels/body_energies.h"
+#include "engine/kernels/deformation_limits.h"
+#include "engine/kernels/natural_frequencies.h"
+
+namespace spoke {
+namespace {
+
+/// The body at which a failure showed, and what was found there.
+struct FailureSite {
+  int subsystem = -1;
+  int body = -1;
+  std::string finding;        ///< what was found there
+  const char* node = "";      ///< stage of the graph that works on it
+  bool has_bad_load = false;  ///< a load on it is not finite
+
+  bool is_known() const { return subsystem >= 0; }
+};
+
+std::string name_body(const FailureSite& site) {
+  return "blade " + std::to_string(site.subsystem + 1) + " / body " + std::to_string(site.body + 1);
+}
+
+/// "axial displacement u of node 3", "deflection v of node 4", "rotation psi of node 0".
+std::string name_coordinate(const FlexibleBody& body, int coordinate) {
+  static constexpr const char* kNames[] = {"axial displacement u", "deflection v", "rotation psi"};
+  for (int node = 0; node <= body.elements; ++node)
+    for (int c = 0; c < kTwist; ++c)
+      if (body.coordinate(node, c) == coordinate)
+        return std::string(kNames[c]) + " of node " + std::to_string(node);
+  return "coordinate " + std::to_string(coordinate);
+}
+
+std::string describe_violation(const FlexibleBody& body, const LimitViolation& violation) {
+  std::ostringstream text;
+  text << name_coordinate(body, violation.coordinate);
+  if (std::isfinite(violation.value))
+    text << " = " << violation.value << " is beyond what its linear model can mean (limit "
+         << violation.limit << ")";
+  else
+    text << " is not finite";
+  return text.str();
+}
+
+/// "the acceleration of deflection v of node 4 is not finite", of the first coordinate.
+std::string describe_accelerations(const BodyData& body) {
+  const FlexibleBody& model = *body.model->body;
+  for (int k = 0; k < model.coordinates(); ++k)
+    if (!std::isfinite(body.a_found[body.layout.offset(k)]))
+      return "the acceleration of the " + name_coordinate(model, k) + " is not finite";
+  return "the acceleration of its frame is not finite";
+}
+
+/// Calls `apply` with the indices and data of each body of the subsystems whose step has failed,
+/// root to tip.
+template <class Apply>
+void for_each_failed(const StepData& data, Apply&& apply) {
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    const SubsystemData& subsystem = data.subsystems[i];
+    if (subsystem.progress->outcome == StepOutcome::done) continue;
+    for (std::size_t j = 0; j < subsystem.bodies.size(); ++j)
+      apply(static_cast<int>(i), static_cast<int>(j), subsystem.bodies[j]);
+  }
+}
+
+/// The first body with a load that is not finite at the time of the failed pass.
+FailureSite find_bad_load(const StepData& data) {
+  FailureSite found;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    const double t = data.subsystems[static_cast<std::size_t>(i)].progress->control.time;
+    for (const NodeLoad& load : body.model->loads) {
+      const double sum = load.factor->value(t) * (load.force.x() + load.force.y() + load.moment);
+      if (std::isfinite(sum) || found.is_known()) continue;
+      found = {i, j, "the load on its node " + std::to_string(load.node) + " is not finite", "mass",
+               true};
+    }
+  });
+  return found;
+}
+
+/// The first body with a coordinate that is not finite, or else the one farthest beyond its limit.
+FailureSite find_worst(const StepData& data) {
+  FailureSite worst;
+  double largest = 0.0;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    const LimitViolation violation = find_limit_violation(body);
+    if (violation.coordinate < 0) return;
+    const double severity =
+        std::isfinite(violation.value) ? std::abs(violation.value) / violation.limit : HUGE_VAL;
+    if (severity <= largest) return;
+    largest = severity;
+    worst = {i, j, describe_violation(*body.model->body, violation), "recovery"};
+  });
+  return worst;
+}
+
+/// The first body that reported a failure: its accelerations, if its coordinates are fine.
+FailureSite find_reported(const StepData& data) {
+  FailureSite found;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    if (found.is_known() || body.report.failed == 0.0) return;
+    found = {i, j, describe_accelerations(body), "recovery"};
+  });
+  return found;
+}
+
+/// The body of which the last iteration has changed a coordinate most.
+FailureSite find_most_changed(const StepData& data) {
+  FailureSite found;
+  double largest = 0.0;
+  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+    if (found.is_known() && body.report.change <= largest) return;
+    largest = body.report.change;
+    found = {i, j, "", "recovery"};
+  });
+  return found;
+}
+
+/// The body with the largest strain energy.
+FailureSite find_most_strained(const StepData& data) {
+  FailureSite found;
+  double largest = -1.0;
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j) {
+      const double strain = calc_strain_energy(data.subsystems[i].bodies[j]);
+      if (strain <= largest) continue;
+      largest = strain;
+      found = {static_cast<int>(i), static_cast<int>(j), "", "sensors"};
+    }
+  return found;
+}
+
+FailureSite find_site(const StepContext& context, const FailedStep& failed) {
+  const StepData& data = context.data;
+  if (failed.outcome == StepOutcome::energy_grew) return find_most_strained(data);
+  if (failed.outcome == StepOutcome::not_converged) return find_most_changed(data);
+  FailureSite site = find_bad_load(data);
+  if (!site.is_known()) site = find_worst(data);
+  if (!site.is_known()) site = find_reported(data);
+  return site;
+}
+
+/// Whether drive and support prescribe a motion, or apply a torque, that is not finite.
+bool is_drive_finite(const System& system, double t) {
+  const DriveMotion motion = calc_motion(system.hub.drive, t);
+  return std::isfinite(motion.angle + motion.speed + motion.acceleration +
+                       calc_torque(system.hub.drive, t));
+}
+
+/// Progress of a subsystem whose step has failed.
+const StepProgress& failed_progress(const StepData& data) {
+  for (const StepProgress& progress : data.progress)
+    if (progress.outcome != StepOutcome::done) return progress;
+  return data.progress.front();
+}
+
+std::string describe_finding(const Scenario& scenario, const StepContext& context,
+                             const FailedStep& failed, const FailureSite& site) {
+  std::ostringstream text;
+  if (failed.outcome == StepOutcome::energy_grew) {
+    text << describe_growth(scenario, failed.seen) << "; " << name_body(site)
+         << " is strained most (node \"blade " << site.subsystem + 1 << " / sensors\")";
+  } else if (failed.outcome == StepOutcome::not_converged) {
+    text << "the iteration still changes a coordinate by " << failed_progress(context.data).change
+         << " (tolerance " << context.integrator.limits.tolerance << ") after "
+         << context.integrator.limits.most << " iterations, most in " << name_body(site)
+         << " (node \"" << name_body(site) << " / recovery\")";
+  } else if (site.is_known()) {
+    text << name_body(site) << ": " << site.finding << " (node \"" << name_body(site) << " / "
+         << site.node << "\")";
+  } else {
+    text << "the acceleration of the hub is not finite (node \"hub solve\")";
+  }
+  return text.str();
+}
+
+// The causes below say what is likely, with the numbers behind it, and what to try; empty: it is
+// not the cause.
+
+std::string blame_input(const StepContext& context, const FailureSite& site) {
+  if (site.has_bad_load)
+    return "a factor, force or moment of that load overflows or was no number: correct it";
+  if (!is_drive_finite(context.system, failed_progress(context.data).control.time))
+    return "the drive's motion or torque is not finite at this time: correct it";
+  return {};
+}
+
+std::string blame_rk4(const Scenario& scenario, const StepContext& context) {
+  const auto* rk4 = std::get_if<Rk4>(&context.integrator.method);
+  if (!rk4) return {};
+  const FrequencyRange range = calc_frequency_range(scenario.rotor);
+  const double limit = calc_rk4_largest_step(range);
+  if (rk4->step <= limit) return {};
+  std::ostringstream text;
+  text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
+       << " s (2 sqrt(2) by the highest natural frequency, " << range.highest
+       << " rad/s): take a smaller integration.step, or generalized_alpha";
+  return text.str();
+}
+
+std::string blame_stiffening(const Scenario& scenario, const StepContext& context,
+                             const FailureSite& site) {
+  if (!site.is_known()) return {};
+  const Blade& blade = scenario.rotor.blades[static_cast<std::size_t>(site.subsystem)];
+  const double speed = std::abs(context.data.hub_coordinates.v[kRotation]);
+  if (blade.geometric_stiffening) return {};
+  const double first = calc_first_frequency(blade);
+  if (speed < 0.5 * first) return {};
+  std::ostringstream text;
+  text << "without geometric stiffening a body does not feel that rotation stiffens it, and the "
+          "hub turns at "
+       << speed << " rad/s, " << (speed > first ? "above" : "near")
+       << " the blade's first natural frequency of " << first
+       << " rad/s: set geometric_stiffening = true, or cut the blade into more bodies";
+  return text.str();
+}
+
+std::string blame_iteration(const StepContext& context, const FailedStep& failed) {
+  constexpr double kRoundOff = 1e-12;  // of coordinates of some metres
+  if (failed.outcome != StepOutcome::not_converged) return {};
+  const IterationLimits& limits = context.integrator.limits;
+  std::ostringstream text;
+  if (failed_progress(context.data).change < kRoundOff)
+    text << "that is round-off: set integration.tolerance to 1e-12 or more";
+  else
+    text << "the step is too large for generalized_alpha to iterate on: set integration.step to "
+         << 0.5 * step_size(context.integrator) << " or less, or integration.max_iterations above "
+         << limits.most;
+  return text.str();
+}
+
+/// Bodies that were bent beyond the linear range before.
+std::string blame_deflection(const Scenario& scenario, const FailedStep& failed, double step) {
+  const Observations::Deflection& largest = failed.seen.largest_deflection;
+  if (largest.step < 0.0) return {};
+  const Blade& blade = scenario.rotor.blades[static_cast<std::size_t>(largest.blade)];
+  std::ostringstream text;
+  text << "blade " << largest.blade + 1.0 << " / body " << largest.body + 1.0 << " had bent by "
+       << 100.0 * largest.ratio << " % of its length at t = " << largest.step * step
+       << " s, too much for its linear elasticity: cut the blade into about "
+       << suggest_bodies(blade.bodies, largest.ratio, scenario.limits.deflection)
+       << " bodies instead of " << blade.bodies << ", or take a smaller integration.step";
+  return text.str();
+}
+
+std::string find_cause(const Scenario& scenario, const StepContext& context,
+                       const FailedStep& failed, const FailureSite& site) {
+  for (const std::string& cause :
+       {blame_input(context, site), blame_rk4(scenario, context),
+        blame_stiffening(scenario, context, site), blame_iteration(context, failed),
+        blame_deflection(scenario, failed, step_size(context.integrator))})
+    if (!cause.empty()) return cause;
+  return "take a smaller integration.step, more bodies per blade, or smaller loads";
+}
+
+}  // namespace
+
+std::string describe_failure(const Scenario& scenario, const StepContext& context,
+                             const FailedStep& failed) {
+  const FailureSite site = find_site(context, failed);
+  std::ostringstream text;
+  text << "diverged at t = " << failed.time << " s, step " << failed.step << ": "
+       << describe_finding(scenario, context, failed, site) << "; "
+       << find_cause(scenario, context, failed, site);
+  return text.str();
+}
+
+}  // namespace spoke

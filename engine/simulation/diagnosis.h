@@ -1,0 +1,27 @@
+#pragma once
+
+// The sentence of a DivergenceError.
+
+#include <cstdint>
+#include <string>
+
+#include "engine/simulation/observations.h"
+#include "engine/step/step_context.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+/// Where a step failed.
+struct FailedStep {
+  StepOutcome outcome = StepOutcome::left_limits;
+  double time = 0.0;      ///< that the step was to reach [s]
+  std::int64_t step = 0;  ///< counted from 1
+  Observations seen;      ///< up to the step before it; of energy_grew, in it
+};
+
+/// One sentence that says what left its limits, where (blade, body, node of the graph, coordinate),
+/// when, and what to try.
+std::string describe_failure(const Scenario& scenario, const StepContext& context,
+                             const FailedStep& failed);
+
+}  // namespace spoke

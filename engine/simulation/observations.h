@@ -1,0 +1,77 @@
+#pragma once
+
+// What the complete steps of a simulation have shown so far: the farthest that a body has bent, and
+// whether the energy has grown beyond the work done. A function of the steps alone, whatever runs
+// them. Doubles only, for saved states carry it.
+
+#include <string>
+#include <vector>
+
+#include "engine/table/step_progress.h"
+#include "engine/warnings.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+/// Energies at the end of a step, as the sensors show them.
+struct EnergyBalance {
+  double energy = 0.0;    ///< kinetic and strain energy [J]
+  double residual = 0.0;  ///< energy that neither the start nor work explains [J]
+};
+
+struct Observations {
+  /// The largest deflection of a step, if beyond the linear range (see LargeDeflection).
+  struct Deflection {
+    double step = -1.0;  ///< -1: there is none
+    double ratio = 0.0;
+    double blade = -1.0, body = -1.0;
+  };
+  Deflection first_deflection, largest_deflection;
+
+  /// Of steps whose energies are known.
+  struct Energy {
+    double step = 0.0;     ///< the last one
+    double last = 0.0;     ///< energy there [J]
+    double largest = 0.0;  ///< energy [J]
+    double change = 0.0;   ///< largest change of the energy within a step [J]
+  };
+  Energy energy;
+  /// When the energy has first grown beyond its limit.
+  struct Growth {
+    double step = -1.0;                   ///< -1: it has not
+    double residual = 0.0, energy = 0.0;  ///< [J]; energy: the largest up to then
+    double largest_residual = 0.0, largest_step = -1.0;
+  };
+  Growth growth;
+};
+
+/// Whether these may be observations of a rotor: the bodies that they name exist.
+bool is_possible(const Observations& seen, const Rotor& rotor);
+
+/// Takes the record of a step, in order of steps.
+void observe_step(double step, const StepRecord& record, Observations& seen);
+
+/// Takes the energy at the start [J].
+void observe_start(double energy, Observations& seen);
+
+/// Takes the energies of a step. Whether this is the first at which they have grown: by more than
+/// `limit` (0: any growth is accepted) of the largest energy so far, and more than twice what the
+/// energy has changed by within any one step. That is what the quadrature of the work may be wrong
+/// by, most of all where a motion begins.
+bool observe_energy(double step, const EnergyBalance& balance, double limit, Observations& seen);
+
+/// Bodies into which a blade of `bodies` bodies is to be cut for a deflection of `ratio` of the
+/// length of a body to come down to `limit`. Under a given curvature the ratio goes with the length
+/// of the bodies, and a little slower at the root, where it is largest: a uniform transverse force
+/// is assumed.
+int suggest_bodies(int bodies, double ratio, double limit);
+
+/// What the simulation of a scenario, in steps of `step_size` [s], is to be warned of, at most one
+/// of each kind.
+std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,
+                                   const Observations& seen);
+
+/// One sentence about growth of the energy, without advice. Precondition: it has grown.
+std::string describe_growth(const Scenario& scenario, const Observations& seen);
+
+}  // namespace spoke

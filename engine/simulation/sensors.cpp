@@ -1,0 +1,116 @@
+// Energies, work and the values of all sensors at a step.
+
+#include "engine/simulation/sensors.h"
+
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/samples.h"
+
+namespace spoke {
+namespace {
+
+/// The hub's energies: kinetic, and the work of gravity.
+Energies calc_hub_energies(const System& system, const Twist& position, const Twist& velocity) {
+  const Hub& hub = system.hub;
+  const Position v = velocity.head<kPosition>(), p = position.head<kPosition>();
+  const double speed = velocity[kRotation];
+  return {0.5 * hub.mass * v.squaredNorm() + 0.5 * hub.inertia * speed * speed, 0.0,
+          hub.mass * system.gravity.dot(p)};
+}
+
+/// Sums over the hub and the samples of a step, in the subsystems' order.
+Energies sum_energies(const System& system, const SystemRecord& record, std::int64_t step,
+                      const StepData& data) {
+  Energies energies = calc_hub_energies(system, record.position, record.velocity);
+  for (const SubsystemData& subsystem : data.subsystems) {
+    const SubsystemSample& sample = of_step(subsystem.samples, step);
+    energies.kinetic += sample.kinetic;
+    energies.strain += sample.strain;
+    energies.gravity += sample.gravity;
+  }
+  return energies;
+}
+
+}  // namespace
+
+Energies calc_energies(const System& system, StepData& data) {
+  const CoordinateBlock& hub = data.hub_coordinates;
+  if (data.is_coupled) data.hub = calc_hub_state(hub);
+  Energies energies = calc_hub_energies(system, Twist(hub.q[0], hub.q[1], hub.q[2]),
+                                        Twist(hub.v[0], hub.v[1], hub.v[2]));
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    update_kinematics(system.subsystems[i], data.subsystems[i]);
+    const SubsystemSample sample = calc_sample(system, i, data.subsystems[i]);
+    energies.kinetic += sample.kinetic;
+    energies.strain += sample.strain;
+    energies.gravity += sample.gravity;
+  }
+  return energies;
+}
+
+void WorkDone::add(const StepRecord& step) {
+  by_drive_and_loads += step.work;
+  dissipated += step.dissipated;
+}
+
+Sensors::Sensors(const System& system) {
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
+    const std::string blade = "blade" + std::to_string(i + 1);
+    add(blade + ".tip.x", "m");
+    add(blade + ".tip.y", "m");
+  }
+  if (system.hub.support == HubSupport::free) {
+    add("hub.x", "m");
+    add("hub.y", "m");
+  }
+  add("hub.angle", "rad");
+  add("hub.speed", "rad/s");
+  add("hub.torque", "N m");
+  add("energy.kinetic", "J");
+  add("energy.strain", "J");
+  add("energy.work", "J");
+  add("energy.dissipated", "J");
+  add("energy.residual", "J");
+}
+
+void Sensors::add(std::string name, std::string unit) {
+  names_.push_back(std::move(name));
+  units_.push_back(std::move(unit));
+}
+
+void Sensors::start(const System& system, StepData& data) {
+  sample(system, 0, data);
+  const Energies energies = sum_energies(system, of_step(data.records, 0), 0, data);
+  initial_energy_ = energies.kinetic + energies.strain;
+  initial_gravity_ = energies.gravity;
+}
+
+void Sensors::sample(const System& system, std::int64_t step, StepData& data) {
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    update_kinematics(system.subsystems[i], data.subsystems[i]);
+    of_step(data.subsystems[i].samples, step) = calc_sample(system, i, data.subsystems[i]);
+  }
+}
+
+const std::vector<double>& Sensors::measure(const System& system, const WorkDone& work,
+                                            std::int64_t step, const StepData& data) {
+  const SystemRecord& record = of_step(data.records, step);
+  const Energies energies = sum_energies(system, record, step, data);
+  values_.clear();
+  for (const SubsystemData& subsystem : data.subsystems) {
+    const SubsystemSample& sample = of_step(subsystem.samples, step);
+    values_.insert(values_.end(), {sample.tip_x, sample.tip_y});
+  }
+  if (system.hub.support == HubSupport::free)
+    values_.insert(values_.end(), {record.position[0], record.position[1]});
+  const double torque = record.step.reaction[kRotation] + record.applied_torque;
+  const double done = work.by_drive_and_loads + (energies.gravity - initial_gravity_);
+  const double residual =
+      energies.kinetic + energies.strain - initial_energy_ + work.dissipated - done;
+  values_.insert(values_.end(),
+                 {record.position[kRotation], record.velocity[kRotation], torque, energies.kinetic,
+                  energies.strain, done, work.dissipated, residual});
+  balance_ = {energies.kinetic + energies.strain, residual};
+  return values_;
+}
+
+}  // namespace spoke

@@ -1,0 +1,294 @@
+// Checks options, builds the parts of a simulation, and runs and completes its steps.
+
+#include "engine/simulation/simulation_core.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "engine/kernels/load_terms.h"
+#include "engine/simulation/diagnosis.h"
+#include "engine/simulation/model_identity.h"
+#include "engine/step/model_memory.h"
+#include "engine/table/state_values.h"
+#include "graph/declaration_check.h"
+#include "models/error.h"
+#include "models/reader/scenario_check.h"
+
+namespace spoke {
+namespace {
+
+/// Steps of at most integration.step that divide the duration; a relative slack of 1e-9 keeps round
+/// values from gaining one.
+std::int64_t count_steps(const Integration& integration) {
+  return static_cast<std::int64_t>(
+      std::ceil(integration.duration / integration.step * (1.0 - 1e-9)));
+}
+
+Method make_method(const Integration& integration, double step) {
+  if (integration.method == IntegrationMethod::rk4) return Rk4{step};
+  return make_generalized_alpha(integration.spectral_radius, step);
+}
+
+const Scenario& checked(const Scenario& scenario) {
+  check_scenario(scenario);
+  return scenario;
+}
+
+const SimulationOptions& checked(const SimulationOptions& options) {
+  require_range("SimulationOptions::window", options.window, 0, kMostWindow);
+  graph::check_threads(options.executor, options.threads);
+  return options;
+}
+
+/// Ends a run at a step whose energy has grown, if the scenario says so. Leaves no function of the
+/// simulation.
+struct EnergyHasGrown {};
+
+}  // namespace
+
+void require_range(const char* what, std::int64_t value, std::int64_t least,
+                   std::int64_t greatest) {
+  if (value < least || value > greatest)
+    throw InputError(std::string(what) + " is " + std::to_string(value) + ", expected " +
+                     std::to_string(least) + " to " + std::to_string(greatest));
+}
+
+SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& chosen,
+                               const Loads& loads)
+    : scenario(checked(given)),
+      options(checked(chosen)),
+      planned_steps(count_steps(given.integration)),
+      step_size(given.integration.duration / static_cast<double>(planned_steps)),
+      identity(std::make_shared<const std::string>(
+          make_identity(scenario, options.formulation, step_size))),
+      sensors((prepare(loads), context.system)) {
+  const StepOutcome outcome = runner->start();
+  if (outcome != StepOutcome::done) throw_failure(outcome, 0);
+  sensors.start(context.system, context.data);
+  observe_start(sensors.initial_energy(), seen);
+  complete_step(0, {});
+}
+
+void SimulationCore::prepare(const Loads& loads) {
+  if (scenario.limits.deflection > 0.0) context.linear_range = scenario.limits.deflection;
+  context.system = make_system(scenario.rotor);
+  context.formulation = options.formulation;
+  context.integrator = {make_method(scenario.integration, step_size),
+                        {scenario.integration.tolerance, scenario.integration.iterations,
+                         scenario.integration.max_iterations}};
+  require_memory(context.system, context.formulation);
+  const RunnerOptions how{options.executor, options.threads, options.window, planned_steps};
+  const std::vector<AskedLoad> asked = ask_loads(loads);
+  context.loads_tie_blades = ties_blades(asked);
+  allocate(context, window_records(how, context.system));
+  place_loads(asked, context.data);
+  runner = std::make_unique<StepRunner>(context, how);
+#ifndef NDEBUG
+  require_kept_declarations();
+#endif
+}
+
+/// Debug builds run every node once on its declared data alone.
+[[maybe_unused]] void SimulationCore::require_kept_declarations() {
+  constexpr int kLargest = 500;  // nodes: the check costs their number times the memory
+  if (runner->step_graph().node_count() > kLargest) return;
+  for (const graph::DeclarationFault& fault : graph::check_declarations(runner->step_graph()))
+    throw Error(ErrorCode::internal, fault.message);
+  clear_load_failures(context.data);
+}
+
+void SimulationCore::step() {
+  if (runner->steps() >= planned_steps) return;
+  require_done([this] {
+    return runner->advance_one([this](std::int64_t step) {
+      if (stops_on_growth()) Sensors::sample(context.system, step, context.data);
+      complete_step(step, {});
+    });
+  });
+}
+
+void SimulationCore::run_to(std::int64_t target, const StepObserver& observe) {
+  const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
+  const bool observed = observe || stops_on_growth();
+  require_done(
+      [&] { return runner->advance_to(std::min(target, planned_steps), observed, completed); });
+}
+
+StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe,
+                                const TraceOptions& trace_options) {
+  const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
+  const bool observed = observe || stops_on_growth();
+  StepTrace trace;
+  try {
+    require_done([&] {
+      return runner->advance_traced(std::min(target, planned_steps), observed, completed,
+                                    trace_options, trace);
+    });
+  } catch (...) {
+    if (trace_options.unfinished) trace_options.unfinished(std::move(trace));
+    throw;
+  }
+  return trace;
+}
+
+void SimulationCore::measure(std::int64_t target, graph::Executor& executor) {
+  require_done([&] {
+    return runner->advance_by(executor, std::min(target, planned_steps), stops_on_growth(),
+                              [this](std::int64_t step) { complete_step(step, {}); });
+  });
+}
+
+void SimulationCore::open_window() {
+  require_done([this] {
+    return runner->open_window(stops_on_growth(),
+                               [this](std::int64_t step) { complete_step(step, {}); });
+  });
+}
+
+void SimulationCore::require_state(const char* use) const {
+  const StepData& data = context.data;
+  if (!are_together(data) || last_complete_step(data) != runner->steps())
+    throw StateError(std::string("there is no state to ") + use +
+                     ": a step failed or was not brought to its end");
+}
+
+void SimulationCore::evaluate() {
+  require_state("evaluate");
+  if (evaluated_step == runner->steps()) return;
+  const StepOutcome outcome = runner->evaluate(false, evaluated);
+  if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
+  evaluated_step = runner->steps();
+}
+
+void SimulationCore::renew() {
+  evaluated_step = -1;
+  const StepOutcome outcome = runner->evaluate(true, evaluated);
+  if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
+}
+
+PlacedMarker SimulationCore::place(const Marker& marker) const {
+  return place_marker("the marker", marker, context.data);
+}
+
+const BodyData& SimulationCore::find_body(int blade, int body) const {
+  const auto& blades = context.data.subsystems;
+  require_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
+  const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
+  require_range("the index of the body", body, 0, static_cast<std::int64_t>(bodies.size()) - 1);
+  return bodies[static_cast<std::size_t>(body)];
+}
+
+SavedState SimulationCore::save() {
+  require_state("save");
+  const std::int64_t steps = runner->steps();
+  return {identity,
+          static_cast<double>(steps) * step_size,
+          steps,
+          evaluations,
+          work.by_drive_and_loads,
+          work.dissipated,
+          take_values(steps)};
+}
+
+/// The values of the table, then what was observed.
+std::vector<double> SimulationCore::take_values(std::int64_t steps) {
+  std::vector<double> values = take_state_values(steps, context.data);
+  const std::span<const double> observed = doubles(seen);
+  values.insert(values.end(), observed.begin(), observed.end());
+  return values;
+}
+
+void SimulationCore::restore(const SavedState& state) {
+  StepData& data = context.data;
+  constexpr std::int64_t most_steps = std::int64_t{1} << 53;  // values are doubles
+  if (!state.model) throw InputError("the saved state is empty");
+  if (state.steps < 0 || state.steps > most_steps)
+    throw InputError("the saved state has made " + std::to_string(state.steps) +
+                     " steps, expected 0 to 2^53");
+  if (state.model != identity) {
+    const std::string difference = find_difference(*state.model, *identity);
+    if (!difference.empty()) throw InputError("the saved state is of another model: " + difference);
+  }
+  const std::size_t table_count = count_state_values(data);
+  const std::size_t count = table_count + doubles(seen).size();
+  if (state.values.size() != count)
+    throw InputError("the saved state has " + std::to_string(state.values.size()) +
+                     " values, expected " + std::to_string(count) +
+                     ", as where loads between blades act on one of the two simulations only");
+  Observations before;
+  const std::span<double> observed = doubles(before);
+  std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),
+            observed.begin());
+  if (!is_possible(before, scenario.rotor))
+    throw InputError("the saved state names a body that there is not");
+  seen = before;
+  put_state_values(std::span(state.values).first(table_count), state.steps, data);
+  runner->continue_from(state.steps);
+  evaluations = state.evaluations;
+  work = {state.work, state.dissipated};
+  measured_step = evaluated_step = -1;
+  SimulationLog::log_restored(scenario, static_cast<double>(state.steps) * step_size, state.steps);
+}
+
+/// Whether the energies of every step are looked at.
+bool SimulationCore::stops_on_growth() const {
+  return scenario.limits.energy_growth > 0.0 &&
+         scenario.limits.on_energy_growth == EnergyGrowth::stop;
+}
+
+template <class Advance>
+void SimulationCore::require_done(const Advance& advance) {
+  try {
+    const StepOutcome outcome = advance();
+    if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps() + 1);
+  } catch (const EnergyHasGrown&) {
+    throw_failure(StepOutcome::energy_grew, runner->steps());
+  }
+}
+
+void SimulationCore::count_step(std::int64_t step) {
+  const StepRecord& record = of_step(context.data.records, step).step;
+  evaluations += record.passes;
+  work.add(record);
+  observe_step(static_cast<double>(step), record, seen);
+}
+
+/// The samples of the step must be in the table if it is observed, or growth of the energy stops.
+void SimulationCore::complete_step(std::int64_t step, const StepObserver& observe) {
+  count_step(step);
+  log_news();
+  if (!observe && !stops_on_growth()) return;
+  const std::vector<double>& values = sensors.measure(context.system, work, step, context.data);
+  const bool has_grown = observe_energy(static_cast<double>(step), sensors.balance(),
+                                        scenario.limits.energy_growth, seen);
+  if (has_grown) log_news();
+  if (observe) observe(static_cast<double>(step) * step_size, values);
+  if (has_grown && stops_on_growth()) throw EnergyHasGrown();
+}
+
+/// Logs what a complete step has brought. No more than some comparisons if there is
+/// nothing.
+void SimulationCore::log_news() {
+  if (log.has_warnings(seen)) log.log_warnings(scenario, step_size, seen);
+  if (runner->choices() > log.logged_choices() && runner->steps() > 0)
+    log.log_choice(scenario, runner->choices(), runner->describe());
+}
+
+void SimulationCore::throw_failure(StepOutcome outcome, std::int64_t step) {
+  evaluated_step = -1;
+  if (outcome == StepOutcome::load_failed) {
+    std::ostringstream at;
+    at << "at t = " << static_cast<double>(step) * step_size << " s, step " << step;
+    const std::string text = describe_failed_load(context.data, at.str());
+    SimulationLog::log_failure(scenario, text);
+    throw LoadError(text);
+  }
+  const std::string text = describe_failure(
+      scenario, context, {outcome, static_cast<double>(step) * step_size, step, seen});
+  SimulationLog::log_failure(scenario, text);
+  throw DivergenceError(text);
+}
+
+}  // namespace spoke

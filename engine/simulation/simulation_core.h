@@ -1,0 +1,86 @@
+#pragma once
+
+// What stands behind the front door: the data of a simulation, how its steps are made, saved and
+// restored.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/kernels/marker_motion.h"
+#include "engine/load.h"
+#include "engine/run/step_runner.h"
+#include "engine/saved_state.h"
+#include "engine/simulation/observations.h"
+#include "engine/simulation/sensors.h"
+#include "engine/simulation/simulation_log.h"
+#include "engine/simulation_options.h"
+#include "engine/step/pass_integration.h"
+
+namespace spoke {
+
+/// Throws InputError unless least <= value <= greatest.
+void require_range(const char* what, std::int64_t value, std::int64_t least, std::int64_t greatest);
+
+class Simulation;
+
+/// The data of a simulation, open to the functions of Simulation, and what changes them.
+class SimulationCore {
+ public:
+  SimulationCore(const Scenario& given, const SimulationOptions& chosen, const Loads& loads);
+
+  // Each throws DivergenceError or LoadError if a step fails.
+  void step();
+  void run_to(std::int64_t target, const StepObserver& observe);
+  StepTrace trace(std::int64_t target, const StepObserver& observe,
+                  const TraceOptions& trace_options);
+  void measure(std::int64_t target, graph::Executor& executor);
+  void open_window();
+  SavedState save();
+  void restore(const SavedState& state);
+  /// Throws StateError if there is no state to `use`.
+  void require_state(const char* use) const;
+  /// Brings accelerations and wrenches to the state at the last step's end.
+  void evaluate();
+  /// The same, after a force has changed: the next step starts from it.
+  void renew();
+  PlacedMarker place(const Marker& marker) const;
+  const BodyData& find_body(int blade, int body) const;
+
+  Scenario scenario;
+  SimulationOptions options;
+  std::int64_t planned_steps;
+  double step_size;
+  std::shared_ptr<const std::string> identity;
+  StepContext context;
+  std::unique_ptr<StepRunner> runner;
+  std::int64_t evaluations = 0;
+  WorkDone work;
+  Observations seen;
+  SimulationLog log;
+  Sensors sensors;
+  /// Sensors are measured when first read after a step.
+  std::vector<double> sensor_values;
+  std::int64_t measured_step = -1;
+  /// The step at whose end accelerations and wrenches were evaluated, and its record.
+  std::int64_t evaluated_step = -1;
+  SystemRecord evaluated;
+
+ private:
+  void prepare(const Loads& loads);
+  void require_kept_declarations();
+  std::vector<double> take_values(std::int64_t steps);
+  bool stops_on_growth() const;
+  void count_step(std::int64_t step);
+  void complete_step(std::int64_t step, const StepObserver& observe);
+  void log_news();
+  template <class Advance>
+  void require_done(const Advance& advance);
+  [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
+};
+
+/// What stands behind `simulation`, for functions of Spoke's own that are none of its interface.
+SimulationCore& core_of(Simulation& simulation);
+
+}  // namespace spoke

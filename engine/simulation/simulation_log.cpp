@@ -1,0 +1,62 @@
+// The lines of the log.
+
+#include "engine/simulation/simulation_log.h"
+
+#include <sstream>
+
+#include "engine/support/log.h"
+
+namespace spoke {
+namespace {
+
+/// Several simulations may share a logger: messages begin with the scenario's name.
+std::string begin(const Scenario& scenario) {
+  return scenario.name.empty() ? "" : scenario.name + ": ";
+}
+
+}  // namespace
+
+void SimulationLog::log_built(const Scenario& scenario, const SimulationOptions& options,
+                              const ModelSize& size, std::int64_t steps, double step_size,
+                              const graph::Threads& threads) {
+  if (!is_heard(LogLevel::info)) return;
+  std::ostringstream text;
+  text << begin(scenario) << "built: " << size.subsystems << " blades, " << size.bodies
+       << " bodies, " << size.coordinates << " coordinates, step graph of " << size.graph_nodes
+       << " nodes and " << size.graph_edges << " edges, "
+       << static_cast<double>(size.memory_bytes) / 1e6 << " MB; " << name_of(options.formulation)
+       << ", " << name_of(scenario.integration.method) << ", " << steps << " steps of " << step_size
+       << " s, " << name_of(options.executor) << ", threads: " << name_of(threads);
+  log(LogLevel::info, text.str());
+}
+
+void SimulationLog::log_restored(const Scenario& scenario, double t, std::int64_t steps) {
+  if (!is_heard(LogLevel::debug)) return;
+  std::ostringstream text;
+  text << begin(scenario) << "restored a state: t = " << t << " s, step " << steps;
+  log(LogLevel::debug, text.str());
+}
+
+void SimulationLog::log_failure(const Scenario& scenario, const std::string& text) {
+  if (is_heard(LogLevel::error)) log(LogLevel::error, begin(scenario) + text);
+}
+
+void SimulationLog::log_choice(const Scenario& scenario, int choices,
+                               const std::string& description) {
+  logged_choices_ = choices;
+  if (is_heard(LogLevel::info))
+    log(LogLevel::info, begin(scenario) + "executor auto: " + description);
+}
+
+void SimulationLog::log_warnings(const Scenario& scenario, double step_size,
+                                 const Observations& seen) {
+  const bool was_logged[] = {has_logged_deflection_, has_logged_growth_};
+  has_logged_deflection_ = has_logged_deflection_ || seen.first_deflection.step >= 0.0;
+  has_logged_growth_ = has_logged_growth_ || seen.growth.step >= 0.0;
+  if (!is_heard(LogLevel::warning)) return;
+  for (const Warning& warning : make_warnings(scenario, step_size, seen))
+    if (!was_logged[warning.kind == WarningKind::energy_growth])
+      log(LogLevel::warning, begin(scenario) + warning.text);
+}
+
+}  // namespace spoke

@@ -1,0 +1,45 @@
+#pragma once
+
+// What a simulation logs to the logger of the program that embeds it (engine/support/log.h).
+
+#include <cstdint>
+#include <string>
+
+#include "engine/simulation/observations.h"
+#include "engine/simulation_options.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+/// Logs everything but choices once in a simulation's life, also if states are restored: rollouts
+/// would repeat it without end.
+class SimulationLog {
+ public:
+  /// Its size, and what solves it.
+  static void log_built(const Scenario& scenario, const SimulationOptions& options,
+                        const ModelSize& size, std::int64_t steps, double step_size,
+                        const graph::Threads& threads);
+  /// That a state was restored.
+  static void log_restored(const Scenario& scenario, double t, std::int64_t steps);
+  /// That it diverged, or a load failed.
+  static void log_failure(const Scenario& scenario, const std::string& text);
+
+  /// How many choices of the executor "auto" have been made at the last that was logged.
+  int logged_choices() const { return logged_choices_; }
+  /// What "auto" has chosen, its choice number `choices`: it may choose anew.
+  void log_choice(const Scenario& scenario, int choices, const std::string& description);
+
+  /// Whether there is something to warn of that has not been logged.
+  bool has_warnings(const Observations& seen) const {
+    return (seen.first_deflection.step >= 0.0 && !has_logged_deflection_) ||
+           (seen.growth.step >= 0.0 && !has_logged_growth_);
+  }
+  /// Logs it, in the words of Simulation::warnings().
+  void log_warnings(const Scenario& scenario, double step_size, const Observations& seen);
+
+ private:
+  int logged_choices_ = 0;
+  bool has_logged_deflection_ = false, has_logged_growth_ = false;
+};
+
+}  // namespace spoke

@@ -1,0 +1,46 @@
+#pragma once
+
+// How a simulation is run, how large its model is, and who observes its steps.
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "engine/formulation/formulation.h"
+#include "graph/executor.h"
+
+namespace spoke {
+
+using graph::ExecutorKind;
+using graph::name_of;
+
+/// The widest window of steps that may be asked for.
+inline constexpr int kMostWindow = 1000;
+
+/// How a simulation is run. Only the formulation matters to the results, by round-off.
+struct SimulationOptions {
+  Formulation formulation = Formulation::structured;  ///< of the equations
+  ExecutorKind executor = ExecutorKind::automatic;    ///< what runs the step graph
+  graph::Threads threads;  ///< unless set: the cores available to the process
+  /// Steps that one run of the executor may make where the hub's whole motion is prescribed; there
+  /// blades need not wait for one another between steps. At most kMostWindow; 0: as the executor
+  /// chooses.
+  int window = 0;
+};
+
+/// The size of a model.
+struct ModelSize {
+  int subsystems = 0;   ///< blades
+  int bodies = 0;       ///< flexible bodies (without the hub)
+  int coordinates = 0;  ///< independent coordinates: free hub coordinates and all deformations
+  int joints = 0;       ///< between bodies, and to the hub
+  int graph_nodes = 0;  ///< of the step graph, one pass
+  int graph_edges = 0;  ///< likewise
+  std::size_t memory_bytes = 0;  ///< of one step's data and the constants
+};
+
+/// Told of the end of a step: time [s] and the sensors there, in the order of
+/// Simulation::sensor_names(), valid during the call.
+using StepObserver = std::function<void(double t, std::span<const double> sensors)>;
+
+}  // namespace spoke

@@ -1,0 +1,41 @@
+// Adds up the estimates of table, formulation and graph.
+
+#include "engine/step/model_memory.h"
+
+#include <cstdio>
+#include <string>
+
+#include "engine/formulation/work.h"
+#include "engine/support/memory.h"
+#include "spoke/error.h"
+
+namespace spoke {
+namespace {
+
+/// Memory of the step graph while it is built [bytes]: some 2 kB a node, and a bit for each pair of
+/// nodes, by which edges implied by others are found.
+double estimate_graph_memory(const System& system) {
+  const double nodes = 3.0 + 5.0 * static_cast<double>(system.subsystems.size()) +
+                       3.0 * static_cast<double>(system.body_count());
+  return 2000.0 * nodes + nodes * nodes / 8.0;
+}
+
+}  // namespace
+
+void require_memory(const System& system, Formulation formulation) {
+  const double needed = estimate_memory(system, formulation) + estimate_graph_memory(system);
+  const double most = 0.8 * available_memory();
+  if (needed < most) return;
+  const auto gigabytes = [](double bytes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f GB", bytes / 1e9);
+    return std::string(text);
+  };
+  const bool is_dense = formulation != Formulation::structured;
+  throw InputError("the model in the formulation " + std::string(name_of(formulation)) + " needs " +
+                   gigabytes(needed) + " of memory, expected at most " + gigabytes(most) +
+                   " on this machine: use fewer blades, bodies or elements" +
+                   (is_dense ? ", or the formulation structured" : ""));
+}
+
+}  // namespace spoke

@@ -1,0 +1,532 @@
+// The nodes of a pass: what each reads, writes and calls. The picture below shows their order.
+
+#include "engine/step/step_graph_builder.h"
+
+#include <algorithm>
+
+#include "engine/kernels/body_terms.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/kernels/samples.h"
+#include "engine/step/pass_integration.h"
+#include "engine/step/step_parts.h"
+
+// One pass of one blade of two bodies (structured and subsystem formulations), where the whole
+// motion of the hub is prescribed:
+//
+//   hub motion -----------------+
+//                               v
+//   coordinates -> position -> velocity -+-> mass 1 -> inverse 1 -+-> effective -> multipliers
+//                                        +-> mass 2 -> inverse 2 -+                 |
+//   next pass's coordinates <- sensors <- finish <-+- recovery 1 <------------------+
+//                                  |               +- recovery 2 <------------------+
+//                                  +-> hub solve, once, behind all passes of all blades
+//
+// A load of the user's on the blade is a node between "velocity" and the "mass" of its bodies. One
+// between blades is a node of no blade, and makes the passes of all blades one, as below.
+//
+// Nothing that a blade's next pass reads comes from another blade: the passes of a graph, and with
+// them the steps of a window, are one chain for each blade, with its own progress. The hub solve
+// only yields the reaction.
+//
+// Where the hub has a free coordinate, its acceleration is what the multipliers of all blades wait
+// for, "hub solve" stands between "effective" and "multipliers", and "hub motion" and "finish" are
+// nodes of the system. The same declarations then leave one pass after the other. The augmented
+// formulation has one node, "solve", in place of those from "inverse" to "hub solve".
+//
+// The bodies of a blade meet in its position and velocity analysis, its effective inertia, its
+// multipliers and its finish: the two layers of parallelism, and the window as the third, are what
+// the declarations leave unordered.
+
+namespace spoke {
+namespace {
+
+using graph::NodeLabel;
+using graph::PartId;
+using graph::reads;
+using graph::StepGraphBuilder;
+using graph::writes;
+using PartList = std::vector<PartId>;
+
+/// What adds nodes, and the pass they belong to.
+struct Assembly {
+  StepContext& c;
+  const StepParts& parts;
+  StepGraphBuilder& builder;
+  int pass = -1;
+
+  const SubsystemParts& blade(int i) const { return parts.subsystems[i]; }
+  NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
+    return {stage, subsystem, body, pass};
+  }
+};
+
+/// The body of a node that has nothing to do while its progress is halted.
+template <class Body>
+auto unless_halted(const StepProgress& progress, Body body) {
+  return [&progress, body]() noexcept {
+    if (!progress.is_halted) body();
+  };
+}
+
+void add_hub_motion(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  g.builder.add_node(
+      g.label("hub motion"), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
+      writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
+      unless_halted(c.data.progress[0],
+                    [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
+}
+
+void add_prescribed_hub_motion(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const SubsystemData& data = g.c.data.subsystems[i];
+  const StepContext& c = g.c;
+  PrescribedHub& prescribed = g.c.data.subsystems[i].prescribed;
+  g.builder.add_node(
+      g.label("hub motion", i), reads(blade.progress, blade.hub_state), writes(blade.hub_state),
+      unless_halted(*data.progress, [&c, &prescribed, &progress = *data.progress]() noexcept {
+        if (is_at_new_time(c.integrator.method, progress.control))
+          prescribed = calc_prescribed_motion(c.system, progress.control.time);
+      }));
+}
+
+void add_coordinates(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const PartList coordinates = blade.all(&BodyParts::coordinates);
+  const PartList history = blade.all(&BodyParts::history);
+  const Method& method = g.c.integrator.method;
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(
+      g.label("coordinates", i),
+      reads(blade.progress, coordinates, history, blade.all(&BodyParts::accelerations)),
+      writes(coordinates, history),
+      unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
+}
+
+/// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle
+/// only, which a clamped frame has none of.
+PartList chain_coordinates(const Assembly& g, int i) {
+  PartList list = g.blade(i).all(&BodyParts::coordinates);
+  const FlexibleBody& tip = *g.c.system.subsystems[i].bodies.back().body;
+  if (tip.inboard.coordinate[kRotation] < 0) list.pop_back();
+  return list;
+}
+
+void add_position(const Assembly& g, int i) {
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(g.label("position", i), reads(g.blade(i).progress, chain_coordinates(g, i)),
+                     writes(g.blade(i).rotations),
+                     unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+                       calc_rotations(subsystem, data);
+                     }));
+}
+
+void add_velocity(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(
+      g.label("velocity", i),
+      reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),
+      writes(blade.twists), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+        calc_velocities(subsystem, data);
+      }));
+}
+
+/// What the places of a load's markers depend on: on each of its blades the bodies up to the
+/// outermost marker's own.
+PartList load_inputs(const Assembly& g, const LoadData& load) {
+  const SubsystemParts& first = g.blade(load.blades.front());
+  PartList inputs{first.progress, first.hub_state};
+  for (const int i : load.blades) {
+    const SubsystemParts& blade = g.blade(i);
+    int last = 0;
+    for (const PlacedMarker& marker : load.markers)
+      if (marker.blade == i) last = std::max(last, marker.body);
+    inputs.push_back(blade.rotations);
+    inputs.push_back(blade.twists);
+    for (int j = 0; j <= last; ++j)
+      inputs.push_back(blade.bodies[static_cast<std::size_t>(j)].coordinates);
+  }
+  return inputs;
+}
+
+/// Those whose first blade this is. A load between blades is a node of no blade.
+void add_loads_of_user(const Assembly& g, int i) {
+  const StepContext& c = g.c;
+  SubsystemData& data = g.c.data.subsystems[i];
+  for (std::size_t k = 0; k < data.loads.size(); ++k) {
+    LoadData& load = data.loads[k];
+    const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
+    g.builder.add_node(
+        label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
+        unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
+          evaluate_load(progress.control.time, c.system, c.data, load);
+        }));
+  }
+}
+
+/// The loads of the user's that act on a body.
+PartList loads_on(const Assembly& g, int i, int j) {
+  PartList list;
+  for (std::size_t first = 0; first < g.parts.subsystems.size(); ++first) {
+    const std::vector<LoadData>& loads = g.c.data.subsystems[first].loads;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      if (std::any_of(
+              loads[k].markers.begin(), loads[k].markers.end(),
+              [i, j](const PlacedMarker& marker) { return marker.blade == i && marker.body == j; }))
+        list.push_back(g.parts.subsystems[first].loads[k]);
+  }
+  return list;
+}
+
+/// What a body's terms read: only what its options make them depend on.
+PartList terms_inputs(const Assembly& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
+  const ChainBody& member = g.c.system.subsystems[i].bodies[j];
+  PartList inputs{blade.progress, blade.bodies[j].coordinates, blade.twists};
+  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method))
+    inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
+  const PartList loads = loads_on(g, i, j);
+  inputs.insert(inputs.end(), loads.begin(), loads.end());
+  bool needs_rotations = false;
+  bool needs_hub = member.centrifugal_stiffness != nullptr;
+  for (const NodeLoad& load : member.loads) {
+    needs_rotations |= load.frame != LoadFrame::section;
+    needs_hub |= load.frame == LoadFrame::inertial;
+  }
+  if (needs_rotations) inputs.push_back(blade.rotations);
+  if (needs_hub) inputs.push_back(blade.hub_state);
+  return inputs;
+}
+
+void add_mass(const Assembly& g, int i, int j) {
+  SubsystemData& blade = g.c.data.subsystems[i];
+  const Damping& damping = g.c.system.damping;
+  g.builder.add_node(
+      g.label("mass", i, j), reads(terms_inputs(g, i, j)), writes(g.blade(i).bodies[j].terms),
+      unless_halted(*blade.progress, [&damping, &blade, j]() noexcept {
+        const Twist& twist = blade.twists[j];
+        BodyData& body = blade.bodies[j];
+        calc_body_terms({twist[kRotation], blade.hub->twist[kRotation]}, damping, body);
+        if (!body.model->loads.empty())
+          add_loads(blade.progress->control.time, calc_rotation_to_hub(blade, j), twist,
+                    blade.hub->R, body);
+        if (!body.applied.empty()) add_applied(twist, body);
+      }));
+}
+
+void add_inverse(const Assembly& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
+  const BodyParts& parts = blade.bodies[j];
+  const auto inputs = reads(blade.progress, parts.coordinates, blade.twists, parts.terms);
+  const SubsystemData& data = g.c.data.subsystems[i];
+  const auto add = [&](auto invert, auto& work) {
+    g.builder.add_node(g.label("inverse", i, j), inputs, writes(parts.inverse, parts.workspace),
+                       unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
+                         invert(data.bodies[j], data.twists[j][kRotation],
+                                data.progress->control.is_implicit, work);
+                       }));
+  };
+  if (g.c.formulation == Formulation::structured)
+    add(structured::condense_body, g.c.work.structured[i].bodies[j]);
+  else
+    add(subsystem::invert_body, g.c.work.subsystem[i].bodies[j]);
+}
+
+void add_effective(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const auto inputs = reads(blade.progress, blade.all(&BodyParts::inverse),
+                            blade.all(&BodyParts::terms), blade.rotations, blade.hub_state);
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
+    g.builder.add_node(
+        g.label("effective", i), inputs, outputs,
+        unless_halted(*data.progress, [&subsystem, &data, condense, &work]() noexcept {
+          condense(subsystem, data, work);
+        }));
+  };
+  if (g.c.formulation == Formulation::structured)
+    add(structured::calc_effective_inertia, g.c.work.structured[i],
+        writes(blade.effective, blade.joints()));
+  else
+    add(subsystem::calc_effective_inertia, g.c.work.subsystem[i],
+        writes(blade.effective, blade.workspace));
+}
+
+/// Whether a pass ends with the correction of a free coordinate of the hub.
+bool corrects_hub(const Assembly& g) {
+  return std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method) &&
+         !is_prescribed(g.c.system.hub);
+}
+
+/// What handing the hub's acceleration to the integrator reads.
+PartList hub_inputs(const Assembly& g) {
+  PartList inputs{g.parts.progress, g.parts.hub_state, g.parts.hub_coordinates};
+  if (corrects_hub(g)) inputs.push_back(g.parts.hub_history);
+  return inputs;
+}
+/// What solving for the hub's acceleration writes.
+PartList hub_outputs(const Assembly& g) {
+  PartList outputs{g.parts.hub_solution};
+  if (!is_prescribed(g.c.system.hub)) outputs.push_back(g.parts.hub_coordinates);
+  return outputs;
+}
+
+void add_hub_solve(const Assembly& g) {
+  StepContext& c = g.c;
+  g.builder.add_node(g.label("hub solve"),
+                     reads(g.parts.all(&SubsystemParts::effective), hub_inputs(g)),
+                     writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
+                       solve_hub(c.system, c.data);
+                       complete_hub(c.system, c.integrator.method, c.data);
+                     }));
+}
+
+/// (P 9) where it only yields the reaction: once for all steps that are complete.
+void add_prescribed_hub_solve(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  g.builder.add_node(
+      {"hub solve"},
+      reads(parts.all(&SubsystemParts::progress), parts.all(&SubsystemParts::records),
+            parts.records, parts.hub_coordinates),
+      writes(parts.records, parts.hub_coordinates),
+      [&c]() noexcept { record_reactions(c.system, c.integrator, c.data); });
+}
+
+void add_augmented_solve(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  PartList
+      outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
+  for (const SubsystemParts& blade : parts.subsystems)
+    for (std::size_t j = 0; j + 1 < blade.bodies.size(); ++j)
+      outboard_joints.push_back(blade.bodies[j].coordinates);
+  g.builder.add_node(
+      g.label("solve"),
+      reads(parts.all(&BodyParts::terms), outboard_joints, parts.all(&SubsystemParts::rotations),
+            parts.all(&SubsystemParts::twists), hub_inputs(g)),
+      writes(parts.augmented_solution, hub_outputs(g)),
+      unless_halted(c.data.progress[0], [&c]() noexcept {
+        augmented::solve(c.system, c.data, c.work.augmented);
+        complete_hub(c.system, c.integrator.method, c.data);
+      }));
+}
+
+void add_multipliers(const Assembly& g, int i) {
+  StepContext& c = g.c;
+  const SubsystemParts& blade = g.blade(i);
+  const Subsystem& subsystem = c.system.subsystems[i];
+  SubsystemData& data = c.data.subsystems[i];
+  const auto add = [&](const graph::Reads& inputs, auto recover) {
+    g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches),
+                       unless_halted(*data.progress, recover));
+  };
+  switch (c.formulation) {
+    case Formulation::structured: {
+      PartList ports = blade.all(&BodyParts::inverse);
+      ports.pop_back();  // the tip's two-port is in the effective inertia already
+      return add(reads(blade.progress, blade.effective, blade.joints(), ports, blade.rotations,
+                       blade.hub_state, blade.hub_acceleration),
+                 [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
+                   structured::recover_wrenches(subsystem, work, data);
+                 });
+    }
+    case Formulation::subsystem:
+      return add(reads(blade.progress, blade.effective, blade.rotations, blade.hub_acceleration),
+                 [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
+                   subsystem::recover_wrenches(subsystem, work, data);
+                 });
+    case Formulation::augmented:
+      return add(reads(blade.progress, g.parts.augmented_solution, blade.rotations),
+                 [i, &data, &work = c.work.augmented]() noexcept {
+                   augmented::recover_wrenches(i, work, data);
+                 });
+  }
+}
+
+/// What a recovery reads and writes.
+struct RecoveryAccess {
+  PartList inputs;
+  PartList outputs;
+};
+RecoveryAccess recovery_access(const Assembly& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
+  const BodyParts& body = blade.bodies[j];
+  PartList inputs{blade.progress, body.coordinates};  // checked, and by generalized_alpha corrected
+  PartList outputs{body.accelerations, body.report};
+  if (g.c.formulation == Formulation::augmented) {
+    inputs.push_back(g.parts.augmented_solution);
+  } else {
+    inputs.push_back(blade.wrenches);
+    inputs.push_back(body.inverse);
+  }
+  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
+    inputs.push_back(body.history);
+    inputs.push_back(body.accelerations);
+    outputs.push_back(body.coordinates);
+  }
+  return {inputs, outputs};
+}
+
+void add_recovery(const Assembly& g, int i, int j) {
+  StepContext& c = g.c;
+  SubsystemData& blade = c.data.subsystems[i];
+  const Method& method = c.integrator.method;
+  const auto add = [&](auto recover) {
+    const auto [inputs, outputs] = recovery_access(g, i, j);
+    g.builder.add_node(g.label("recovery", i, j), reads(inputs), writes(outputs),
+                       unless_halted(*blade.progress, [&blade, &method, j, recover]() noexcept {
+                         BodyData& body = blade.bodies[j];
+                         recover(body);
+                         complete_body(method, blade.progress->control, body);
+                       }));
+  };
+  switch (c.formulation) {
+    case Formulation::structured:
+      return add([&blade, j, &work = c.work.structured[i].bodies[j]](BodyData& body) noexcept {
+        structured::recover_body(blade.wrenches[j], work, blade.progress->control.is_implicit, body,
+                                 body.a_found);
+      });
+    case Formulation::subsystem:
+      return add([&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData& body) noexcept {
+        subsystem::recover_body(blade.wrenches[j], work, body, body.a_found);
+      });
+    case Formulation::augmented:
+      return add([i, j, &work = c.work.augmented](BodyData& body) noexcept {
+        augmented::recover_body(i, j, work, body, body.a_found);
+      });
+  }
+}
+
+void add_finish(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  const bool is_corrected = corrects_hub(g);
+  PartList outputs{parts.progress, parts.records};
+  if (is_corrected) outputs.push_back(parts.hub_state);
+  g.builder.add_node(g.label("finish"),
+                     reads(outputs, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
+                           parts.hub_solution, parts.hub_state, parts.hub_coordinates),
+                     writes(outputs), [&c, is_corrected]() noexcept {
+                       StepProgress& progress = c.data.progress[0];
+                       if (progress.is_halted) {
+                         progress.completed = StepProgress::kNone;
+                         return;
+                       }
+                       finish_system(c.system, c.integrator, c.data);
+                       // For the sensors: the last correction has moved the hub once more.
+                       if (is_corrected && progress.completed >= 0)
+                         c.data.hub = calc_hub_state(c.data.hub_coordinates);
+                     });
+}
+
+void add_subsystem_finish(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const Integrator& integrator = g.c.integrator;
+  const Window& window = g.c.data.window;
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(
+      g.label("finish", i),
+      reads(blade.progress, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
+            blade.effective, blade.hub_state, blade.records),
+      writes(blade.progress, blade.records), [&integrator, &window, &data]() noexcept {
+        if (data.progress->is_halted)
+          data.progress->completed = StepProgress::kNone;
+        else
+          finish_subsystem(integrator, window, data);
+      });
+}
+
+/// What the sensors show, if the pass has completed a step that is observed.
+void add_sensors(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const System& system = g.c.system;
+  const Window& window = g.c.data.window;
+  SubsystemData& data = g.c.data.subsystems[i];
+  const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method);
+  PartList outputs{blade.poses, blade.samples}, inputs{blade.rotations, blade.twists};
+  if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
+  g.builder.add_node(
+      g.label("sensors", i),
+      reads(blade.progress, blade.all(&BodyParts::coordinates), blade.hub_state, inputs, outputs),
+      writes(outputs), [&system, &window, &data, i, is_corrected]() noexcept {
+        if (!window.observed || data.progress->completed < 0) return;
+        const auto index = static_cast<std::size_t>(i);
+        if (is_corrected) update_kinematics(system.subsystems[index], data);
+        of_step(data.samples, data.progress->completed) = calc_sample(system, index, data);
+      });
+}
+
+void add_motion(const Assembly& g, int i) {
+  if (!g.c.data.is_coupled) add_prescribed_hub_motion(g, i);
+  add_coordinates(g, i);
+  add_position(g, i);
+  add_velocity(g, i);
+}
+
+/// From the masses to the inverses, or to the effective inertia where there is one.
+void add_condensation(const Assembly& g, int i) {
+  const int bodies = static_cast<int>(g.blade(i).bodies.size());
+  for (int j = 0; j < bodies; ++j) add_mass(g, i, j);
+  if (g.c.formulation == Formulation::augmented) return;
+  for (int j = 0; j < bodies; ++j) add_inverse(g, i, j);
+  add_effective(g, i);
+}
+
+void add_recoveries(const Assembly& g, int i) {
+  const int bodies = static_cast<int>(g.blade(i).bodies.size());
+  add_multipliers(g, i);
+  for (int j = 0; j < bodies; ++j) add_recovery(g, i, j);
+}
+
+void add_coupled_pass(const Assembly& g, int blades) {
+  add_hub_motion(g);
+  for (int i = 0; i < blades; ++i) add_motion(g, i);
+  for (int i = 0; i < blades; ++i) add_loads_of_user(g, i);  // which may be between blades
+  for (int i = 0; i < blades; ++i) add_condensation(g, i);
+  if (g.c.formulation == Formulation::augmented)
+    add_augmented_solve(g);
+  else
+    add_hub_solve(g);
+  for (int i = 0; i < blades; ++i) add_recoveries(g, i);
+  add_finish(g);
+  for (int i = 0; i < blades; ++i) add_sensors(g, i);
+}
+
+void add_pass_of_blade(const Assembly& g, int i) {
+  add_motion(g, i);
+  add_loads_of_user(g, i);
+  add_condensation(g, i);
+  add_recoveries(g, i);
+  add_subsystem_finish(g, i);
+  add_sensors(g, i);
+}
+
+}  // namespace
+
+graph::StepGraph build_step_graph(StepContext& c, int passes) {
+  StepGraphBuilder builder("blade");
+  const StepParts parts = add_parts(c, builder);
+  const int blades = static_cast<int>(parts.subsystems.size());
+  Assembly g{c, parts, builder, passes > 1 ? 0 : -1};
+  if (c.data.is_coupled)
+    add_coupled_pass(g, blades);
+  else
+    for (int i = 0; i < blades; ++i) add_pass_of_blade(g, i);
+  // The progress says what the nodes are to do: those of all passes are the same.
+  const int nodes = builder.node_count();
+  for (int pass = 1; pass < passes; ++pass)
+    for (int n = 0; n < nodes; ++n) builder.repeat_node({n}, pass);
+  if (!c.data.is_coupled) add_prescribed_hub_solve(g);
+  return builder.build();
+}
+
+}  // namespace spoke

@@ -1,0 +1,17 @@
+#pragma once
+
+// The step graph of a system: what a step does.
+
+#include "engine/step/step_context.h"
+#include "graph/step_graph.h"
+
+namespace spoke {
+
+/// Builds the graph of some passes. In each, coordinates are set by the integrator, accelerations
+/// evaluated there and handed back to it; at its end the progress moves on to the next pass of the
+/// step or of the next step, within the context's window. A step of rk4 is four passes, one of
+/// generalized_alpha as many as its iteration takes. The edges follow from the declared reads and
+/// writes.
+graph::StepGraph build_step_graph(StepContext& context, int passes = 1);
+
+}  // namespace spoke

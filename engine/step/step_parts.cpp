@@ -1,0 +1,182 @@
+// Where in the table each part lies.
+
+#include "engine/step/step_parts.h"
+
+#include <string>
+
+namespace spoke {
+namespace {
+
+using graph::bytes_of;
+using graph::PartId;
+using graph::StepGraphBuilder;
+using Memory = std::vector<std::span<std::byte>>;
+
+void add_flex(Memory& memory, double* flex, const FlexLayout& layout) {
+  memory.push_back(bytes_of(flex[layout.u()], static_cast<std::size_t>(layout.axial)));
+  memory.push_back(bytes_of(flex[layout.v()], static_cast<std::size_t>(layout.bending)));
+}
+
+/// A node touches the record of its step.
+template <class Ring>
+PartId add_ring(const std::string& name, Ring& records, StepGraphBuilder& builder) {
+  return builder.add_part(name, {bytes_of(records[0], records.size())}, sizeof(records[0]));
+}
+
+template <class Matrix>
+std::span<std::byte> memory_of(Matrix& matrix) {
+  return bytes_of(*matrix.data(), static_cast<std::size_t>(matrix.size()));
+}
+
+void add_inverse_parts(StepContext& context, int i, int j, const std::string& name,
+                       StepGraphBuilder& builder, BodyParts& parts) {
+  if (context.formulation == Formulation::structured) {
+    structured::BodyWork& work = context.work.structured[i].bodies[j];
+    const FlexLayout& layout = context.data.subsystems[i].bodies[j].layout;
+    Memory inverse{bytes_of(work.port)};
+    add_flex(inverse, work.W_theta, layout);
+    add_flex(inverse, work.z, layout);
+    parts.inverse = builder.add_part(name + "inverse", inverse);
+    parts.workspace = builder.add_part(
+        name + "workspace",
+        {bytes_of(*work.scratch, static_cast<std::size_t>(layout.axial + layout.bending))});
+    const bool is_tip = j + 1 == static_cast<int>(context.work.structured[i].bodies.size());
+    if (!is_tip) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
+  } else if (context.formulation == Formulation::subsystem) {
+    subsystem::BodyWork& work = context.work.subsystem[i].bodies[j];
+    parts.inverse = builder.add_part(
+        name + "inverse",
+        {memory_of(work.inverse_columns), memory_of(work.products), bytes_of(work.bias_out)});
+    parts.workspace =
+        builder.add_part(name + "workspace", {memory_of(work.mass), memory_of(work.jacobians)});
+  }
+}
+
+BodyParts add_body_parts(StepContext& context, int i, int j, StepGraphBuilder& builder) {
+  BodyData& data = context.data.subsystems[i].bodies[j];
+  CoordinateBlock& block = data.coordinates;
+  const std::string name =
+      "blade " + std::to_string(i + 1) + " / body " + std::to_string(j + 1) + " / ";
+  Memory coordinates, history, accelerations{bytes_of(data.X)}, terms{bytes_of(data.terms)};
+  add_flex(coordinates, block.q, data.layout);
+  add_flex(coordinates, block.v, data.layout);
+  add_flex(accelerations, block.a, data.layout);
+  for (double* h : block.history)
+    if (h) add_flex(history, h, data.layout);
+  add_flex(terms, data.c_theta, data.layout);
+  add_flex(terms, data.Q_f, data.layout);
+  BodyParts parts;
+  parts.coordinates = builder.add_part(name + "coordinates", coordinates);
+  parts.history = builder.add_part(name + "history", history);
+  parts.accelerations = builder.add_part(name + "accelerations", accelerations);
+  parts.terms = builder.add_part(name + "terms", terms);
+  parts.report = builder.add_part(name + "report",
+                                  {bytes_of(data.report.change), bytes_of(data.report.deflection),
+                                   bytes_of(data.report.failed)});
+  add_inverse_parts(context, i, j, name, builder, parts);
+  return parts;
+}
+
+SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder& builder) {
+  SubsystemData& data = context.data.subsystems[i];
+  const std::string name = "blade " + std::to_string(i + 1) + " / ";
+  const std::size_t count = data.bodies.size();
+  SubsystemParts parts;
+  parts.rotations = builder.add_part(name + "rotations", {bytes_of(data.rotations[0], count)});
+  parts.twists = builder.add_part(name + "twists", {bytes_of(data.twists[0], count)});
+  parts.poses = builder.add_part(name + "poses", {bytes_of(data.poses[0], count)});
+  parts.wrenches = builder.add_part(name + "wrenches", {bytes_of(data.wrenches[0], count)});
+  parts.samples = add_ring(name + "samples", data.samples, builder);
+  if (context.formulation != Formulation::augmented) {
+    Memory effective{bytes_of(data.effective)};
+    if (context.formulation == Formulation::subsystem) {
+      effective.push_back(memory_of(context.work.subsystem[i].solution));
+      parts.workspace =
+          builder.add_part(name + "workspace", {memory_of(context.work.subsystem[i].D)});
+    } else {
+      effective.push_back(bytes_of(context.work.structured[i].root));
+    }
+    parts.effective = builder.add_part(name + "effective inertia", effective);
+  }
+  for (std::size_t j = 0; j < count; ++j)
+    parts.bodies.push_back(add_body_parts(context, i, static_cast<int>(j), builder));
+  for (LoadData& load : data.loads)
+    parts.loads.push_back(builder.add_part(name + "load " + std::to_string(parts.loads.size() + 1),
+                                           {bytes_of(load.wrenches[0], load.wrenches.size())}));
+  return parts;
+}
+
+/// What subsystems follow: one progress and hub motion of the system, or their own.
+void add_time_parts(StepContext& context, StepGraphBuilder& builder, StepParts& parts) {
+  StepData& data = context.data;
+  if (data.is_coupled) {
+    parts.progress = builder.add_part("progress", {bytes_of(data.progress[0])});
+    parts.hub_state = builder.add_part("hub state", {bytes_of(data.hub)});
+    parts.hub_solution = builder.add_part("hub solution", {bytes_of(data.hub_solution)});
+  }
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    SubsystemParts& blade = parts.subsystems[i];
+    if (data.is_coupled) {
+      blade.progress = parts.progress;
+      blade.hub_state = parts.hub_state;
+      blade.hub_acceleration = parts.hub_solution;
+      continue;
+    }
+    SubsystemData& subsystem = data.subsystems[i];
+    const std::string name = "blade " + std::to_string(i + 1) + " / ";
+    blade.progress = builder.add_part(name + "progress", {bytes_of(data.progress[i])});
+    blade.hub_state = blade.hub_acceleration =
+        builder.add_part(name + "hub motion", {bytes_of(subsystem.prescribed)});
+    blade.records = add_ring(name + "records", subsystem.records, builder);
+  }
+}
+
+}  // namespace
+
+std::vector<PartId> SubsystemParts::all(PartId BodyParts::*member) const {
+  std::vector<PartId> list;
+  for (const BodyParts& body : bodies) list.push_back(body.*member);
+  return list;
+}
+
+std::vector<PartId> SubsystemParts::joints() const {
+  std::vector<PartId> list = all(&BodyParts::joint);
+  list.pop_back();  // the tip has none
+  return list;
+}
+
+std::vector<PartId> StepParts::all(PartId BodyParts::*member) const {
+  std::vector<PartId> list;
+  for (const SubsystemParts& subsystem : subsystems)
+    for (const BodyParts& body : subsystem.bodies) list.push_back(body.*member);
+  return list;
+}
+
+std::vector<PartId> StepParts::all(PartId SubsystemParts::*member) const {
+  std::vector<PartId> list;
+  for (const SubsystemParts& subsystem : subsystems) list.push_back(subsystem.*member);
+  return list;
+}
+
+StepParts add_parts(StepContext& context, StepGraphBuilder& builder) {
+  StepData& data = context.data;
+  CoordinateBlock& hub = data.hub_coordinates;
+  Memory history;
+  for (double* h : hub.history)
+    if (h) history.push_back(bytes_of(*h, kTwist));
+  StepParts parts;
+  parts.hub_coordinates = builder.add_part(
+      "hub coordinates",
+      {bytes_of(*hub.q, kTwist), bytes_of(*hub.v, kTwist), bytes_of(*hub.a, kTwist)});
+  parts.hub_history = builder.add_part("hub history", history);
+  parts.records = add_ring("records", data.records, builder);
+  if (context.formulation == Formulation::augmented)
+    parts.augmented_solution =
+        builder.add_part("augmented solution", {memory_of(context.work.augmented.solution)});
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    parts.subsystems.push_back(add_subsystem_parts(context, static_cast<int>(i), builder));
+  add_time_parts(context, builder, parts);
+  return parts;
+}
+
+}  // namespace spoke

@@ -1,0 +1,54 @@
+#pragma once
+
+// The parts of the table, by the names that nodes declare.
+
+#include <vector>
+
+#include "engine/step/step_context.h"
+#include "graph/step_graph.h"
+
+namespace spoke {
+
+/// Handles of the table's parts (see step_data.h), by which the step graph's nodes declare what
+/// they read and write.
+struct BodyParts {
+  graph::PartId coordinates;    ///< q, v
+  graph::PartId history;        ///< the integrator's vectors
+  graph::PartId accelerations;  ///< a, X
+  graph::PartId terms;          ///< with c_theta and Q_f
+  graph::PartId inverse;        ///< two-port, or dense inverse columns
+  graph::PartId workspace;      ///< of who makes the inverse
+  graph::PartId joint;          ///< elimination of the outboard joint (structured, not at the tip)
+  graph::PartId report;
+};
+
+struct SubsystemParts {
+  std::vector<BodyParts> bodies;
+  graph::PartId rotations, twists, poses, effective, wrenches, samples;
+  graph::PartId progress, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
+  graph::PartId records;                                ///< if not coupled
+  graph::PartId workspace;           ///< of who makes the effective inertia (dense blocks)
+  std::vector<graph::PartId> loads;  ///< of the user's: wrenches
+
+  /// One member of all bodies, root to tip.
+  std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
+  /// The joints between the bodies.
+  std::vector<graph::PartId> joints() const;
+};
+
+struct StepParts {
+  std::vector<SubsystemParts> subsystems;
+  graph::PartId hub_coordinates, hub_history, records;
+  graph::PartId progress, hub_state, hub_solution;  ///< if coupled
+  graph::PartId augmented_solution;
+
+  /// One member of all bodies of all subsystems.
+  std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
+  /// One member of all subsystems.
+  std::vector<graph::PartId> all(graph::PartId SubsystemParts::*member) const;
+};
+
+/// Adds the context's table to the builder.
+StepParts add_parts(StepContext& context, graph::StepGraphBuilder& builder);
+
+}  // namespace spoke

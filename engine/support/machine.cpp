@@ -1,0 +1,61 @@
+// Reads what Linux says of the machine.
+
+#include "engine/support/machine.h"
+
+#include <sys/utsname.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string_view>
+
+#include "engine/support/memory.h"
+#include "graph/executor.h"
+
+namespace spoke {
+namespace {
+
+/// What follows the separator in the first line of a file that begins with `key`; else empty.
+std::string value_in_file(const char* file, std::string_view key, char separator) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with(key)) continue;
+    const auto begin = line.find_first_not_of(" \t\"", line.find(separator) + 1);
+    if (begin == std::string::npos) return {};
+    return line.substr(begin, line.find_last_not_of(" \t\"") - begin + 1);
+  }
+  return {};
+}
+
+std::string operating_system() {
+  std::string name = value_in_file("/etc/os-release", "PRETTY_NAME", '=');
+  utsname kernel{};
+  if (uname(&kernel) != 0) return name;
+  if (!name.empty()) name += ", ";
+  return name + kernel.sysname + ' ' + kernel.release + ' ' + kernel.machine;
+}
+
+std::string compiler() {
+#if defined(__clang__)
+  return "Clang " __clang_version__;
+#elif defined(__GNUC__)
+  return "GCC " __VERSION__;
+#else
+  return {};
+#endif
+}
+
+}  // namespace
+
+Machine this_machine() {
+  return {value_in_file("/proc/cpuinfo", "model name", ':'), graph::available_threads(),
+          physical_memory(), operating_system(), compiler()};
+}
+
+double load_average() {
+  double load = -1.0;
+  return getloadavg(&load, 1) == 1 ? load : -1.0;
+}
+
+bool is_busy(double load, int processors) { return load > 0.5 * processors; }
+
+}  // namespace spoke

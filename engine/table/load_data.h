@@ -1,0 +1,53 @@
+#pragma once
+
+// A load of the user's, as it acts on the subsystems.
+
+#include <exception>
+#include <memory>
+#include <vector>
+
+#include "engine/body/section.h"
+#include "engine/load.h"
+#include "engine/support/page_arena.h"
+
+namespace spoke {
+
+/// What acts on a body's section, in the body frame. Part of the table: doubles only.
+struct SectionWrench {
+  Position force = Position::Zero();  ///< [N]
+  double moment = 0.0;                ///< [N m]
+};
+
+/// A marker on its body.
+struct PlacedMarker {
+  int blade = 0;
+  int body = 0;
+  Section section;
+};
+
+/// A load, and the markers that it asked for.
+struct AskedLoad {
+  std::shared_ptr<const Load> load;
+  std::vector<Marker> markers;
+};
+
+struct LoadData {
+  int number = 0;  ///< in the list that it was given in
+  std::shared_ptr<const Load> load;
+  std::vector<Marker> given;
+  std::vector<int> blades;  ///< those of the markers, each once, ascending
+  std::vector<PlacedMarker> markers;
+  ArenaVector<SectionWrench> wrenches;  ///< by marker
+  // What the load is handed and hands back: rewritten at every evaluation, no part of the table.
+  std::vector<MarkerMotion> motions;
+  std::vector<Wrench> forces;
+  std::exception_ptr thrown;  ///< by the load, since it was last cleared
+};
+
+/// A wrench of a load on a section of the body that it is listed with.
+struct AppliedWrench {
+  const Section* section = nullptr;
+  const SectionWrench* wrench = nullptr;
+};
+
+}  // namespace spoke

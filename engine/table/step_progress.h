@@ -1,0 +1,118 @@
+#pragma once
+
+// How far a simulation has come, and what a pass and a step report. Subsystems that share nothing
+// but a prescribed hub do not wait for one another: each has progress of its own, iterates until
+// its own coordinates have converged, and goes on to its next step. If the hub has a free
+// coordinate, or one system is solved for all, one progress counts for all. What a step leaves
+// behind is kept in records, rings by the number of the step, until the whole system has made that
+// step.
+
+#include <cstdint>
+
+#include "engine/support/page_arena.h"
+#include "models/system/space.h"
+
+namespace spoke {
+
+/// Yes or no, in the table. Any bits are a value of it: the check of declarations fills what a node
+/// must not read with bits of its own, most of which a bool may not hold.
+class Flag {
+ public:
+  constexpr Flag(bool value = false) : bits_(value ? 1 : 0) {}
+  constexpr operator bool() const { return bits_ != 0; }
+
+ private:
+  std::uint8_t bits_;
+};
+
+/// What one pass over the step graph evaluates.
+struct PassControl {
+  static constexpr int kEvaluateOnly = -1;
+
+  double time = 0.0;          ///< of the state to evaluate [s]
+  int stage = kEvaluateOnly;  ///< of rk4, or iteration of generalized_alpha
+  Flag is_implicit;           ///< solve with the implicit elastic block
+};
+
+/// How a step ended.
+enum class StepOutcome {
+  done,
+  left_limits,    ///< a body's deformation or an acceleration is not finite or beyond its limits
+  not_converged,  ///< the iteration did not reach its tolerance
+  energy_grew,    ///< complete, but with more energy than work explains
+  load_failed,    ///< a load of the user's failed; the state is that before the step
+};
+
+/// Rates of work [W].
+struct Power {
+  double applied = 0.0;      ///< of drive and loads
+  double dissipation = 0.0;  ///< by damping
+};
+
+/// The deflection of a body beyond the range of linear elasticity.
+struct LargeDeflection {
+  double ratio = 0.0;  ///< to the length of the body; 0: all are within the range
+  int blade = -1;      ///< index from 0; where a subsystem reports, -1
+  int body = -1;       ///< index from 0
+};
+
+/// What a pass found, summed in fixed order over the bodies that report together.
+struct PassReport {
+  double change = 0.0;  ///< largest change of a coordinate in this iteration [m, rad]
+  Power power;
+  bool failed = false;         ///< a body or the hub
+  LargeDeflection deflection;  ///< the largest, the first of equal ones
+};
+
+/// Where a subsystem, or a coupled system, stands, and what it needs to turn the end of a pass into
+/// the start of the next (see integrator/step_control.h). Part of the table.
+struct alignas(kInterferenceSize) StepProgress {
+  static constexpr std::int64_t kNone = -1;
+
+  PassControl control;             ///< of the next pass
+  std::int64_t step = 0;           ///< that this pass belongs to; 0: the start
+  std::int64_t completed = kNone;  ///< the step that the last pass completed
+  int passes = 0;                  ///< within the step
+  StepOutcome outcome = StepOutcome::done;
+  Flag is_halted;           ///< nothing to do, at the end of the window or after a failure
+  double change = 0.0;      ///< of the last iteration [m, rad]
+  Power power;              ///< at the end of the last step
+  double work = 0.0;        ///< by drive and loads, within the step so far [J]
+  double dissipated = 0.0;  ///< within the step so far [J]
+};
+
+/// What a step did, as far as one progress counts.
+struct StepRecord {
+  std::int64_t passes = 0;
+  double work = 0.0;               ///< by drive and loads during the step [J]
+  double dissipated = 0.0;         ///< during the step [J]
+  Twist reaction = Twist::Zero();  ///< of the support and drive on the hub at its end, hub frame
+  LargeDeflection deflection;      ///< the largest at its end
+};
+// Nodes assign whole records: bytes that belong to no member would differ from run to run.
+static_assert(sizeof(StepRecord) == 3 * sizeof(double) + sizeof(Twist) + sizeof(LargeDeflection));
+
+/// What the sensors show of a subsystem at the end of a step.
+struct SubsystemSample {
+  double tip_x = 0.0, tip_y = 0.0;  ///< displacement of the tip node, hub frame [m]
+  double kinetic = 0.0;             ///< energy, stiffening term included [J]
+  double strain = 0.0;              ///< energy [J]
+  double gravity = 0.0;             ///< work of gravity since the undeformed start [J]
+};
+
+/// The step as a whole: what all subsystems did, and the hub.
+struct SystemRecord {
+  StepRecord step;
+  double applied_torque = 0.0;     ///< of a torque drive at the step's end [N m]
+  Twist position = Twist::Zero();  ///< of the hub, inertial frame: x, y [m], angle [rad]
+  Twist velocity = Twist::Zero();  ///< [m/s, rad/s]
+};
+
+/// What one run over the step graph may do; set before it, constant during it.
+struct Window {
+  std::int64_t first = 0;  ///< the first step that has no record yet
+  std::int64_t last = 0;   ///< no subsystem goes beyond the end of this step
+  bool observed = false;   ///< samples are wanted
+};
+
+}  // namespace spoke

@@ -1,0 +1,232 @@
+// Writes points, lines and arrays as VTK's XML, and the list of files.
+
+#include "engine/vtk/vtk_series.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+#include <string_view>
+#include <utility>
+
+#include "engine/results.h"
+#include "models/error.h"
+#include "models/system/space.h"
+
+namespace spoke {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kIndex = "blades.pvd";
+
+std::string file_name(std::size_t number) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "blades_%06zu.vtp", number);
+  return text.data();
+}
+
+/// Whether file_name() makes such a name.
+bool is_of_series(std::string_view name) {
+  if (name == kIndex) return true;
+  if (name.size() < 17 || !name.starts_with("blades_") || !name.ends_with(".vtp")) return false;
+  const std::string_view number = name.substr(7, name.size() - 11);
+  return std::all_of(number.begin(), number.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+/// The elements of a VTK file in XML, numbers as text that reads back equal.
+class VtkText {
+ public:
+  void line(std::string_view text) { text_.append(text).append("\n"); }
+
+  template <class Number>
+  void add(Number number) {
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+    text_.append(buffer.data(), static_cast<std::size_t>(end - buffer.data())).append(" ");
+  }
+  void add(const Position& v) {
+    add(v.x());
+    add(v.y());
+    add(0);
+  }
+  /// An array; `fill` adds its numbers.
+  template <class Fill>
+  void array(std::string_view type, std::string_view name, std::string_view attributes, Fill fill) {
+    text_.append("<DataArray type=\"").append(type).append("\" Name=\"").append(name).append("\"");
+    if (!attributes.empty()) text_.append(" ").append(attributes);
+    text_.append(" format=\"ascii\">\n");
+    fill();
+    text_.append("\n</DataArray>\n");
+  }
+  /// A text as VTK has it: the codes of its letters and a zero.
+  void text_array(std::string_view name, std::string_view text) {
+    text_.append("<Array type=\"String\" Name=\"").append(name);
+    text_.append("\" NumberOfTuples=\"1\" format=\"ascii\">\n");
+    for (const unsigned char c : text) add(int{c});
+    text_.append("0\n</Array>\n");
+  }
+  void number_array(std::string_view name, double value) {
+    array("Float64", name, "NumberOfTuples=\"1\"", [&] { add(value); });
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+using Shapes = std::vector<BladeShape>;
+
+void add_field_data(const Simulation& simulation, VtkText& file) {
+  const HubMotion hub = simulation.hub();
+  file.line("<FieldData>");
+  file.number_array("TimeValue", simulation.time());
+  file.text_array("spoke_version", SPOKE_VERSION);
+  file.text_array("scenario", simulation.scenario().title);
+  file.text_array("units",
+                  "points m, displacement m, velocity m/s, axial_force N, hub_position m, "
+                  "hub_angle rad, TimeValue s");
+  file.array("Float64", "hub_position", "NumberOfComponents=\"3\" NumberOfTuples=\"1\"",
+             [&] { file.add(Position(hub.position.head<kPosition>())); });
+  file.number_array("hub_angle", hub.position[kRotation]);
+  file.line("</FieldData>");
+}
+
+/// Calls visit(node) for the nodes of all blades.
+template <class Visit>
+void each_node(const Shapes& shapes, Visit visit) {
+  for (const BladeShape& shape : shapes)
+    for (const ShapeNode& node : shape.nodes) visit(node);
+}
+
+/// Calls visit(blade, element of the blade) for the elements of all blades.
+template <class Visit>
+void each_element(const Shapes& shapes, Visit visit) {
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (std::size_t e = 0; e < shapes[i].axial_forces.size(); ++e) visit(i, e);
+}
+
+void add_points(const Simulation& simulation, const Shapes& shapes, VtkText& file) {
+  const Twist hub = simulation.hub().position;
+  const Position origin = hub.head<kPosition>();
+  const Rotation R = Rotation::from_angle(hub[kRotation]);
+  constexpr std::string_view kVector = "NumberOfComponents=\"3\"";
+  file.line("<PointData Vectors=\"displacement\">");
+  file.array("Float64", "displacement", kVector, [&] {
+    each_node(shapes, [&](const ShapeNode& node) { file.add(R * node.displacement); });
+  });
+  file.array("Float64", "velocity", kVector, [&] {
+    each_node(shapes, [&](const ShapeNode& node) { file.add(R * node.velocity); });
+  });
+  file.line("</PointData>");
+  file.line("<Points>");
+  file.array("Float64", "points", kVector, [&] {
+    each_node(shapes, [&](const ShapeNode& node) { file.add(Position(origin + R * node.p)); });
+  });
+  file.line("</Points>");
+}
+
+void add_cells(const Shapes& shapes, VtkText& file) {
+  const auto integers = [&](std::string_view name, auto value) {
+    file.array("Int32", name, "", [&] {
+      each_element(shapes, [&](std::size_t i, std::size_t e) {
+        file.add(static_cast<int>(value(i, static_cast<int>(e))));
+      });
+    });
+  };
+  file.line("<CellData Scalars=\"axial_force\">");
+  integers("blade", [](std::size_t i, int) { return i + 1; });
+  integers("body", [&](std::size_t i, int e) { return e / shapes[i].elements + 1; });
+  integers("element", [&](std::size_t i, int e) { return e % shapes[i].elements + 1; });
+  file.array("Float64", "axial_force", "", [&] {
+    each_element(shapes,
+                 [&](std::size_t i, std::size_t e) { file.add(shapes[i].axial_forces[e]); });
+  });
+  file.line("</CellData>");
+  file.line("<Lines>");
+  file.array("Int64", "connectivity", "", [&] {
+    std::size_t first = 0;  // point of a blade
+    for (const BladeShape& shape : shapes) {
+      for (std::size_t e = 0; e < shape.axial_forces.size(); ++e) {
+        file.add(first + e);
+        file.add(first + e + 1);
+      }
+      first += shape.nodes.size();
+    }
+  });
+  int cells = 0;
+  file.array("Int64", "offsets", "", [&] {
+    each_element(shapes, [&](std::size_t, std::size_t) { file.add(2 * ++cells); });
+  });
+  file.line("</Lines>");
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::error_code& error) {
+  throw InputError(folder.string() + ": cannot be the folder of results: " + error.message());
+}
+
+}  // namespace
+
+std::string make_vtk_blades(const Simulation& simulation, Shapes& shapes) {
+  shapes.resize(simulation.scenario().rotor.blades.size());
+  std::size_t points = 0, lines = 0;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    simulation.calc_shape(static_cast<int>(i), shapes[i]);
+    points += shapes[i].nodes.size();
+    lines += shapes[i].axial_forces.size();
+  }
+  VtkText file;
+  file.line("<?xml version=\"1.0\"?>");
+  file.line("<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>");
+  add_field_data(simulation, file);
+  file.line("<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfLines=\"" +
+            std::to_string(lines) + "\">");
+  add_points(simulation, shapes, file);
+  add_cells(shapes, file);
+  file.line("</Piece>\n</PolyData>\n</VTKFile>");
+  return file.take();
+}
+
+void remove_vtk_series(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return;
+  std::vector<fs::path> files;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_of_series(entry->path().filename().string())) files.push_back(entry->path());
+  for (const fs::path& file : files)
+    if (!error) fs::remove(file, error);
+  if (error) refuse(folder, error);
+  if (fs::is_empty(folder, error)) fs::remove(folder, error);
+}
+
+VtkSeries::VtkSeries(fs::path folder) : folder_(std::move(folder)) {
+  remove_vtk_series(folder_);
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) refuse(folder_, error);
+}
+
+void VtkSeries::write(const Simulation& simulation) {
+  write_file(folder_ / file_name(times_.size()), make_vtk_blades(simulation, shapes_));
+  times_.push_back(simulation.time());
+}
+
+void VtkSeries::close() {
+  VtkText file;
+  file.line("<?xml version=\"1.0\"?>");
+  file.line("<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">");
+  file.line("<Collection>");
+  for (std::size_t k = 0; k < times_.size(); ++k) {
+    std::array<char, 32> time;
+    const auto end = std::to_chars(time.data(), time.data() + time.size(), times_[k]).ptr;
+    file.line("<DataSet timestep=\"" + std::string(time.data(), end) + "\" part=\"0\" file=\"" +
+              file_name(k) + "\"/>");
+  }
+  file.line("</Collection>\n</VTKFile>");
+  write_file(folder_ / kIndex, file.take());
+}
+
+}  // namespace spoke

@@ -1,0 +1,58 @@
+// Robust means of the nodes' times.
+
+#include "graph/calibrate/node_costs.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "graph/machine/time_stamp.h"
+
+namespace spoke::graph {
+namespace {
+
+/// Of samples in ticks; sorts them.
+double robust_mean(std::vector<std::uint64_t>& samples) {
+  std::sort(samples.begin(), samples.end());
+  const std::size_t kept = (3 * samples.size() + 3) / 4;
+  const auto end = samples.begin() + static_cast<std::ptrdiff_t>(kept);
+  return std::accumulate(samples.begin(), end, 0.0,
+                         [](double sum, std::uint64_t s) { return sum + static_cast<double>(s); }) /
+         static_cast<double>(kept);
+}
+
+}  // namespace
+
+NodeCosts::NodeCosts(const StepGraph& graph, NodeOrder order)
+    : graph_(graph), order_(make_order(graph, order)) {}
+
+void NodeCosts::run() {
+  const std::size_t begin = ticks_.size();
+  ticks_.resize(begin + order_.size());
+  const std::uint64_t first = time_stamp();
+  std::uint64_t before = first;
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    graph_.run_node(order_[k]);
+    const std::uint64_t now = time_stamp();
+    ticks_[begin + k] = now - before;
+    before = now;
+  }
+  seconds_ += static_cast<double>(before - first) * time_stamp_scale().seconds_per_tick;
+  ++runs_;
+}
+
+std::vector<double> NodeCosts::costs() const {
+  const TimeStampScale& scale = time_stamp_scale();
+  std::vector<double> costs(order_.size());
+  std::vector<std::uint64_t> samples(static_cast<std::size_t>(runs_));
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    for (std::size_t run = 0; run < samples.size(); ++run) {
+      samples[run] = ticks_[run * order_.size() + k];
+    }
+    const double seconds = robust_mean(samples) * scale.seconds_per_tick - scale.cost;
+    costs[static_cast<std::size_t>(order_[k].index)] = std::max(seconds, 0.0);
+  }
+  return costs;
+}
+
+}  // namespace spoke::graph

@@ -1,0 +1,44 @@
+// Asks the OpenMP runtime for its limits and for where it binds threads.
+
+#include "graph/execute/openmp_runtime.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <string>
+
+#include "spoke/error.h"
+
+namespace spoke::graph {
+
+std::optional<OpenMpBinding> openmp_binding() {
+  if (omp_get_proc_bind() == omp_proc_bind_false) return {};
+  OpenMpBinding binding;
+  // The runtime begins by counting the processors, then makes places, then binds.
+  binding.processors = omp_get_num_procs();
+  for (int place = 0; place < omp_get_num_places(); ++place) {
+    std::vector<int> numbers(static_cast<std::size_t>(omp_get_place_num_procs(place)));
+    omp_get_place_proc_ids(place, numbers.data());
+    binding.places.insert(binding.places.end(), numbers.begin(), numbers.end());
+  }
+  if (binding.places.empty()) return {};
+  std::sort(binding.places.begin(), binding.places.end());
+  binding.places.erase(std::unique(binding.places.begin(), binding.places.end()),
+                       binding.places.end());
+  return binding;
+}
+
+int processors_for_openmp() {
+  const auto binding = openmp_binding();
+  return binding ? std::min(available_threads(), static_cast<int>(binding->places.size()))
+                 : available_threads();
+}
+
+void check_openmp_limit(ExecutorKind kind, const Threads& threads) {
+  const int limit = omp_get_thread_limit();
+  if (threads.total() <= limit) return;
+  throw InputError(std::string(name_of(kind)) + " on " + name_of(threads) +
+                   " threads: OMP_THREAD_LIMIT allows " + std::to_string(limit));
+}
+
+}  // namespace spoke::graph

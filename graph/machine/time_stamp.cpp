@@ -1,0 +1,69 @@
+// Finds out whether the processor's counter is steady, and measures its rate and cost.
+
+#include "graph/machine/time_stamp.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#if defined(__x86_64__) || defined(__i386__)
+#include <cpuid.h>
+#endif
+
+namespace spoke::graph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool find_steady_counter() noexcept {
+#if defined(__x86_64__) || defined(__i386__)
+  // "Invariant TSC": constant rate in all states of frequency and sleep.
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  return __get_cpuid(0x80000007U, &a, &b, &c, &d) != 0 && (d & (1U << 8U)) != 0;
+#else
+  return false;
+#endif
+}
+
+double measure_seconds_per_tick() {
+  const auto begin = Clock::now();
+  const std::uint64_t first = time_stamp();
+  auto end = begin;
+  while (end - begin < std::chrono::milliseconds(2)) end = Clock::now();
+  const std::uint64_t ticks = time_stamp() - first;
+  return std::chrono::duration<double>(end - begin).count() / static_cast<double>(ticks);
+}
+
+double measure_cost_in_ticks() {
+  std::array<std::uint64_t, 101> costs;
+  for (std::uint64_t& cost : costs) {
+    const std::uint64_t first = time_stamp();
+    cost = time_stamp() - first;
+  }
+  std::nth_element(costs.begin(), costs.begin() + costs.size() / 2, costs.end());
+  return static_cast<double>(costs[costs.size() / 2]);
+}
+
+TimeStampScale measure_scale() {
+  const double seconds = measure_seconds_per_tick();
+  return {seconds, seconds * measure_cost_in_ticks()};
+}
+
+}  // namespace
+
+namespace detail {
+
+const bool has_steady_counter = find_steady_counter();
+
+std::uint64_t steady_clock_ticks() noexcept {
+  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
+}
+
+}  // namespace detail
+
+const TimeStampScale& time_stamp_scale() {
+  static const TimeStampScale scale = measure_scale();
+  return scale;
+}
+
+}  // namespace spoke::graph

@@ -1,0 +1,53 @@
+#pragma once
+
+// What a schedule of a plan is, its bounds, and the schedule that given lists lead to.
+
+#include <span>
+#include <vector>
+
+#include "graph/plan/plan.h"
+
+namespace spoke::graph {
+
+/// What running a plan costs beside its nodes' bodies [s]: by default what oneTBB takes on common
+/// processors. Plans that are tried on real runs need no more; predictions measure it
+/// (calibrate/runtime_costs.h).
+struct Overheads {
+  double per_node = 2e-9;      ///< calling a node within its cluster
+  double per_cluster = 60e-9;  ///< starting a cluster with which its processor goes on
+  double handover = 0.8e-6;    ///< a cluster starts on another processor than made it ready
+  double spawn = 45e-9;        ///< what a cluster takes longer that was spawned to the ready deque
+};
+
+/// Where and when a cluster runs [s from the start of the run]; its overheads are part of it, a
+/// handover delays the start.
+struct Slot {
+  int processor = -1;
+  double start = 0.0;
+  double end = 0.0;
+};
+
+struct Schedule {
+  int processors = 0;
+  double makespan = 0.0;    ///< [s]
+  std::vector<Slot> slots;  ///< per cluster
+};
+
+/// Per processor the clusters it runs, in that order.
+using ProcessorLists = std::vector<std::vector<int>>;
+
+/// Per cluster what it takes with its nodes and overheads, without handovers [s].
+std::vector<double> cluster_times(const Plan& plan, std::span<const double> node_costs,
+                                  const Overheads& overheads);
+
+/// The work T1: the sum of all nodes' costs [s].
+double work_of(std::span<const double> node_costs);
+/// The span Tinf: the costliest path of clusters [s], without overheads.
+double span_of(const Plan& plan, std::span<const double> node_costs);
+
+/// Each processor runs its list in order, waiting for predecessors. The lists hold every cluster
+/// once, in an order that, together with the plan's edges, makes no cycle.
+Schedule simulate_lists(const Plan& plan, std::span<const double> node_costs,
+                        const ProcessorLists& lists, const Overheads& overheads);
+
+}  // namespace spoke::graph

@@ -1,0 +1,291 @@
+// The ways to run a graph that auto tries, what each has taken, and the budget of trying.
+
+#include "graph/tune/auto_executor.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "graph/calibrate/capacity.h"
+#include "graph/calibrate/node_costs.h"
+#include "graph/calibrate/quantiles.h"
+#include "graph/calibrate/timed_runs.h"
+#include "graph/execute/executor_kinds.h"
+#include "graph/execute/node_recorder.h"
+#include "graph/execute/unbound_thread.h"
+#include "graph/machine/time_stamp.h"
+#include "graph/tune/plan_candidates.h"
+
+namespace spoke::graph {
+namespace {
+
+constexpr double kShare = 0.02;  // of the runs' time that tuning may cost
+// s, that a plan may be slower than serial runs, summed up, before it is left
+constexpr double kLeastAllowance = 1e-3, kMostAllowance = 4e-3;
+constexpr double kLeastCapacity = 1.2;  // below it, other threads are not worth waking
+constexpr double kTurn = 1e-3;          // s, of runs in turn
+constexpr std::size_t kTimedTurns = 5;  // whose median counts
+constexpr std::size_t kMostPlans = 3;
+constexpr double kFirstPause = 10e-3;  // s, before a plan that was left is tried again; then ...
+constexpr double kLongerPause = 3.0;   // ... times as long
+
+// Runs that are timed node by node: enough for a robust mean.
+bool is_enough(const NodeCosts& costs) {
+  constexpr int fewest = 4, usual = 8;
+  constexpr double short_time = 0.5e-3, long_time = 20e-3;  // s
+  if (costs.runs() < fewest) return false;
+  return costs.seconds() >= long_time || (costs.runs() >= usual && costs.seconds() >= short_time);
+}
+
+std::string text_of(const char* format, auto... values) {
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+std::string duration(double seconds) {
+  if (seconds < 1e-3) return text_of("%.3g us", seconds * 1e6);
+  return seconds < 1.0 ? text_of("%.3g ms", seconds * 1e3) : text_of("%.3g s", seconds);
+}
+
+// One way to run the graph.
+struct Alternative {
+  std::unique_ptr<Executor> executor;
+  int clusters = 1;
+  double predicted = 0.0;     // s per run
+  std::vector<double> turns;  // s per run, of the latest kTimedTurns turns
+  double seconds() const { return turns.empty() ? predicted : median(turns); }
+};
+
+class AutoExecutor final : public Executor {
+ public:
+  AutoExecutor(const StepGraph& graph, int threads, Expectation expectation)
+      : graph_(graph), threads_(threads), expected_seconds_(expectation.seconds) {
+    assert(threads >= 1);
+    processors_ = std::min(threads, available_threads());
+    alternatives_.push_back({make_serial_executor(graph), 1, 0.0, {}});
+    if (processors_ <= 1) {
+      stay_serial("serial: one thread");
+    } else if (graph.node_count() <= 1) {
+      stay_serial("serial: nothing to share");
+    } else if (!expectation.node_costs.empty()) {
+      plan(expectation.node_costs);
+    } else {
+      costs_.emplace(graph);
+    }
+  }
+
+  void run() override {
+    if (recorder() != nullptr) return run_recorded();
+    if (costs_) return measure_costs();
+    if (is_final_) return running().executor->run();
+    const std::uint64_t begin = time_stamp();
+    running().executor->run();
+    account(seconds_since(begin));
+  }
+  std::string_view name() const override { return name_of(ExecutorKind::automatic); }
+  Threads threads() const override { return threads_; }
+  std::string describe() const override;
+  bool tuning() const override { return costs_.has_value(); }
+  int choices() const override { return choices_; }
+  Threads recorded_threads() const override { return alternatives_[chosen_].executor->threads(); }
+  bool settled_on_serial() const override { return is_final_; }
+
+  void set_recorder(NodeRecorder* recorder) override {
+    Executor::set_recorder(recorder);
+    alternatives_[chosen_].executor->set_recorder(recorder);
+  }
+
+ private:
+  Alternative& running() { return alternatives_[running_]; }
+  const Alternative& serial() const { return alternatives_.front(); }
+
+  // Recording takes time, so these runs are not timed.
+  void run_recorded() { alternatives_[chosen_].executor->run(); }
+
+  void stay_serial(std::string reason) {
+    is_final_ = true;
+    reason_ = std::move(reason);
+    choose(0);
+  }
+
+  void measure_costs() {
+    costs_->run();
+    if (!is_enough(*costs_)) return;
+    elapsed_ += costs_->seconds();
+    const std::vector<double> costs = costs_->costs();
+    costs_.reset();
+    plan(costs);
+  }
+
+  void plan(const std::vector<double>& costs);
+  void account(double seconds);
+  void end_turn();
+  void start_turn(std::size_t alternative);
+  std::size_t next_alternative();
+  void leave_plan();
+  bool is_worth_another_try();
+
+  void choose(std::size_t alternative) {
+    if (choices_ == 0 || alternative != chosen_) ++choices_;
+    chosen_ = alternative;
+  }
+  // What tuning may still cost [s].
+  double budget() const { return kShare * std::max(expected_seconds_, elapsed_) - spent_; }
+
+  const StepGraph& graph_;
+  int threads_;
+  double expected_seconds_;
+  int processors_ = 1;
+  std::optional<NodeCosts> costs_;         // while they are measured
+  std::vector<Alternative> alternatives_;  // the serial one first
+  std::size_t chosen_ = 0, running_ = 0;
+  bool is_final_ = false;  // serial for good
+  std::string reason_;     // for running serially
+  int choices_ = 0;
+  double capacity_ = 0.0;  // as measured last; 0: not yet
+
+  double elapsed_ = 0.0;        // s, of all runs
+  double spent_ = 0.0;          // s, on planning, probes, trials and slow plans
+  double lost_ = 0.0;           // s, by the chosen plan since it was slower than serial runs
+  double pause_ = kFirstPause;  // s, before a plan that was left is tried again
+  double resume_at_ = 0.0;      // in elapsed_ [s]
+  double turn_seconds_ = 0.0;   // of the turn's runs
+  int turn_runs_ = 0, runs_in_turn_ = 1;
+  std::size_t next_trial_ = 0;
+};
+
+void AutoExecutor::plan(const std::vector<double>& costs) {
+  const std::uint64_t begin = time_stamp();
+  const UnboundThread unbound;  // oneTBB's threads get the processors that this one has
+  const Overheads overheads;
+  const double work = work_of(costs);
+  alternatives_.front().predicted = work;
+  const double acceptable = work / least_gain(work, overheads.handover);
+  auto candidates = find_candidates(graph_, costs, processors_, overheads, kMostPlans);
+  std::erase_if(candidates, [=](const Candidate& c) { return c.makespan > acceptable; });
+  for (Candidate& candidate : candidates) {
+    const int clusters = candidate.plan.cluster_count();
+    alternatives_.push_back(
+        {make_flow_graph_executor(graph_, std::move(candidate.plan), processors_),
+         clusters,
+         candidate.makespan,
+         {}});
+  }
+  if (alternatives_.size() == 1) {
+    stay_serial(text_of("serial: 1 run takes %s, no plan promised a gain", duration(work).c_str()));
+  } else if (is_worth_another_try()) {
+    choose(1);
+    start_turn(1);
+  } else {
+    choose(0);
+    start_turn(0);
+    resume_at_ = elapsed_ + pause_;
+  }
+  spent_ += seconds_since(begin);
+}
+
+// Whether the machine has a processor for other threads at present.
+bool AutoExecutor::is_worth_another_try() {
+  capacity_ = measure_capacity(processors_);
+  if (capacity_ >= kLeastCapacity) return true;
+  reason_ =
+      text_of("serial: %d threads do %.2g times the work of one here", processors_, capacity_);
+  return false;
+}
+
+void AutoExecutor::start_turn(std::size_t alternative) {
+  running_ = alternative;
+  turn_seconds_ = 0.0;
+  turn_runs_ = 0;
+  const double runs = kTurn / std::max(running().seconds(), 1e-7);
+  runs_in_turn_ = static_cast<int>(std::clamp(runs, 1.0, 10000.0));
+}
+
+// Each run is weighed against a serial one at once: a thread that waits for a processor may take
+// milliseconds.
+void AutoExecutor::account(double seconds) {
+  elapsed_ += seconds;
+  turn_seconds_ += seconds;
+  ++turn_runs_;
+  if (running_ != 0) {
+    const double loss = seconds - serial().seconds();
+    lost_ = std::max(0.0, lost_ + loss);
+    if (lost_ > std::clamp(0.25 * budget(), kLeastAllowance, kMostAllowance)) return leave_plan();
+  }
+  if (turn_runs_ >= runs_in_turn_) end_turn();
+}
+
+void AutoExecutor::leave_plan() {
+  spent_ += lost_;
+  lost_ = 0.0;
+  reason_ = text_of("serial: the plan of %d clusters was slower at present",
+                    alternatives_[running_].clusters);
+  for (Alternative& alternative : alternatives_) alternative.turns.clear();
+  resume_at_ = elapsed_ + pause_;
+  pause_ *= kLongerPause;
+  choose(0);
+  start_turn(0);
+}
+
+void AutoExecutor::end_turn() {
+  Alternative& alternative = running();
+  const double seconds = turn_seconds_ / turn_runs_;
+  if (running_ != chosen_)
+    spent_ += std::max(0.0, turn_seconds_ - turn_runs_ * alternatives_[chosen_].seconds());
+  if (alternative.turns.size() == kTimedTurns) alternative.turns.erase(alternative.turns.begin());
+  alternative.turns.push_back(seconds);
+  start_turn(next_alternative());
+}
+
+// The chosen one, or if the budget allows it another one in turn.
+std::size_t AutoExecutor::next_alternative() {
+  if (chosen_ == 0) {
+    if (elapsed_ < resume_at_) return 0;
+    const std::uint64_t begin = time_stamp();
+    const bool is_worth = is_worth_another_try();
+    spent_ += seconds_since(begin);
+    if (!is_worth) {
+      resume_at_ = elapsed_ + pause_;
+      pause_ *= kLongerPause;
+      return 0;
+    }
+    choose(1);
+    return 1;
+  }
+  const auto timed = [](const Alternative& alternative) { return alternative.turns.size() >= 3; };
+  if (running_ != 0 && running_ != chosen_ && timed(running()) && timed(alternatives_[chosen_]) &&
+      running().seconds() < 0.99 * alternatives_[chosen_].seconds())
+    choose(running_);
+  const Alternative& trial = alternatives_[next_trial_ % alternatives_.size()];
+  const double cost =
+      kTurn * std::max(0.0, 1.0 - alternatives_[chosen_].seconds() / trial.seconds());
+  if (running_ != chosen_ || budget() < cost + 0.1 * kTurn) return chosen_;
+  return next_trial_++ % alternatives_.size();
+}
+
+std::string AutoExecutor::describe() const {
+  if (costs_) return "still tuning on " + name_of(threads()) + " threads";
+  if (chosen_ == 0) return reason_;
+  const Alternative& plan = alternatives_[chosen_];
+  const double before = serial().seconds(), now = plan.seconds();
+  return text_of("%d threads, %d clusters of %d nodes (%s serial, %s so: %.2f x)", processors_,
+                 plan.clusters, graph_.node_count(), duration(before).c_str(),
+                 duration(now).c_str(), before / now);
+}
+
+}  // namespace
+
+std::unique_ptr<Executor> make_auto_executor(const StepGraph& graph, int threads,
+                                             Expectation expectation) {
+  return std::make_unique<AutoExecutor>(graph, threads, std::move(expectation));
+}
+
+}  // namespace spoke::graph

@@ -1,0 +1,170 @@
+// Predicted times of each executor, from the costs of nodes and of the runtime.
+
+#include "graph/tune/run_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "graph/plan/level_rounds.h"
+#include "graph/simulate/work_stealing.h"
+#include "graph/tune/plan_candidates.h"
+
+namespace spoke::graph {
+namespace {
+
+OrderedCosts times(OrderedCosts costs, double factor) {
+  for (double& cost : costs.serial) cost *= factor;
+  for (double& cost : costs.levels) cost *= factor;
+  return costs;
+}
+
+// Between one pass and the next: the thread that asks whether to go on, and the others.
+double barriers_of(const std::vector<Round>& rounds) {
+  return static_cast<double>(rounds.size()) - 1.0 + (ends_alone(rounds) ? 1.0 : 2.0);
+}
+
+// Of a run of the flow graph that finds the data where the run before has left them [s].
+double seconds_of_plan(const StepGraph& graph, const Plan& plan, const std::vector<double>& costs,
+                       int threads, const RuntimeCosts& runtime) {
+  const int width = level_width(plan);
+  if (width <= 1) return work_of(costs);  // the executor then does without a flow graph
+  DataTraffic traffic(graph, runtime.transfer);
+  const auto run = [&] {
+    return simulate_work_stealing(plan, costs, std::min(threads, width), runtime.flow_graph,
+                                  &traffic)
+        .makespan;
+  };
+  run();
+  return run();
+}
+
+// Per round the costliest thread [s].
+double critical_shares(const std::vector<Round>& rounds, const std::vector<double>& costs,
+                       DataTraffic& traffic) {
+  double seconds = 0.0;
+  for (const Round& round : rounds) {
+    double most = 0.0;
+    for (std::size_t thread = 0; thread < round.size(); ++thread) {
+      double share = 0.0;
+      for (const NodeId node : round[thread]) {
+        const double cost = costs[static_cast<std::size_t>(node.index)];
+        share += cost + traffic.run(node, static_cast<int>(thread), cost);
+      }
+      share += traffic.wait_at_barrier(static_cast<int>(thread));
+      most = std::max(most, share);
+    }
+    seconds += most;
+  }
+  return seconds;
+}
+
+}  // namespace
+
+/// One set of costs, and how a barrier of two threads grows with their number.
+struct RunPredictor::Assumptions {
+  OrderedCosts costs;
+  RuntimeCosts runtime;
+  double (*barrier_growth)(int threads);
+
+  double barrier(int threads) const {
+    return threads == 1 ? runtime.barrier_alone : runtime.barrier * barrier_growth(threads);
+  }
+};
+
+RunPredictor::RunPredictor(const StepGraph& graph, OrderedCosts node_costs,
+                           const RuntimeCosts& runtime, CostSpread spread)
+    : graph_(graph),
+      node_costs_(std::move(node_costs)),
+      runtime_(runtime),
+      spread_(spread),
+      single_nodes_(plan_of_single_nodes(graph)) {}
+
+double RunPredictor::work() const { return work_of(node_costs_.serial); }
+double RunPredictor::span() const { return span_of(single_nodes_, node_costs_.serial); }
+
+// Threads that meet in a tree; all at one counter, one after the other; at no more cost than two.
+RunPredictor::Assumptions RunPredictor::expected() const {
+  return {node_costs_, runtime_, [](int threads) { return std::log2(threads); }};
+}
+RunPredictor::Assumptions RunPredictor::optimistic() const {
+  return {times(node_costs_, spread_.low), scaled(runtime_, 0.5), [](int) { return 1.0; }};
+}
+RunPredictor::Assumptions RunPredictor::pessimistic() const {
+  return {times(node_costs_, spread_.high), scaled(runtime_, 2.0),
+          [](int threads) { return 0.5 * threads; }};
+}
+
+bool RunPredictor::can_predict(ExecutorKind kind) const {
+  if (kind == ExecutorKind::openmp_levels)
+    return runtime_.barrier > 0.0 && !node_costs_.levels.empty();
+  return kind == ExecutorKind::serial || kind == ExecutorKind::flow_graph ||
+         kind == ExecutorKind::automatic;
+}
+
+PredictedRun RunPredictor::predict(ExecutorKind kind, int threads) const {
+  switch (kind) {
+    case ExecutorKind::serial:
+      return predict_serial();
+    case ExecutorKind::flow_graph:
+      return predict_plan(single_nodes_, threads);
+    case ExecutorKind::automatic:
+      return predict_auto(threads);
+    case ExecutorKind::openmp_levels:
+      return predict_levels(threads);
+    default:
+      throw std::invalid_argument("no prediction of " + std::string(name_of(kind)));
+  }
+}
+
+PredictedRun RunPredictor::predict_serial() const {
+  const double seconds = work();
+  return {seconds, spread_.low * seconds, spread_.high * seconds, 1};
+}
+
+// The band holds the expected time even where dearer nodes happen to make a better schedule.
+template <class Seconds>
+PredictedRun RunPredictor::in_band(Seconds seconds, int clusters) const {
+  const double time = seconds(expected());
+  return {time, std::min(time, seconds(optimistic())), std::max(time, seconds(pessimistic())),
+          clusters};
+}
+
+PredictedRun RunPredictor::predict_plan(const Plan& plan, int threads) const {
+  return in_band(
+      [&](const Assumptions& assumed) {
+        return seconds_of_plan(graph_, plan, assumed.costs.serial, threads, assumed.runtime);
+      },
+      plan.cluster_count());
+}
+
+PredictedRun RunPredictor::predict_auto(int threads) const {
+  const PredictedRun serial = predict_serial();
+  if (threads == 1) return serial;
+  const double worth_while =
+      serial.expected / least_gain(serial.expected, runtime_.flow_graph.handover);
+  PredictedRun best = serial;
+  for (const Candidate& candidate :
+       find_candidates(graph_, node_costs_.serial, threads, runtime_.flow_graph, 3)) {
+    const PredictedRun run = predict_plan(candidate.plan, threads);
+    if (run.expected < std::min(best.expected, worth_while)) best = run;
+  }
+  best.pessimistic = std::min(best.pessimistic, serial.pessimistic);  // it would notice
+  return best;
+}
+
+PredictedRun RunPredictor::predict_levels(int threads) const {
+  const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
+  return in_band(
+      [&](const Assumptions& assumed) {
+        DataTraffic traffic(graph_, assumed.runtime.transfer, Writing::at_barriers);
+        critical_shares(rounds, assumed.costs.levels,
+                        traffic);  // leaves the data where a run finds them
+        return critical_shares(rounds, assumed.costs.levels, traffic) +
+               barriers_of(rounds) * assumed.barrier(threads);
+      },
+      0);
+}
+
+}  // namespace spoke::graph

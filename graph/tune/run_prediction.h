@@ -1,0 +1,73 @@
+#pragma once
+
+// Predictions of what a run takes on any number of processors.
+
+#include <vector>
+
+#include "graph/calibrate/runtime_costs.h"
+#include "graph/executor.h"
+
+namespace spoke::graph {
+
+/// The time of one run [s], and the band that it is believed to lie in.
+struct PredictedRun {
+  double expected = 0.0;
+  double optimistic = 0.0;
+  double pessimistic = 0.0;
+  int clusters = 0;  ///< of the plan that is run; 1: serially; 0: the executor knows no plans
+};
+
+/// What the nodes cost on one thread, by index of the node [s], in the orders that executors run
+/// them.
+struct OrderedCosts {
+  std::vector<double> serial;
+  std::vector<double> levels;  ///< for openmp_levels; empty: that one is not predicted
+};
+
+/// What the costs of nodes may be off by, as factors.
+struct CostSpread {
+  double low = 1.0;   ///< <= 1
+  double high = 1.0;  ///< >= 1
+};
+
+/// Predicts how long executors take for a run on any number of processors, equal to the one on
+/// which nodes and runtimes were measured. Data that another processor wrote last are waited for
+/// (DataTraffic); what processors share beyond that, cache capacity and memory, is not modelled.
+/// The band is that of half the runtimes' costs with nodes at their cheapest, and of twice these
+/// costs with nodes at their dearest.
+class RunPredictor {
+ public:
+  /// Refers to `graph`, which must outlive it.
+  RunPredictor(const StepGraph& graph, OrderedCosts node_costs, const RuntimeCosts& runtime,
+               CostSpread spread = {});
+
+  double work() const;  ///< T1 [s]
+  double span() const;  ///< Tinf [s]
+
+  /// Whether runs of this executor can be predicted: serial, flow_graph, auto, and openmp_levels if
+  /// its barrier and the nodes in its order were measured.
+  bool can_predict(ExecutorKind kind) const;
+  /// Precondition: can_predict(kind), threads >= 1. Each thread has a processor of its own. `auto`
+  /// runs the plan that the simulator finds best, or serially if no plan is faster.
+  PredictedRun predict(ExecutorKind kind, int threads) const;
+
+ private:
+  struct Assumptions;
+  Assumptions expected() const;
+  Assumptions optimistic() const;
+  Assumptions pessimistic() const;
+  template <class Seconds>
+  PredictedRun in_band(Seconds seconds, int clusters) const;
+  PredictedRun predict_plan(const Plan& plan, int threads) const;
+  PredictedRun predict_serial() const;
+  PredictedRun predict_auto(int threads) const;
+  PredictedRun predict_levels(int threads) const;
+
+  const StepGraph& graph_;
+  OrderedCosts node_costs_;
+  RuntimeCosts runtime_;
+  CostSpread spread_;
+  Plan single_nodes_;
+};
+
+}  // namespace spoke::graph

@@ -1,0 +1,53 @@
+// Rules that concern several numbers at once: steps, elements, points of loads.
+
+#include "models/reader/scenario_fields.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+
+namespace spoke {
+
+std::string find_step_fault(const Integration& integration) {
+  constexpr double most_steps = 1e10;
+  if (integration.step > integration.duration)
+    return "the step is " + describe(integration.step) + " s, expected at most the duration, " +
+           describe(integration.duration) + " s";
+  const double steps = integration.duration / integration.step;
+  if (steps <= most_steps) return {};
+  return "makes " + describe(steps) + " steps, expected at most " + describe(most_steps);
+}
+
+std::string find_element_fault(const std::vector<Blade>& blades) {
+  constexpr std::int64_t most_elements = 20'000'000;
+  std::int64_t elements = 0;
+  for (const Blade& blade : blades) elements += std::int64_t{blade.bodies} * blade.elements;
+  if (elements <= most_elements) return {};
+  return "makes " + std::to_string(elements) + " elements (blades x bodies x elements), " +
+         "expected at most " + std::to_string(most_elements);
+}
+
+std::string find_point_fault(std::size_t points) {
+  constexpr std::size_t most_points = 2'000'000;
+  if (points <= most_points) return {};
+  return "makes " + std::to_string(points) +
+         " points (loads x blades x times) with those before it, expected at most " +
+         std::to_string(most_points);
+}
+
+const Blade& shortest_loaded(const PointLoad& load, const std::vector<Blade>& blades) {
+  assert(!blades.empty() && load.blade < static_cast<int>(blades.size()));
+  if (load.blade >= 0) return blades[static_cast<std::size_t>(load.blade)];
+  return *std::min_element(blades.begin(), blades.end(),
+                           [](const Blade& a, const Blade& b) { return a.length < b.length; });
+}
+
+Quantity place_on(const Blade& blade) {
+  return {"m, from root to tip of the blade", 0.0, blade.length};
+}
+
+std::size_t count_points(const PointLoad& load, const std::vector<Blade>& blades) {
+  return (load.blade < 0 ? blades.size() : 1) * load.factor.times().size();
+}
+
+}  // namespace spoke

@@ -1,0 +1,133 @@
+#pragma once
+
+// What each number of a scenario must be, in one place: the reader of files and the check of what
+// is filled in code both go by it. visit_fields() calls visit(key, value, range, presence) for the
+// numbers of a structure, in the order of the file; a range is a Quantity or a Count.
+
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "models/reader/quantity.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+/// Whether a file must give a value; code always does.
+enum class Presence { required, optional };
+
+template <class T, class Of>
+concept PerhapsConst = std::same_as<std::remove_const_t<T>, Of>;
+
+// Sizes beyond these are slips of the keyboard, not machines anybody simulates; below them
+// the engine still compares its need with the memory there is.
+inline constexpr int kMostOfAKind = 100'000;
+
+// Numbers that stand in arrays.
+inline constexpr Quantity kGravity = Quantity::any("m/s^2");
+inline constexpr Quantity kForce = Quantity::any("N");
+inline constexpr Quantity kFactor = Quantity::any("");
+inline constexpr Quantity kTime = Quantity::any("s");
+inline constexpr Quantity kSpeed = Quantity::any("rad/s");
+inline constexpr Quantity kTorque = Quantity::any("N m");
+
+template <PerhapsConst<Hub> H, class Visit>
+void visit_fields(H& hub, const Visit& visit) {
+  const bool is_free = hub.support == HubSupport::free;
+  visit("radius", hub.radius, Quantity::not_negative("m"), Presence::optional);
+  visit("inertia", hub.inertia, Quantity::positive("kg m^2"), Presence::optional);
+  visit("mass", hub.mass, is_free ? Quantity::positive("kg") : Quantity::not_negative("kg"),
+        is_free ? Presence::required : Presence::optional);
+}
+
+template <PerhapsConst<SpinUp> D, class Visit>
+void visit_fields(D& drive, const Visit& visit) {
+  visit("speed", drive.speed, kSpeed, Presence::required);
+  visit("ramp", drive.ramp, Quantity::positive("s"), Presence::required);
+}
+
+template <PerhapsConst<SpinUpHoldSpinDown> D, class Visit>
+void visit_fields(D& drive, const Visit& visit) {
+  visit("speed", drive.speed, kSpeed, Presence::required);
+  visit("ramp", drive.ramp, Quantity::positive("s"), Presence::required);
+  visit("hold", drive.hold, Quantity::not_negative("s"), Presence::optional);
+  visit("ramp_down", drive.ramp_down, Quantity::positive("s"), Presence::optional);
+}
+
+template <PerhapsConst<TorqueDrive> D, class Visit>
+void visit_fields(D& drive, const Visit& visit) {
+  visit("initial_speed", drive.initial_speed, kSpeed, Presence::optional);
+}
+
+template <PerhapsConst<FreeDrive> D, class Visit>
+void visit_fields(D& drive, const Visit& visit) {
+  visit("initial_speed", drive.initial_speed, kSpeed, Presence::optional);
+}
+
+template <PerhapsConst<Blade> B, class Visit>
+void visit_fields(B& blade, const Visit& visit) {
+  visit("length", blade.length, Quantity::positive("m"), Presence::required);
+  visit("bodies", blade.bodies, Count{1, kMostOfAKind}, Presence::optional);
+  visit("elements", blade.elements, Count{1, kMostOfAKind}, Presence::optional);
+  visit("density", blade.density, Quantity::positive("kg/m^3"), Presence::required);
+  visit("area", blade.area, Quantity::positive("m^2"), Presence::required);
+  visit("second_moment", blade.second_moment, Quantity::positive("m^4"), Presence::required);
+  visit("youngs_modulus", blade.youngs_modulus, Quantity::positive("Pa"), Presence::required);
+  visit("azimuth", blade.azimuth, Quantity::any("rad"), Presence::optional);
+}
+
+template <PerhapsConst<Damping> D, class Visit>
+void visit_fields(D& damping, const Visit& visit) {
+  visit("mass_factor", damping.mass_factor, Quantity::not_negative("1/s"), Presence::optional);
+  visit("stiffness_factor", damping.stiffness_factor, Quantity::not_negative("s"),
+        Presence::optional);
+}
+
+template <PerhapsConst<PointLoad> L, class Visit>
+void visit_fields(L& load, const Visit& visit) {
+  visit("moment", load.moment, Quantity::any("N m"), Presence::optional);
+}
+
+template <PerhapsConst<Integration> I, class Visit>
+void visit_fields(I& integration, const Visit& visit) {
+  constexpr int most_iterations = 1000;
+  visit("duration", integration.duration, Quantity::positive("s"), Presence::required);
+  visit("step", integration.step, Quantity::positive("s"), Presence::optional);
+  visit("spectral_radius", integration.spectral_radius, Quantity::between(0.0, 1.0),
+        Presence::optional);
+  visit("tolerance", integration.tolerance, Quantity::positive("m, rad"), Presence::optional);
+  visit("iterations", integration.iterations, Count{0, most_iterations}, Presence::optional);
+  visit("max_iterations", integration.max_iterations, Count{1, most_iterations},
+        Presence::optional);
+}
+
+template <PerhapsConst<Limits> L, class Visit>
+void visit_fields(L& limits, const Visit& visit) {
+  visit("deflection", limits.deflection, Quantity::not_negative(""), Presence::optional);
+  visit("energy_growth", limits.energy_growth, Quantity::not_negative(""), Presence::optional);
+}
+
+template <PerhapsConst<Output> O, class Visit>
+void visit_fields(O& output, const Visit& visit) {
+  visit("interval", output.interval, Quantity::not_negative("s"), Presence::optional);
+}
+
+// What several numbers must be together: in words what is wrong, or nothing.
+
+/// Of a step and a duration that are fine by themselves.
+std::string find_step_fault(const Integration& integration);
+std::string find_element_fault(const std::vector<Blade>& blades);
+/// Of as many points of loads, on every blade that they act on.
+std::string find_point_fault(std::size_t points);
+
+/// The blade on which the place of a load is limited most: its own, or the shortest. Precondition:
+/// the blade exists.
+const Blade& shortest_loaded(const PointLoad& load, const std::vector<Blade>& blades);
+/// Where on this blade a load may act.
+Quantity place_on(const Blade& blade);
+/// The load's points, on every blade that it acts on.
+std::size_t count_points(const PointLoad& load, const std::vector<Blade>& blades);
+
+}  // namespace spoke

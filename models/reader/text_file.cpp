@@ -1,0 +1,54 @@
+// Reads a file that may be a pipe, up to a limit of size.
+
+#include "models/reader/text_file.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <istream>
+
+#include "models/error.h"
+
+namespace spoke {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+
+/// Up to `most` bytes of a stream, in pieces: memory is touched only as far as there is text.
+std::string read_at_most(std::istream& stream, std::size_t most) {
+  std::string text;
+  std::array<char, 16384> piece;
+  while (text.size() < most && stream) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& file) {
+  const std::string expected = ", expected a scenario file (TOML)";
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    throw InputError(file.string() + ": no such file" + expected);
+  }
+  if (error) throw InputError(file.string() + ": " + error.message() + expected);
+  if (std::filesystem::is_directory(status)) {
+    throw InputError(file.string() + ": is a directory" + expected);
+  }
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InputError(file.string() + ": " + std::strerror(errno) + expected);
+  const std::string text = read_at_most(stream, kLargestFile + 1);
+  if (stream.bad()) throw InputError(file.string() + ": cannot be read" + expected);
+  if (text.empty()) throw InputError(file.string() + ": is empty" + expected);
+  if (text.size() > kLargestFile) {
+    throw InputError(file.string() + ": is larger than 16 MiB" + expected);
+  }
+  return text;
+}
+
+}  // namespace spoke

@@ -1,0 +1,15 @@
+#pragma once
+
+// Reading of whole text files.
+
+#include <filesystem>
+#include <string>
+
+namespace spoke {
+
+/// The text of a scenario file, read once from its beginning to its end, so that it may be a pipe.
+/// Throws InputError, its text "file: what is wrong, what is expected", for anything that cannot be
+/// a text file of sensible size.
+std::string read_text(const std::filesystem::path& file);
+
+}  // namespace spoke

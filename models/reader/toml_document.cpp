@@ -1,0 +1,243 @@
+// Parses text and overrides, applies the overrides, and finds where a key stands.
+
+#include "models/reader/toml_document.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "models/error.h"
+#include "models/reader/quantity.h"
+#include "models/reader/toml_depth.h"
+
+namespace spoke {
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;
+constexpr std::size_t kDeepestPath = 8;
+constexpr std::size_t kMostNames = 32;  // of a key in the file
+
+/// Text for a message of one line: control characters become spaces, what is long is cut.
+std::string one_line(std::string_view text, std::size_t longest) {
+  std::string line(text.substr(0, longest));
+  if (text.size() > longest) {
+    // Never cut inside a UTF-8 sequence.
+    while (!line.empty() && (static_cast<unsigned char>(text[line.size()]) & 0xC0U) == 0x80U) {
+      line.pop_back();
+    }
+    line += "...";
+  }
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
+  return line;
+}
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// The names of a key path; empty if it is not one, or deeper than any key.
+std::vector<std::string> split_path(std::string_view path) {
+  constexpr std::string_view letters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view name = path.substr(begin, end - begin);
+    if (name.empty() || name.find_first_not_of(letters) != std::string_view::npos) return {};
+    names.emplace_back(name);
+    begin = end + 1;
+  }
+  if (names.size() > kDeepestPath) return {};
+  return names;
+}
+
+std::string join_path(const std::vector<std::string>& names, std::size_t count) {
+  std::string path;
+  for (std::size_t i = 0; i < count; ++i) path += (i == 0 ? "" : ".") + names[i];
+  return path;
+}
+
+bool is_index(std::string_view name) {
+  return name.size() <= 9 && std::all_of(name.begin(), name.end(),
+                                         [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+std::string quote_as_toml(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return quoted + '"';
+}
+
+/// A table whose only key "value" holds what the text says.
+toml::table parse_value(std::string_view text, const std::string& where) {
+  const std::string assignment = "value = " + std::string(text);
+  try {
+    if (!find_deep_key(assignment, kMostNames)) {
+      toml::table parsed = toml::parse(assignment);
+      if (parsed.size() == 1) return parsed;
+    }
+  } catch (const toml::parse_error&) {
+    // A bare word: reference_frame=chord.
+  }
+  try {
+    return toml::parse("value = " + quote_as_toml(text));
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        where + ": the value is not TOML: " + one_line(error.description(), std::string::npos));
+  }
+}
+
+toml::node* find(toml::node& parent, const std::string& name) {
+  if (toml::table* table = parent.as_table()) return table->get(name);
+  toml::array* array = parent.as_array();
+  if (array == nullptr || !is_index(name)) return nullptr;
+  const std::size_t index = std::stoul(name);
+  return index == 0 ? nullptr : array->get(index - 1);
+}
+
+/// Puts `value` under `name` of a table, or at an index of an array, at most one behind its end.
+/// Says what is wrong if it does not go there.
+std::string put(toml::node& parent, const std::string& name, toml::node&& value) {
+  if (toml::table* table = parent.as_table()) {
+    std::move(value).visit(
+        [&]<class Value>(Value&& v) { table->insert_or_assign(name, std::forward<Value>(v)); });
+    return {};
+  }
+  toml::array* array = parent.as_array();
+  if (array == nullptr) return "is " + describe(parent) + ", which holds no keys";
+  const std::size_t index = is_index(name) ? std::stoul(name) : 0;
+  if (index == 0 || index > array->size() + 1) {
+    return "is an array of " + std::to_string(array->size()) +
+           " values, expected an index from 1 to " + std::to_string(array->size() + 1) +
+           " instead of \"" + one_line(name, kLongestQuote) + '"';
+  }
+  std::move(value).visit([&]<class Value>(Value&& v) {
+    if (index > array->size()) {
+      array->push_back(std::forward<Value>(v));
+    } else {
+      const auto place = array->cbegin() + static_cast<std::ptrdiff_t>(index) - 1;
+      array->replace(place, std::forward<Value>(v));
+    }
+  });
+  return {};
+}
+
+/// Line and column, from 1, of a byte of the text.
+toml::source_position position_of(std::size_t byte, std::string_view text) {
+  const std::string_view before = text.substr(0, byte);
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  const auto column = byte - (before.rfind('\n') + 1);  // npos + 1 is 0
+  return {static_cast<toml::source_index>(lines + 1), static_cast<toml::source_index>(column + 1)};
+}
+
+}  // namespace
+
+std::string describe(const toml::node& node) {
+  if (const auto* value = node.as_string()) {
+    return '"' + one_line(value->get(), kLongestQuote) + '"';
+  }
+  if (const auto* value = node.as_integer()) return std::to_string(value->get());
+  if (const auto* value = node.as_floating_point()) {
+    // 4.0 where a whole number is expected must not read 4.
+    const std::string text = describe(value->get());
+    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+  }
+  if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
+  if (const auto* array = node.as_array()) {
+    if (array->empty()) return "an empty array";
+    const bool tables = array->is_homogeneous(toml::node_type::table);
+    return (tables ? "an array of tables (" : "an array (") + std::to_string(array->size()) + ')';
+  }
+  return node.is_table() ? "a table" : "a date or time";
+}
+
+TomlDocument::TomlDocument(const std::string& text, std::string name) : name_(std::move(name)) {
+  if (const auto zero = text.find('\0'); zero != std::string::npos) {
+    throw InputError(name_ + ": has a zero byte at " + std::to_string(zero) +
+                     ", expected a text file (TOML in UTF-8)");
+  }
+  if (const auto deep = find_deep_key(text, kMostNames)) {
+    fail("", position_of(*deep, text),
+         "has a key of more than " + std::to_string(kMostNames) +
+             " names, expected at most that many, joined by dots");
+  }
+  try {
+    root_ = toml::parse(text, name_);
+  } catch (const toml::parse_error& error) {
+    fail("", error.source().begin, "not TOML: " + one_line(error.description(), std::string::npos));
+  }
+}
+
+void TomlDocument::set(const std::string& assignment) {
+  const std::string where = "--set " + one_line(assignment, kLongestQuote);
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos) {
+    throw InputError(where + ": has no '=', expected key=value, for example blade.bodies=8");
+  }
+  const std::string_view path = trim(std::string_view(assignment).substr(0, equals));
+  const std::string_view text = trim(std::string_view(assignment).substr(equals + 1));
+  const Names names = split_path(path);
+  if (names.empty()) {
+    throw InputError(where + ": the key is \"" + one_line(path, kLongestQuote) +
+                     "\", expected names joined by dots, for example blade.bodies=8");
+  }
+  if (text.empty()) throw InputError(where + ": has no value behind '=', expected key=value");
+  toml::table parsed = parse_value(text, where);
+  toml::node* parent = &root_;
+  for (std::size_t depth = 0; depth + 1 < names.size(); ++depth) {
+    parent = &find_or_make(*parent, names, depth, where);
+  }
+  const std::string wrong = put(*parent, names.back(), std::move(*parsed.get("value")));
+  if (!wrong.empty()) {
+    throw InputError(where + ": " + join_path(names, names.size() - 1) + ": " + wrong);
+  }
+  remember(join_path(names, names.size()), where);
+}
+
+/// The node names[depth] of `parent`; if there is none, a new table, or array where an index
+/// follows.
+toml::node& TomlDocument::find_or_make(toml::node& parent, const Names& names, std::size_t depth,
+                                       const std::string& where) {
+  const std::string& name = names[depth];
+  if (find(parent, name) == nullptr) {
+    const bool array = is_index(names[depth + 1]);
+    const std::string wrong =
+        array ? put(parent, name, toml::array{}) : put(parent, name, toml::table{});
+    if (!wrong.empty()) throw InputError(where + ": " + join_path(names, depth) + ": " + wrong);
+    remember(join_path(names, depth + 1), where);
+  }
+  return *find(parent, name);
+}
+
+void TomlDocument::remember(const std::string& path, const std::string& where) {
+  std::erase_if(overrides_, [&](const auto& entry) { return entry.first.starts_with(path + '.'); });
+  overrides_[path] = where;
+}
+
+std::string TomlDocument::place(const std::string& path,
+                                const toml::source_position& position) const {
+  for (std::string prefix = path; !prefix.empty();) {
+    if (const auto found = overrides_.find(prefix); found != overrides_.end()) {
+      return found->second;
+    }
+    const auto dot = prefix.rfind('.');
+    prefix.resize(dot == std::string::npos ? 0 : dot);
+  }
+  if (!position) return name_;
+  return name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column);
+}
+
+void TomlDocument::fail(const std::string& path, const toml::source_position& position,
+                        const std::string& what) const {
+  const std::string message = path + (path.empty() ? "" : ": ") + what;
+  throw InputError(place(path, position) + ": " + one_line(message, std::string::npos));
+}
+
+}  // namespace spoke

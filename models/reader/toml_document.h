@@ -1,0 +1,49 @@
+#pragma once
+
+// A TOML document with overrides, and the places of its keys for messages.
+
+#include <toml++/toml.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace spoke {
+
+/// A value as an error message quotes it: -8, "clampd", an array of 3 values, a table.
+std::string describe(const toml::node& node);
+
+/// A TOML text and the overrides of its keys. Keys are named by paths of names and of indices from
+/// 1: "hub.drive.speed", "blades.2.length".
+class TomlDocument {
+ public:
+  /// Parses `text`; `name` stands for the file in messages. Throws InputError.
+  TomlDocument(const std::string& text, std::string name);
+
+  /// Sets one key as a command line says it: "blade.bodies=8", "blades.2.length=7.5",
+  /// "load.1.force=[0, 1]". The value is TOML; what is not is a string. Tables are made as needed.
+  /// Throws InputError, its text beginning "--set blade.bodies=8: ".
+  void set(const std::string& assignment);
+
+  const toml::table& root() const { return root_; }
+
+  /// Throws InputError "place: path: what". The place is the override that gave the key its value,
+  /// else file:line:column as far as known.
+  [[noreturn]] void fail(const std::string& path, const toml::source_position& position,
+                         const std::string& what) const;
+
+ private:
+  using Names = std::vector<std::string>;
+
+  toml::node& find_or_make(toml::node& parent, const Names& names, std::size_t depth,
+                           const std::string& where);
+  void remember(const std::string& path, const std::string& where);
+  std::string place(const std::string& path, const toml::source_position& position) const;
+
+  std::string name_;
+  toml::table root_;
+  std::map<std::string, std::string> overrides_;  ///< path of a key: the override that made it
+};
+
+}  // namespace spoke

@@ -1,0 +1,84 @@
+#pragma once
+
+// Typed access to the keys of a TOML table.
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/reader/quantity.h"
+#include "models/reader/toml_document.h"
+
+namespace spoke {
+
+/// One table of a scenario file: typed access to its keys. Every complaint is an InputError naming
+/// place, key, value and what was expected. Valid as long as its document.
+class TomlSection {
+ public:
+  using Keys = std::vector<std::string_view>;
+
+  /// The whole document. Throws InputError if it has a key that is not in `known`, naming the
+  /// nearest one that is; so do the sections within.
+  TomlSection(const TomlDocument& document, const Keys& known);
+
+  const std::string& path() const { return path_; }
+  bool has(std::string_view key) const { return table_->contains(key); }
+  bool is_array(std::string_view key) const;
+  bool is_text(std::string_view key) const;
+
+  /// The table `key`; an empty one if it is missing.
+  TomlSection section(std::string_view key, const Keys& known) const;
+  /// The array of tables `key`; none if it is missing.
+  std::vector<TomlSection> sections(std::string_view key, const Keys& known) const;
+
+  // Values that must be there, or may be missing where there is a fallback.
+  double number(std::string_view key, const Quantity& quantity) const;
+  double number(std::string_view key, const Quantity& quantity, double fallback) const;
+  int integer(std::string_view key, const Count& count) const;
+  int integer(std::string_view key, const Count& count, int fallback) const;
+  bool flag(std::string_view key, bool fallback) const;
+  std::string text(std::string_view key, const std::string& fallback) const;
+  /// An array of numbers, of `count` of them unless it is 0 (then at least one).
+  std::vector<double> numbers(std::string_view key, const Quantity& quantity,
+                              std::size_t count = 0) const;
+  /// An array of numbers, each greater than the one before.
+  std::vector<double> increasing_numbers(std::string_view key, const Quantity& quantity) const;
+
+  /// One of the given names: its index.
+  std::size_t choice(std::string_view key, const Keys& names) const;
+  /// One of the given values of an enumeration with a function name_of().
+  template <class Enum>
+  Enum choice(std::string_view key, std::initializer_list<Enum> values, Enum fallback) const {
+    if (!has(key)) return fallback;
+    Keys names;
+    for (const Enum value : values) names.push_back(name_of(value));
+    return values.begin()[choice(key, names)];
+  }
+
+  /// Throws InputError about a key, or about the table if the key is empty.
+  [[noreturn]] void fail(std::string_view key, const std::string& what) const;
+  /// Throws InputError: "is VALUE, expected ...".
+  [[noreturn]] void fail_expected(std::string_view key, const std::string& expected) const;
+
+ private:
+  TomlSection(const TomlDocument& document, const toml::table& table, std::string path,
+              const toml::source_position& position, const Keys& known);
+
+  void check_keys(const Keys& known) const;
+  std::string path_of(std::string_view key) const;
+  const toml::node& required(std::string_view key, const std::string& expected) const;
+  double checked_number(const toml::node& node, const std::string& path,
+                        const Quantity& quantity) const;
+
+  const TomlDocument* document_;
+  const toml::table* table_;
+  std::string path_;
+  toml::source_position position_;  ///< for complaints about what is missing
+};
+
+/// "a", "b" or "c".
+std::string join_names(const TomlSection::Keys& names);
+
+}  // namespace spoke

@@ -1,0 +1,141 @@
+#include "engine/integrator/step_control.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "tests/approx.h"
+
+using namespace spoke;
+using spoke::testing::approx;
+
+namespace {
+
+constexpr double kStep = 0.1;
+
+Integrator implicit_integrator(IterationLimits limits) {
+  return {make_generalized_alpha(0.8, kStep), limits};
+}
+
+PassReport report_of(double change, double power = 0.0) {
+  PassReport report;
+  report.change = change;
+  report.power = {power, 0.5 * power};
+  return report;
+}
+
+/// Progress at the first pass of step 1, where the power was `power`.
+StepProgress progress_at_first_step(const Integrator& integrator, double power = 0.0) {
+  StepProgress progress = make_start_progress();
+  StepRecord record;
+  end_pass(integrator, {0, 100, false}, report_of(0.0, power), progress, record);
+  REQUIRE(progress.completed == 0);
+  REQUIRE(progress.step == 1);
+  return progress;
+}
+
+}  // namespace
+
+TEST_CASE("the start is one pass that only evaluates") {
+  const Integrator integrator = implicit_integrator({});
+  StepProgress progress = make_start_progress();
+  CHECK(progress.control.stage == PassControl::kEvaluateOnly);
+  CHECK_FALSE(progress.is_halted);
+  StepRecord record;
+  end_pass(integrator, {0, 0, false}, report_of(0.0, 3.0), progress, record);
+  CHECK(record.passes == 1);
+  CHECK(record.work == 0.0);
+  CHECK(progress.power.applied == 3.0);
+  CHECK(progress.is_halted);  // at the end of the window
+}
+
+TEST_CASE("rk4 goes through its stages, at their times, and adds up the work by their weights") {
+  const Integrator integrator{Rk4{kStep}, {}};
+  StepProgress progress = progress_at_first_step(integrator, 6.0);
+  StepRecord record;
+  const std::vector<int> stages{1, 2, 3, 0};
+  const std::vector<double> times{0.05, 0.05, 0.1, 0.1}, powers{12, 18, 24, 99};
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    CHECK(progress.control.stage == stages[k]);
+    CHECK(progress.control.time == approx(times[k]));
+    CHECK_FALSE(progress.control.is_implicit);
+    CHECK(progress.completed != 1);
+    end_pass(integrator, {1, 100, false}, report_of(0.0, powers[k]), progress, record);
+  }
+  CHECK(progress.completed == 1);
+  CHECK(progress.step == 2);
+  CHECK(progress.control.stage == 1);
+  CHECK(record.passes == 4);
+  CHECK(record.work == approx(kStep * (6.0 / 6 + 12.0 / 3 + 18.0 / 3 + 24.0 / 6)));
+  CHECK(record.dissipated == approx(0.5 * record.work));
+  CHECK(usual_passes(integrator) == 4);
+}
+
+TEST_CASE("an iteration ends when the last change is within the tolerance") {
+  const Integrator integrator = implicit_integrator({1e-6, 0, 30});
+  StepProgress progress = progress_at_first_step(integrator, 2.0);
+  StepRecord record;
+  for (const double change : {1.0, 1e-3, 1.1e-6}) {
+    end_pass(integrator, {1, 100, false}, report_of(change, 4.0), progress, record);
+    CHECK(progress.completed == -1);
+    CHECK(progress.step == 1);
+    CHECK(progress.control.time == kStep);
+    CHECK(progress.control.is_implicit);
+  }
+  CHECK(progress.control.stage == 3);
+  end_pass(integrator, {1, 100, false}, report_of(1e-6, 4.0), progress, record);
+  CHECK(progress.completed == 1);
+  CHECK(progress.control.stage == 0);
+  CHECK(progress.control.time == 2.0 * kStep);
+  CHECK(record.passes == 4);
+  CHECK(record.work == approx(0.5 * kStep * (2.0 + 4.0)));
+}
+
+TEST_CASE("a fixed number of iterations is kept, whatever the change") {
+  const Integrator integrator = implicit_integrator({1e-6, 2, 30});
+  StepProgress progress = progress_at_first_step(integrator);
+  StepRecord record;
+  end_pass(integrator, {1, 100, false}, report_of(0.0), progress, record);
+  CHECK(progress.completed == -1);
+  end_pass(integrator, {1, 100, false}, report_of(1.0), progress, record);
+  CHECK(progress.completed == 1);
+  CHECK(usual_passes(integrator) == 2);
+}
+
+TEST_CASE("an iteration that does not end halts the progress at its step") {
+  const Integrator integrator = implicit_integrator({1e-6, 0, 3});
+  StepProgress progress = progress_at_first_step(integrator);
+  StepRecord record;
+  for (int k = 0; k < 3; ++k)
+    end_pass(integrator, {1, 100, false}, report_of(0.5), progress, record);
+  CHECK(progress.outcome == StepOutcome::not_converged);
+  CHECK(progress.is_halted);
+  CHECK(progress.step == 1);
+  CHECK(progress.change == 0.5);
+}
+
+TEST_CASE("a state beyond its limits halts the progress at its step") {
+  const Integrator integrator{Rk4{kStep}, {}};
+  StepProgress progress = progress_at_first_step(integrator);
+  StepRecord record;
+  PassReport report;
+  report.failed = 1.0;
+  end_pass(integrator, {1, 100, false}, report, progress, record);
+  CHECK(progress.outcome == StepOutcome::left_limits);
+  CHECK(progress.is_halted);
+  CHECK(progress.completed == -1);
+}
+
+TEST_CASE("a progress halts behind the last step of its window") {
+  const Integrator integrator = implicit_integrator({1e-6, 1, 30});
+  StepProgress progress = progress_at_first_step(integrator);
+  StepRecord record;
+  const Window window{1, 3, false};
+  for (const double step : {1.0, 2.0, 3.0}) {
+    CHECK_FALSE(progress.is_halted);
+    end_pass(integrator, window, report_of(0.0), progress, record);
+    CHECK(progress.completed == step);
+  }
+  CHECK(progress.is_halted);
+  CHECK(progress.outcome == StepOutcome::done);
+}

@@ -1,0 +1,85 @@
+#include "engine/kernels/natural_frequencies.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tests/approx.h"
+#include "tests/engine/lagrangian.h"
+#include "tests/engine/rotors.h"
+
+using namespace spoke;
+using namespace spoke::test;
+using spoke::testing::approx;
+
+namespace {
+
+double bending_unit(const Blade& blade) {
+  return std::sqrt(blade.youngs_modulus * blade.second_moment / (blade.density * blade.area)) /
+         (blade.length * blade.length);
+}
+
+}  // namespace
+
+TEST_CASE("the lowest frequency of a blade is that of a cantilever") {
+  const Rotor rotor = make_rotor(wu_haug_blade(), 3);
+  const FrequencyRange range = calc_frequency_range(rotor);
+  // First root of cos(k) cosh(k) = -1, squared.
+  CHECK(range.lowest == approx(3.5160153 * bending_unit(rotor.blades[0])).epsilon(1e-5));
+  // All three blades have it, and the second follows.
+  CHECK(count_frequencies_below(rotor, 0.999 * range.lowest) == 0);
+  CHECK(count_frequencies_below(rotor, 1.001 * range.lowest) == 3);
+  CHECK(count_frequencies_below(rotor, 22.03 * bending_unit(rotor.blades[0])) == 3);
+  CHECK(count_frequencies_below(rotor, 22.04 * bending_unit(rotor.blades[0])) == 6);
+}
+
+TEST_CASE("the largest stable step of rk4 depends on the element length") {
+  struct Reference {
+    int elements;  // per body of 2 m
+    double step;
+  };
+  for (const auto& [elements, step] :
+       {Reference{1, 0.000346}, Reference{2, 0.0001659}, Reference{4, 8.207e-05},
+        Reference{8, 4.093e-05}, Reference{16, 1.394e-05}}) {
+    const Rotor rotor = make_rotor(wu_haug_blade(4, elements), 3);
+    CHECK(calc_rk4_largest_step(calc_frequency_range(rotor)) == approx(step).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("frequencies of free and torque-driven hubs are those of the linearised Lagrangian") {
+  for (const HubSupport support : {HubSupport::axle, HubSupport::free}) {
+    Rotor rotor = make_rotor(wu_haug_blade(2, 2), 2);
+    rotor.blades[1] = wu_haug_blade(1, 3);
+    rotor.blades[1].length = 5.0;
+    rotor.blades[1].azimuth = 2.5;
+    rotor.hub.support = support;
+    rotor.hub.mass = 0.7;
+    rotor.hub.radius = 0.4;
+    rotor.hub.drive = FreeDrive{};
+    StepContext context;
+    make_context(rotor, Formulation::structured, Rk4{1e-5}, context);
+    const Lagrangian lagrangian(context.system);
+    const Eigen::VectorXd rest = independent_coordinates(context);
+    const int n = lagrangian.size();
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+    int next = kTwist;
+    for (const SubsystemData& subsystem : context.data.subsystems)
+      for (const BodyData& member : subsystem.bodies) {
+        const FlexibleBody& body = *member.model->body;
+        K.block(next, next, body.axial(), body.axial()) = body.K_axial.to_dense();
+        next += body.axial();
+        K.block(next, next, body.bending(), body.bending()) = body.K_bending.to_dense();
+        next += body.bending();
+      }
+    const int fixed = support == HubSupport::axle ? 2 : 0;  // x and y
+    const int rigid = kTwist - fixed;
+    const Eigen::MatrixXd M = lagrangian.mass(rest).bottomRightCorner(n - fixed, n - fixed);
+    const Eigen::VectorXd squares = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                        K.bottomRightCorner(n - fixed, n - fixed), M)
+                                        .eigenvalues();
+    const FrequencyRange range = calc_frequency_range(rotor);
+    CHECK(range.lowest == approx(std::sqrt(squares[rigid])).epsilon(1e-6));
+    CHECK(range.highest == approx(std::sqrt(squares[squares.size() - 1])).epsilon(1e-6));
+  }
+}

@@ -1,0 +1,89 @@
+#include "graph/plan/flow_graph_partition.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "tests/graph/arithmetic_graph.h"
+#include "tests/graph/shapes.h"
+
+using namespace spoke::graph;
+using namespace spoke::graph::testing;
+
+namespace {
+
+// Chains of these lengths, with nothing in common.
+Plan make_chains(std::span<const int> lengths) {
+  StepGraphBuilder builder;
+  for (const int length : lengths) {
+    const PartId part = builder.add_part("chain", {});
+    for (int k = 0; k < length; ++k)
+      builder.add_node({"link"}, reads(part), writes(part), []() noexcept {});
+  }
+  return plan_of_single_nodes(builder.build());
+}
+
+std::size_t different(const std::vector<int>& places) {
+  return std::set<int>(places.begin(), places.end()).size();
+}
+
+int edges_between_places(const Plan& plan, const std::vector<int>& places) {
+  int count = 0;
+  for (int c = 0; c < plan.cluster_count(); ++c) {
+    for (const int next : plan.successors(c)) {
+      count += places[static_cast<std::size_t>(c)] != places[static_cast<std::size_t>(next)];
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("counting places: one for one thread, and for few clusters") {
+  const Plan large = plan_of_single_nodes(make_window(50, 3, 4));
+  CHECK(different(counting_places(large, 1)) == 1);
+  CHECK(counting_places(large, 1).size() == static_cast<std::size_t>(large.cluster_count()));
+  CHECK(different(counting_places(plan_of_single_nodes(make_fan(14, 2)), 2)) == 1);
+  CHECK(counting_places(Plan(), 2).empty());
+}
+
+TEST_CASE("counting places: several for several threads, numbered without gaps") {
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    GraphPlan source = make_random_plan(seed, 300, 60, 2);
+    const Plan plan = plan_of_single_nodes(build_graph(source));
+    for (const int threads : {2, 3, 64}) {
+      const std::vector<int> places = counting_places(plan, threads);
+      CAPTURE(seed);
+      CAPTURE(threads);
+      CHECK(different(places) == (threads == 2 ? 8 : threads == 3 ? 12 : 18));
+      CHECK(*std::min_element(places.begin(), places.end()) == 0);
+      CHECK(*std::max_element(places.begin(), places.end()) + 1 ==
+            static_cast<int>(different(places)));
+    }
+  }
+}
+
+TEST_CASE("counting places: chains are not torn where they need not be") {
+  const std::array lengths{23, 19, 22, 20, 18};  // of 102 clusters, for 6 places
+  const Plan plan = make_chains(lengths);
+  CHECK(different(counting_places(plan, 2)) == 6);
+  CHECK(edges_between_places(plan, counting_places(plan, 2)) <= 3);
+  const std::array equal{17, 17, 17, 17};
+  const Plan four = make_chains(equal);
+  CHECK(different(counting_places(four, 2)) == 4);
+  CHECK(edges_between_places(four, counting_places(four, 2)) == 0);
+}
+
+TEST_CASE("counting places: blades of a window have their own") {
+  const StepGraph graph = make_window(20, 4, 3);
+  const Plan plan = plan_of_single_nodes(graph);
+  const std::vector<int> places = counting_places(plan, 2);
+  CHECK(different(places) == 8);
+  CHECK(edges_between_places(plan, places) <= 4);  // within each blade one cut between two steps
+}
