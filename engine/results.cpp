@@ -5,15 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "engine/output_file.h"
 #include "engine/support/machine_json.h"
 
 namespace spoke {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string hexadecimal(std::uint64_t number) {
   std::array<char, 19> text;
@@ -32,12 +29,12 @@ Json describe_sensors(const Simulation& simulation, const SensorStatistics& stat
   Json sensors = Json::object();
   for (std::size_t i = 0; i < statistics.ranges().size(); ++i) {
     const SensorRange& range = statistics.ranges()[i];
-    sensors[simulation.sensor_names()[i]] = {{"unit", simulation.sensor_units()[i]},
-                                             {"min", range.min},
-                                             {"t_min", range.t_min},
-                                             {"max", range.max},
-                                             {"t_max", range.t_max},
-                                             {"final", range.final}};
+    sensors.set(simulation.sensor_names()[i], {{"unit", simulation.sensor_units()[i]},
+                                               {"min", range.min},
+                                               {"t_min", range.t_min},
+                                               {"max", range.max},
+                                               {"t_max", range.t_max},
+                                               {"final", range.final}});
   }
   return sensors;
 }
@@ -86,9 +83,10 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
   const Scenario& scenario = simulation.scenario();
   Json summary = {{"version", SPOKE_VERSION}, {"status", status_of(outcome)}};
   const std::string message = outcome.divergence + outcome.interruption;
-  if (!message.empty()) summary["message"] = message;
-  summary["warnings"] = Json::array();
-  for (const Warning& warning : simulation.warnings()) summary["warnings"].push_back(warning.text);
+  if (!message.empty()) summary.set("message", message);
+  std::vector<std::string> warnings;
+  for (const Warning& warning : simulation.warnings()) warnings.push_back(warning.text);
+  summary.set("warnings", warnings);
   summary.update({{"scenario", Json::parse(scenario.to_json())},
                   {"model", describe_model(simulation.size())},
                   {"machine", describe_machine(this_machine())},
@@ -103,7 +101,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"wall_time_s", outcome.wall_time},
                   {"state_hash", hexadecimal(simulation.state_hash())},
                   {"sensors", describe_sensors(simulation, statistics)}});
-  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return summary.dump_lines();
 }
 
 void write_file(const std::string& file, const std::string& text) {

@@ -2,16 +2,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/compare/conclusion.h"
 #include "engine/compare/files.h"
 #include "engine/support/machine_json.h"
 
 namespace spoke::compare {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json describe_model(const Model& model) {
   return {{"formulation", name_of(model.formulation)},
@@ -34,7 +30,7 @@ Json describe_figures(const std::optional<Figures>& figures) {
           {"standard_deviation_s", figures->deviation ? Json(*figures->deviation) : Json()},
           {"median_s", figures->median},
           {"speedup", figures->speedup},
-          {"speedup_quartiles", {figures->speedup_low, figures->speedup_high}},
+          {"speedup_quartiles", Json::array({figures->speedup_low, figures->speedup_high})},
           {"bound_s", figures->bound},
           {"ratio_to_bound", figures->ratio_to_bound}};
 }
@@ -56,7 +52,7 @@ Json describe_result(const Result& result) {
                {"bind", configuration.bind},
                {"oversubscribed", result.oversubscribed},
                {"status", name_of(measurement.status)}};
-  if (!measurement.message.empty()) json["message"] = measurement.message;
+  if (!measurement.message.empty()) json.set("message", measurement.message);
   json.update({{"rounds", measurement.step_times.size()},
                {"hash_equal", result.hash_equal},
                {"figures", describe_figures(result.figures)},
@@ -87,7 +83,7 @@ std::string make_json(const Comparison& comparison) {
                      {"warm_up_batches", kWarmUpBatches},
                      {"models", models},
                      {"configurations", results}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json.dump_lines();
 }
 
 }  // namespace spoke::compare

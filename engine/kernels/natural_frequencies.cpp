@@ -18,12 +18,9 @@ struct Elimination {
   TwistMatrix rest = TwistMatrix::Zero();
 };
 
-template <class Matrix>
-int count_negative(const Matrix& symmetric) {
-  return static_cast<int>((Eigen::SelfAdjointEigenSolver<Matrix>(symmetric, Eigen::EigenvaluesOnly)
-                               .eigenvalues()
-                               .array() < 0.0)
-                              .count());
+int count_negative(const TwistMatrix& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<TwistMatrix> solver(symmetric, Eigen::EigenvaluesOnly);
+  return static_cast<int>((solver.eigenvalues().array() < 0.0).count());
 }
 
 /// Eliminates a blade's nodes from the tip; `rest` is its dynamic stiffness at the root node.
@@ -93,9 +90,14 @@ int count_frequencies_below(const Rotor& rotor, double frequency) {
     const TwistMatrix M = R.matrix();
     at_hub += T.transpose() * M * blade_sum.rest * M.transpose() * T;
   }
-  const std::vector<int> free = free_components(hub);
-  if (free.empty()) return negative;
-  return negative + count_negative(Eigen::MatrixXd(at_hub(free, free)));
+  // A component that is prescribed counts for nothing: like one held by a spring of its own.
+  for (int c = 0; c < kTwist; ++c)
+    if (is_prescribed(hub, c)) {
+      at_hub.row(c).setZero();
+      at_hub.col(c).setZero();
+      at_hub(c, c) = 1.0;
+    }
+  return negative + count_negative(at_hub);
 }
 
 FrequencyRange calc_frequency_range(const Rotor& rotor) {

@@ -2,8 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/predict/conclusion.h"
 #include "engine/predict/files.h"
 #include "engine/support/machine_json.h"
@@ -11,10 +9,8 @@
 namespace spoke::predict {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json describe(const Quartiles& quartiles) {
-  return {quartiles.low, quartiles.median, quartiles.high};
+  return Json::array({quartiles.low, quartiles.median, quartiles.high});
 }
 
 Json describe_runtime(const graph::RuntimeCosts& runtime) {
@@ -50,7 +46,7 @@ Json describe_nodes(const Nodes& nodes) {
   return {{"steps", nodes.steps},
           {"runs_per_step", nodes.serial.runs_per_step},
           {"between_runs_s", nodes.serial.between_runs},
-          {"spread", {nodes.spread.low, nodes.spread.high}},
+          {"spread", Json::array({nodes.spread.low, nodes.spread.high})},
           {"costs_s", nodes.serial.costs},
           {"level_costs_s", nodes.level_costs.empty() ? Json(nullptr) : Json(nodes.level_costs)}};
 }
@@ -76,9 +72,9 @@ Json describe_point(const Prediction& prediction, ExecutorKind executor, const P
             {"window_steps", point.window},
             {"measured", nullptr}};
   if (point.measured)
-    json["measured"] = {{"step_quartiles_s", describe(point.measured->step)},
-                        {"speedup_quartiles", describe(point.measured->speedup)},
-                        {"error", *point.error()}};
+    json.set("measured", {{"step_quartiles_s", describe(point.measured->step)},
+                          {"speedup_quartiles", describe(point.measured->speedup)},
+                          {"error", *point.error()}});
   return json;
 }
 
@@ -115,7 +111,7 @@ std::string make_json(const Prediction& prediction) {
       {"not_predicted", list_left_out()},
       {"rounds", prediction.rounds},
       {"points", points}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json.dump_lines();
 }
 
 }  // namespace spoke::predict

@@ -1,7 +1,5 @@
 // The fields of reproduce.json.
 
-#include <nlohmann/json.hpp>
-
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/paper.h"
 #include "engine/reproduce/remarks.h"
@@ -10,8 +8,6 @@
 
 namespace spoke::reproduce {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class Value>
 Json or_null(const std::optional<Value>& value) {
@@ -32,13 +28,14 @@ Json describe_counts() {
                        {"formula", count.formula},
                        {"evaluated", count.value},
                        {"printed", count.printed}});
-  Json here;
+  Json here = Json::object();
   for (const Formulation formulation :
        {Formulation::augmented, Formulation::subsystem, Formulation::structured}) {
-    Json& parts = here[std::string(name_of(formulation))];
+    Json parts = Json::object();
     for (const Stage stage : kStages)
-      parts[std::string(name_of(stage))] = describe(count(formulation, stage));
-    parts["total"] = describe(count(formulation));
+      parts.set(name_of(stage), describe(count(formulation, stage)));
+    parts.set("total", describe(count(formulation)));
+    here.set(name_of(formulation), parts);
   }
   const paper::InverseSizes sizes = paper::inverse_sizes();
   return {{"remark", remark_on_counts()},
@@ -104,11 +101,11 @@ Json describe(const Reproduction& all, Work work, const compare::Measurement& me
                {"status", name_of(measurement.status)},
                {"rounds", measurement.step_times.size()},
                {"median_s", spread ? Json(spread->median) : Json()},
-               {"quartiles_s", spread ? Json({spread->low, spread->high}) : Json()},
+               {"quartiles_s", spread ? Json::array({spread->low, spread->high}) : Json()},
                {"speedup_over_serial",
                 or_null(all.timings.ratio(work, serial(configuration.formulation), configuration))},
                {"step_times_s", measurement.step_times}};
-  if (!measurement.message.empty()) json["message"] = measurement.message;
+  if (!measurement.message.empty()) json.set("message", measurement.message);
   return json;
 }
 
@@ -164,7 +161,7 @@ std::string make_json(const Reproduction& all) {
        {{"steps", describe_timings(all, Work::steps)},
         {"inverse", describe_timings(all, Work::inverse)},
         {"implicit_run", describe_timings(all, Work::run)}}}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json.dump_lines();
 }
 
 }  // namespace spoke::reproduce

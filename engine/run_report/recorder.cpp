@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "engine/run_report/base64.h"
+#include "engine/support/json.h"
 
 namespace spoke::run_report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::size_t count_channels(const std::vector<Plot>& plots) {
   std::size_t count = 0;
@@ -98,8 +96,8 @@ std::string make_data(const Recorder& recorder, double hub_radius) {
     end = std::max(end, recorder.animation().times().back());
   Json data = {{"end", end > 0.0 ? end : 1.0}, {"plots", describe_plots(recorder)}};
   if (recorder.animation().times().size() > 1)
-    data["film"] = describe_animation(recorder.animation(), hub_radius);
-  return data.dump(-1, ' ', false, Json::error_handler_t::replace);
+    data.set("film", describe_animation(recorder.animation(), hub_radius));
+  return data.dump();
 }
 
 }  // namespace spoke::run_report

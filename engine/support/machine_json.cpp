@@ -2,11 +2,9 @@
 
 #include "engine/support/machine_json.h"
 
-#include <nlohmann/json.hpp>
-
 namespace spoke {
 
-nlohmann::ordered_json describe_machine(const Machine& machine) {
+Json describe_machine(const Machine& machine) {
   return {{"cpu", machine.cpu},
           {"cores", machine.cores},
           {"memory_bytes", machine.memory},
@@ -14,8 +12,6 @@ nlohmann::ordered_json describe_machine(const Machine& machine) {
           {"compiler", machine.compiler}};
 }
 
-nlohmann::ordered_json load_or_null(double load) {
-  return load < 0.0 ? nlohmann::ordered_json() : nlohmann::ordered_json(load);
-}
+Json load_or_null(double load) { return load < 0.0 ? Json() : Json(load); }
 
 }  // namespace spoke

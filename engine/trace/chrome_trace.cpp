@@ -9,18 +9,16 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
+#include "engine/support/json.h"
 #include "engine/trace/page_data.h"
 #include "engine/trace/statistics.h"
 
 namespace spoke::trace {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kProcess = 1;
 // Tracks that are no threads, beyond the numbers of threads.
@@ -29,9 +27,7 @@ constexpr int kFirstStepsTrack = 100001;
 
 int track_of_thread(int thread) { return thread + 1; }
 
-std::string json_text(std::string_view text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string json_text(std::string_view text) { return Json(text).dump(); }
 
 /// Nanoseconds as the microseconds of the format.
 struct Microseconds {
@@ -217,8 +213,7 @@ std::string make_chrome_trace(const Trace& trace) {
   add_nodes(trace.steps, events);
   add_arrows(trace.steps, events);
   add_counter(trace.steps, events);
-  const std::string origin =
-      describe_origin(trace).dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string origin = describe_origin(trace).dump();
   return fmt::format(
       "{{\"displayTimeUnit\":\"ns\",\n\"otherData\":{},\n\"spoke\":{},\n\"traceEvents\":[{}\n]}}\n",
       origin, make_description(trace), events.text());

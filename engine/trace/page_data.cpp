@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "engine/support/json.h"
 
 namespace spoke::trace {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json describe_settings(const Trace& trace) {
   return {{"executor", name_of(trace.options.executor)},
@@ -34,12 +33,12 @@ Json describe_machine(const Trace& trace) {
 }
 
 Json describe_edges(const std::vector<NodeEdge>& edges) {
-  Json from = Json::array(), to = Json::array();
+  std::vector<int> from, to;
   for (const NodeEdge& edge : edges) {
     from.push_back(edge.from);
     to.push_back(edge.to);
   }
-  return {{"from", std::move(from)}, {"to", std::move(to)}};
+  return {{"from", from}, {"to", to}};
 }
 
 /// The stages in the order of the algorithm.
@@ -52,15 +51,16 @@ std::vector<std::string> find_stages(const TracedGraph& graph) {
 }
 
 Json describe_graph(const TracedGraph& graph, const std::vector<std::string>& stages) {
-  Json stage = Json::array(), subsystem = Json::array(), body = Json::array();
+  std::vector<int> stage, subsystem, body;
   for (const graph::NodeLabel& label : graph.labels) {
-    stage.push_back(std::find(stages.begin(), stages.end(), label.stage) - stages.begin());
+    const auto found = std::find(stages.begin(), stages.end(), label.stage);
+    stage.push_back(static_cast<int>(found - stages.begin()));
     subsystem.push_back(label.subsystem);
     body.push_back(label.body);
   }
-  return {{"stage", std::move(stage)},
-          {"subsystem", std::move(subsystem)},
-          {"body", std::move(body)},
+  return {{"stage", stage},
+          {"subsystem", subsystem},
+          {"body", body},
           {"name", graph.names},
           {"edges", describe_edges(graph.edges)},
           {"next_pass_edges", describe_edges(graph.next_pass_edges)}};
@@ -112,7 +112,7 @@ void add_slices(fmt::memory_buffer& text, const std::vector<NodeSlice>& slices) 
 
 std::string make_description(const Trace& trace) {
   const std::vector<std::string> stages = find_stages(trace.steps.graph);
-  Json threads = Json::array();
+  std::vector<std::string> threads;
   for (int k = 0; k < trace.steps.threads; ++k) threads.push_back(name_of_thread(k));
   const Json json{{"format", "spoke-trace"},
                   {"version", 1},
@@ -126,11 +126,11 @@ std::string make_description(const Trace& trace) {
                   {"subsystem_word", trace.steps.graph.subsystem_word},
                   {"stages", stages},
                   {"graph", describe_graph(trace.steps.graph, stages)},
-                  {"threads", std::move(threads)},
+                  {"threads", threads},
                   {"steps", describe_steps(trace.steps)},
                   {"dropped_steps", trace.steps.dropped_steps},
                   {"recording_cost_s", trace.steps.recording_cost}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump();
 }
 
 std::string make_page_data(const Trace& trace) {
