@@ -101,6 +101,7 @@ int compare(const Arguments& arguments) {
   const auto configurations = choose_configurations(arguments, scenario, comparison.machine.cores);
   require_folder(folder);
   comparison.loads.before = load_average();
+  comparison.capacity = measure_capacity();
   probe_models(comparison, arguments.compare.axes);
   require_memory(comparison, configurations);
   const ChildTask task{.scenario = arguments.scenario,
@@ -118,6 +119,7 @@ int compare(const Arguments& arguments) {
       [&](Formulation formulation) { return model_of(comparison, formulation).batch; }, effort,
       show_progress);
   comparison.loads.after = load_average();
+  comparison.capacity.after = measure_capacity().after;
   compare::evaluate(comparison, std::move(measurements));
   write(comparison, folder);
   print(comparison, folder);

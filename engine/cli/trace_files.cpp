@@ -37,7 +37,7 @@ std::string describe_steps(const StepTrace& trace) {
   return text;
 }
 
-void print_summary(const StepTrace& trace) {
+void print_summary(const StepTrace& trace, const Capacity& capacity) {
   const trace::Summary summary = trace::summarise(trace);
   const int threads = trace.threads;
   print_line("T1", duration(summary.work) + ", all nodes of a step one after the other (medians)");
@@ -49,6 +49,9 @@ void print_summary(const StepTrace& trace) {
   print_line("bound", fmt::format("{}, {}", duration(summary.bound),
                                   overlaps ? fmt::format("T1/{}", threads)
                                            : fmt::format("max(T1/{}, Tinf)", threads)));
+  if (capacity.is_known() && threads > 1)
+    print_line("capacity", capacity.text() + ": bound " +
+                               duration(trace::bound_at_capacity(trace, summary, capacity)));
   print_line("idle", fmt::format("{:.0f} % of the time of {} thread{}", 100.0 * summary.idle,
                                  threads, threads == 1 ? "" : "s"));
 }
@@ -82,7 +85,7 @@ void write_trace(const Simulation& simulation, StepTrace steps, const std::files
   print_line("traced", describe_steps(trace.steps));
   print_line("traced on", trace.steps.executor);
   for (const std::string& note : trace.notes) print_line("", note);
-  print_summary(trace.steps);
+  print_summary(trace.steps, trace.capacity);
   for (const std::string& remark : written.remarks) print_line("", remark);
   const std::string on_size = trace::remark_on_size(trace.steps.slices.size());
   if (!on_size.empty()) print_line("", on_size);

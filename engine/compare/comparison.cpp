@@ -22,7 +22,8 @@ bool hashes_agree(const Measurement& measurement, const Measurement& serial) {
          std::equal(ours.begin(), ours.end(), serial.hashes.begin());
 }
 
-Figures calc_figures(const Result& result, const Model& model, int processors) {
+Figures calc_figures(const Result& result, const Model& model, int processors,
+                     const Capacity& capacity) {
   const std::vector<double>& times = result.measurement.step_times;
   const int threads = std::min(result.measurement.configuration.threads.total(), processors);
   Figures figures{.mean = mean(times),
@@ -33,16 +34,21 @@ Figures calc_figures(const Result& result, const Model& model, int processors) {
                   .speedup_high = quantile(result.speedups, 0.75)};
   figures.bound = std::max(model.serial_step / threads, model.span_step);
   figures.ratio_to_bound = figures.median / figures.bound;
+  if (capacity.is_known())
+    figures.bound_at_capacity =
+        std::max(capacity.share(model.serial_step, threads), model.span_step);
   return figures;
 }
 
 Result evaluate(Measurement measurement, const Measurement& serial, const Model& model,
-                int processors) {
+                const Comparison& comparison) {
+  const int processors = comparison.machine.cores;
   Result result{.measurement = std::move(measurement)};
   result.hash_equal = hashes_agree(result.measurement, serial);
   result.oversubscribed = result.measurement.configuration.threads.total() > processors;
   result.speedups = ratios(serial.step_times, result.measurement.step_times);
-  if (!result.speedups.empty()) result.figures = calc_figures(result, model, processors);
+  if (!result.speedups.empty())
+    result.figures = calc_figures(result, model, processors, comparison.capacity);
   return result;
 }
 
@@ -81,8 +87,7 @@ void evaluate(Comparison& comparison, std::vector<Measurement> measurements) {
       model.span_step = model.serial_step * model.pass.span / model.pass.work;
     for (Measurement& measurement : measurements)
       if (of_model(measurement))
-        comparison.results.push_back(
-            evaluate(std::move(measurement), serial, model, comparison.machine.cores));
+        comparison.results.push_back(evaluate(std::move(measurement), serial, model, comparison));
   }
 }
 

@@ -31,6 +31,8 @@ struct Figures {
   double speedup_low = 0.0, speedup_high = 0.0;  ///< quartiles
   double bound = 0.0;           ///< max(T1 / P, Tinf) [s]; P: threads, at most the processors
   double ratio_to_bound = 0.0;  ///< median / bound
+  /// The bound with what P threads really did at once (Capacity) instead of P [s].
+  std::optional<double> bound_at_capacity = {};
 };
 
 struct Result {
@@ -50,6 +52,7 @@ struct Comparison {
   double step_size = 0.0;  ///< [s]
   Machine machine = {};
   Loads loads = {};
+  Capacity capacity = {};
   int rounds = 0;                  ///< planned
   std::vector<Model> models = {};  ///< by formulation, in order of the results
   std::vector<Result> results = {};

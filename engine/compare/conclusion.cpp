@@ -140,10 +140,13 @@ std::string describe_machine(const Comparison& comparison) {
   std::string text = fmt::format("Measured on {}, {} processor{} available",
                                  machine.cpu.empty() ? "an unknown processor" : machine.cpu,
                                  machine.cores, machine.cores == 1 ? "" : "s");
-  if (comparison.loads.before < 0.0) return text + "; its load is not known.";
-  text += fmt::format(", load average {:.2f} before and {:.2f} after", comparison.loads.before,
-                      comparison.loads.after);
-  return text + " (this comparison included).";
+  if (comparison.loads.before < 0.0)
+    text += "; its load is not known.";
+  else
+    text += fmt::format(", load average {:.2f} before and {:.2f} after (this comparison included).",
+                        comparison.loads.before, comparison.loads.after);
+  if (comparison.capacity.is_known()) text += ' ' + comparison.capacity.text() + '.';
+  return text;
 }
 
 }  // namespace

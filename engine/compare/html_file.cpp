@@ -101,6 +101,7 @@ void add_facts(report::Page& page, const Comparison& comparison) {
   page.add_facts({{"processor", machine.cpu},
                   {"processors available", std::to_string(machine.cores)},
                   {"load average", load_text(comparison.loads)},
+                  {"capacity", comparison.capacity.is_known() ? comparison.capacity.text() : "-"},
                   {"system", machine.os},
                   {"compiler", machine.compiler},
                   {"integrator",
@@ -117,7 +118,9 @@ void add_method(report::Page& page, const Comparison& comparison) {
       "process runs one batch while all others are halted. Speedups are ratios of times within a "
       "round. T1 is the median serial time of a step, Tinf the share of it that lies on the "
       "costliest path through the step graph; no execution on P processors takes less than "
-      "max(T1/P, Tinf), if nodes cost the same on each. Bits are equal if the state is the same as "
+      "max(T1/P, Tinf), if nodes cost the same on each; at capacity, P is what the threads did of "
+      "one thread's work when all ran the same loop, before or after the rounds. Bits are equal if "
+      "the state is the same as "
       "serial's after every batch, to the last bit.",
       kWarmUpBatches, comparison.rounds));
 }

@@ -32,7 +32,9 @@ Json describe_figures(const std::optional<Figures>& figures) {
           {"speedup", figures->speedup},
           {"speedup_quartiles", Json::array({figures->speedup_low, figures->speedup_high})},
           {"bound_s", figures->bound},
-          {"ratio_to_bound", figures->ratio_to_bound}};
+          {"ratio_to_bound", figures->ratio_to_bound},
+          {"bound_at_capacity_s",
+           figures->bound_at_capacity ? Json(*figures->bound_at_capacity) : Json()}};
 }
 
 Json describe_result(const Result& result) {
@@ -77,6 +79,7 @@ std::string make_json(const Comparison& comparison) {
                      {"load_average",
                       {{"before", load_or_null(comparison.loads.before)},
                        {"after", load_or_null(comparison.loads.after)}}},
+                     {"capacity", describe(comparison.capacity)},
                      {"integrator", name_of(comparison.scenario.integration.method)},
                      {"step_size_s", comparison.step_size},
                      {"rounds", comparison.rounds},

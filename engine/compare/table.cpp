@@ -55,6 +55,7 @@ report::Table make_table(const Comparison& comparison, const Model& model) {
        {"speedup", Align::number},
        {"quartiles", Align::number},
        {"to bound", Align::number},
+       {"at capacity", Align::number},
        {"bits"},
        {"remarks"}}};
   const Verdict verdict = judge(comparison, model.formulation);
@@ -68,10 +69,11 @@ report::Table make_table(const Comparison& comparison, const Model& model) {
           microseconds(f->median),
           fmt::format("{:.3f}", f->speedup),
           fmt::format("{:.3f}-{:.3f}", f->speedup_low, f->speedup_high),
-          fmt::format("{:.2f}", f->ratio_to_bound)};
+          fmt::format("{:.2f}", f->ratio_to_bound),
+          f->bound_at_capacity ? fmt::format("{:.2f}", f->median / *f->bound_at_capacity) : "-"};
       cells.insert(cells.end(), figures.begin(), figures.end());
     } else {
-      cells.insert(cells.end(), 6, "-");
+      cells.insert(cells.end(), 7, "-");
     }
     cells.push_back(bits_of(result));
     cells.push_back(remarks_on(comparison, result));

@@ -137,11 +137,12 @@ constexpr const char* kMethod =
     "starting a cluster, alone or while other threads do or search for work, and of handing it to "
     "another processor; openmp_levels level by level, the costliest thread of each and a barrier. "
     "A node waits for declared data that another processor wrote last: for the first line of each "
-    "part, as far as its processor does not look ahead, and in proportion to their size. The band "
-    "is that of half these costs with nodes at their cheapest, and of twice these costs with nodes "
-    "at their dearest; a "
-    "barrier is taken to grow as the logarithm of the threads, in the band not at all and in "
-    "proportion. That processors share cache capacity, memory and power is not modelled.";
+    "part, as far as its processor does not look ahead, and in proportion to their size. A barrier "
+    "is taken to grow as the logarithm of the threads. The band of an executor is what its "
+    "measured points have: their quartiles, and beyond them their largest deviation once more with "
+    "each doubling of threads; it stays within the bounds of any greedy schedule, max(T1/P, Tinf) "
+    "and (T1 - Tinf)/P + Tinf, which are also the band where nothing was measured. That processors "
+    "share cache capacity, memory and power is not modelled.";
 
 }  // namespace
 
@@ -152,8 +153,8 @@ std::string make_html(const Prediction& prediction) {
                                 prediction.rounds > 0 ? " and checked on this machine" : ""));
   page.add_notes(make_conclusions(prediction));
   page.add_figure(render(speedup_chart(prediction)),
-                  "Both axes are logarithmic. Bands: half to twice the runtimes' costs, and the "
-                  "spread of the nodes' costs. Dashed: bounds. Points: measured here.");
+                  "Both axes are logarithmic. Bands: as far as measured points were off, more with "
+                  "each doubling of threads. Dashed: bounds. Points: measured here.");
   if (prediction.rounds > 0) page.add_figure(render(check_chart(prediction)));
   add_facts(page, prediction);
   page.add_table(make_table(prediction));

@@ -62,15 +62,14 @@ Json describe_window(const RunGraph& run) {
 }
 
 Json describe_point(const Prediction& prediction, ExecutorKind executor, const Point& point) {
-  Json json{{"executor", graph::name_of(executor)},
-            {"threads", point.threads},
-            {"predicted_s", point.step.expected},
-            {"optimistic_s", point.step.optimistic},
-            {"pessimistic_s", point.step.pessimistic},
-            {"predicted_speedup", prediction.speedup(point)},
-            {"clusters", point.step.clusters},
-            {"window_steps", point.window},
-            {"measured", nullptr}};
+  Json json{
+      {"executor", graph::name_of(executor)},    {"threads", point.threads},
+      {"predicted_s", point.step.expected},      {"optimistic_s", point.step.optimistic},
+      {"pessimistic_s", point.step.pessimistic}, {"predicted_speedup", prediction.speedup(point)},
+      {"clusters", point.step.clusters},         {"window_steps", point.window},
+      {"bound_at_capacity_s", nullptr},          {"measured", nullptr}};
+  if (const auto bound = bound_at_capacity(prediction, executor, point))
+    json.set("bound_at_capacity_s", *bound);
   if (point.measured)
     json.set("measured", {{"step_quartiles_s", describe(point.measured->step)},
                           {"speedup_quartiles", describe(point.measured->speedup)},
@@ -101,6 +100,7 @@ std::string make_json(const Prediction& prediction) {
       {"load_average",
        {{"before", load_or_null(prediction.load_before)},
         {"after", load_or_null(prediction.load_after)}}},
+      {"capacity", spoke::describe(prediction.capacity)},
       {"model", describe_model(prediction)},
       {"runtime_costs", describe_runtime(prediction.runtime)},
       {"nodes", describe_nodes(prediction.run.nodes)},

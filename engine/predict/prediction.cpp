@@ -5,6 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/compare/statistics.h"
 
@@ -59,11 +60,59 @@ Point* find_point(Prediction& prediction, const compare::Configuration& configur
   return nullptr;
 }
 
+/// What measured times are by predicted ones, at the least and at the most.
+struct Deviation {
+  double low = 1.0, high = 1.0;
+};
+
+/// Of points on several threads, per doubling of these.
+Deviation deviation_of(const Series& series) {
+  Deviation deviation;
+  for (const Point& point : series.points) {
+    if (!point.measured || point.threads == 1) continue;
+    const double share = 1.0 / std::log2(point.threads);
+    const auto factor = [&](double measured) {
+      return std::pow(measured / point.step.expected, share);
+    };
+    deviation.low = std::min(deviation.low, factor(point.measured->step.low));
+    deviation.high = std::max(deviation.high, factor(point.measured->step.high));
+  }
+  return deviation;
+}
+
+void narrow_band(const Deviation& deviation, Point& point) {
+  graph::PredictedRun& step = point.step;
+  if (point.measured) {
+    step.optimistic = std::min(step.expected, point.measured->step.low);
+    step.pessimistic = std::max(step.expected, point.measured->step.high);
+  } else if (point.threads > 1) {
+    const double doublings = std::log2(point.threads);
+    const auto reach = [&](double factor) { return step.expected * std::pow(factor, doublings); };
+    step.optimistic = std::max(step.optimistic, reach(deviation.low));
+    step.pessimistic = std::min(step.pessimistic, reach(deviation.high));
+  }
+}
+
+bool was_measured(const Series& series) {
+  return std::any_of(series.points.begin(), series.points.end(),
+                     [](const Point& point) { return point.measured && point.threads > 1; });
+}
+
 }  // namespace
 
 std::string describe_runs(const RunGraph& run) {
   if (run.window > 1) return fmt::format("windows of {} steps", run.window);
   return run.is_one_pass ? "runs of one pass" : "runs of some passes";
+}
+
+std::optional<double> bound_at_capacity(const Prediction& prediction, ExecutorKind executor,
+                                        const Point& point) {
+  const Capacity& capacity = prediction.capacity;
+  if (!capacity.is_known() || point.threads > capacity.threads) return {};
+  const bool in_window =
+      executor == ExecutorKind::automatic && prediction.auto_run && point.step.clusters != 1;
+  const RunGraph& run = in_window ? *prediction.auto_run : prediction.run;
+  return std::max(capacity.share(run.work, point.threads), run.span);
 }
 
 std::optional<double> Point::error() const {
@@ -115,6 +164,12 @@ void add_measured(Prediction& prediction, const std::vector<compare::Measurement
     if (point == nullptr || measurement.step_times.size() < 2) continue;
     point->measured = {quartiles_of(measurement.step_times),
                        quartiles_of(compare::ratios(serial->step_times, measurement.step_times))};
+  }
+  if (prediction.serial.measured) narrow_band({}, prediction.serial);
+  for (Series& series : prediction.series) {
+    if (!was_measured(series)) continue;
+    const Deviation deviation = deviation_of(series);
+    for (Point& point : series.points) narrow_band(deviation, point);
   }
 }
 

@@ -59,7 +59,8 @@ struct Prediction {
   ModelSize size = {};
   Machine machine = {};
   double load_before = -1.0, load_after = -1.0;  ///< runnable processes; -1: not known
-  int rounds = 0;                                ///< of the measured points
+  Capacity capacity = {};
+  int rounds = 0;  ///< of the measured points
   graph::RuntimeCosts runtime = {};
   RunGraph run = {};
   std::optional<RunGraph> auto_run = {};  ///< auto's on several threads, if it is another
@@ -74,13 +75,20 @@ std::vector<ExecutorKind> predictable_executors();
 /// The others of this build.
 std::vector<ExecutorKind> left_out_executors();
 
+/// max(T1 / P, Tinf) with the capacity of P of this machine's threads, at most `threads`; nothing
+/// if it is not known, or for more threads than it was measured on [s].
+std::optional<double> bound_at_capacity(const Prediction& prediction, ExecutorKind executor,
+                                        const Point& point);
+
 /// Fills in points for `threads`, ascending, and T1 and Tinf of the graphs, from these, what their
 /// nodes cost, and runtime. `auto_graph`: that of auto_run, if there is one.
 void predict(Prediction& prediction, const graph::StepGraph& graph,
              const graph::StepGraph* auto_graph, const std::vector<int>& threads);
 
 /// Puts measurements, as by compare::measure(), beside the points they belong to. Those that gave
-/// no time in several rounds are left out.
+/// no time in several rounds are left out. Of an executor with measured points, the band is then
+/// what these have: a measured point's that of its quartiles; a further point's their largest
+/// deviations, once more with each doubling of threads beyond theirs, and within its bounds.
 void add_measured(Prediction& prediction, const std::vector<compare::Measurement>& measurements);
 
 }  // namespace spoke::predict

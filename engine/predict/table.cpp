@@ -29,6 +29,8 @@ report::Row row_of(const Prediction& prediction, ExecutorKind executor, const Po
   } else {
     cells.insert(cells.end(), 3, "");
   }
+  const auto bound = bound_at_capacity(prediction, executor, point);
+  cells.push_back(bound ? microseconds(*bound) : "");
   return {std::move(cells)};
 }
 
@@ -61,7 +63,8 @@ report::Table make_table(const Prediction& prediction) {
                        {"clusters", Align::number},
                        {"measured [us]", Align::number},
                        {"speedup", Align::number},
-                       {"error", Align::number}}};
+                       {"error", Align::number},
+                       {"bound at capacity [us]", Align::number}}};
   table.rows.push_back(row_of(prediction, ExecutorKind::serial, prediction.serial));
   for (const Series& series : prediction.series)
     for (const Point& point : series.points)
@@ -76,6 +79,7 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
       {"solved by",
        fmt::format("{}, {}, step {:.6g} s", name_of(prediction.formulation),
                    name_of(prediction.scenario.integration.method), prediction.step_size)}};
+  if (prediction.capacity.is_known()) facts.emplace_back("capacity", prediction.capacity.text());
   add_run(prediction.run, "a run", facts);
   if (prediction.auto_run) add_run(*prediction.auto_run, "auto", facts);
   facts.emplace_back(

@@ -4,11 +4,16 @@
 
 #include <sys/utsname.h>
 
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string_view>
 
 #include "engine/support/memory.h"
+#include "graph/calibrate/capacity.h"
 #include "graph/executor.h"
 
 namespace spoke {
@@ -54,6 +59,26 @@ Machine this_machine() {
 double load_average() {
   double load = -1.0;
   return getloadavg(&load, 1) == 1 ? load : -1.0;
+}
+
+double Capacity::share(double work, int threads_used) const {
+  assert(is_known());
+  return work / std::min(static_cast<double>(threads_used), std::max(before, after));
+}
+
+std::string Capacity::text() const {
+  assert(is_known());
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "%d threads do %.2f times the work of one here", threads,
+                std::max(before, after));
+  return text.data();
+}
+
+Capacity measure_capacity() {
+  constexpr double seconds = 0.02;
+  const int threads = graph::available_threads();
+  const double factor = graph::measure_capacity(threads, seconds);
+  return {threads, factor, factor};
 }
 
 bool is_busy(double load, int processors) { return load > 0.5 * processors; }

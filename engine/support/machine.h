@@ -22,6 +22,22 @@ Machine this_machine();
 /// Runnable processes, mean over the last minute; -1 if not known.
 double load_average();
 
+/// How much work threads on all processors did at once, by what one did alone, before and after a
+/// measurement; 0: not measured (graph/calibrate/capacity.h).
+struct Capacity {
+  int threads = 1;
+  double before = 0.0, after = 0.0;
+
+  bool is_known() const { return threads > 1 && before > 0.0; }
+  /// T1 / P where P threads do so much work only: no schedule takes less time. `work` and the
+  /// result in seconds. Precondition: is_known().
+  double share(double work, int threads_used) const;
+  /// "2 threads do 1.93 times the work of one here". Precondition: is_known().
+  std::string text() const;
+};
+/// The capacity now, before and after alike; takes some 20 ms.
+Capacity measure_capacity();
+
 /// Whether a load average says that other programs take so much of the processors available that
 /// times mean little: more than half of them. Not if it is not known.
 bool is_busy(double load, int processors);

@@ -12,6 +12,11 @@ Json describe_machine(const Machine& machine) {
           {"compiler", machine.compiler}};
 }
 
+Json describe(const Capacity& capacity) {
+  if (!capacity.is_known()) return nullptr;
+  return {{"threads", capacity.threads}, {"before", capacity.before}, {"after", capacity.after}};
+}
+
 Json load_or_null(double load) { return load < 0.0 ? Json() : Json(load); }
 
 }  // namespace spoke

@@ -9,6 +9,8 @@ namespace spoke {
 
 /// "cpu", "cores", "memory_bytes", "os", "compiler".
 Json describe_machine(const Machine& machine);
+/// "threads", "before", "after"; null if it was not measured.
+Json describe(const Capacity& capacity);
 /// A load average; null if it is not known.
 Json load_or_null(double load);
 

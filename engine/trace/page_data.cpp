@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "engine/support/json.h"
+#include "engine/support/machine_json.h"
 
 namespace spoke::trace {
 namespace {
@@ -24,12 +25,10 @@ Json describe_settings(const Trace& trace) {
 }
 
 Json describe_machine(const Trace& trace) {
-  return {{"processor", trace.machine.cpu},
-          {"cores", trace.machine.cores},
-          {"memory_bytes", trace.machine.memory},
-          {"os", trace.machine.os},
-          {"compiler", trace.machine.compiler},
-          {"load", trace.load < 0.0 ? Json() : Json(trace.load)}};
+  return {{"processor", trace.machine.cpu},       {"cores", trace.machine.cores},
+          {"memory_bytes", trace.machine.memory}, {"os", trace.machine.os},
+          {"compiler", trace.machine.compiler},   {"load", load_or_null(trace.load)},
+          {"capacity", describe(trace.capacity)}};
 }
 
 Json describe_edges(const std::vector<NodeEdge>& edges) {

@@ -86,6 +86,11 @@ bool overlap(const StepTrace& trace) {
   return false;
 }
 
+double bound_at_capacity(const StepTrace& trace, const Summary& summary, const Capacity& capacity) {
+  const double share = capacity.share(summary.work, trace.threads);
+  return overlap(trace) ? share : std::max(share, summary.span);
+}
+
 Summary summarise(const StepTrace& trace) {
   assert(!trace.steps.empty());
   const std::vector<StepTimes> times = time_steps(trace);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/step_trace.h"
+#include "engine/support/machine.h"
 
 namespace spoke::trace {
 
@@ -31,6 +32,10 @@ struct Summary {
   double speedup = 0.0;  ///< work / elapsed
   double idle = 0.0;     ///< share of the threads' time in which they ran no node
 };
+/// Of a typical step the bound with what the threads really do at once instead of their number [s].
+/// Precondition: capacity.is_known().
+double bound_at_capacity(const StepTrace& trace, const Summary& summary, const Capacity& capacity);
+
 /// Precondition: there is a step.
 Summary summarise(const StepTrace& trace);
 

@@ -67,11 +67,17 @@ Trace describe(const Simulation& simulation, StepTrace steps) {
   const std::int64_t first = steps.steps.empty() ? 1 : steps.steps.front().step;
   std::string threads = name_threads(simulation, steps);
   std::vector<std::string> notes = make_notes(simulation, steps, first);
-  return {std::move(steps),       scenario.name,
-          scenario.title,         simulation.options(),
-          std::move(threads),     scenario.integration.method,
-          simulation.step_size(), this_machine(),
-          load_average(),         now(),
+  return {std::move(steps),
+          scenario.name,
+          scenario.title,
+          simulation.options(),
+          std::move(threads),
+          scenario.integration.method,
+          simulation.step_size(),
+          this_machine(),
+          load_average(),
+          measure_capacity(),
+          now(),
           std::move(notes)};
 }
 

@@ -21,6 +21,7 @@ struct Trace {
   double step_size = 0.0;  ///< [s]
   Machine machine;
   double load = -1.0;   ///< runnable processes, mean over the last minute; -1: not known
+  Capacity capacity;    ///< now
   std::string created;  ///< now, UTC: "2026-11-21T15:00:00Z"
   /// What else a reader should know of how the steps were made, a sentence each.
   std::vector<std::string> notes;

@@ -141,10 +141,4 @@ RuntimeCosts median(std::vector<RuntimeCosts> measured) {
   return result;
 }
 
-RuntimeCosts scaled(const RuntimeCosts& costs, double factor) {
-  RuntimeCosts result = costs;
-  for (double* cost : all_costs(result)) *cost *= factor;
-  return result;
-}
-
 }  // namespace spoke::graph

@@ -26,7 +26,4 @@ RuntimeCosts measure_runtime_costs();
 /// second to the next, so costs are measured again in the rounds in which nodes are.
 RuntimeCosts median(std::vector<RuntimeCosts> measured);
 
-/// All of them times `factor`.
-RuntimeCosts scaled(const RuntimeCosts& costs, double factor);
-
 }  // namespace spoke::graph

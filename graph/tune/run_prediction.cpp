@@ -14,12 +14,6 @@
 namespace spoke::graph {
 namespace {
 
-OrderedCosts times(OrderedCosts costs, double factor) {
-  for (double& cost : costs.serial) cost *= factor;
-  for (double& cost : costs.levels) cost *= factor;
-  return costs;
-}
-
 // Between one pass and the next: the thread that asks whether to go on, and the others.
 double barriers_of(const std::vector<Round>& rounds) {
   return static_cast<double>(rounds.size()) - 1.0 + (ends_alone(rounds) ? 1.0 : 2.0);
@@ -62,17 +56,6 @@ double critical_shares(const std::vector<Round>& rounds, const std::vector<doubl
 
 }  // namespace
 
-/// One set of costs, and how a barrier of two threads grows with their number.
-struct RunPredictor::Assumptions {
-  OrderedCosts costs;
-  RuntimeCosts runtime;
-  double (*barrier_growth)(int threads);
-
-  double barrier(int threads) const {
-    return threads == 1 ? runtime.barrier_alone : runtime.barrier * barrier_growth(threads);
-  }
-};
-
 RunPredictor::RunPredictor(const StepGraph& graph, OrderedCosts node_costs,
                            const RuntimeCosts& runtime, CostSpread spread)
     : graph_(graph),
@@ -83,18 +66,6 @@ RunPredictor::RunPredictor(const StepGraph& graph, OrderedCosts node_costs,
 
 double RunPredictor::work() const { return work_of(node_costs_.serial); }
 double RunPredictor::span() const { return span_of(single_nodes_, node_costs_.serial); }
-
-// Threads that meet in a tree; all at one counter, one after the other; at no more cost than two.
-RunPredictor::Assumptions RunPredictor::expected() const {
-  return {node_costs_, runtime_, [](int threads) { return std::log2(threads); }};
-}
-RunPredictor::Assumptions RunPredictor::optimistic() const {
-  return {times(node_costs_, spread_.low), scaled(runtime_, 0.5), [](int) { return 1.0; }};
-}
-RunPredictor::Assumptions RunPredictor::pessimistic() const {
-  return {times(node_costs_, spread_.high), scaled(runtime_, 2.0),
-          [](int threads) { return 0.5 * threads; }};
-}
 
 bool RunPredictor::can_predict(ExecutorKind kind) const {
   if (kind == ExecutorKind::openmp_levels)
@@ -118,25 +89,18 @@ PredictedRun RunPredictor::predict(ExecutorKind kind, int threads) const {
   }
 }
 
-PredictedRun RunPredictor::predict_serial() const {
-  const double seconds = work();
-  return {seconds, spread_.low * seconds, spread_.high * seconds, 1};
+PredictedRun RunPredictor::within_bounds(double seconds, int threads, int clusters) const {
+  const double share = work() / threads;
+  const double greedy = share + (1.0 - 1.0 / threads) * span();
+  return {seconds, std::min(seconds, spread_.low * std::max(share, span())),
+          std::max(seconds, spread_.high * greedy), clusters};
 }
 
-// The band holds the expected time even where dearer nodes happen to make a better schedule.
-template <class Seconds>
-PredictedRun RunPredictor::in_band(Seconds seconds, int clusters) const {
-  const double time = seconds(expected());
-  return {time, std::min(time, seconds(optimistic())), std::max(time, seconds(pessimistic())),
-          clusters};
-}
+PredictedRun RunPredictor::predict_serial() const { return within_bounds(work(), 1, 1); }
 
 PredictedRun RunPredictor::predict_plan(const Plan& plan, int threads) const {
-  return in_band(
-      [&](const Assumptions& assumed) {
-        return seconds_of_plan(graph_, plan, assumed.costs.serial, threads, assumed.runtime);
-      },
-      plan.cluster_count());
+  return within_bounds(seconds_of_plan(graph_, plan, node_costs_.serial, threads, runtime_),
+                       threads, plan.cluster_count());
 }
 
 PredictedRun RunPredictor::predict_auto(int threads) const {
@@ -154,17 +118,15 @@ PredictedRun RunPredictor::predict_auto(int threads) const {
   return best;
 }
 
+// A barrier is one of a tree, whose depth grows with the logarithm of the threads.
 PredictedRun RunPredictor::predict_levels(int threads) const {
   const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
-  return in_band(
-      [&](const Assumptions& assumed) {
-        DataTraffic traffic(graph_, assumed.runtime.transfer, Writing::at_barriers);
-        critical_shares(rounds, assumed.costs.levels,
-                        traffic);  // leaves the data where a run finds them
-        return critical_shares(rounds, assumed.costs.levels, traffic) +
-               barriers_of(rounds) * assumed.barrier(threads);
-      },
-      0);
+  const double barrier =
+      threads == 1 ? runtime_.barrier_alone : runtime_.barrier * std::log2(threads);
+  DataTraffic traffic(graph_, runtime_.transfer, Writing::at_barriers);
+  const auto run = [&] { return critical_shares(rounds, node_costs_.levels, traffic); };
+  run();  // leaves the data where a run finds them
+  return within_bounds(run() + barriers_of(rounds) * barrier, threads, 0);
 }
 
 }  // namespace spoke::graph

@@ -9,11 +9,12 @@
 
 namespace spoke::graph {
 
-/// The time of one run [s], and the band that it is believed to lie in.
+/// The time of one run [s], and the bounds of any greedy schedule: max(T1 / P, Tinf), and
+/// (T1 - Tinf) / P + Tinf (Graham 1969).
 struct PredictedRun {
   double expected = 0.0;
   double optimistic = 0.0;
-  double pessimistic = 0.0;
+  double pessimistic = 0.0;  ///< at least `expected`, in which the runtime has its costs
   int clusters = 0;  ///< of the plan that is run; 1: serially; 0: the executor knows no plans
 };
 
@@ -33,8 +34,7 @@ struct CostSpread {
 /// Predicts how long executors take for a run on any number of processors, equal to the one on
 /// which nodes and runtimes were measured. Data that another processor wrote last are waited for
 /// (DataTraffic); what processors share beyond that, cache capacity and memory, is not modelled.
-/// The band is that of half the runtimes' costs with nodes at their cheapest, and of twice these
-/// costs with nodes at their dearest.
+/// For the bounds nodes are at their cheapest and at their dearest.
 class RunPredictor {
  public:
   /// Refers to `graph`, which must outlive it.
@@ -52,12 +52,7 @@ class RunPredictor {
   PredictedRun predict(ExecutorKind kind, int threads) const;
 
  private:
-  struct Assumptions;
-  Assumptions expected() const;
-  Assumptions optimistic() const;
-  Assumptions pessimistic() const;
-  template <class Seconds>
-  PredictedRun in_band(Seconds seconds, int clusters) const;
+  PredictedRun within_bounds(double seconds, int threads, int clusters) const;
   PredictedRun predict_plan(const Plan& plan, int threads) const;
   PredictedRun predict_serial() const;
   PredictedRun predict_auto(int threads) const;

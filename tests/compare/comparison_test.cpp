@@ -42,6 +42,8 @@ TEST_CASE("figures follow from the rounds") {
   CHECK(two.speedup_low == approx(1.9));
   CHECK(two.bound == approx(4e-6));
   CHECK(two.ratio_to_bound == approx(1.125));
+  CHECK(*two.bound_at_capacity == approx(5e-6));
+  CHECK(*comparison.results[0].figures->bound_at_capacity == approx(8e-6));  // one thread
   CHECK_FALSE(comparison.results[1].oversubscribed);
   CHECK(comparison.results[2].oversubscribed);
   CHECK(comparison.results[2].figures->bound == approx(4e-6));  // 2 processors

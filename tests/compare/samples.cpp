@@ -22,6 +22,7 @@ Comparison comparison_of(std::vector<Measurement> measurements) {
   comparison.machine.cpu = "Some processor";
   comparison.machine.cores = 2;
   comparison.loads = {0.1, 1.0};
+  comparison.capacity = {2, 1.6, 1.5};
   comparison.rounds = 4;
   comparison.models.push_back({.pass = {.work = 8.0, .span = 2.0}});
   evaluate(comparison, std::move(measurements));

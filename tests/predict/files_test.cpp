@@ -42,11 +42,11 @@ TEST_CASE("the table has a row per point, with its window") {
   REQUIRE(table.rows.size() == 5);
   for (const report::Row& row : table.rows) CHECK(row.cells.size() == table.columns.size());
   CHECK(table.rows[0].cells ==
-        Cells{"serial", "1", "1", "10", "9-11", "1.00", "1", "10", "1.00", "+0.0 %"});
+        Cells{"serial", "1", "1", "10", "9-11", "1.00", "1", "10", "1.00", "+0.0 %", ""});
   CHECK(table.rows[2].cells ==
-        Cells{"flow_graph", "2", "1", "8", "7.2-8.8", "1.25", "3", "", "", ""});
+        Cells{"flow_graph", "2", "1", "8", "7.2-8.8", "1.25", "3", "", "", "", ""});
   CHECK(table.rows[4].cells ==
-        Cells{"auto", "2", "50", "5", "4.5-5.5", "2.00", "3", "4", "2.50", "+25.0 %"});
+        Cells{"auto", "2", "50", "5", "4.5-5.5", "2.00", "3", "4", "2.50", "+25.0 %", ""});
 }
 
 TEST_CASE("facts are given of each graph that is run") {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/approx.h"
@@ -28,14 +29,14 @@ RunGraph run_of(const graph::StepGraph& graph, int window) {
 }
 
 /// Of steps one by one, and of windows for auto, as are predicted if a handover takes that long.
-Prediction predict_with(double handover) {
+Prediction predict_with(double handover, const std::vector<int>& threads = {1, 2, 3}) {
   const graph::StepGraph single = make_window(1, kBlades, kBodies);
   const graph::StepGraph window = make_window(kSteps, kBlades, kBodies);
   Prediction prediction{.scenario = {}};
   prediction.run = run_of(single, 1);
   prediction.auto_run = run_of(window, kSteps);
   prediction.runtime.flow_graph = {2e-9, 0.0, handover, 0.0};
-  predict::predict(prediction, single, &window, {1, 2, 3});
+  predict::predict(prediction, single, &window, threads);
   return prediction;
 }
 
@@ -43,6 +44,14 @@ const Series& series_of(ExecutorKind kind, const Prediction& prediction) {
   for (const Series& series : prediction.series)
     if (series.executor == kind) return series;
   throw std::logic_error("not predicted");
+}
+
+compare::Measurement measurement_of(ExecutorKind executor, int threads, std::vector<double> times) {
+  compare::Measurement measurement;
+  measurement.configuration.executor = executor;
+  measurement.configuration.threads = threads;
+  measurement.step_times = std::move(times);
+  return measurement;
 }
 
 }  // namespace
@@ -78,13 +87,6 @@ TEST_CASE("auto leaves a window in which no plan pays") {
 
 TEST_CASE("measurements are put beside the points they belong to") {
   Prediction prediction = predict_with(0.0);
-  const auto measurement_of = [](ExecutorKind executor, int threads, std::vector<double> times) {
-    compare::Measurement measurement;
-    measurement.configuration.executor = executor;
-    measurement.configuration.threads = threads;
-    measurement.step_times = std::move(times);
-    return measurement;
-  };
   add_measured(prediction, {measurement_of(ExecutorKind::serial, 1, {12e-6, 12e-6, 12e-6}),
                             measurement_of(ExecutorKind::automatic, 2, {6e-6, 8e-6, 6e-6}),
                             measurement_of(ExecutorKind::automatic, 3, {6e-6}),
@@ -98,4 +100,43 @@ TEST_CASE("measurements are put beside the points they belong to") {
   CHECK(points[1].measured->speedup.median == approx(2.0));
   CHECK(*points[1].error() == approx(points[1].step.expected / 6e-6 - 1.0));
   CHECK_FALSE(points[2].measured);  // of a single round
+}
+
+TEST_CASE("without measured points the band is that between the bounds by work and span") {
+  const Prediction prediction = predict_with(0.0);
+  const double work = prediction.run.work, span = prediction.run.span;
+  for (const Point& point : series_of(ExecutorKind::flow_graph, prediction).points) {
+    const double share = work / point.threads;
+    CHECK(point.step.optimistic == approx(std::max(share, span)));
+    const double greedy = share + (1.0 - 1.0 / point.threads) * span;
+    CHECK(point.step.pessimistic == approx(std::max(point.step.expected, greedy)));
+  }
+}
+
+TEST_CASE("measured points fill the band of their executor") {
+  Prediction prediction = predict_with(0.0, {1, 2, 4});
+  const double two = series_of(ExecutorKind::flow_graph, prediction).points[1].step.expected;
+  const double four = series_of(ExecutorKind::flow_graph, prediction).points[2].step.expected;
+  const double most = series_of(ExecutorKind::flow_graph, prediction).points[2].step.pessimistic;
+  add_measured(prediction,
+               {measurement_of(ExecutorKind::serial, 1, {12e-6, 12e-6}),
+                measurement_of(ExecutorKind::flow_graph, 2, {1.1 * two, 1.1 * two, 1.1 * two})});
+  const auto& points = series_of(ExecutorKind::flow_graph, prediction).points;
+  CHECK(points[1].step.optimistic == two);
+  CHECK(points[1].step.pessimistic == approx(1.1 * two));
+  CHECK(points[2].step.optimistic == four);
+  CHECK(points[2].step.pessimistic == approx(std::min(most, 1.21 * four)));
+  const auto& others = series_of(ExecutorKind::automatic, prediction).points;
+  CHECK(others[1].step.pessimistic > 1.001 * others[1].step.expected);  // nothing measured
+}
+
+TEST_CASE("at capacity a bound has less than the number of threads, as far as it was measured") {
+  Prediction prediction = predict_with(0.0, {1, 2, 4});
+  const Point& two = series_of(ExecutorKind::flow_graph, prediction).points[1];
+  const Point& four = series_of(ExecutorKind::flow_graph, prediction).points[2];
+  CHECK_FALSE(bound_at_capacity(prediction, ExecutorKind::flow_graph, two));
+  prediction.capacity = {2, 1.25, 1.5};
+  CHECK(*bound_at_capacity(prediction, ExecutorKind::flow_graph, two) ==
+        approx(prediction.run.work / 1.5));
+  CHECK_FALSE(bound_at_capacity(prediction, ExecutorKind::flow_graph, four));
 }

@@ -27,6 +27,8 @@ TEST_CASE("work, span and makespan of steps made by hand") {
   CHECK(summary.bound == Approx(8e-6));
   CHECK(summary.speedup == Approx(12.0 / 9.0));
   CHECK(summary.idle == Approx(1.0 - 12.0 / 18.0));
+  CHECK(bound_at_capacity(trace, summary, {2, 1.25, 1.2}) == Approx(12e-6 / 1.25));
+  CHECK(bound_at_capacity(trace, summary, {2, 1.9, 2.0}) == Approx(8e-6));
 }
 
 TEST_CASE("steps that overlap are timed together") {

@@ -24,14 +24,26 @@ const timePerStep = (analysis: StepAnalysis, recording: Recording) =>
 const bound = (analysis: StepAnalysis, recording: Recording) =>
   recording.overlapping ? analysis.work / recording.trace.threads.length : analysis.bound;
 
+/** The bound with what P threads do at once on this machine, by what one does, instead of P; null if not known. */
+function boundAtCapacity(analysis: StepAnalysis, recording: Recording): number | null {
+  const { machine, threads } = recording.trace;
+  const capacity = machine.capacity as { before: number; after: number } | null | undefined;
+  if (!capacity || threads.length === 1) return null;
+  const share = analysis.work / Math.min(threads.length, Math.max(capacity.before, capacity.after));
+  return recording.overlapping ? share : Math.max(share, analysis.span);
+}
+
 const kFigures: Figure[] = [
   { name: 'T1, work', meaning: 'Sum of all slices of the step', value: (a) => a.work, text: time },
   { name: 'T∞, span', meaning: 'Longest path through all passes, weighted by the measured times', value: (a) => a.span, text: time,
     note: (a) => `T1 / T∞ ${significant(a.work / a.span)}` },
   { name: 'makespan', meaning: 'Last end minus first begin', value: (a) => a.makespan, text: time,
     note: (a, r) => (r.overlapping ? `${time(timePerStep(a, r))} a step` : '') },
-  { name: 'bound', meaning: 'max(T1 / P, T∞): no schedule on P threads is shorter. Where steps overlap, T1 / P', value: bound, text: time,
-    note: (a, r) => `${ratio(timePerStep(a, r) / bound(a, r))} taken` },
+  { name: 'bound', meaning: 'max(T1 / P, T∞): no schedule on P threads is shorter. Where steps overlap, T1 / P. At capacity: P is what all threads did of one thread’s work when they ran the same loop', value: bound, text: time,
+    note: (a, r) => {
+      const atCapacity = boundAtCapacity(a, r);
+      return `${ratio(timePerStep(a, r) / bound(a, r))} taken` + (atCapacity ? `, ${time(atCapacity)} at capacity` : '');
+    } },
   { name: 'speedup', meaning: 'T1 / makespan; where steps overlap, T1 / mean time of a step', value: (a, r) => a.work / timePerStep(a, r),
     text: ratio, note: (_, r) => `on ${r.trace.threads.length}` },
   { name: 'idle: nothing ready', meaning: 'Idle time of all threads while no node of the step could begin',
