@@ -147,13 +147,6 @@ void Report::write_json(const std::filesystem::path& file) const {
   if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
-std::string duration(double seconds) {
-  if (seconds < 1e-3) return figure(seconds * 1e6) + " us";
-  if (seconds < 1.0) return figure(seconds * 1e3) + " ms";
-  if (seconds < 120.0) return figure(seconds) + " s ";
-  return figure(seconds / 60.0) + " min";
-}
-
 std::string figure(double value) {
   const double size = std::abs(value);
   return fmt::format("{:.{}f}", value, size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2);

@@ -56,8 +56,6 @@ class Report {
   std::vector<Target> targets_;
 };
 
-/// A time in the unit that suits it: "3.95 us".
-std::string duration(double seconds);
 /// Three significant digits, no exponent below a million: "0.98", "13.4", "5420".
 std::string figure(double value);
 /// A median ratio and its quartiles: "13.4 [13.1-13.9]".

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/support/duration_text.h"
+
 namespace spoke::compare {
 namespace {
 
@@ -150,12 +152,6 @@ std::string describe_machine(const Comparison& comparison) {
 }
 
 }  // namespace
-
-std::string duration_text(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
-  if (seconds < 1.0) return fmt::format("{:.3g} ms", seconds * 1e3);
-  return fmt::format("{:.3g} s", seconds);
-}
 
 std::vector<std::string> make_conclusions(const Comparison& comparison) {
   std::vector<std::string> parts;

@@ -9,9 +9,6 @@
 
 namespace spoke::compare {
 
-/// A time for people: "13.1 us", "2.04 ms".
-std::string duration_text(double seconds);
-
 /// What is to be said in plain words, a part for each matter: what makes the rest doubtful; per
 /// formulation which configuration is best and by how much, or that serial is; what was not
 /// measured or differed; the machine and its load.

@@ -9,6 +9,7 @@
 #include "engine/compare/files.h"
 #include "engine/compare/table.h"
 #include "engine/report/chart.h"
+#include "engine/support/duration_text.h"
 
 namespace spoke::compare {
 namespace {

@@ -5,6 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/compare/conclusion.h"
+#include "engine/support/duration_text.h"
 
 namespace spoke::compare {
 namespace {

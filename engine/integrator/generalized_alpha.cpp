@@ -13,21 +13,6 @@ namespace {
 /// The greater of two values, place by place; of `b` and NaN, b.
 Double2 greater(Double2 a, Double2 b) { return a > b ? a : b; }
 
-/// Largest |x[i] - y[i]| of n values; those that are NaN do not count.
-double largest_difference(const double* x, const double* y, int n) {
-  Double2 first{}, second{};
-  int i = 0;
-  for (; i + 4 <= n; i += 4) {
-    const Double2 d = load(x + i) - load(y + i), e = load(x + i + 2) - load(y + i + 2);
-    first = greater(-d, greater(d, first));
-    second = greater(-e, greater(e, second));
-  }
-  first = greater(second, first);
-  double largest = std::max(first[0], first[1]);
-  for (; i < n; ++i) largest = std::max(largest, std::abs(x[i] - y[i]));
-  return largest;
-}
-
 // Parameters that promise not to overlap let the compiler take several coordinates at a time.
 
 inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q,
@@ -55,14 +40,35 @@ inline void predict_block(const GeneralizedAlpha& method, const CoordinateBlock&
   });
 }
 
+/// What a correction finds on its way, place by place.
+struct Corrected {
+  Double2 change{};   // largest change of an acceleration; those that are NaN do not count
+  Double2 squares{};  // sum of the squares of the coordinates
+};
+
 void correct_values(const GeneralizedAlpha m, int n, const double* __restrict a_new,
                     const double* __restrict qp, const double* __restrict vp, double* __restrict q,
-                    double* __restrict v, double* __restrict a) noexcept {
-  for (int i = 0; i < n; ++i) {
-    a[i] = a_new[i];
-    q[i] = qp[i] + m.position_gain * a_new[i];
-    v[i] = vp[i] + m.velocity_gain * a_new[i];
+                    double* __restrict v, double* __restrict a, Corrected& corrected) noexcept {
+  Corrected found = corrected;
+  int i = 0;
+  for (; i + 2 <= n; i += 2) {
+    const Double2 next = load(a_new + i);
+    const Double2 change = next - load(a + i);
+    found.change = greater(-change, greater(change, found.change));
+    const Double2 q_next = load(qp + i) + m.position_gain * next;
+    found.squares += q_next * q_next;
+    store(q_next, q + i);
+    store(load(vp + i) + m.velocity_gain * next, v + i);
+    store(next, a + i);
   }
+  if (i < n) {
+    found.change[0] = std::max(found.change[0], std::abs(a_new[i] - a[i]));
+    q[i] = qp[i] + m.position_gain * a_new[i];
+    found.squares[0] += q[i] * q[i];
+    v[i] = vp[i] + m.velocity_gain * a_new[i];
+    a[i] = a_new[i];
+  }
+  corrected = found;
 }
 
 }  // namespace
@@ -104,17 +110,16 @@ void predict(const GeneralizedAlpha& method, std::span<BodyData> bodies) noexcep
   for (BodyData& body : bodies) predict_block(method, body.coordinates);
 }
 
-double correct(const GeneralizedAlpha& method, const double* a_new,
-               CoordinateBlock& block) noexcept {
+Correction correct(const GeneralizedAlpha& method, const double* a_new,
+                   CoordinateBlock& block) noexcept {
   const double *qp = block.history[GeneralizedAlpha::predicted_q],
                *vp = block.history[GeneralizedAlpha::predicted_v];
-  double change = 0.0;
+  Corrected sum;
   block.for_parts([&](int first, int n) {
-    change = std::max(change, largest_difference(a_new + first, block.a + first, n));
     correct_values(method, n, a_new + first, qp + first, vp + first, block.q + first,
-                   block.v + first, block.a + first);
+                   block.v + first, block.a + first, sum);
   });
-  return method.position_gain * change;
+  return {method.position_gain * std::max(sum.change[0], sum.change[1]), total(sum.squares)};
 }
 
 }  // namespace spoke

@@ -40,8 +40,14 @@ void hold(CoordinateBlock& block);
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept;
 /// The same for the coordinates of bodies.
 void predict(const GeneralizedAlpha& method, std::span<BodyData> bodies) noexcept;
-/// Corrects the coordinates with accelerations `a`, which become the block's; returns the largest
-/// change of a coordinate since the last iterate [m, rad].
-double correct(const GeneralizedAlpha& method, const double* a, CoordinateBlock& block) noexcept;
+
+/// What a correction did.
+struct Correction {
+  double change = 0.0;   ///< largest change of a coordinate since the last iterate [m, rad]
+  double squares = 0.0;  ///< sum of the squares of the coordinates [m^2, rad^2]
+};
+/// Corrects the coordinates with accelerations `a`, which become the block's.
+Correction correct(const GeneralizedAlpha& method, const double* a,
+                   CoordinateBlock& block) noexcept;
 
 }  // namespace spoke

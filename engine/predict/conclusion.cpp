@@ -7,15 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/compare/conclusion.h"
+#include "engine/support/duration_text.h"
 
 namespace spoke::predict {
 namespace {
 
 constexpr double kEqual = 1.03;  // ratio of times up to which two executors are equally good
 constexpr double kPays = 1.05;   // gain below which more threads do not pay
-
-using compare::duration_text;
 
 const Series* find_series(const Prediction& prediction, ExecutorKind kind) {
   const auto found = std::find_if(prediction.series.begin(), prediction.series.end(),

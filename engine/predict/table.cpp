@@ -4,12 +4,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/compare/conclusion.h"
+#include "engine/support/duration_text.h"
 
 namespace spoke::predict {
 namespace {
-
-using compare::duration_text;
 
 std::string microseconds(double seconds) { return fmt::format("{:.4g}", seconds * 1e6); }
 

@@ -149,9 +149,10 @@ FailureSite find_site(const StepContext& context, const FailedStep& failed) {
 
 /// Whether drive and support prescribe a motion, or apply a torque, that is not finite.
 bool is_drive_finite(const System& system, double t) {
-  const DriveMotion motion = calc_motion(system.hub.drive, t);
-  return std::isfinite(motion.angle + motion.speed + motion.acceleration +
-                       calc_torque(system.hub.drive, t));
+  const Drive& drive = system.hub.drive;
+  if (!prescribes_motion(drive)) return std::isfinite(calc_torque(drive, t));
+  const DriveMotion motion = calc_motion(drive, t);
+  return std::isfinite(motion.angle + motion.speed + motion.acceleration);
 }
 
 /// Progress of a subsystem whose step has failed.

@@ -31,12 +31,6 @@ bool is_small(double squares, const BodyData& body) {
   return squares <= limit * limit;
 }
 
-/// Whether the pass evaluates a state in which a step may end.
-bool is_end_of_step(const Method& method, const PassControl& control) {
-  return control.stage == 0 ||
-         (control.stage > 0 && std::holds_alternative<GeneralizedAlpha>(method));
-}
-
 bool is_finite(const Twist& X) { return std::isfinite(X[0] + X[1] + X[2]); }
 
 void add_reports(const SubsystemData& subsystem, PassReport& sum) {
@@ -114,18 +108,22 @@ void begin_hub(const System& system, const Method& method, StepData& data) noexc
 
 void complete_body(const Method& method, const PassControl& control, BodyData& body) noexcept {
   body.report.change = 0.0;
+  double squares = 0.0;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage == PassControl::kEvaluateOnly)
+    if (control.stage == PassControl::kEvaluateOnly) {
       body.coordinates.for_parts([&body](int first, int n) {
         std::copy_n(body.a_found + first, n, body.coordinates.a + first);
       });
-    else
-      body.report.change = correct(*alpha, body.a_found, body.coordinates);
+    } else {
+      const Correction correction = correct(*alpha, body.a_found, body.coordinates);
+      body.report.change = correction.change;
+      squares = correction.squares;
+    }
+  } else if (control.stage == 0) {
+    squares = sum_squares(body);
   }
   // Whatever is wrong with the deformation's accelerations is wrong with the frame's, too. Limits
   // are those of states: rk4's stages within a step are none.
-  const bool is_state = is_end_of_step(method, control);
-  const double squares = is_state ? sum_squares(body) : 0.0;
   const bool is_fine =
       is_finite(body.X) && (is_small(squares, body) || find_limit_violation(body).coordinate < 0);
   body.report.failed = !is_fine;
@@ -142,7 +140,7 @@ void complete_hub(const System& system, const Method& method, StepData& data) no
     if (is_prescribed(system.hub, c)) continue;
     CoordinateBlock component = hub.component(c);
     if (corrects)
-      change = std::max(change, correct(*alpha, &found[c], component));
+      change = std::max(change, correct(*alpha, &found[c], component).change);
     else
       hub.a[c] = found[c];
   }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/support/duration_text.h"
 #include "tests/compare/samples.h"
 
 using namespace spoke;

@@ -20,7 +20,7 @@ constexpr std::size_t kMagicAndFormat = 8 + 4;
 constexpr std::size_t kHeader = kMagicAndFormat + 8;
 constexpr std::size_t kChecksum = 4;
 
-void demand(bool holds, const char* what) {
+void require(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);
   std::abort();
@@ -42,11 +42,11 @@ void read(const std::string& bytes) {
     const Checkpoint checkpoint = parse_checkpoint(bytes, "fuzz");
     const std::string written = make_checkpoint(checkpoint.state, checkpoint.record);
     const Checkpoint again = parse_checkpoint(written, "fuzz");
-    demand(make_checkpoint(again.state, again.record) == written, "what is read is written");
+    require(make_checkpoint(again.state, again.record) == written, "what is read is written");
   } catch (const InputError& error) {
     const std::string message = error.what();
-    demand(message.starts_with("fuzz: ") && message.find('\n') == std::string::npos,
-           "a message is one line");
+    require(message.starts_with("fuzz: ") && message.find('\n') == std::string::npos,
+            "a message is one line");
   }
 }
 
