@@ -67,14 +67,14 @@ class Substitution {
   [[gnu::always_inline]] void backward_pair(int i) {
     const Double2 second = backward(i + 1);
     const Double2 first = backward(i);
-    store(Double2{first[0], second[0]}, x_ + i);
-    store(Double2{first[1], second[1]}, y_ + i);
+    store_aligned(Double2{first[0], second[0]}, x_ + i);
+    store_aligned(Double2{first[1], second[1]}, y_ + i);
   }
   /// Row i, the last of an odd number.
   void backward_last(int i) {
     const Double2 last = backward(i);
-    store(Double2{last[0], 0.0}, x_ + i);
-    store(Double2{last[1], 0.0}, y_ + i);
+    store_aligned(Double2{last[0], 0.0}, x_ + i);
+    store_aligned(Double2{last[1], 0.0}, y_ + i);
   }
 
  private:

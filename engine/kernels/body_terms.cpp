@@ -56,9 +56,9 @@ PartSums calc_axial_rows(const FlexibleBody& body, double w, const FlexParts& q,
   constexpr int kStride = 2 * SymmetricBand<1>::kWidth;
   for (int i = 0; i < n; i += 2, M += kStride, K += kStride) {
     const Double2 m = load_aligned(d0 + i) + band_rows<1>(M, i, u);
-    store(w * w * m + 2.0 * w * coupling_rows(h, vd + 2 * i) - band_rows<1>(K, i, q_elastic),
-          Q + i);
-    store(-coupling_rows(h, v + 2 * i), c_theta + i);
+    store_aligned(
+        w * w * m + 2.0 * w * coupling_rows(h, vd + 2 * i) - band_rows<1>(K, i, q_elastic), Q + i);
+    store_aligned(-coupling_rows(h, v + 2 * i), c_theta + i);
     h += 2 * AxialBendingCoupling::kWidth;
     S_sum += load_aligned(S + i) * load_aligned(u + i);
     S_rate += load_aligned(S + i) * load_aligned(ud + i);
@@ -97,8 +97,8 @@ PartSums calc_bending_rows(const ChainBody& member, const BodyMotion& motion, co
       centrifugal_rate += k * load_aligned(vd + i);
       KG += kStride;
     }
-    store(force, Q + i);
-    store(load_aligned(c0 + i) + coupling_pair<kIsClamped>(h, u), c_theta + i);
+    store_aligned(force, Q + i);
+    store_aligned(load_aligned(c0 + i) + coupling_pair<kIsClamped>(h, u), c_theta + i);
     S_sum += load_aligned(S + i) * load_aligned(v + i);
     S_rate += load_aligned(S + i) * load_aligned(vd + i);
     inertia += m * load_aligned(v + i);

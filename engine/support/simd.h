@@ -27,6 +27,9 @@ inline Double2 load_aligned(const double* x) {
   return *reinterpret_cast<const detail::Double2Aligned*>(x);
 }
 inline void store(Double2 value, double* x) {
+  *reinterpret_cast<detail::Double2Unaligned*>(x) = value;
+}
+inline void store_aligned(Double2 value, double* x) {
   *reinterpret_cast<detail::Double2Aligned*>(x) = value;
 }
 

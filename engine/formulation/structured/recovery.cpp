@@ -59,9 +59,9 @@ void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool imp
   double* a_u = a + u;
   const double X_x = X[0], X_y = X[1];
   for (int i = 0, n = body.axial(); i < n; i += 2)
-    store(load_aligned(z + i) - alpha * load_aligned(W + i) - X_x * load_aligned(W_x + i) +
-              f_x * load_aligned(Z + i),
-          a_u + i);
+    store_aligned(load_aligned(z + i) - alpha * load_aligned(W + i) - X_x * load_aligned(W_x + i) +
+                      f_x * load_aligned(Z + i),
+                  a_u + i);
   const int v = data.layout.v();
   W = work.W_theta + v;
   z = work.z + v;
@@ -69,9 +69,9 @@ void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool imp
   const double *Z_0 = block.columns[0].Z.data(), *Z_1 = block.columns[1].Z.data();
   double* a_v = a + v;
   for (int i = 0, n = body.bending(); i < n; i += 2)
-    store(load_aligned(z + i) - alpha * load_aligned(W + i) - X_y * load_aligned(W_y + i) +
-              f_0 * load_aligned(Z_0 + i) + f_1 * load_aligned(Z_1 + i),
-          a_v + i);
+    store_aligned(load_aligned(z + i) - alpha * load_aligned(W + i) - X_y * load_aligned(W_y + i) +
+                      f_0 * load_aligned(Z_0 + i) + f_1 * load_aligned(Z_1 + i),
+                  a_v + i);
 }
 
 }  // namespace spoke::structured
