@@ -25,13 +25,33 @@ bool find_steady_counter() noexcept {
 #endif
 }
 
+}  // namespace
+
+namespace detail {
+
+const bool has_steady_counter = find_steady_counter();
+
+std::uint64_t steady_clock_ticks() noexcept {
+  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
+}
+
+}  // namespace detail
+
+namespace {
+
+/// The same instant by the clock and by the counter.
+struct Instant {
+  Clock::time_point time = Clock::now();
+  std::uint64_t ticks = time_stamp();
+};
+const Instant program_start;
+
+// Since the program's start, which is mostly long enough ago.
 double measure_seconds_per_tick() {
-  const auto begin = Clock::now();
-  const std::uint64_t first = time_stamp();
-  auto end = begin;
-  while (end - begin < std::chrono::milliseconds(2)) end = Clock::now();
-  const std::uint64_t ticks = time_stamp() - first;
-  return std::chrono::duration<double>(end - begin).count() / static_cast<double>(ticks);
+  Instant now;
+  while (now.time - program_start.time < std::chrono::milliseconds(2)) now = {};
+  return std::chrono::duration<double>(now.time - program_start.time).count() /
+         static_cast<double>(now.ticks - program_start.ticks);
 }
 
 double measure_cost_in_ticks() {
@@ -50,16 +70,6 @@ TimeStampScale measure_scale() {
 }
 
 }  // namespace
-
-namespace detail {
-
-const bool has_steady_counter = find_steady_counter();
-
-std::uint64_t steady_clock_ticks() noexcept {
-  return static_cast<std::uint64_t>(Clock::now().time_since_epoch().count());
-}
-
-}  // namespace detail
 
 const TimeStampScale& time_stamp_scale() {
   static const TimeStampScale scale = measure_scale();
