@@ -27,23 +27,25 @@ constexpr double kPatience = 0.1;  // s; a sleeping thread takes milliseconds to
                                    // machine tens of them
 
 // What one thread takes for a cluster of forks and joins of empty nodes [s], which cost more than
-// links of a chain. Where in memory they lie makes some 10 %: the least of several places.
+// links of a chain. Where in memory they lie makes some 10 %: the mean of several places.
 double seconds_per_cluster(const StepGraph& graph) {
-  constexpr int places = 3;
+  constexpr int places = 5;
   constexpr double time = 1e-3;                      // s, of a place
   std::vector<std::unique_ptr<Executor>> executors;  // all live, so that each has its own place
-  double least = std::numeric_limits<double>::infinity();
+  double sum = 0.0;
   for (int k = 0; k < places; ++k) {
     executors.push_back(make_flow_graph_executor(graph, plan_of_single_nodes(graph), 1));
+    double least = std::numeric_limits<double>::infinity();
     for (const std::uint64_t begin = time_stamp(); seconds_since(begin) < time;)
-      least = std::min(least, seconds_per_run(*executors.back(), 20));
+      least = std::min(least, seconds_per_run(*executors.back(), 8));
+    sum += least;
   }
-  return least / graph.node_count();
+  return sum / places / graph.node_count();
 }
 
 // The more branches a fork has, the more clusters its thread spawns: all but one of each.
 void measure_clusters(Overheads& overheads) {
-  constexpr int nodes = 200, few = 2, many = 16;
+  constexpr int nodes = 1000, few = 2, many = 16;
   const auto seconds_and_spawned = [](int branches) {
     const int forks = nodes / (1 + branches);
     const StepGraph graph = make_fork_joins(forks, 0.0, branches);
