@@ -383,7 +383,8 @@ TEST_CASE("a trace says whether auto had chosen, and names the serial steps befo
                       [](const NodeSlice& slice) { return slice.thread == 0; }));
   }
   // As soon as a simulation is long enough to be timed, next to nothing is left of it.
-  StepTrace last{.choice = ChoiceState::none};
+  StepTrace last;
+  last.choice = ChoiceState::none;
   for (int steps = 20; last.choice != ChoiceState::made; steps += 8) {
     REQUIRE(steps < 4000);
     scenario.integration.duration = steps * scenario.integration.step;
