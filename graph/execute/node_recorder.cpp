@@ -44,7 +44,7 @@ bool NodeRecorder::begin_run() noexcept {
 void NodeRecorder::end_run() noexcept {
   if (!is_recording_) return;
   is_recording_ = false;
-  run_times_[runs_].end = time_stamp();
+  run_times_[runs_].end = time_stamp_after_reads();  // no earlier than the last node of a thread
   for (std::size_t thread = 0; thread < lanes_.size(); ++thread) {
     const Lane& lane = lanes_[thread];
     ends_[end_place(runs_, thread)] = static_cast<std::size_t>(lane.next - lane.records.data());
