@@ -33,7 +33,7 @@
 #include "bench/progress.h"
 #include "bench/questions.h"
 #include "engine/simulation.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -313,7 +313,7 @@ void compare_executors(const QuestionOptions& options, Report& report) {
   for (const Model& model : models) {
     const Measured measured = measure_model(model, options);
     const Timing& serial = measured.timings.front();
-    std::vector<std::string> row{model.name, duration_text(serial.least)};
+    std::vector<std::string> row{model.name, graph::duration_text(serial.least)};
     for (const Timing& timing : measured.timings) {
       report.add_timing(model.name, timing);
       if (&timing == &serial) continue;

@@ -16,7 +16,7 @@
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -89,7 +89,8 @@ void compare_formulations(const QuestionOptions& options, Report& report) {
     const std::vector<Timing> timings = measure(alternatives, effort);
     for (const Timing& timing : timings) {
       const bool first = &timing == &timings.front();
-      table.rows.push_back({first ? size.name() : "", timing.name, duration_text(timing.least),
+      table.rows.push_back({first ? size.name() : "", timing.name,
+                            graph::duration_text(timing.least),
                             first ? "1" : ratio_with_spread(timing), std::to_string(timing.rounds),
                             first ? agreement : ""});
       report.add_timing(size.name(), timing);
@@ -158,9 +159,9 @@ void scale_structured(const QuestionOptions& options, Report& report) {
     const Timing& off = timings[2 * k];
     const Timing& on = timings[2 * k + 1];
     const int elements = size.total_elements();
-    table.rows.push_back({size.name(), std::to_string(elements), duration_text(off.least),
+    table.rows.push_back({size.name(), std::to_string(elements), graph::duration_text(off.least),
                           figure(off.least / elements * 1e9) + " ns",
-                          figure(cost_per_element(size, off)), duration_text(on.least),
+                          figure(cost_per_element(size, off)), graph::duration_text(on.least),
                           ratio_with_spread(on)});
     report.add_timing(size.name() + ", structured alone", off);
     report.add_timing(size.name() + ", structured alone", on);

@@ -18,9 +18,9 @@
 #include "bench/questions.h"
 #include "engine/simulation.h"
 #include "engine/simulation/node_measurement.h"
-#include "engine/support/duration_text.h"
 #include "graph/calibrate/measuring_executor.h"
 #include "graph/calibrate/quantiles.h"
+#include "graph/machine/duration_text.h"
 #include "graph/tune/run_prediction.h"
 
 namespace spoke::bench {
@@ -57,7 +57,7 @@ class Subject {
 class Synthetic final : public Subject {
  public:
   Synthetic(const StepShape& shape, double node_seconds)
-      : name_(shape.name() + ", nodes of " + duration_text(node_seconds)),
+      : name_(shape.name() + ", nodes of " + graph::duration_text(node_seconds)),
         graph_(make_busy_graph(shape, node_seconds)),
         runs_(static_cast<int>(std::max(1.0, kBatch / (node_seconds * graph_.node_count())))) {}
 
@@ -268,8 +268,8 @@ void compare(Subject& subject, const QuestionOptions& options, Table& table, Rep
   const double between_runs = turns.serial.back().between_runs;
   const double serial = predictor.work() + between_runs;
   const double agreement = graph::median(turns.agreement);
-  std::vector<std::string> row{subject.name(),
-                               duration_text(timings.front().median / subject.runs_per_turn())};
+  std::vector<std::string> row{
+      subject.name(), graph::duration_text(timings.front().median / subject.runs_per_turn())};
   for (std::size_t k = 0; const auto& [kind, threads] : all) {
     if (!subject.is_run_by(kind, threads)) {
       row.emplace_back("-");

@@ -14,7 +14,7 @@
 #include "bench/progress.h"
 #include "bench/questions.h"
 #include "bench/whole_processes.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -102,8 +102,8 @@ void measure_start_up(const QuestionOptions& options, Report& report) {
   for (const Command& command : commands) {
     const double beyond = median(command.beyond);
     const double least = *std::min_element(command.beyond.begin(), command.beyond.end());
-    table.rows.push_back({command.name, duration_text(beyond), duration_text(least),
-                          duration_text(median(command.whole))});
+    table.rows.push_back({command.name, graph::duration_text(beyond), graph::duration_text(least),
+                          graph::duration_text(median(command.whole))});
     report.add_result({{"command", command.name}, {"beyond_s", beyond}, {"least_s", least}});
     if (command.most > 0.0)
       report.add_target(

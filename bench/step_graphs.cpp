@@ -14,8 +14,8 @@
 #include "bench/openmp_kinds.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/support/duration_text.h"
 #include "graph/executor.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -96,7 +96,7 @@ double promised(const StepShape& shape, double node_seconds) {
 }
 
 void add_targets(const StepShape& shape, double node_seconds, double speedup, Report& report) {
-  const std::string model = shape.name() + ", nodes of " + duration_text(node_seconds);
+  const std::string model = shape.name() + ", nodes of " + graph::duration_text(node_seconds);
   report.add_target(at_least("auto is never slower than serial, " + model, speedup, 0.97));
   const double least = promised(shape, node_seconds);
   if (least > 0.0) report.add_target(at_least("auto / serial, " + model, speedup, least));
@@ -111,11 +111,12 @@ void compare_executors(const QuestionOptions& options, Report& report) {
       show_progress(shape.name() + ": tuning");
       const StepGraph graph = make_busy_graph(shape, node_seconds);
       const Speedups speedups = measure_speedups(graph, options);
-      std::vector<std::string> row{shape.name(), duration_text(node_seconds)};
+      std::vector<std::string> row{shape.name(), graph::duration_text(node_seconds)};
       for (const Timing& timing : speedups.timings) {
         const bool first = &timing == &speedups.timings.front();
-        row.push_back(first ? duration_text(timing.median) : figure(1.0 / timing.ratio));
-        report.add_timing(shape.name() + ", nodes of " + duration_text(node_seconds), timing);
+        row.push_back(first ? graph::duration_text(timing.median) : figure(1.0 / timing.ratio));
+        report.add_timing(shape.name() + ", nodes of " + graph::duration_text(node_seconds),
+                          timing);
       }
       table.rows.push_back(std::move(row));
       add_targets(shape, node_seconds, speedups.of(ExecutorKind::automatic), report);

@@ -17,7 +17,7 @@
 #include "bench/progress.h"
 #include "bench/questions.h"
 #include "engine/simulation.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -111,9 +111,10 @@ TipCurve converge(ExplicitStep step, Report& report) {
   TipCurve curve = record(reference, 1, "converged answer");
   Simulation check = make_simulation(IntegrationMethod::rk4, step.size(), Formulation::structured);
   const double error = difference(record(check, step.per_sampling, "cross-check"), curve);
-  report.add_remark("\n  converged answer   generalized_alpha at " + duration_text(kReferenceStep) +
-                    ": largest lag of the tip " + std::to_string(curve.largest()) + " m");
-  report.add_remark("  cross-check        rk4 at " + duration_text(step.size()) +
+  report.add_remark("\n  converged answer   generalized_alpha at " +
+                    graph::duration_text(kReferenceStep) + ": largest lag of the tip " +
+                    std::to_string(curve.largest()) + " m");
+  report.add_remark("  cross-check        rk4 at " + graph::duration_text(step.size()) +
                     ", its largest stable step: differs by " + percent(error));
   report.add_result({{"model", "converged answer"},
                      {"largest_deflection_m", curve.largest()},
@@ -140,13 +141,13 @@ Solution find_largest_step(const TipCurve& reference, Report& report) {
   for (const double step : kCandidates) {
     Simulation simulation =
         make_simulation(IntegrationMethod::generalized_alpha, step, Formulation::structured);
-    const TipCurve curve = record(simulation, 1, "step " + duration_text(step));
+    const TipCurve curve = record(simulation, 1, "step " + graph::duration_text(step));
     const double error = difference(curve, reference);
     const bool taken = !found && error <= kAccuracy;
     if (taken) found = Solution{step, curve.values.back(), simulation.state_hash()};
     const auto steps = static_cast<double>(simulation.steps());
     const auto evaluations = static_cast<double>(simulation.evaluations());
-    table.rows.push_back({duration_text(step), std::to_string(simulation.steps()),
+    table.rows.push_back({graph::duration_text(step), std::to_string(simulation.steps()),
                           std::to_string(simulation.evaluations()), figure(evaluations / steps),
                           percent(error), taken ? "<- taken" : ""});
     report.add_result({{"model", "candidate"},
@@ -254,14 +255,15 @@ void require_agreement(const Solution& solution, const Slots& slots) {
 void report_timings(const std::vector<Timing>& timings, Report& report) {
   Table table{"Time for the 20 s, all in turns, serial", {"", "time", "/ first", "rounds"}, {}};
   for (const Timing& timing : timings) {
-    table.rows.push_back({timing.name, duration_text(timing.least),
+    table.rows.push_back({timing.name, graph::duration_text(timing.least),
                           &timing == &timings.front() ? "1" : ratio_with_spread(timing),
                           std::to_string(timing.rounds)});
     report.add_timing("20 s", timing);
   }
   report.add_table(table);
   report.add_remark("  Each round times rk4 over a short span of the motion (" +
-                    duration_text(kShortSpan) + "; augmented " + duration_text(kSampling) +
+                    graph::duration_text(kShortSpan) + "; augmented " +
+                    graph::duration_text(kSampling) +
                     ")\n  and scales that to 20 s: its steps cost the same throughout.");
   report.add_target(at_least("generalized_alpha + structured beats rk4 + subsystem, 20 s, times",
                              timings[1].ratio, 3000.0));

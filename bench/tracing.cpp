@@ -19,8 +19,8 @@
 #include "bench/questions.h"
 #include "engine/run/step_recording.h"
 #include "engine/step/step_graph_builder.h"
-#include "engine/support/duration_text.h"
 #include "graph/executor.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -197,8 +197,8 @@ void measure_rotor(const Case& which, const Effort& effort, Table& table, Report
   report.add_target(
       at_most("tracing off: serial / loop without recorder, " + model, off[1].ratio, 1.02));
   const int nodes = kPasses * Model(which).graph().node_count();
-  std::vector<std::string> row{model, duration_text(off[0].median / nodes),
-                               duration_text(off[0].median), cost(off[1])};
+  std::vector<std::string> row{model, graph::duration_text(off[0].median / nodes),
+                               graph::duration_text(off[0].median), cost(off[1])};
   for (const Recorded& recorded : kRecorded) {
     if (!graph::has_executor(recorded.kind)) {
       row.emplace_back("-");

@@ -15,10 +15,10 @@
 #include "bench/progress.h"
 #include "bench/questions.h"
 #include "bench/whole_processes.h"
-#include "engine/support/duration_text.h"
 #include "graph/calibrate/capacity.h"
 #include "graph/calibrate/quantiles.h"
 #include "graph/executor.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -108,7 +108,7 @@ void measure_row(const Model& model, const Length& length, double duration, bool
   const double capacity = std::min(before, graph::measure_capacity(threads, 0.1));
   const std::string row =
       fmt::format("{}, {} s, {}", model.name, length.seconds, is_quiet ? "quiet" : "busy");
-  table.rows.push_back({row, duration_text(pairs.serial), duration_text(pairs.autos),
+  table.rows.push_back({row, graph::duration_text(pairs.serial), graph::duration_text(pairs.autos),
                         figure(pairs.ratio), figure(capacity)});
   report.add_result({{"row", row},
                      {"serial_s", pairs.serial},

@@ -26,7 +26,7 @@
 #include "engine/cli/tip_deflections.h"
 #include "engine/results.h"
 #include "engine/simulation.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
 namespace {
@@ -129,9 +129,9 @@ void measure_size(const RotorSize& size, const Effort& effort, Table& table, Rep
     report.add_timing(size.name(), timing);
     if (k == 0) continue;
     table.rows.push_back({k == 1 ? size.name() : "", timing.name,
-                          duration_text(timing.least * evaluations[k]), figure(evaluations[k]),
-                          duration_text(timings.front().least), ratio_with_spread(timing),
-                          std::to_string(timing.rounds)});
+                          graph::duration_text(timing.least * evaluations[k]),
+                          figure(evaluations[k]), graph::duration_text(timings.front().least),
+                          ratio_with_spread(timing), std::to_string(timing.rounds)});
     report.add_target(
         at_most("a step / its evaluations, " + size.name() + ", " + timing.name + ", times",
                 timing.ratio, kMostRatio));

@@ -222,18 +222,17 @@ int predict(const Arguments& arguments) {
   require_folder(folder);
   const Machine machine = this_machine();
   const double load_before = load_average();
-  Capacity capacity = measure_capacity();
   show_progress("warming up: nodes");
   Subjects subjects = make_subjects(task);
   predict::Prediction prediction = describe(arguments, subjects);
   prediction.machine = machine;
+  prediction.capacity = measure_capacity();
   prediction.load_before = load_before;
   SubjectTimer timer(subjects);
   const auto measurements = measure(task, subjects, timer, machine.cores);
   timer.summarise(prediction);
   prediction.load_after = load_average();
-  capacity.after = measure_capacity().after;
-  prediction.capacity = capacity;
+  prediction.capacity.after = measure_capacity().after;
   show_progress("predicting");
   const auto& of_auto = subjects.of_auto;
   predict::predict(prediction, subjects.all.simulation.run_graph(),

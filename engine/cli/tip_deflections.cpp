@@ -7,17 +7,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <stdexcept>
 
 namespace spoke::cli {
 namespace {
-
-std::size_t index_of(const Simulation& simulation, const std::string& sensor) {
-  const auto& names = simulation.sensor_names();
-  const auto found = std::find(names.begin(), names.end(), sensor);
-  if (found == names.end()) throw std::out_of_range("no sensor " + sensor);
-  return static_cast<std::size_t>(found - names.begin());
-}
 
 /// Numbers in increasing order, as "1-3, 5".
 std::string join_ranges(const std::vector<std::size_t>& numbers) {
@@ -39,8 +31,8 @@ TipDeflections::TipDeflections(const Simulation& simulation) {
   const auto& blades = simulation.scenario().rotor.blades;
   for (std::size_t i = 0; i < blades.size(); ++i) {
     const std::string tip = "blade" + std::to_string(i + 1) + ".tip";
-    blades_.push_back({index_of(simulation, tip + ".x"),
-                       index_of(simulation, tip + ".y"),
+    blades_.push_back({simulation.sensor_index(tip + ".x"),
+                       simulation.sensor_index(tip + ".y"),
                        std::cos(blades[i].azimuth),
                        std::sin(blades[i].azimuth),
                        {}});

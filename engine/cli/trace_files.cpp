@@ -12,9 +12,9 @@
 
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
-#include "engine/support/duration_text.h"
 #include "engine/trace/files.h"
 #include "engine/trace/statistics.h"
+#include "graph/machine/duration_text.h"
 #include "graph/viewer/viewer_page.h"
 
 namespace spoke::cli {
@@ -36,19 +36,20 @@ std::string describe_steps(const StepTrace& trace) {
 void print_summary(const StepTrace& trace, const Capacity& capacity) {
   const trace::Summary summary = trace::summarise(trace);
   const int threads = trace.threads;
-  print_line("T1",
-             duration_text(summary.work) + ", all nodes of a step one after the other (medians)");
-  print_line("Tinf", duration_text(summary.span) + ", the longest path through a step");
+  print_line("T1", graph::duration_text(summary.work) +
+                       ", all nodes of a step one after the other (medians)");
+  print_line("Tinf", graph::duration_text(summary.span) + ", the longest path through a step");
   const bool overlaps = trace::overlap(trace);
   print_line(overlaps ? "time per step" : "makespan",
-             fmt::format("{}{}, speedup {:.2f}", duration_text(summary.elapsed),
+             fmt::format("{}{}, speedup {:.2f}", graph::duration_text(summary.elapsed),
                          overlaps ? " on average, for steps overlap" : "", summary.speedup));
-  print_line("bound", fmt::format("{}, {}", duration_text(summary.bound),
+  print_line("bound", fmt::format("{}, {}", graph::duration_text(summary.bound),
                                   overlaps ? fmt::format("T1/{}", threads)
                                            : fmt::format("max(T1/{}, Tinf)", threads)));
   if (capacity.is_known() && threads > 1)
-    print_line("capacity", capacity.text() + ": bound " +
-                               duration_text(trace::bound_at_capacity(trace, summary, capacity)));
+    print_line("capacity",
+               capacity.text() + ": bound " +
+                   graph::duration_text(trace::bound_at_capacity(trace, summary, capacity)));
   print_line("idle", fmt::format("{:.0f} % of the time of {} thread{}", 100.0 * summary.idle,
                                  threads, threads == 1 ? "" : "s"));
 }

@@ -35,8 +35,7 @@ Figures calc_figures(const Result& result, const Model& model, int processors,
   figures.bound = std::max(model.serial_step / threads, model.span_step);
   figures.ratio_to_bound = figures.median / figures.bound;
   if (capacity.is_known())
-    figures.bound_at_capacity =
-        std::max(capacity.share(model.serial_step, threads), model.span_step);
+    figures.bound_at_capacity = capacity.bound(model.serial_step, model.span_step, threads);
   return figures;
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::compare {
 namespace {
@@ -39,7 +39,7 @@ std::string describe_equals(const Comparison& comparison, const Result& best) {
 std::string describe_verdict(const Comparison& comparison, const Model& model) {
   using Kind = Verdict::Kind;
   const Verdict verdict = judge(comparison, model.formulation);
-  const std::string serial = duration_text(model.serial_step) + " a step";
+  const std::string serial = graph::duration_text(model.serial_step) + " a step";
   if (verdict.kind == Kind::no_reference) return "serial gave no time, so there is no comparison.";
   if (verdict.kind == Kind::no_rival)
     return "serial takes " + serial + "; nothing else was measured with its bits.";
@@ -56,7 +56,7 @@ std::string describe_verdict(const Comparison& comparison, const Model& model) {
                          speedup_text(rival));
     case Kind::rival_wins:
       return fmt::format("{} is best with {} a step, {}, {:.2f} of the bound by work and span{}.",
-                         name, duration_text(rival.figures->median), speedup_text(rival),
+                         name, graph::duration_text(rival.figures->median), speedup_text(rival),
                          rival.figures->ratio_to_bound, describe_equals(comparison, rival));
     default:
       return fmt::format("nothing is clearly faster than serial with {}; the nearest, {}, has {}.",
@@ -76,7 +76,7 @@ std::string describe_overall(const Comparison& comparison) {
   return fmt::format("The least time of all: {}, {}, {} a step.",
                      name_of(best->measurement.configuration.formulation),
                      name_of(best->measurement.configuration),
-                     duration_text(best->figures->median));
+                     graph::duration_text(best->figures->median));
 }
 
 long count(const Comparison& comparison, const std::function<bool(const Result&)>& has) {

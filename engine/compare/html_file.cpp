@@ -9,7 +9,7 @@
 #include "engine/compare/files.h"
 #include "engine/compare/table.h"
 #include "engine/report/chart.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::compare {
 namespace {
@@ -27,7 +27,7 @@ report::BarChart speedup_chart(const Comparison& comparison, const Model& model)
     speedups.bars.push_back(
         report::Bar{figures.speedup, figures.speedup_low, figures.speedup_high,
                     fmt::format("{:.2f}", figures.speedup),
-                    fmt::format("{} a step, {} rounds", duration_text(figures.median),
+                    fmt::format("{} a step, {} rounds", graph::duration_text(figures.median),
                                 result.measurement.step_times.size()),
                     result.oversubscribed});
     bounds.values.push_back(model.serial_step / figures.bound);

@@ -5,7 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/compare/conclusion.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::compare {
 namespace {
@@ -47,8 +47,8 @@ report::Table make_table(const Comparison& comparison, const Model& model) {
   report::Table table{
       fmt::format("{}: {} nodes, {} edges; T1 = {} and Tinf = {} a step; {} step{} a sample",
                   name_of(model.formulation), model.size.graph_nodes, model.size.graph_edges,
-                  duration_text(model.serial_step), duration_text(model.span_step), model.batch,
-                  model.batch == 1 ? "" : "s"),
+                  graph::duration_text(model.serial_step), graph::duration_text(model.span_step),
+                  model.batch, model.batch == 1 ? "" : "s"),
       {{"configuration"},
        {"mean [us]", Align::number},
        {"std dev", Align::number},

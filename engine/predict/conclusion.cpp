@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::predict {
 namespace {
@@ -48,7 +48,7 @@ std::string bound_text(const RunGraph& run, const char* whose) {
   return fmt::format(
       "In {}{}, a step is {} of work, {} of it on the costliest path, and whatever the number of "
       "threads no executor is then more than {:.1f} times as fast as one thread.",
-      describe_runs(run), whose, duration_text(run.work), duration_text(run.span),
+      describe_runs(run), whose, graph::duration_text(run.work), graph::duration_text(run.span),
       run.parallelism());
 }
 

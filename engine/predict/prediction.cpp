@@ -112,7 +112,7 @@ std::optional<double> bound_at_capacity(const Prediction& prediction, ExecutorKi
   const bool in_window =
       executor == ExecutorKind::automatic && prediction.auto_run && point.step.clusters != 1;
   const RunGraph& run = in_window ? *prediction.auto_run : prediction.run;
-  return std::max(capacity.share(run.work, point.threads), run.span);
+  return capacity.bound(run.work, run.span, point.threads);
 }
 
 std::optional<double> Point::error() const {

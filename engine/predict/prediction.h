@@ -75,8 +75,8 @@ std::vector<ExecutorKind> predictable_executors();
 /// The others of this build.
 std::vector<ExecutorKind> left_out_executors();
 
-/// max(T1 / P, Tinf) with the capacity of P of this machine's threads, at most `threads`; nothing
-/// if it is not known, or for more threads than it was measured on [s].
+/// The bound of a point's time per step with what its threads really do at once on this machine
+/// [s]; nothing if that is not known, or for more threads than processors.
 std::optional<double> bound_at_capacity(const Prediction& prediction, ExecutorKind executor,
                                         const Point& point);
 

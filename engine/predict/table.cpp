@@ -4,7 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::predict {
 namespace {
@@ -38,13 +38,13 @@ void add_run(const RunGraph& run, const std::string& whose, std::vector<report::
   facts.emplace_back("graph of " + whose, fmt::format("{} nodes, {} edges, for {}", run.node_count,
                                                       run.edge_count, describe_runs(run)));
   facts.emplace_back("a step", fmt::format("{:.4g} runs; T1 = {}, Tinf = {}, T1 / Tinf = {:.2f}",
-                                           nodes.runs_per_step, duration_text(run.work),
-                                           duration_text(run.span), run.parallelism()));
+                                           nodes.runs_per_step, graph::duration_text(run.work),
+                                           graph::duration_text(run.span), run.parallelism()));
   facts.emplace_back("nodes",
                      fmt::format("timed in {} steps, spread {:.3f} to {:.3f}, {} between "
                                  "two runs",
                                  run.nodes.steps, run.nodes.spread.low, run.nodes.spread.high,
-                                 duration_text(nodes.between_runs)));
+                                 graph::duration_text(nodes.between_runs)));
 }
 
 }  // namespace
@@ -83,15 +83,17 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
   facts.emplace_back(
       "flow graph",
       fmt::format("{} a cluster, {} more if it is spawned, {} a handover to another thread",
-                  duration_text(flow_graph.per_cluster), duration_text(flow_graph.spawn),
-                  duration_text(flow_graph.handover)));
+                  graph::duration_text(flow_graph.per_cluster),
+                  graph::duration_text(flow_graph.spawn),
+                  graph::duration_text(flow_graph.handover)));
   facts.emplace_back(
       "data",
       fmt::format("{} and {:.3g} ns a byte, if another processor wrote it last",
-                  duration_text(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
+                  graph::duration_text(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
   if (runtime.barrier > 0.0)
-    facts.emplace_back("OpenMP", duration_text(runtime.barrier) + " a barrier of two threads, " +
-                                     duration_text(runtime.barrier_alone) + " of one");
+    facts.emplace_back("OpenMP", graph::duration_text(runtime.barrier) +
+                                     " a barrier of two threads, " +
+                                     graph::duration_text(runtime.barrier_alone) + " of one");
   return facts;
 }
 

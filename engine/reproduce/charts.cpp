@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "engine/reproduce/tables.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::reproduce {
 namespace {
@@ -50,7 +50,7 @@ std::optional<report::Bar> bar_of(const Reproduction& all, Work work,
   return report::Bar{.value = 1e3 * spread->median,
                      .low = 1e3 * spread->low,
                      .high = 1e3 * spread->high,
-                     .text = duration_text(spread->median)};
+                     .text = graph::duration_text(spread->median)};
 }
 
 }  // namespace
@@ -127,8 +127,9 @@ report::BarChart method_chart(const Reproduction& all) {
     chart.groups.push_back(time.name);
     std::optional<report::Bar> here, printed;
     if (time.seconds)
-      here = report::Bar{
-          .value = 1e3 * *time.seconds, .text = duration_text(*time.seconds), .tooltip = time.how};
+      here = report::Bar{.value = 1e3 * *time.seconds,
+                         .text = graph::duration_text(*time.seconds),
+                         .tooltip = time.how};
     if (time.paper_ms)
       printed =
           report::Bar{.value = *time.paper_ms, .text = fmt::format("{:.2f} ms", *time.paper_ms)};

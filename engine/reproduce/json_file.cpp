@@ -49,7 +49,7 @@ Json describe_counts() {
 }
 
 Json describe_drive(const Reproduction& all) {
-  Json t = Json::array(), angle = t, speed = t, acceleration = t;
+  std::vector<double> t, angle, speed, acceleration;
   for (const DrivePoint& point : all.drive) {
     t.push_back(point.t);
     angle.push_back(point.motion.angle);
@@ -64,7 +64,7 @@ Json describe_drive(const Reproduction& all) {
 }
 
 Json describe_points(const std::vector<Deflection::Point>& points) {
-  Json t = Json::array(), y = t;
+  std::vector<double> t, y;
   for (const Deflection::Point& point : points) {
     t.push_back(point.t);
     y.push_back(point.y);

@@ -8,7 +8,7 @@
 
 #include "engine/reproduce/paper.h"
 #include "engine/reproduce/tables.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::reproduce {
 namespace {
@@ -207,7 +207,7 @@ std::string remark_on_methods(const Reproduction& all) {
         "An implicit step of {:.3g} s simulates the 20 s in {}; its largest lag differs by {:.2g} "
         "% "
         "from the same model's converged one.",
-        all.implicit.step, duration_text(*run), 100.0 * all.implicit.error);
+        all.implicit.step, graph::duration_text(*run), 100.0 * all.implicit.error);
   return text;
 }
 

@@ -6,7 +6,7 @@
 
 #include "engine/reproduce/operation_counts.h"
 #include "engine/reproduce/paper.h"
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 namespace spoke::reproduce {
 namespace {
@@ -29,7 +29,7 @@ std::string grouped(std::int64_t value) {
 }
 
 std::string time_text(const std::optional<double>& seconds) {
-  return seconds ? duration_text(*seconds) : "-";
+  return seconds ? graph::duration_text(*seconds) : "-";
 }
 
 std::string number_text(const std::optional<double>& value, const char* suffix = "") {
@@ -45,10 +45,10 @@ std::optional<double> median_of(const Reproduction& all, Work work, const Config
 void add_timing(const Reproduction& all, Work work, const Configuration& which,
                 const Configuration& reference, Row& row) {
   const auto spread = all.timings.find(work, which);
-  row.cells.push_back(spread ? duration_text(spread->median) : "-");
-  row.cells.push_back(
-      spread ? fmt::format("{} to {}", duration_text(spread->low), duration_text(spread->high))
-             : "");
+  row.cells.push_back(spread ? graph::duration_text(spread->median) : "-");
+  row.cells.push_back(spread ? fmt::format("{} to {}", graph::duration_text(spread->low),
+                                           graph::duration_text(spread->high))
+                             : "");
   row.cells.push_back(number_text(all.timings.ratio(work, reference, which)));
 }
 

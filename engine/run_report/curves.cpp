@@ -4,18 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace spoke::run_report {
 namespace {
-
-std::size_t index_of(const Simulation& simulation, const std::string& sensor) {
-  const auto& names = simulation.sensor_names();
-  const auto found = std::find(names.begin(), names.end(), sensor);
-  if (found == names.end()) throw std::out_of_range("no sensor " + sensor);
-  return static_cast<std::size_t>(found - names.begin());
-}
 
 /// Displacements of the tips in the direction that is turned by `turn` from the blade's.
 Plot plot_of_tips(const Simulation& simulation, std::string title, bool is_across) {
@@ -24,9 +16,10 @@ Plot plot_of_tips(const Simulation& simulation, std::string title, bool is_acros
   for (std::size_t i = 0; i < blades.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     const double c = std::cos(blades[i].azimuth), s = std::sin(blades[i].azimuth);
-    plot.channels.push_back({"blade " + number, index_of(simulation, "blade" + number + ".tip.x"),
-                             is_across ? -s : c, index_of(simulation, "blade" + number + ".tip.y"),
-                             is_across ? c : s});
+    plot.channels.push_back(
+        {"blade " + number, simulation.sensor_index("blade" + number + ".tip.x"),
+         is_across ? -s : c, simulation.sensor_index("blade" + number + ".tip.y"),
+         is_across ? c : s});
   }
   return plot;
 }
@@ -35,7 +28,7 @@ Plot plot_of_tips(const Simulation& simulation, std::string title, bool is_acros
 
 std::vector<Plot> make_plots(const Simulation& simulation) {
   const auto one = [&](const char* name, const std::string& sensor) {
-    return Channel{name, index_of(simulation, sensor)};
+    return Channel{name, simulation.sensor_index(sensor)};
   };
   std::vector<Plot> plots;
   plots.push_back(plot_of_tips(simulation, "Tip deflection across the blade", true));

@@ -61,9 +61,10 @@ double load_average() {
   return getloadavg(&load, 1) == 1 ? load : -1.0;
 }
 
-double Capacity::share(double work, int threads_used) const {
+double Capacity::bound(double work, double span, int threads_used) const {
   assert(is_known());
-  return work / std::min(static_cast<double>(threads_used), std::max(before, after));
+  const double at_once = std::min(static_cast<double>(threads_used), std::max(before, after));
+  return std::max(work / at_once, span);
 }
 
 std::string Capacity::text() const {

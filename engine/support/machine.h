@@ -29,9 +29,9 @@ struct Capacity {
   double before = 0.0, after = 0.0;
 
   bool is_known() const { return threads > 1 && before > 0.0; }
-  /// T1 / P where P threads do so much work only: no schedule takes less time. `work` and the
-  /// result in seconds. Precondition: is_known().
-  double share(double work, int threads_used) const;
+  /// max(T1 / P, Tinf) where P threads do so much work only [s]: no schedule of a graph with this
+  /// work and span [s] takes less time. Precondition: is_known().
+  double bound(double work, double span, int threads_used) const;
   /// "2 threads do 1.93 times the work of one here". Precondition: is_known().
   std::string text() const;
 };

@@ -14,8 +14,8 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/support/duration_text.h"
 #include "engine/trace/statistics.h"
+#include "graph/machine/duration_text.h"
 #include "graph/structure/index_of.h"
 
 namespace spoke::trace {
@@ -178,7 +178,7 @@ void write_box(fmt::memory_buffer& text, std::size_t number, const Box& box, dou
       kShades.size() - 1, static_cast<std::size_t>(relative * static_cast<double>(kShades.size())));
   std::string label = box.label;
   if (box.nodes > 1) label += fmt::format("\n{} nodes", box.nodes);
-  label += fmt::format("\n{}, {:.2g} %", duration_text(box.cost), 100.0 * box.share);
+  label += fmt::format("\n{}, {:.2g} %", graph::duration_text(box.cost), 100.0 * box.share);
   fmt::format_to(std::back_inserter(text), "  n{} [label=\"{}\", fillcolor=\"{}\"", number,
                  in_dot(label), kShades[shade]);
   if (shade >= kFirstDark) fmt::format_to(std::back_inserter(text), ", fontcolor=\"white\"");
@@ -222,7 +222,7 @@ std::string make_dot(const Trace& trace) {
       "  node [shape=\"box\", style=\"filled,rounded\", fontname=\"sans-serif\", fontsize=11]\n"
       "  edge [color=\"#555555\"]\n",
       in_dot(trace.title), in_dot(boxes.unit), trace.steps.steps.size(),
-      in_dot(trace.steps.executor), duration_text([&] {
+      in_dot(trace.steps.executor), graph::duration_text([&] {
         double sum = 0.0;
         for (const int box : path) sum += costs[index_of(box)];
         return sum;

@@ -87,8 +87,7 @@ bool overlap(const StepTrace& trace) {
 }
 
 double bound_at_capacity(const StepTrace& trace, const Summary& summary, const Capacity& capacity) {
-  const double share = capacity.share(summary.work, trace.threads);
-  return overlap(trace) ? share : std::max(share, summary.span);
+  return capacity.bound(summary.work, overlap(trace) ? 0.0 : summary.span, trace.threads);
 }
 
 Summary summarise(const StepTrace& trace) {

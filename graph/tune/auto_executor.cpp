@@ -20,6 +20,7 @@
 #include "graph/execute/executor_kinds.h"
 #include "graph/execute/node_recorder.h"
 #include "graph/execute/unbound_thread.h"
+#include "graph/machine/duration_text.h"
 #include "graph/machine/time_stamp.h"
 #include "graph/tune/plan_candidates.h"
 
@@ -48,11 +49,6 @@ std::string text_of(const char* format, auto... values) {
   std::array<char, 200> text{};
   std::snprintf(text.data(), text.size(), format, values...);
   return text.data();
-}
-
-std::string duration(double seconds) {
-  if (seconds < 1e-3) return text_of("%.3g us", seconds * 1e6);
-  return seconds < 1.0 ? text_of("%.3g ms", seconds * 1e3) : text_of("%.3g s", seconds);
 }
 
 // One way to run the graph.
@@ -180,7 +176,8 @@ void AutoExecutor::plan(const std::vector<double>& costs) {
          {}});
   }
   if (alternatives_.size() == 1) {
-    stay_serial(text_of("serial: 1 run takes %s, no plan promised a gain", duration(work).c_str()));
+    stay_serial(
+        text_of("serial: 1 run takes %s, no plan promised a gain", duration_text(work).c_str()));
   } else if (is_worth_another_try()) {
     choose(1);
     start_turn(1);
@@ -277,8 +274,8 @@ std::string AutoExecutor::describe() const {
   const Alternative& plan = alternatives_[chosen_];
   const double before = serial().seconds(), now = plan.seconds();
   return text_of("%d threads, %d clusters of %d nodes (%s serial, %s so: %.2f x)", processors_,
-                 plan.clusters, graph_.node_count(), duration(before).c_str(),
-                 duration(now).c_str(), before / now);
+                 plan.clusters, graph_.node_count(), duration_text(before).c_str(),
+                 duration_text(now).c_str(), before / now);
 }
 
 }  // namespace

@@ -77,6 +77,8 @@ TEST_CASE("the files hold what was found") {
   const auto json = nlohmann::json::parse(make_json(comparison));
   REQUIRE(json["configurations"].size() == 4);
   CHECK(json["configurations"][1]["figures"]["speedup"].get<double>() == approx(2.0));
+  CHECK(json["configurations"][1]["figures"]["bound_at_capacity_s"].get<double>() == approx(5e-6));
+  CHECK(json["capacity"]["before"] == 1.6);
   CHECK(json["configurations"][1]["step_times_s"].size() == 4);
   CHECK(json["configurations"][3]["figures"].is_null());
   CHECK(json["configurations"][3]["message"] == "no luck");

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 #include "tests/compare/samples.h"
 
 using namespace spoke;
@@ -89,7 +89,7 @@ TEST_CASE("a busy machine makes everything doubtful, first of all") {
 }
 
 TEST_CASE("times for people") {
-  CHECK(duration_text(13.4e-6) == "13.4 us");
-  CHECK(duration_text(2.04e-3) == "2.04 ms");
-  CHECK(duration_text(1.5) == "1.5 s");
+  CHECK(graph::duration_text(13.4e-6) == "13.4 us");
+  CHECK(graph::duration_text(2.04e-3) == "2.04 ms");
+  CHECK(graph::duration_text(1.5) == "1.5 s");
 }

@@ -40,6 +40,25 @@ Scenario spin_up_scenario(const Blade& blade, double step) {
   return scenario;
 }
 
+Scenario unequal_scenario(HubSupport support, IntegrationMethod method) {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.01);
+  Rotor& rotor = scenario.rotor;
+  rotor.blades[1].bodies = 3;
+  rotor.blades[1].length = 5.0;
+  rotor.blades[2].geometric_stiffening = false;
+  rotor.gravity = Position{0.0, -9.81};
+  rotor.hub.inertia = 2.0;
+  if (support == HubSupport::free) {
+    rotor.hub.support = support;
+    rotor.hub.mass = 10.0;
+    rotor.hub.drive = TorqueDrive{Curve(30.0)};
+  }
+  scenario.integration.method = method;
+  if (method == IntegrationMethod::rk4) scenario.integration.step = 5e-5;
+  scenario.integration.duration = 200 * scenario.integration.step;
+  return scenario;
+}
+
 Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random) {
   std::uniform_real_distribution<double> factor(0.5, 2.0);
   std::uniform_int_distribution<int> number(1, 4);

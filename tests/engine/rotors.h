@@ -18,6 +18,9 @@ Rotor make_rotor(const Blade& blade, int count);
 /// The 20 s spin-up to 4 rad/s of three such blades.
 Scenario spin_up_scenario(const Blade& blade, double step);
 
+/// A spin-up of 200 steps whose blades need different numbers of iterations, under gravity.
+Scenario unequal_scenario(HubSupport support, IntegrationMethod method);
+
 /// A rotor with blades of random sizes, materials, reference frames and stiffening.
 struct RandomRotor {
   int elements = 4;

@@ -17,26 +17,6 @@ using namespace spoke::test;
 
 namespace {
 
-/// Blades that need different numbers of iterations, on a prescribed hub or a free one.
-Scenario unequal_scenario(HubSupport support, IntegrationMethod method) {
-  Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.01);
-  Rotor& rotor = scenario.rotor;
-  rotor.blades[1].bodies = 3;
-  rotor.blades[1].length = 5.0;
-  rotor.blades[2].geometric_stiffening = false;
-  rotor.gravity = Position{0.0, -9.81};
-  rotor.hub.inertia = 2.0;
-  if (support == HubSupport::free) {
-    rotor.hub.support = support;
-    rotor.hub.mass = 10.0;
-    rotor.hub.drive = TorqueDrive{Curve(30.0)};
-  }
-  scenario.integration.method = method;
-  if (method == IntegrationMethod::rk4) scenario.integration.step = 5e-5;
-  scenario.integration.duration = 200 * scenario.integration.step;
-  return scenario;
-}
-
 bool is_coupled(const Scenario& scenario, const SimulationOptions& options) {
   return scenario.rotor.hub.support == HubSupport::free ||
          options.formulation == Formulation::augmented;

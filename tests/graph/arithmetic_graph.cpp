@@ -164,4 +164,10 @@ void reset_memory(GraphPlan& plan) {
   }
 }
 
+std::vector<std::vector<double>> results_of(Executor& executor, GraphPlan& plan) {
+  reset_memory(plan);
+  for (int run = 0; run < 20; ++run) executor.run();
+  return plan.memory;
+}
+
 }  // namespace spoke::graph::testing

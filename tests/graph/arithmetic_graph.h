@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/executor.h"
 #include "graph/step_graph.h"
 
 namespace spoke::graph::testing {
@@ -41,5 +42,8 @@ StepGraph build_graph(GraphPlan& plan);
 
 /// Sets the memory to the same start values each time.
 void reset_memory(GraphPlan& plan);
+
+/// The memory after twenty runs from the start values, by an executor of the plan's graph.
+std::vector<std::vector<double>> results_of(Executor& executor, GraphPlan& plan);
 
 }  // namespace spoke::graph::testing

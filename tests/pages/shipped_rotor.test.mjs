@@ -169,6 +169,7 @@ async function checkHovering(page) {
 async function checkFilters(page) {
   const names = ['blade 1 / body 1 / mass', 'blade 2 / body 1 / mass', 'blade 1 / body 1 / inverse'];
   const look = async () => {
+    await frame(page);
     const found = [];
     for (const where of ['graph', 'gantt0']) for (const name of names) found.push(await isBright(page, where, name));
     return found;

@@ -15,18 +15,10 @@ using namespace spoke::test;
 
 namespace {
 
-/// Blades that need different numbers of iterations.
+/// On a prescribed hub, and long enough for `auto` to choose a window.
 Scenario unequal_scenario(IntegrationMethod method) {
-  Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.01);
-  Rotor& rotor = scenario.rotor;
-  rotor.blades[1].bodies = 3;
-  rotor.blades[1].length = 5.0;
-  rotor.blades[2].geometric_stiffening = false;
-  rotor.gravity = Position{0.0, -9.81};
-  rotor.hub.inertia = 2.0;
-  scenario.integration.method = method;
+  Scenario scenario = test::unequal_scenario(HubSupport::axle, method);
   scenario.integration.duration = method == IntegrationMethod::rk4 ? 0.02 : 3.0;
-  if (method == IntegrationMethod::rk4) scenario.integration.step = 5e-5;
   return scenario;
 }
 

@@ -136,10 +136,7 @@ TEST_CASE("flow graph of a plan: results equal the serial ones") {
     const StepGraph graph = build_graph(source);
     const auto costs = random_costs(seed, graph);
     const auto results = [&](Plan plan, int threads) {
-      reset_memory(source);
-      const auto executor = make_flow_graph_executor(graph, std::move(plan), threads);
-      for (int run = 0; run < 20; ++run) executor->run();
-      return source.memory;
+      return results_of(*make_flow_graph_executor(graph, std::move(plan), threads), source);
     };
     const auto serial = results(serial_plan(graph), 1);
     for (const int threads : {1, 2, 3, 6, 12}) {
@@ -155,12 +152,7 @@ TEST_CASE("flow graph of a plan: wherever clusters are counted, results equal th
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     GraphPlan source = make_random_plan(seed, 90, 40, 4);
     const StepGraph graph = build_graph(source);
-    const auto results = [&](Executor& executor) {
-      reset_memory(source);
-      for (int run = 0; run < 20; ++run) executor.run();
-      return source.memory;
-    };
-    const auto serial = results(*make_serial_executor(graph));
+    const auto serial = results_of(*make_serial_executor(graph), source);
     std::mt19937 random(seed);
     for (const int place_count : {1, 2, 7, 90}) {
       CAPTURE(seed);
@@ -172,7 +164,7 @@ TEST_CASE("flow graph of a plan: wherever clusters are counted, results equal th
       }
       const auto executor =
           make_flow_graph_executor(graph, plan_of_single_nodes(graph), 3, std::move(places));
-      CHECK(results(*executor) == serial);
+      CHECK(results_of(*executor, source) == serial);
     }
   }
 }

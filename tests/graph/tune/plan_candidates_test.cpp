@@ -53,10 +53,7 @@ TEST_CASE("candidates: their results equal the serial ones on any number of thre
   const StepGraph graph = build_graph(source);
   const auto costs = random_costs(5, graph);
   const auto results = [&](Plan plan, int threads) {
-    reset_memory(source);
-    const auto executor = make_flow_graph_executor(graph, std::move(plan), threads);
-    for (int run = 0; run < 20; ++run) executor->run();
-    return source.memory;
+    return results_of(*make_flow_graph_executor(graph, std::move(plan), threads), source);
   };
   const auto serial = results(serial_plan(graph), 1);
   for (const Candidate& candidate : find_candidates(graph, costs, 2, kSome, 6)) {

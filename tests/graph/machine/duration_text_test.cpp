@@ -1,8 +1,8 @@
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 #include <doctest/doctest.h>
 
-using spoke::duration_text;
+using spoke::graph::duration_text;
 
 TEST_CASE("times have three digits and the unit that suits them") {
   CHECK(duration_text(0.0) == "0 us");

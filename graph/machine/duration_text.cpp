@@ -1,11 +1,11 @@
 // Times as people read them.
 
-#include "engine/support/duration_text.h"
+#include "graph/machine/duration_text.h"
 
 #include <array>
 #include <cstdio>
 
-namespace spoke {
+namespace spoke::graph {
 
 std::string duration_text(double seconds) {
   std::array<char, 32> text;
@@ -18,4 +18,4 @@ std::string duration_text(double seconds) {
   return print(seconds < 999.5 ? "%.3g s" : "%.0f s", seconds);
 }
 
-}  // namespace spoke
+}  // namespace spoke::graph
