@@ -87,11 +87,13 @@ test('the table of stages holds the slices of trace.json', { timeout: 120000 }, 
   }
 });
 
-/** Shows the step that other programs disturbed least; its number. */
+/** Shows the step that other programs disturbed least; its number. The hub's solution, a few nanoseconds, is longer there
+ * than a step of the machine's counter: a slice without length has no place for its colour. */
 const showShortestStep = (page) => page.evaluate(() => {
   const { state } = window.spokeViewer;
-  const { steps } = state.recording.trace;
-  const length = (k) => state.recording.analysis(k).makespan;
+  const { steps, slices } = state.recording.trace;
+  const hub = state.recording.byName.get('hub solve');
+  const length = (k) => (slices.duration[state.recording.sliceOf(hub, k, 0)] > 0 ? state.recording.analysis(k).makespan : Infinity);
   state.setStep(steps.reduce((best, _, k) => (length(k) < length(best) ? k : best), 0));
   return steps[state.step].number;
 });
