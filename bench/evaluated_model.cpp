@@ -60,7 +60,7 @@ void EvaluatedModel::take_state(const EvaluatedModel& other) {
 
 void EvaluatedModel::evaluate() {
   for (StepProgress& progress : context_.data.progress) {
-    progress = make_start_progress();
+    progress = StepProgress{};
     progress.control.time = kStateTime;
   }
   executor_->run();

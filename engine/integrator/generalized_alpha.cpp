@@ -88,17 +88,39 @@ GeneralizedAlpha make_generalized_alpha(double radius, double step) {
   return method;
 }
 
-void start(const GeneralizedAlpha& method, CoordinateBlock& block) {
-  double* carry = block.history[GeneralizedAlpha::carry];
-  block.for_parts([&](int first, int n) {  // al_0 = A_0
-    for (int i = first; i < first + n; ++i) carry[i] = (1.0 - method.k) * block.a[i];
-  });
-}
-
 void hold(CoordinateBlock& block) {
   block.for_parts([&](int first, int n) {
     std::copy_n(block.q + first, n, block.history[GeneralizedAlpha::predicted_q] + first);
     std::copy_n(block.v + first, n, block.history[GeneralizedAlpha::predicted_v] + first);
+  });
+}
+
+void clear_accelerations(CoordinateBlock& block) {
+  block.for_parts([&](int first, int n) {
+    std::fill_n(block.a + first, n, 0.0);
+    std::fill_n(block.history[GeneralizedAlpha::carry] + first, n, 0.0);
+  });
+}
+
+void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block) {
+  double *qp = block.history[GeneralizedAlpha::predicted_q],
+         *vp = block.history[GeneralizedAlpha::predicted_v];
+  block.for_parts([&](int first, int n) {
+    for (int i = first; i < first + n; ++i) {
+      qp[i] = block.q[i] - method.position_gain * block.a[i];
+      vp[i] = block.v[i] - method.velocity_gain * block.a[i];
+    }
+  });
+}
+
+void complete_restart(const GeneralizedAlpha& method, const double* a,
+                      CoordinateBlock& block) noexcept {
+  double* carry = block.history[GeneralizedAlpha::carry];
+  block.for_parts([&](int first, int n) {
+    for (int i = first; i < first + n; ++i) {
+      carry[i] += (1.0 - method.k) * (a[i] - block.a[i]);  // al = carry + k A
+      block.a[i] = a[i];
+    }
   });
 }
 

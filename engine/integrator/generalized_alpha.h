@@ -32,10 +32,25 @@ struct GeneralizedAlpha {
 /// Coefficients for spectral radius `radius` at infinite frequency, 0 <= radius <= 1, and step [s].
 GeneralizedAlpha make_generalized_alpha(double radius, double step);
 
-/// Before the first step, once the accelerations at t = 0 are known.
-void start(const GeneralizedAlpha& method, CoordinateBlock& block);
 /// Takes the coordinates as the point about which the next pass is linearised.
 void hold(CoordinateBlock& block);
+
+// A start, and a restart where forces may have jumped between two steps, takes accelerations that a
+// step of this length can make use of: of modes that it does not resolve, true ones are (w h)^2
+// times that, and would overshoot by as much. They solve the implicit equations at the present
+// state,
+//   Mhat A = Q - K (q - beta' h^2 A_old) - D (v - gamma' h A_old) + (other forces),
+// and both accelerations, the true and the algorithmic one, change by A - A_old. Where no force has
+// jumped, that is nothing.
+
+/// At the start: A_old = 0.
+void clear_accelerations(CoordinateBlock& block);
+/// Takes q - beta' h^2 A_old and v - gamma' h A_old as the point of linearisation.
+void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block);
+/// Takes the accelerations `a` that the pass has found.
+void complete_restart(const GeneralizedAlpha& method, const double* a,
+                      CoordinateBlock& block) noexcept;
+
 /// First iteration of a step: predicts, and starts from the last accelerations.
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept;
 /// The same for the coordinates of bodies.

@@ -79,7 +79,15 @@ double step_size(const Integrator& integrator) {
   return std::visit([](const auto& method) { return method.step; }, integrator.method);
 }
 
-StepProgress make_start_progress() { return {}; }
+StepProgress make_progress_between_steps(const Integrator& integrator, std::int64_t step,
+                                         int stage) {
+  StepProgress progress;
+  progress.step = step;
+  progress.control.stage = stage;
+  progress.control.time = static_cast<double>(step) * step_size(integrator);
+  progress.control.is_implicit = stage == PassControl::kRestart;
+  return progress;
+}
 
 void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& progress) noexcept {
   progress.step = step;
@@ -93,7 +101,7 @@ void end_pass(const Integrator& integrator, const Window& window, const PassRepo
   progress.completed = StepProgress::kNone;
   ++progress.passes;
   if (report.failed) return fail(StepOutcome::left_limits, progress);
-  const bool is_complete = progress.control.stage == PassControl::kEvaluateOnly ||
+  const bool is_complete = progress.control.is_between_steps() ||
                            (as_rk4(integrator) ? end_stage(integrator, report, progress)
                                                : end_iteration(integrator, report, progress));
   if (is_complete) complete_step(integrator, window, report, progress, record);

@@ -23,8 +23,10 @@ struct Integrator {
 /// h [s]: step n ends at n h.
 double step_size(const Integrator& integrator);
 
-/// Progress before the start: one pass that evaluates the accelerations at t = 0, then a halt.
-StepProgress make_start_progress();
+/// Progress at the end of step `step` (0: the start) before one pass that belongs to no step:
+/// `stage` is PassControl::kEvaluateOnly or kRestart. It ends with a halt.
+StepProgress make_progress_between_steps(const Integrator& integrator, std::int64_t step,
+                                         int stage);
 
 /// Sets the progress to the first pass of step `step`.
 void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& progress) noexcept;

@@ -42,6 +42,13 @@ std::int64_t furthest_step(const StepData& data) {
   return furthest;
 }
 
+template <class Apply>
+void for_each_block(StepData& data, const Apply& apply) {
+  apply(data.hub_coordinates);
+  for (SubsystemData& subsystem : data.subsystems)
+    for (BodyData& body : subsystem.bodies) apply(body.coordinates);
+}
+
 /// Lets all subsystems go to the end of step `last`.
 void let_go(std::int64_t last, StepData& data) {
   data.window.last = last;
@@ -76,23 +83,43 @@ void TimeStepper::run_serially() {
   for (const graph::NodeId node : graph_.serial_order()) graph_.run_node(node);
 }
 
-StepOutcome TimeStepper::start() {
-  const auto* alpha = std::get_if<GeneralizedAlpha>(&context_.integrator.method);
+bool TimeStepper::is_implicit() const {
+  return std::holds_alternative<GeneralizedAlpha>(context_.integrator.method);
+}
+
+/// One pass at the end of step steps_, serially.
+StepOutcome TimeStepper::run_between_steps(int stage) {
   StepData& data = context_.data;
-  const auto each_block = [&](auto&& apply) {
-    apply(data.hub_coordinates);
-    for (SubsystemData& subsystem : data.subsystems)
-      for (BodyData& body : subsystem.bodies) apply(body.coordinates);
-  };
-  if (alpha) each_block([](CoordinateBlock& block) { hold(block); });
-  data.window = {};
-  std::fill(data.progress.begin(), data.progress.end(), make_start_progress());
+  data.window = {steps_, steps_, false};
+  std::fill(data.progress.begin(), data.progress.end(),
+            make_progress_between_steps(context_.integrator, steps_, stage));
   run_serially();
-  if (is_any_failed(data))
-    return is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
-  if (alpha) each_block([&](CoordinateBlock& block) { spoke::start(*alpha, block); });
+  return is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
+}
+
+/// Evaluates the true accelerations at the end of step steps_.
+StepOutcome TimeStepper::evaluate_once() {
+  if (is_implicit()) for_each_block(context_.data, hold);
+  return run_between_steps(PassControl::kEvaluateOnly);
+}
+
+/// Finds the accelerations that the next step starts from, where forces may have jumped.
+StepOutcome TimeStepper::restart() {
+  const auto& alpha = std::get<GeneralizedAlpha>(context_.integrator.method);
+  for_each_block(context_.data, [&](CoordinateBlock& block) { begin_restart(alpha, block); });
+  return run_between_steps(PassControl::kRestart);
+}
+
+StepOutcome TimeStepper::start() {
+  StepData& data = context_.data;
   steps_ = 0;
-  return StepOutcome::done;
+  const StepOutcome outcome = evaluate_once();
+  if (outcome != StepOutcome::done || !is_implicit()) return outcome;
+  const SystemRecord record = of_step(data.records, 0);
+  for_each_block(data, clear_accelerations);
+  const StepOutcome started = restart();
+  of_step(data.records, 0) = record;
+  return started;
 }
 
 void TimeStepper::continue_from(std::int64_t steps) {
@@ -111,32 +138,16 @@ void TimeStepper::continue_from(std::int64_t steps) {
 StepOutcome TimeStepper::evaluate(bool renew, SystemRecord& record) {
   StepData& data = context_.data;
   assert(are_together(data));
-  const bool is_rk4 = std::holds_alternative<Rk4>(context_.integrator.method);
   const std::vector<double> before = take_state_values(steps_, data);
   const SystemRecord record_before = of_step(data.records, steps_);
   clear_load_failures(data);
-  if (!is_rk4)
-    for (SubsystemData& subsystem : data.subsystems)
-      for (BodyData& body : subsystem.bodies) hold(body.coordinates);
-  data.window = {steps_, steps_, false};
-  for (StepProgress& progress : data.progress) {
-    progress = make_start_progress();
-    progress.step = steps_;
-    progress.control.time = static_cast<double>(steps_) * step_size(context_.integrator);
-  }
-  run_serially();
+  StepOutcome outcome = evaluate_once();
   record = of_step(data.records, steps_);
-  const StepOutcome outcome =
-      is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
-  std::vector<Power> power;
-  for (const StepProgress& progress : data.progress) power.push_back(progress.power);
   const bool is_renewed = renew && outcome == StepOutcome::done;
-  if (is_renewed && is_rk4)
-    of_step(data.records, steps_) = record_before;
-  else
-    put_state_values(before, steps_, data);
-  if (is_renewed)
-    for (std::size_t i = 0; i < power.size(); ++i) data.progress[i].power = power[i];
+  if (!is_renewed || is_implicit()) put_state_values(before, steps_, data);
+  if (is_renewed && is_implicit()) outcome = restart();
+  if (outcome != StepOutcome::done) put_state_values(before, steps_, data);
+  of_step(data.records, steps_) = record_before;
   continue_from(steps_);
   return outcome;
 }

@@ -40,7 +40,7 @@ class TimeStepper {
   /// `graph`: of one pass, on `context`. Both must outlive the stepper.
   TimeStepper(StepContext& context, const graph::StepGraph& graph);
 
-  /// Evaluates the accelerations at t = 0, serially.
+  /// Evaluates the accelerations at t = 0, serially, and finds those to start from.
   StepOutcome start();
   /// Advances to the end of step `target`, by runs of `executor`, whose graph is one of any number
   /// of passes on the context. `observed`: samples are taken at each step. `completed` may be
@@ -59,8 +59,8 @@ class TimeStepper {
   /// a failed step, or an exception of `completed`. The power at the end of that step stays known.
   void continue_from(std::int64_t steps);
   /// Evaluates accelerations, wrenches and frames at the state at the end of the last step, which
-  /// stays as it is but for `renew`: forces have changed since, and the next step starts from the
-  /// new accelerations. `record`: what the step's record would be. Precondition: are_together().
+  /// stays as it is but for `renew`: forces have changed since, and the next step starts from
+  /// accelerations that know of it. `record`: what the step's record would be. Precondition: are_together().
   StepOutcome evaluate(bool renew, SystemRecord& record);
   /// Lets `watch` follow all runs by executors until it is replaced; nullptr: none does.
   /// `together`: meanwhile no subsystem begins a step before all have completed the one before. Not
@@ -78,6 +78,10 @@ class TimeStepper {
 
   void open_window(Advance& advance);
   bool continues(Advance& advance);
+  bool is_implicit() const;
+  StepOutcome run_between_steps(int stage);
+  StepOutcome evaluate_once();
+  StepOutcome restart();
   void report_steps(Advance& advance);
   StepOutcome repeat_failure(Advance& advance);
   StepOutcome end_failed();

@@ -67,7 +67,7 @@ double work_on_hub(const System& system, double speed_before, double speed) {
 
 /// Sets the hub's free coordinates; those that are prescribed follow.
 void begin_block(const Method& method, const PassControl& control, CoordinateBlock& block) {
-  if (control.stage == PassControl::kEvaluateOnly) return;
+  if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
     if (control.stage == 0) predict(*alpha, block);
   } else {
@@ -82,7 +82,7 @@ Twist velocity_of(const CoordinateBlock& hub) { return {hub.v[0], hub.v[1], hub.
 
 void begin_bodies(const Method& method, SubsystemData& subsystem) noexcept {
   const PassControl& control = subsystem.progress->control;
-  if (control.stage == PassControl::kEvaluateOnly) return;
+  if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
     if (control.stage == 0) predict(*alpha, subsystem.bodies);
     return;
@@ -92,7 +92,7 @@ void begin_bodies(const Method& method, SubsystemData& subsystem) noexcept {
 }
 
 bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
-  if (control.stage == PassControl::kEvaluateOnly) return true;
+  if (control.is_between_steps()) return true;
   if (!std::holds_alternative<Rk4>(method)) return control.stage == 0;
   const auto stage = static_cast<std::size_t>(control.stage);
   // Stage 0 stands where stage 3 stood, at the end of the step.
@@ -114,6 +114,8 @@ void complete_body(const Method& method, const PassControl& control, BodyData& b
       body.coordinates.for_parts([&body](int first, int n) {
         std::copy_n(body.a_found + first, n, body.coordinates.a + first);
       });
+    } else if (control.stage == PassControl::kRestart) {
+      complete_restart(*alpha, body.a_found, body.coordinates);
     } else {
       const Correction correction = correct(*alpha, body.a_found, body.coordinates);
       body.report.change = correction.change;
@@ -135,12 +137,14 @@ void complete_hub(const System& system, const Method& method, StepData& data) no
   const Twist found = calc_inertial_acceleration(system, data.hub, data.hub_solution);
   double change = 0.0;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
-  const bool corrects = alpha && data.progress[0].control.stage != PassControl::kEvaluateOnly;
+  const PassControl& control = data.progress[0].control;
   for (int c = 0; c < kTwist; ++c) {
     if (is_prescribed(system.hub, c)) continue;
     CoordinateBlock component = hub.component(c);
-    if (corrects)
+    if (alpha && !control.is_between_steps())
       change = std::max(change, correct(*alpha, &found[c], component).change);
+    else if (control.stage == PassControl::kRestart)
+      complete_restart(*alpha, &found[c], component);
     else
       hub.a[c] = found[c];
   }

@@ -28,10 +28,14 @@ class Flag {
 /// What one pass over the step graph evaluates.
 struct PassControl {
   static constexpr int kEvaluateOnly = -1;
+  static constexpr int kRestart = -2;  ///< generalized_alpha: finds accelerations to start from
 
   double time = 0.0;          ///< of the state to evaluate [s]
   int stage = kEvaluateOnly;  ///< of rk4, or iteration of generalized_alpha
   Flag is_implicit;           ///< solve with the implicit elastic block
+
+  /// Whether the pass belongs to no step, and changes no coordinate.
+  bool is_between_steps() const { return stage < 0; }
 };
 
 /// How a step ended.

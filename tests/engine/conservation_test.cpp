@@ -128,6 +128,12 @@ double order(Error&& error, double step) {
   return std::log2(error(step) / error(step / 2));
 }
 
+/// Order of the energy's error with generalized_alpha, from a step that resolves the vibrations
+/// which the start excites: below that, the start itself leaves some of them out.
+double residual_order(const Rotor& rotor) {
+  return order([&](double h) { return largest_residual(rotor, generalized_alpha, h); }, 1e-4);
+}
+
 }  // namespace
 
 TEST_CASE("the energy residual falls at the order of the scheme, with and without stiffening") {
@@ -136,8 +142,7 @@ TEST_CASE("the energy residual falls at the order of the scheme, with and withou
       CAPTURE(stiffening);
       const Rotor rotor = soft_rotor(stiffening, frame);
       CHECK(order([&](double h) { return largest_residual(rotor, rk4, h); }, 4e-4) > 3.8);
-      const double second =
-          order([&](double h) { return largest_residual(rotor, generalized_alpha, h); }, 4e-4);
+      const double second = residual_order(rotor);
       CHECK(second > 1.8);
       CHECK(second < 3.2);  // numerical dissipation of the fast vibrations is of third order
     }
@@ -158,9 +163,7 @@ TEST_CASE("the energy residual falls at the order of the scheme with torque, dam
     load.frame = frame;
     rotor.loads = {load};
     CHECK(order([&](double h) { return largest_residual(rotor, rk4, h); }, 4e-4) > 3.8);
-    const double second =
-        order([&](double h) { return largest_residual(rotor, generalized_alpha, h); }, 4e-4);
-    CHECK(second > 1.8);
+    CHECK(residual_order(rotor) > 1.8);
   }
 }
 

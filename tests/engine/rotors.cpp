@@ -126,7 +126,7 @@ Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout) {
 
 void start_progress(const PassControl& control, StepData& data) {
   for (StepProgress& progress : data.progress) {
-    progress = make_start_progress();
+    progress = StepProgress{};
     progress.control = control;
   }
 }

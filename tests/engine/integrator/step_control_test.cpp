@@ -26,7 +26,7 @@ PassReport report_of(double change, double power = 0.0) {
 
 /// Progress at the first pass of step 1, where the power was `power`.
 StepProgress progress_at_first_step(const Integrator& integrator, double power = 0.0) {
-  StepProgress progress = make_start_progress();
+  StepProgress progress;
   StepRecord record;
   end_pass(integrator, {0, 100, false}, report_of(0.0, power), progress, record);
   REQUIRE(progress.completed == 0);
@@ -38,7 +38,7 @@ StepProgress progress_at_first_step(const Integrator& integrator, double power =
 
 TEST_CASE("the start is one pass that only evaluates") {
   const Integrator integrator = implicit_integrator({});
-  StepProgress progress = make_start_progress();
+  StepProgress progress;
   CHECK(progress.control.stage == PassControl::kEvaluateOnly);
   CHECK_FALSE(progress.is_halted);
   StepRecord record;
