@@ -28,7 +28,7 @@ SubsystemSample calc_sample(const System& system, std::size_t i, SubsystemData& 
   const Twist tip = calc_tip_displacement(subsystem, data);
   SubsystemSample sample{tip[0], tip[1], 0.0, 0.0, 0.0};
   const HubState& hub = *data.hub;
-  const bool has_gravity = system.gravity != Position::Zero();
+  const bool has_gravity = system.gravity != Position::Zero() && system.gravity_ramp == 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyEnergies body =
         calc_body_energies(data.bodies[j], data.twists[j], hub.twist[kRotation]);

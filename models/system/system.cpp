@@ -1,13 +1,12 @@
-// Cuts blades into bodies, and places loads on nodes.
+// Cuts blades into bodies.
 
 #include "models/system/system.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 
 #include "models/system/beam_elements.h"
+#include "models/system/blade_loads.h"
 
 namespace spoke {
 namespace {
@@ -67,23 +66,6 @@ Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& cata
   return subsystem;
 }
 
-/// Puts a load on the node nearest to its place; between two bodies, on the inner body's end.
-void add_load(const PointLoad& load, const Blade& blade, Subsystem& subsystem) {
-  const double element_length = blade.length / (blade.bodies * blade.elements);
-  const int from_root = static_cast<int>(std::lround(load.position / element_length));
-  const int j = std::max(0, (from_root - 1) / blade.elements);
-  ChainBody& member = subsystem.bodies[j];
-  NodeLoad at;
-  at.node = from_root - j * blade.elements;
-  at.p = Position{at.node * element_length, 0.0};
-  for (int c = 0; c < kTwist; ++c) at.coordinate[c] = member.body->coordinate(at.node, c);
-  at.frame = load.frame;
-  at.force = load.force;
-  at.moment = load.moment;
-  at.factor = std::make_shared<const Curve>(load.factor);
-  member.loads.push_back(std::move(at));
-}
-
 }  // namespace
 
 int System::body_count() const {
@@ -107,14 +89,13 @@ System make_system(const Rotor& rotor) {
   System system;
   system.hub = rotor.hub;
   system.gravity = rotor.gravity;
+  system.gravity_ramp = rotor.gravity_ramp;
   system.damping = rotor.damping;
+  system.hub_loads = rotor.hub_loads;
   BodyCatalogue catalogue;
-  for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
-    system.subsystems.push_back(make_subsystem(rotor.hub, rotor.blades[i], catalogue));
-    for (const PointLoad& load : rotor.loads)
-      if (load.blade < 0 || load.blade == static_cast<int>(i))
-        add_load(load, rotor.blades[i], system.subsystems.back());
-  }
+  for (const Blade& blade : rotor.blades)
+    system.subsystems.push_back(make_subsystem(rotor.hub, blade, catalogue));
+  place_loads(rotor, system);
   return system;
 }
 

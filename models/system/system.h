@@ -3,7 +3,6 @@
 // What is simulated, as constant data: a hub and its subsystems (blades), each a chain of flexible
 // bodies tied by bracket joints, the first tied to the hub.
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -13,15 +12,38 @@
 
 namespace spoke {
 
-/// A point load as it sits on one body.
-struct NodeLoad {
-  int node = 0;                                    ///< 0..E
-  Position p = Position::Zero();                   ///< undeformed place in the body frame [m]
-  std::array<int, kTwist> coordinate{-1, -1, -1};  ///< as in Handle
+/// A point of a body at which a load acts, by the shape functions there.
+struct LoadPoint {
+  int element = 0;      ///< of the body
+  double s = 0.0;       ///< within the element, 0 at its inboard end, 1 at the outboard end
+  double x = 0.0;       ///< undeformed place in the body frame [m]
+  double weight = 1.0;  ///< of a point load 1, else the length that the point stands for [m]
+};
+
+/// A load's factor over time.
+struct LoadCourse {
+  Curve factor;
+  double ramp = 0.0;  ///< [s]
+
+  double value(double t) const { return factor.value(t) * calc_rise(t, ramp); }
+};
+
+/// A force and a moment on one body, as they act at each of its points, times weight and course.
+struct BodyLoad {
+  std::vector<LoadPoint> points;
   LoadFrame frame = LoadFrame::hub;
-  Position force = Position::Zero();  ///< [N]
-  double moment = 0.0;                ///< [N m]
-  std::shared_ptr<const Curve> factor;
+  Position force = Position::Zero();  ///< [N], or [N/m]
+  double moment = 0.0;                ///< [N m], or [N]
+  std::shared_ptr<const LoadCourse> course;
+};
+
+/// Drag on one body, as it acts at each of its points, times weight and course.
+struct BodyDrag {
+  std::vector<LoadPoint> points;
+  DragFrame relative_to = DragFrame::inertial;
+  double linear = 0.0;     ///< [N s/m], or [N s/m^2]
+  double quadratic = 0.0;  ///< [N s^2/m^2], or [N s^2/m^3]
+  std::shared_ptr<const LoadCourse> course;
 };
 
 /// A body in its chain.
@@ -31,7 +53,8 @@ struct ChainBody {
   std::shared_ptr<const SymmetricBand<3>> centrifugal_stiffness;
   /// make_slope_integral, for the tip's displacement; null likewise.
   std::shared_ptr<const SymmetricBand<3>> slope_integral;
-  std::vector<NodeLoad> loads;
+  std::vector<BodyLoad> loads;
+  std::vector<BodyDrag> drags;
 };
 
 /// A chain of bodies, root to tip.
@@ -43,9 +66,14 @@ struct Subsystem {
 
 struct System {
   Hub hub;
+  std::vector<HubLoad> hub_loads;
   std::vector<Subsystem> subsystems;
-  Position gravity = Position::Zero();  ///< inertial frame [m/s^2]
+  Position gravity = Position::Zero();  ///< inertial frame, at full size [m/s^2]
+  double gravity_ramp = 0.0;            ///< [s]
   Damping damping;
+
+  /// In force at time t [s].
+  Position gravity_at(double t) const { return gravity * calc_rise(t, gravity_ramp); }
 
   int body_count() const;
   /// Deformation coordinates of all bodies together.

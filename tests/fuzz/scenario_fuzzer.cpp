@@ -37,7 +37,7 @@ void check(const Scenario& scenario) {
     require(std::isfinite(blade.azimuth), "a blade has a direction");
   }
   for (const PointLoad& load : scenario.rotor.loads) {
-    require(load.blade < static_cast<int>(scenario.rotor.blades.size()), "a loaded blade exists");
+    require(load.blade.number() <= static_cast<int>(scenario.rotor.blades.size()), "a loaded blade exists");
     require(load.position >= 0.0, "a load is on its blade");
     for (const double t : {-1.0, 0.0, 0.3, 1e30})
       require(!std::isnan(load.factor.value(t)), "a curve has values");
