@@ -2,8 +2,6 @@
 
 #include "engine/kernels/blade_loads.h"
 
-#include "engine/kernels/marker_motion.h"
-
 namespace spoke {
 namespace {
 
@@ -62,13 +60,11 @@ void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist&
   }
 }
 
-void add_drags(double t, const Subsystem& subsystem, int j, SubsystemData& data) noexcept {
+void add_drags(double t, int j, SubsystemData& data) noexcept {
   BodyData& body = data.bodies[j];
   const Twist& twist = data.twists[j];
   for (const auto& [drag, sections] : body.drags) {
     const double factor = drag->course->value(t);
-    const bool is_in_hub = drag->relative_to == DragFrame::hub;
-    const Pose X_HB = is_in_hub ? calc_pose_in_hub(subsystem, data, j) : Pose{};
     for (std::size_t k = 0; k < sections.size(); ++k) {
       const Section& section = sections[k];
       const Twist q = section_values(section, body.coordinates.q);
@@ -76,7 +72,8 @@ void add_drags(double t, const Subsystem& subsystem, int j, SubsystemData& data)
       const Position s{section.x + q[0], q[1]};
       Position u = Position(twist.head<kPosition>()) + twist[kRotation] * quarter_turn(s) +
                    Position(v.head<kPosition>());
-      if (is_in_hub) u -= hub_velocity_at(s, X_HB, *data.hub);
+      if (drag->relative_to == DragFrame::hub)
+        u -= hub_velocity_at(s, data.drag_poses[j], *data.hub);
       const double share = drag->points[k].weight * factor;
       const Position force = -share * (drag->linear + drag->quadratic * u.norm()) * u;
       add_wrench(section, force, 0.0, twist, body);

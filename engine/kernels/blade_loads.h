@@ -18,8 +18,9 @@ void add_wrench(const Section& section, const Position& force, double moment, co
 void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist& twist,
                BodyData& body) noexcept;
 
-/// Adds the drag on body `j` of a subsystem at time `t` [s].
-void add_drags(double t, const Subsystem& subsystem, int j, SubsystemData& data) noexcept;
+/// Adds the drag on body `j` of a subsystem at time `t` [s]. Of drag relative to the hub the poses
+/// for drag must be those of the state.
+void add_drags(double t, int j, SubsystemData& data) noexcept;
 
 /// Adds the power of gravity on a body; `gravity` in the body frame [m/s^2]. Its force is none: see
 /// solve_hub().

@@ -127,15 +127,19 @@ void add_position(const Assembly& g, int i) {
                      }));
 }
 
+/// Twists of the bodies; their poses only where drag depends on them.
 void add_velocity(const Assembly& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   const Subsystem& subsystem = g.c.system.subsystems[i];
   SubsystemData& data = g.c.data.subsystems[i];
+  PartList outputs{blade.twists};
+  if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
   g.builder.add_node(
       g.label("velocity", i),
       reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),
-      writes(blade.twists), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+      writes(outputs), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
         calc_velocities(subsystem, data);
+        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
       }));
 }
 
@@ -204,8 +208,8 @@ PartList terms_inputs(const Assembly& g, int i, int j) {
   }
   if (std::any_of(member.drags.begin(), member.drags.end(),
                   [](const BodyDrag& drag) { return drag.relative_to == DragFrame::hub; })) {
-    needs_rotations = needs_hub = true;  // and where the body is
-    for (int k = 0; k < j; ++k) inputs.push_back(blade.bodies[k].coordinates);
+    needs_hub = true;
+    inputs.push_back(blade.drag_poses);
   }
   if (needs_rotations) inputs.push_back(blade.rotations);
   if (needs_hub) inputs.push_back(blade.hub_state);
@@ -213,13 +217,12 @@ PartList terms_inputs(const Assembly& g, int i, int j) {
 }
 
 /// Adds what acts on body `j` at the state in the table.
-void add_forces(const System& system, const Subsystem& subsystem, int j,
-                SubsystemData& blade) noexcept {
+void add_forces(const System& system, int j, SubsystemData& blade) noexcept {
   const double t = blade.progress->control.time;
   const Twist& twist = blade.twists[j];
   BodyData& body = blade.bodies[j];
   if (!body.loads.empty()) add_loads(t, calc_rotation_to_hub(blade, j), blade.hub->R, twist, body);
-  if (!body.drags.empty()) add_drags(t, subsystem, j, blade);
+  if (!body.drags.empty()) add_drags(t, j, blade);
   if (!body.applied.empty()) add_applied(twist, body);
   if (system.gravity_ramp > 0.0) {
     const Rotation R = blade.hub->R * calc_rotation_to_hub(blade, j);
@@ -230,13 +233,12 @@ void add_forces(const System& system, const Subsystem& subsystem, int j,
 void add_mass(const Assembly& g, int i, int j) {
   SubsystemData& blade = g.c.data.subsystems[i];
   const System& system = g.c.system;
-  const Subsystem& subsystem = system.subsystems[i];
   g.builder.add_node(g.label("mass", i, j), reads(terms_inputs(g, i, j)),
                      writes(g.blade(i).bodies[j].terms),
-                     unless_halted(*blade.progress, [&system, &subsystem, &blade, j]() noexcept {
+                     unless_halted(*blade.progress, [&system, &blade, j]() noexcept {
                        calc_body_terms({blade.twists[j][kRotation], blade.hub->twist[kRotation]},
                                        system.damping, blade.bodies[j]);
-                       add_forces(system, subsystem, j, blade);
+                       add_forces(system, j, blade);
                      }));
 }
 

@@ -74,6 +74,12 @@ std::vector<PlacedLoad<Load>> place(const std::vector<Load>& loads, const BodyDa
   return placed;
 }
 
+/// Whether drag on a body depends on where it is in the hub's frame.
+bool has_drag_in_hub(const ChainBody& member) {
+  return std::any_of(member.drags.begin(), member.drags.end(),
+                     [](const BodyDrag& drag) { return drag.relative_to == DragFrame::hub; });
+}
+
 /// Points a subsystem to the progress and hub motion that it follows.
 void follow_progress(std::size_t i, StepData& data, SubsystemData& subsystem) {
   subsystem.prescribed = {data.hub, Twist::Zero()};
@@ -110,6 +116,9 @@ void allocate(const System& system, const TableOptions& options, StepData& data)
       body.loads = place(body.model->loads, body);
       body.drags = place(body.model->drags, body);
     }
+    const std::vector<ChainBody>& bodies = system.subsystems[i].bodies;
+    if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub))
+      subsystem.drag_poses = ArenaVector<Pose>(bodies.size(), *subsystem.arena);
     follow_progress(i, data, subsystem);
     subsystem.samples = ArenaVector<SubsystemSample>(data.records.size(), *subsystem.arena);
     if (!options.is_coupled)

@@ -169,9 +169,10 @@ struct alignas(kInterferenceSize) SubsystemData {
   ArenaVector<Twist> twists;  ///< of the body frames, in the body frames
   EffectiveInertia effective;
   ArenaVector<HandleWrenches> wrenches;
-  ArenaVector<Pose> poses;      ///< in the hub frame; for sensors, no part of a step
-  ArenaVector<double> storage;  ///< of all flex vectors
-  std::vector<LoadData> loads;  ///< of the user's, whose first blade this is
+  ArenaVector<Pose> poses;       ///< in the hub frame; for sensors, no part of a step
+  ArenaVector<Pose> drag_poses;  ///< the same during a step; none unless drag depends on them
+  ArenaVector<double> storage;   ///< of all flex vectors
+  std::vector<LoadData> loads;   ///< of the user's, whose first blade this is
 
   // What the subsystem's nodes follow: the system's if it is coupled, else its own.
   StepProgress* progress = nullptr;

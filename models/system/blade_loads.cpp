@@ -69,64 +69,53 @@ std::vector<PlacedPoint> place(double from, double to, const Mesh& mesh) {
 /// Adds a copy of `load` with the points on it to each body that has any.
 template <class Load>
 void add(const std::vector<PlacedPoint>& points, const Load& load,
-         std::vector<Load> ChainBody::*member, Subsystem& subsystem) {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t last = none;
+         std::vector<Load> BodyLoads::*member, std::vector<BodyLoads>& bodies) {
+  std::size_t last = bodies.size();
   for (const PlacedPoint& placed : points) {
-    std::vector<Load>& loads = subsystem.bodies[placed.body].*member;
+    std::vector<Load>& loads = bodies[placed.body].*member;
     if (placed.body != last) loads.push_back(load);
     last = placed.body;
     loads.back().points.push_back(placed.point);
   }
 }
 
-/// Calls `apply(mesh, blade, subsystem)` for each blade that a load acts on.
-template <class Load, class Apply>
-void for_loaded(const Load& load, const Rotor& rotor, System& system, Apply&& apply) {
-  for (std::size_t i = 0; i < rotor.blades.size(); ++i)
-    if (load.blade.holds(i)) apply(Mesh(rotor.blades[i]), rotor.blades[i], system.subsystems[i]);
+template <class Load>
+std::shared_ptr<const LoadCourse> course_of(const Load& load) {
+  return std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp});
 }
 
-std::shared_ptr<const LoadCourse> make_course(const Curve& factor, double ramp) {
-  return std::make_shared<const LoadCourse>(LoadCourse{factor, ramp});
-}
-
-void place_drag(const Drag& drag, const Rotor& rotor, System& system) {
-  const auto course = make_course(drag.factor, drag.ramp);
-  const BodyDrag at_point{{}, drag.relative_to, drag.linear, drag.quadratic, course};
-  const BodyDrag along{
-      {}, drag.relative_to, drag.linear_per_length, drag.quadratic_per_length, course};
-  for_loaded(drag, rotor, system, [&](const Mesh& mesh, const Blade& blade, Subsystem& subsystem) {
-    if (drag.linear != 0.0 || drag.quadratic != 0.0)
-      add({place(drag.position.value_or(blade.length), mesh)}, at_point, &ChainBody::drags,
-          subsystem);
-    if (drag.linear_per_length != 0.0 || drag.quadratic_per_length != 0.0)
-      add(place(drag.from, drag.to.value_or(blade.length), mesh), along, &ChainBody::drags,
-          subsystem);
-  });
+void add_drag(const Drag& drag, const Mesh& mesh, double tip, std::vector<BodyLoads>& bodies) {
+  const auto course = course_of(drag);
+  if (drag.linear != 0.0 || drag.quadratic != 0.0)
+    add({place(drag.position.value_or(tip), mesh)},
+        BodyDrag{{}, drag.relative_to, drag.linear, drag.quadratic, course}, &BodyLoads::drags,
+        bodies);
+  if (drag.linear_per_length != 0.0 || drag.quadratic_per_length != 0.0)
+    add(place(drag.from, drag.to.value_or(tip), mesh),
+        BodyDrag{{}, drag.relative_to, drag.linear_per_length, drag.quadratic_per_length, course},
+        &BodyLoads::drags, bodies);
 }
 
 }  // namespace
 
-void place_loads(const Rotor& rotor, System& system) {
-  for (const PointLoad& load : rotor.loads) {
-    const BodyLoad on_body{
-        {}, load.frame, load.force, load.moment, make_course(load.factor, load.ramp)};
-    for_loaded(load, rotor, system, [&](const Mesh& mesh, const Blade& blade, Subsystem& to) {
-      add({place(load.position.value_or(blade.length), mesh)}, on_body, &ChainBody::loads, to);
-    });
-  }
-  for (const DistributedLoad& load : rotor.distributed_loads) {
-    const BodyLoad on_body{{},
-                           load.frame,
-                           load.force_per_length,
-                           load.moment_per_length,
-                           make_course(load.factor, load.ramp)};
-    for_loaded(load, rotor, system, [&](const Mesh& mesh, const Blade& blade, Subsystem& to) {
-      add(place(load.from, load.to.value_or(blade.length), mesh), on_body, &ChainBody::loads, to);
-    });
-  }
-  for (const Drag& drag : rotor.drags) place_drag(drag, rotor, system);
+std::vector<BodyLoads> make_body_loads(const Rotor& rotor, std::size_t index) {
+  const Blade& blade = rotor.blades[index];
+  const Mesh mesh(blade);
+  const double tip = blade.length;
+  std::vector<BodyLoads> bodies(static_cast<std::size_t>(blade.bodies));
+  for (const PointLoad& load : rotor.loads)
+    if (load.blade.holds(index))
+      add({place(load.position.value_or(tip), mesh)},
+          BodyLoad{{}, load.frame, load.force, load.moment, course_of(load)}, &BodyLoads::loads,
+          bodies);
+  for (const DistributedLoad& load : rotor.distributed_loads)
+    if (load.blade.holds(index))
+      add(place(load.from, load.to.value_or(tip), mesh),
+          BodyLoad{{}, load.frame, load.force_per_length, load.moment_per_length, course_of(load)},
+          &BodyLoads::loads, bodies);
+  for (const Drag& drag : rotor.drags)
+    if (drag.blade.holds(index)) add_drag(drag, mesh, tip, bodies);
+  return bodies;
 }
 
 }  // namespace spoke

@@ -4,9 +4,9 @@
 
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "models/system/beam_elements.h"
-#include "models/system/blade_loads.h"
 
 namespace spoke {
 namespace {
@@ -66,6 +66,13 @@ Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& cata
   return subsystem;
 }
 
+void put_loads(std::vector<BodyLoads> placed, Subsystem& subsystem) {
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    subsystem.bodies[j].loads = std::move(placed[j].loads);
+    subsystem.bodies[j].drags = std::move(placed[j].drags);
+  }
+}
+
 }  // namespace
 
 int System::body_count() const {
@@ -93,9 +100,10 @@ System make_system(const Rotor& rotor) {
   system.damping = rotor.damping;
   system.hub_loads = rotor.hub_loads;
   BodyCatalogue catalogue;
-  for (const Blade& blade : rotor.blades)
-    system.subsystems.push_back(make_subsystem(rotor.hub, blade, catalogue));
-  place_loads(rotor, system);
+  for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
+    system.subsystems.push_back(make_subsystem(rotor.hub, rotor.blades[i], catalogue));
+    put_loads(make_body_loads(rotor, i), system.subsystems.back());
+  }
   return system;
 }
 

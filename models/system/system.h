@@ -7,44 +7,11 @@
 #include <vector>
 
 #include "models/rotor.h"
+#include "models/system/blade_loads.h"
 #include "models/system/flexible_body.h"
 #include "models/system/space.h"
 
 namespace spoke {
-
-/// A point of a body at which a load acts, by the shape functions there.
-struct LoadPoint {
-  int element = 0;      ///< of the body
-  double s = 0.0;       ///< within the element, 0 at its inboard end, 1 at the outboard end
-  double x = 0.0;       ///< undeformed place in the body frame [m]
-  double weight = 1.0;  ///< of a point load 1, else the length that the point stands for [m]
-};
-
-/// A load's factor over time.
-struct LoadCourse {
-  Curve factor;
-  double ramp = 0.0;  ///< [s]
-
-  double value(double t) const { return factor.value(t) * calc_rise(t, ramp); }
-};
-
-/// A force and a moment on one body, as they act at each of its points, times weight and course.
-struct BodyLoad {
-  std::vector<LoadPoint> points;
-  LoadFrame frame = LoadFrame::hub;
-  Position force = Position::Zero();  ///< [N], or [N/m]
-  double moment = 0.0;                ///< [N m], or [N]
-  std::shared_ptr<const LoadCourse> course;
-};
-
-/// Drag on one body, as it acts at each of its points, times weight and course.
-struct BodyDrag {
-  std::vector<LoadPoint> points;
-  DragFrame relative_to = DragFrame::inertial;
-  double linear = 0.0;     ///< [N s/m], or [N s/m^2]
-  double quadratic = 0.0;  ///< [N s^2/m^2], or [N s^2/m^3]
-  std::shared_ptr<const LoadCourse> course;
-};
 
 /// A body in its chain.
 struct ChainBody {
