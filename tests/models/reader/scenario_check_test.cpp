@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tests/message_of.h"
@@ -131,6 +132,8 @@ TEST_CASE("hub, drive, gravity and damping in code are checked as those of a fil
 }
 
 TEST_CASE("loads in code are checked as those of a file") {
+  // An index, from 0, is no number of a blade, from 1.
+  static_assert(!std::is_constructible_v<LoadedBlades, int>);
   check_cases({
       {[](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::number(3); },
        "load.1.blade: is 3, expected a whole number from 1 to 2"},
