@@ -87,7 +87,7 @@ class BodyWalk {
 void calc_shape(const Blade& blade, const Subsystem& subsystem, SubsystemData& data,
                 BladeShape& shape) {
   update_kinematics(subsystem, data);
-  calc_poses(subsystem, data);
+  calc_poses(subsystem, data, data.poses);
   shape.bodies = blade.bodies;
   shape.elements = blade.elements;
   shape.nodes.clear();

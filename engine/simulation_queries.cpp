@@ -51,7 +51,7 @@ MarkerState Simulation::marker(const Marker& marker) const {
   const Subsystem& subsystem = system.subsystems[blade];
   const SubsystemData& data = core_->context.data.subsystems[blade];
   MarkerState state{calc_marker_motion(subsystem, data, placed)};
-  const Twist acceleration = calc_marker_acceleration(system, data, placed);
+  const Twist acceleration = calc_marker_acceleration(system.gravity_at(time()), data, placed);
   state.acceleration = in_space(Position(acceleration.head<kPosition>()));
   state.angular_acceleration.z() = acceleration[kRotation];
   const double x = (marker.body + marker.station) *

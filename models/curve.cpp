@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -116,6 +117,14 @@ double Curve::primitive(double t) const {
   if (t >= times_.back()) return integrals_.back() + values_.back() * (t - times_.back());
   const std::size_t k = segment(t);
   return integrals_[k] + cubic(k).integral(t - times_[k]);
+}
+
+double calc_rise(double t, double duration) {
+  using std::numbers::pi;
+  if (t >= duration || duration <= 0.0) return 1.0;
+  if (t <= 0.0) return 0.0;
+  const double tau = t / duration;
+  return tau - std::sin(2.0 * pi * tau) / (2.0 * pi);
 }
 
 }  // namespace spoke

@@ -1,6 +1,6 @@
 #pragma once
 
-// Curves over time, for drives and loads.
+// Curves over time, for drives and loads; of a torque, over speed.
 
 #include <cstddef>
 #include <vector>
@@ -56,5 +56,9 @@ class SPOKE_EXPORT Curve {
   std::vector<double> slopes_;     ///< derivative at each point
   std::vector<double> integrals_;  ///< integral from the first point to each point
 };
+
+/// The smooth rise of drives, loads and gravity from 0 at t = 0 to 1 at t = duration [s]:
+/// t/T - sin(2 pi t/T)/(2 pi); 1 at all times if the duration is 0.
+SPOKE_EXPORT double calc_rise(double t, double duration);
 
 }  // namespace spoke

@@ -28,8 +28,7 @@ struct Ramp {
 
 Ramp calc_ramp(double tau) {
   const double sine = std::sin(pi * tau);
-  return {tau * tau / 2.0 - sine * sine / (2.0 * pi * pi),
-          tau - std::sin(2.0 * pi * tau) / (2.0 * pi), 2.0 * sine * sine};
+  return {tau * tau / 2.0 - sine * sine / (2.0 * pi * pi), calc_rise(tau, 1.0), 2.0 * sine * sine};
 }
 
 DriveMotion calc_spin_up(double speed, double ramp, double t) {
@@ -52,7 +51,8 @@ DriveMotion calc_up_and_down(const SpinUpHoldSpinDown& drive, double t) {
 }  // namespace
 
 bool prescribes_motion(const Drive& drive) {
-  return !std::holds_alternative<TorqueDrive>(drive) && !std::holds_alternative<FreeDrive>(drive);
+  return !std::holds_alternative<TorqueDrive>(drive) &&
+         !std::holds_alternative<TorqueBySpeed>(drive) && !std::holds_alternative<FreeDrive>(drive);
 }
 
 DriveMotion calc_motion(const Drive& drive, double t) {
@@ -63,30 +63,37 @@ DriveMotion calc_motion(const Drive& drive, double t) {
                  [&](const SpeedTable& d) {
                    return DriveMotion{d.speed.integral(t), d.speed.value(t), d.speed.derivative(t)};
                  },
-                 [](const TorqueDrive&) { return DriveMotion{}; },
-                 [](const FreeDrive&) { return DriveMotion{}; }},
+                 [&](const ConstantSpeed& d) {
+                   return DriveMotion{d.speed * t, d.speed, 0.0};
+                 },
+                 [](const auto&) { return DriveMotion{}; }},
       drive);
 }
 
-double calc_torque(const Drive& drive, double t) {
-  const auto* torque = std::get_if<TorqueDrive>(&drive);
-  return torque == nullptr ? 0.0 : torque->torque.value(t);
+double calc_torque(const Drive& drive, double t, double speed) {
+  if (const auto* torque = std::get_if<TorqueDrive>(&drive)) return torque->torque.value(t);
+  const auto* by_speed = std::get_if<TorqueBySpeed>(&drive);
+  return by_speed == nullptr ? 0.0 : by_speed->torque.value(speed) * calc_rise(t, by_speed->ramp);
 }
 
 double calc_initial_speed(const Drive& drive) {
   return std::visit(Overloaded{[](const TorqueDrive& d) { return d.initial_speed; },
+                               [](const TorqueBySpeed& d) { return d.initial_speed; },
                                [](const FreeDrive& d) { return d.initial_speed; },
                                [&](const auto&) { return calc_motion(drive, 0.0).speed; }},
                     drive);
 }
 
 std::string_view name_of(const Drive& drive) {
-  return std::visit(Overloaded{[](const SpinUp&) { return "spin_up"; },
-                               [](const SpinUpHoldSpinDown&) { return "spin_up_hold_spin_down"; },
-                               [](const SpeedTable&) { return "table"; },
-                               [](const TorqueDrive&) { return "torque"; },
-                               [](const FreeDrive&) { return "free"; }},
-                    drive);
+  return std::visit(
+      Overloaded{[](const SpinUp&) { return "spin_up"; },
+                 [](const SpinUpHoldSpinDown&) { return "spin_up_hold_spin_down"; },
+                 [](const SpeedTable&) { return "table"; },
+                 [](const TorqueDrive&) { return "torque"; },
+                 [](const FreeDrive&) { return "free"; }, [](const FixedDrive&) { return "fixed"; },
+                 [](const ConstantSpeed&) { return "constant"; },
+                 [](const TorqueBySpeed&) { return "torque_by_speed"; }},
+      drive);
 }
 
 }  // namespace spoke

@@ -30,10 +30,26 @@ struct SpeedTable {
   Curve speed;  ///< over time [rad/s]
 };
 
+/// The hub stands still.
+struct FixedDrive {};
+
+/// The hub turns at a constant speed from t = 0 on.
+struct ConstantSpeed {
+  double speed = 0.0;  ///< [rad/s]
+};
+
 /// A torque acts on the hub [N m]; its rotation is an unknown of (P 9).
 struct TorqueDrive {
   Curve torque;                ///< over time [N m]
   double initial_speed = 0.0;  ///< [rad/s]
+};
+
+/// A torque that depends on the hub's speed acts on the hub: a motor or a generator. Its rotation
+/// is an unknown of (P 9).
+struct TorqueBySpeed {
+  Curve torque;                ///< over the hub's speed: rad/s in place of s [N m]
+  double initial_speed = 0.0;  ///< [rad/s]
+  double ramp = 0.0;           ///< of the torque's smooth rise, calc_rise() [s]; 0: at once
 };
 
 /// Nothing acts on the hub's rotation.
@@ -42,7 +58,8 @@ struct FreeDrive {
 };
 
 /// What turns the hub.
-using Drive = std::variant<SpinUp, SpinUpHoldSpinDown, SpeedTable, TorqueDrive, FreeDrive>;
+using Drive = std::variant<SpinUp, SpinUpHoldSpinDown, SpeedTable, TorqueDrive, FreeDrive,
+                           FixedDrive, ConstantSpeed, TorqueBySpeed>;
 
 /// A prescribed rotation of the hub at one time.
 struct DriveMotion {
@@ -57,13 +74,15 @@ SPOKE_EXPORT bool prescribes_motion(const Drive& drive);
 /// The prescribed rotation at time t [s]. Precondition: prescribes_motion(drive).
 SPOKE_EXPORT DriveMotion calc_motion(const Drive& drive, double t);
 
-/// The torque that the drive applies at time t [N m]; 0 for drives that prescribe the motion.
-SPOKE_EXPORT double calc_torque(const Drive& drive, double t);
+/// The torque that the drive applies at time t to a hub of this speed [rad/s] [N m]; 0 for drives
+/// that prescribe the motion.
+SPOKE_EXPORT double calc_torque(const Drive& drive, double t, double speed);
 
 /// The hub's speed at t = 0 [rad/s].
 SPOKE_EXPORT double calc_initial_speed(const Drive& drive);
 
-/// The drive's name in scenario files: spin_up, spin_up_hold_spin_down, table, torque or free.
+/// The drive's kind in scenario files: spin_up, spin_up_hold_spin_down, table, torque, free, fixed,
+/// constant or torque_by_speed.
 SPOKE_EXPORT std::string_view name_of(const Drive& drive);
 
 }  // namespace spoke

@@ -3,6 +3,7 @@
 // The description of a rotor, as an engineer gives it: a hub and its blades. make_system() (see
 // system.h) turns it into the constant data that the engine works on.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,24 +63,100 @@ enum class LoadFrame {
   section,   ///< follows the loaded cross section
 };
 
-/// A point force and moment on a node of a blade, scaled by a function of time.
+/// The blades that a load acts on: all, or one by its number. Numbers count from 1, as in files and
+/// in the names of sensors. Whole numbers do not convert: an index, from 0, is no number.
+class LoadedBlades {
+ public:
+  /// Every blade of the rotor.
+  static constexpr LoadedBlades all() { return LoadedBlades(true, 0); }
+  /// Blade `number`, from 1: rotor.blades[number - 1].
+  static constexpr LoadedBlades number(int number) { return LoadedBlades(false, number); }
+
+  constexpr bool is_all() const { return is_all_; }  ///< whether every blade is loaded
+  /// From 1; 0 if all blades are loaded.
+  constexpr int number() const { return number_; }
+  /// Whether rotor.blades[index] is loaded.
+  constexpr bool holds(std::size_t index) const {
+    return is_all_ || static_cast<std::size_t>(number_) == index + 1;
+  }
+
+ private:
+  constexpr LoadedBlades(bool is_all, int number) : is_all_(is_all), number_(number) {}
+
+  bool is_all_;
+  int number_;
+};
+
+/// A force and a moment at a point of a blade, scaled by a function of time.
 struct PointLoad {
-  int blade = -1;  ///< index from 0; -1: every blade
-  double position =
-      0.0;  ///< distance of the node from the blade root [m]; the nearest node is taken
+  LoadedBlades blade = LoadedBlades::all();  ///< on which it acts
+  /// Distance from the blade's root [m], anywhere on the blade; none: the tip of each blade loaded.
+  std::optional<double> position = std::nullopt;
   LoadFrame frame = LoadFrame::hub;  ///< in which the force is resolved
   Position force{0.0, 0.0};          ///< [N]
   double moment = 0.0;               ///< about z [N m]
+  double ramp = 0.0;                 ///< of the smooth rise from 0, calc_rise() [s]; 0: at once
+  Curve factor{1.0};                 ///< dimensionless function of time
+};
+
+/// A force and a moment per length of a blade, between two stations, scaled by a function of time.
+struct DistributedLoad {
+  LoadedBlades blade = LoadedBlades::all();  ///< on which it acts
+  double from = 0.0;                         ///< its inner end, distance from the root [m]
+  std::optional<double> to = std::nullopt;   ///< its outer end [m]; none: the tip
+  LoadFrame frame = LoadFrame::hub;          ///< in which the force is resolved
+  Position force_per_length{0.0, 0.0};       ///< [N/m]
+  double moment_per_length = 0.0;            ///< about z [N]
+  double ramp = 0.0;                         ///< as in PointLoad [s]
+  Curve factor{1.0};                         ///< dimensionless function of time
+};
+
+/// The frame in which drag rests.
+enum class DragFrame {
+  inertial,  ///< air at rest
+  hub,       ///< what turns and moves with the hub
+};
+
+/// Drag at a point of a blade, and per length between two stations: with u the velocity of a
+/// section relative to the frame, the force is -(linear + quadratic |u|) u, on the blade alone. It
+/// has no moment.
+struct Drag {
+  LoadedBlades blade = LoadedBlades::all();  ///< on which it acts
+  DragFrame relative_to = DragFrame::inertial;
+  /// Of the point, distance from the root [m]; none: the tip of each blade loaded.
+  std::optional<double> position = std::nullopt;
+  double linear = 0.0;                      ///< at the point [N s/m]
+  double quadratic = 0.0;                   ///< at the point [N s^2/m^2]
+  double from = 0.0;                        ///< inner end of what is per length [m]
+  std::optional<double> to = std::nullopt;  ///< its outer end [m]; none: the tip
+  double linear_per_length = 0.0;           ///< [N s/m^2]
+  double quadratic_per_length = 0.0;        ///< [N s^2/m^3]
+  double ramp = 0.0;                        ///< as in PointLoad [s]
+  Curve factor{1.0};                        ///< dimensionless function of time
+};
+
+/// A force at a point that is fixed to the hub, and a torque, scaled by a function of time.
+struct HubLoad {
+  Position position{0.0, 0.0};       ///< of the point in the hub's frame [m]
+  LoadFrame frame = LoadFrame::hub;  ///< in which the force is resolved: hub or inertial
+  Position force{0.0, 0.0};          ///< [N]
+  double torque = 0.0;               ///< about z, besides that of the force [N m]
+  double ramp = 0.0;                 ///< as in PointLoad [s]
   Curve factor{1.0};                 ///< dimensionless function of time
 };
 
 /// A hub with its blades, and what acts on them.
 struct Rotor {
-  Hub hub;                       ///< in the middle
-  std::vector<Blade> blades;     ///< one or more
-  Position gravity{0.0, 0.0};    ///< acceleration, inertial frame [m/s^2]
-  Damping damping;               ///< of all bodies
-  std::vector<PointLoad> loads;  ///< given as data; spoke::Load is for functions
+  Hub hub;                     ///< in the middle
+  std::vector<Blade> blades;   ///< one or more
+  Position gravity{0.0, 0.0};  ///< acceleration, inertial frame [m/s^2]
+  double gravity_ramp = 0.0;   ///< of its smooth rise from 0, calc_rise() [s]; 0: at once
+  Damping damping;             ///< of all bodies
+  // Loads given as data; spoke::Load is for functions.
+  std::vector<PointLoad> loads;                    ///< at points of blades
+  std::vector<DistributedLoad> distributed_loads;  ///< along blades
+  std::vector<Drag> drags;                         ///< against the motion of blades
+  std::vector<HubLoad> hub_loads;                  ///< on the hub
 };
 
 }  // namespace spoke

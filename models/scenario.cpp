@@ -20,6 +20,8 @@ std::string_view name_of(ReferenceFrame frame) {
   return frame == ReferenceFrame::chord ? "chord" : "clamped";
 }
 
+std::string_view name_of(DragFrame frame) { return frame == DragFrame::hub ? "hub" : "inertial"; }
+
 std::string_view name_of(LoadFrame frame) {
   switch (frame) {
     case LoadFrame::inertial:

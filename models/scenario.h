@@ -75,6 +75,8 @@ SPOKE_EXPORT std::string_view name_of(HubSupport support);
 SPOKE_EXPORT std::string_view name_of(ReferenceFrame frame);
 /// "inertial", "hub", "section".
 SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
+/// "inertial", "hub".
+SPOKE_EXPORT std::string_view name_of(DragFrame frame);
 
 /// Reads and validates a scenario. Throws InputError, its text "file:line:column: key: what is
 /// wrong, what is expected".

@@ -9,10 +9,15 @@ namespace spoke {
 Section make_section(const FlexibleBody& body, const FlexLayout& layout, double station) {
   const double along = station * body.elements;
   const int e = std::clamp(static_cast<int>(along), 0, body.elements - 1);
-  const double s = along - e;  // within the element, 0 to 1
+  Section section = make_section(body, layout, e, along - e);
+  section.x = station * body.length;
+  return section;
+}
+
+Section make_section(const FlexibleBody& body, const FlexLayout& layout, int e, double s) {
   const double l = body.length / body.elements;
   Section section;
-  section.x = station * body.length;
+  section.x = (e + s) * l;
   for (int side = 0; side < 2; ++side) {
     const auto k = static_cast<std::size_t>(side);
     section.axial_at[k] = layout.offset(body.coordinate(e + side, 0));

@@ -24,6 +24,9 @@ struct Section {
   std::array<double, 4> curvature_change{};  ///< of v'''
 };
 
+/// The section of element `e` at `s`, 0 at its inboard end, 1 at the outboard end.
+Section make_section(const FlexibleBody& body, const FlexLayout& layout, int e, double s);
+
 /// The section at `station`, 0 at the body's inboard end, 1 at the outboard end. Between two
 /// elements, where the derivatives jump, that of the outer one.
 Section make_section(const FlexibleBody& body, const FlexLayout& layout, double station);

@@ -4,6 +4,7 @@
 
 #include "engine/formulation/dense_body.h"
 #include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
 
 namespace spoke::augmented {
 namespace {
@@ -57,10 +58,10 @@ void add_hub(const System& system, const StepData& data, Work& work) {
   const Hub& hub = system.hub;
   work.matrix.topLeftCorner<d, d>() =
       Twist(hub.mass, hub.mass, hub.inertia - centrifugal_inertia).asDiagonal();
-  work.right[kRotation] = calc_torque(hub.drive, data.progress[0].control.time) +
-                          2.0 * data.hub.twist[kRotation] * centrifugal_rate;
-  const Twist given =
-      calc_prescribed_acceleration(system, data.hub.R, data.hub_coordinates.a[kRotation]);
+  work.right.head<d>() = calc_hub_force(system, data);
+  work.right[kRotation] += 2.0 * data.hub.twist[kRotation] * centrifugal_rate;
+  const Twist given = calc_prescribed_acceleration(system, data.progress[0].control.time,
+                                                   data.hub.R, data.hub_coordinates.a[kRotation]);
   int row = work.first_hub_multiplier;
   for (int c = 0; c < d; ++c)
     if (is_prescribed(hub, c)) {
@@ -122,7 +123,7 @@ void solve(const System& system, StepData& data, Work& work) noexcept {
 
   HubSolution& solution = data.hub_solution;
   solution.acceleration = work.solution.head<d>();
-  solution.applied_torque = calc_torque(system.hub.drive, data.progress[0].control.time);
+  set_applied(system, data);
   solution.reaction.setZero();
   int row = work.first_hub_multiplier;
   for (int c = 0; c < d; ++c)

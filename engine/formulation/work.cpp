@@ -86,6 +86,11 @@ double estimate_memory(const System& system, Formulation formulation) {
       unknowns += 2.0 * kTwist + nf;
       bytes += kNumber * (15.0 * nf + 300.0);
       if (formulation == Formulation::subsystem) bytes += 2.0 * kNumber * (nf + 3) * (nf + 13);
+      constexpr double kPoint = sizeof(LoadPoint) + sizeof(Section);
+      for (const BodyLoad& load : member.loads)
+        bytes += kPoint * static_cast<double>(load.points.size());
+      for (const BodyDrag& drag : member.drags)
+        bytes += kPoint * static_cast<double>(drag.points.size());
     }
     if (formulation == Formulation::subsystem) bytes += 2.0 * kNumber * joints * joints;
   }

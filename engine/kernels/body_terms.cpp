@@ -135,20 +135,6 @@ double add_damping(const Damping& damping, const SymmetricBand<Half>& M,
   return power;
 }
 
-/// Force of a load in the body frame [N].
-Position resolve_force(const NodeLoad& load, double rotation, const Rotation& R_HB,
-                       const Rotation& R_0) {
-  switch (load.frame) {
-    case LoadFrame::inertial:
-      return (R_0 * R_HB).inverse() * load.force;
-    case LoadFrame::hub:
-      return R_HB.inverse() * load.force;
-    case LoadFrame::section:
-      break;
-  }
-  return Rotation::from_angle(rotation) * load.force;
-}
-
 }  // namespace
 
 void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData& data) noexcept {
@@ -182,30 +168,6 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData&
   const FlexParts v_elastic = flex_parts(data.v_elastic, layout);
   terms.dissipation = add_damping(damping, body.M_axial, body.K_axial, v_elastic.u, qd.u, Q_u) +
                       add_damping(damping, body.M_bending, body.K_bending, v_elastic.v, qd.v, Q_v);
-}
-
-void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotation& R_0,
-               BodyData& data) noexcept {
-  const FlexLayout& layout = data.layout;
-  const auto at = [&](const double* flex, int index) { return flex[layout.offset(index)]; };
-  for (const NodeLoad& load : data.model->loads) {
-    const double* q = data.coordinates.q;
-    const double* qd = data.coordinates.v;
-    const double factor = load.factor->value(t);
-    const double rotation = at(q, load.coordinate[kRotation]);
-    const Position force = factor * resolve_force(load, rotation, R_HB, R_0);
-    const double moment = factor * load.moment;
-    const Position s = load.p + Position{at(q, load.coordinate[0]), at(q, load.coordinate[1])};
-    const Position sd{at(qd, load.coordinate[0]), at(qd, load.coordinate[1])};
-    const double torque = s.x() * force.y() - s.y() * force.x() + moment;
-    const Twist wrench(force.x(), force.y(), moment);
-    data.terms.Q += Twist(force.x(), force.y(), torque);
-    for (int c = 0; c < kTwist; ++c)
-      if (load.coordinate[c] >= 0) data.Q_f[layout.offset(load.coordinate[c])] += wrench[c];
-    data.terms.load_power += force.dot(Position(twist.head<kPosition>()) + sd) +
-                             torque * twist[kRotation] +
-                             moment * at(qd, load.coordinate[kRotation]);
-  }
 }
 
 }  // namespace spoke

@@ -17,9 +17,4 @@ struct BodyMotion {
 /// forces are taken at q_elastic and v_elastic. Without loads.
 void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData& data) noexcept;
 
-/// Adds the body's point loads at time `t` [s] to its right-hand side, and their power.
-/// R_HB: body frame to hub frame; R_0: hub frame to inertial frame; `twist`: of the body frame.
-void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotation& R_0,
-               BodyData& data) noexcept;
-
 }  // namespace spoke

@@ -4,9 +4,10 @@
 
 namespace spoke {
 
-Twist calc_prescribed_acceleration(const System& system, const Rotation& R, double alpha) {
+Twist calc_prescribed_acceleration(const System& system, double t, const Rotation& R,
+                                   double alpha) {
   Twist given = Twist::Zero();
-  if (is_prescribed(system.hub, 0)) given.head<kPosition>() = -(R.inverse() * system.gravity);
+  if (is_prescribed(system.hub, 0)) given.head<kPosition>() = -(R.inverse() * system.gravity_at(t));
   if (is_prescribed(system.hub, kRotation)) given[kRotation] = alpha;
   return given;
 }
@@ -25,7 +26,7 @@ PrescribedHub calc_prescribed_motion(const System& system, double t) noexcept {
   const DriveMotion motion = calc_motion(system.hub.drive, t);
   const Rotation R = Rotation::from_angle(motion.angle);
   return {{Position::Zero(), R, Twist(0.0, 0.0, motion.speed)},
-          calc_prescribed_acceleration(system, R, motion.acceleration)};
+          calc_prescribed_acceleration(system, t, R, motion.acceleration)};
 }
 
 Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
@@ -38,10 +39,10 @@ Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
   return R_HB.inverse() * bracket;
 }
 
-Twist calc_inertial_acceleration(const System& system, const HubState& hub,
+Twist calc_inertial_acceleration(const System& system, double t, const HubState& hub,
                                  const HubSolution& solution) {
   Twist inertial = hub.R * solution.acceleration;
-  inertial.head<kPosition>() += system.gravity;
+  inertial.head<kPosition>() += system.gravity_at(t);
   for (int c = 0; c < kPosition; ++c)
     if (is_prescribed(system.hub, c)) inertial[c] = 0.0;
   return inertial;

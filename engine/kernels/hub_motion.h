@@ -12,13 +12,15 @@ namespace spoke {
 Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
                              const Twist& hub_acceleration, const Rotation& R_HB);
 
-/// The acceleration of the hub in the inertial frame from its solution (a - g, hub frame).
-Twist calc_inertial_acceleration(const System& system, const HubState& hub,
+/// The acceleration of the hub in the inertial frame from its solution (a - g, hub frame) at time
+/// t [s].
+Twist calc_inertial_acceleration(const System& system, double t, const HubState& hub,
                                  const HubSolution& solution);
 
 /// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub
-/// frame; components that are not prescribed are zero. `alpha`: the drive's [rad/s^2].
-Twist calc_prescribed_acceleration(const System& system, const Rotation& R, double alpha);
+/// frame, at time t [s]; components that are not prescribed are zero. `alpha`: the drive's
+/// [rad/s^2].
+Twist calc_prescribed_acceleration(const System& system, double t, const Rotation& R, double alpha);
 
 /// Sets position, velocity and acceleration of the hub's prescribed components at time t [s].
 void impose_hub_motion(const System& system, double t, CoordinateBlock& hub) noexcept;

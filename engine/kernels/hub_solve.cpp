@@ -8,14 +8,37 @@
 
 namespace spoke {
 
+Twist calc_hub_load(const System& system, double t, const HubState& hub) noexcept {
+  Twist sum = Twist::Zero();
+  for (const HubLoad& load : system.hub_loads) {
+    const double factor = load.factor.value(t) * calc_rise(t, load.ramp);
+    const Position force =
+        load.frame == LoadFrame::inertial ? Position(hub.R.inverse() * load.force) : load.force;
+    sum += factor * translate(load.position, Twist(force.x(), force.y(), load.torque));
+  }
+  return sum;
+}
+
+void set_applied(const System& system, StepData& data) noexcept {
+  const double t = data.progress[0].control.time;
+  data.hub_solution.applied_torque = calc_torque(system.hub.drive, t, data.hub.twist[kRotation]);
+  data.hub_solution.load = calc_hub_load(system, t, data.hub);
+}
+
+Twist calc_hub_force(const System& system, const StepData& data) noexcept {
+  const double t = data.progress[0].control.time;
+  Twist force = calc_hub_load(system, t, data.hub);
+  force[kRotation] += calc_torque(system.hub.drive, t, data.hub.twist[kRotation]);
+  return force;
+}
+
 HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept {
   const Hub& hub = system.hub;
   // (1) M_0 + sum M^C - diag(0, 0, sum qf^T KG qf), and Q_0 + sum Q^C + (0, 0, 2 w0 sum qf^T KG
   // qf').
   HubEquation sum;
   sum.mass = Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();
-  sum.force = Twist::Zero();
-  sum.force[kRotation] = calc_torque(hub.drive, data.progress[0].control.time);
+  sum.force = calc_hub_force(system, data);
   for (const SubsystemData& subsystem : data.subsystems) {
     const EffectiveInertia& effective = subsystem.effective;
     sum.mass += effective.mass;
@@ -28,8 +51,8 @@ HubEquation sum_hub_equation(const System& system, const StepData& data) noexcep
 
 void solve_hub(const System& system, StepData& data) noexcept {
   const HubEquation equation = sum_hub_equation(system, data);
-  const Twist given =
-      calc_prescribed_acceleration(system, data.hub.R, data.hub_coordinates.a[kRotation]);
+  const Twist given = calc_prescribed_acceleration(system, data.progress[0].control.time,
+                                                   data.hub.R, data.hub_coordinates.a[kRotation]);
   // (2) A prescribed component is given: its row becomes that of the identity.
   TwistMatrix matrix = equation.mass;
   Twist right = equation.force;
@@ -47,7 +70,7 @@ void solve_hub(const System& system, StepData& data) noexcept {
   solution.reaction = equation.mass * solution.acceleration - equation.force;
   for (int c = 0; c < kTwist; ++c)
     if (!is_prescribed(system.hub, c)) solution.reaction[c] = 0.0;
-  solution.applied_torque = calc_torque(system.hub.drive, data.progress[0].control.time);
+  set_applied(system, data);
 }
 
 Twist calc_reaction(const SubsystemData& subsystem) noexcept {

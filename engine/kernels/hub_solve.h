@@ -13,6 +13,15 @@ namespace spoke {
 /// translational unknown is a - g throughout the system. Subsystems are summed in their order.
 void solve_hub(const System& system, StepData& data) noexcept;
 
+/// What the loads on the hub do to it at time t [s], about its axis, hub frame [N, N m].
+Twist calc_hub_load(const System& system, double t, const HubState& hub) noexcept;
+
+/// Sets in the solution what the drive and the loads apply to the hub.
+void set_applied(const System& system, StepData& data) noexcept;
+
+/// The same together: Q_0 of (P 9).
+Twist calc_hub_force(const System& system, const StepData& data) noexcept;
+
 /// Effective inertia of the hub with all subsystems and its right-hand side, hub frame.
 struct HubEquation {
   TwistMatrix mass;

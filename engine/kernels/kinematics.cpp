@@ -38,13 +38,14 @@ double calc_foreshortening(const BodyData& body) noexcept {
   return 0.5 * sum;
 }
 
-void calc_poses(const Subsystem& subsystem, SubsystemData& data) noexcept {
+void calc_poses(const Subsystem& subsystem, const SubsystemData& data,
+                ArenaVector<Pose>& poses) noexcept {
   Pose parent;                          // in the hub frame
   Position bracket = subsystem.root.p;  // where the parent carries the body, in the parent's frame
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    data.poses[j].p = parent.p + parent.R * bracket;
-    data.poses[j].R = parent.R * data.rotations[j];
-    parent = data.poses[j];
+    poses[j].p = parent.p + parent.R * bracket;
+    poses[j].R = parent.R * data.rotations[j];
+    parent = poses[j];
     bracket = calc_outboard_position(data.bodies[j]);
   }
 }

@@ -25,8 +25,10 @@ double calc_foreshortening(const BodyData& body) noexcept;
 /// Relative rotations along a subsystem, from the deformations.
 void calc_rotations(const Subsystem& subsystem, SubsystemData& data) noexcept;
 
-/// Poses of all body frames of a subsystem in the hub frame, from the rotations and deformations.
-void calc_poses(const Subsystem& subsystem, SubsystemData& data) noexcept;
+/// Sets the poses of all body frames of a subsystem in the hub frame, from the rotations and
+/// deformations.
+void calc_poses(const Subsystem& subsystem, const SubsystemData& data,
+                ArenaVector<Pose>& poses) noexcept;
 
 /// R_HB of a body, from the rotations.
 Rotation calc_rotation_to_hub(const SubsystemData& data, int body) noexcept;

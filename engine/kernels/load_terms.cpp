@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/kernels/blade_loads.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/marker_motion.h"
 #include "models/error.h"
@@ -196,23 +197,8 @@ void evaluate_load(double t, const System& system, const StepData& data, LoadDat
 }
 
 void add_applied(const Twist& twist, BodyData& body) noexcept {
-  for (const auto& [section, wrench] : body.applied) {
-    const Twist q = section_values(*section, body.coordinates.q);
-    const Twist v = section_values(*section, body.coordinates.v);
-    const Position s{section->x + q[0], q[1]};
-    const Position& force = wrench->force;
-    const double torque = s.x() * force.y() - s.y() * force.x() + wrench->moment;
-    body.terms.Q += Twist(force.x(), force.y(), torque);
-    for (std::size_t k = 0; k < section->axial.size(); ++k)
-      if (const int at = section->axial_at[k]; at > 0)
-        body.Q_f[at] += section->axial[k] * force.x();
-    for (std::size_t k = 0; k < section->deflection.size(); ++k)
-      if (const int at = section->bending_at[k]; at > 0)
-        body.Q_f[at] += section->deflection[k] * force.y() + section->slope[k] * wrench->moment;
-    body.terms.load_power +=
-        force.dot(Position(twist.head<kPosition>()) + Position(v.head<kPosition>())) +
-        torque * twist[kRotation] + wrench->moment * v[kRotation];
-  }
+  for (const auto& [section, wrench] : body.applied)
+    add_wrench(*section, wrench->force, wrench->moment, twist, body);
 }
 
 void clear_load_failures(StepData& data) noexcept {

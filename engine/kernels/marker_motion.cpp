@@ -45,7 +45,7 @@ MarkerMotion calc_marker_motion(const Subsystem& subsystem, const SubsystemData&
   return motion;
 }
 
-Twist calc_marker_acceleration(const System& system, const SubsystemData& data,
+Twist calc_marker_acceleration(const Position& gravity, const SubsystemData& data,
                                const PlacedMarker& marker) noexcept {
   const BodyData& body = data.bodies[marker.body];
   const Rotation R = data.hub->R * calc_rotation_to_hub(data, marker.body);
@@ -57,7 +57,7 @@ Twist calc_marker_acceleration(const System& system, const SubsystemData& data,
   const Position local = Position(body.X.head<kPosition>()) + body.X[kRotation] * quarter_turn(s) -
                          w * w * s + 2.0 * w * quarter_turn(v.head<kPosition>()) +
                          Position(a.head<kPosition>());
-  const Position acceleration = system.gravity + Position(R * local);
+  const Position acceleration = gravity + Position(R * local);
   return {acceleration.x(), acceleration.y(), body.X[kRotation] + a[kRotation]};
 }
 

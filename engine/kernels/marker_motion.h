@@ -16,8 +16,9 @@ MarkerMotion calc_marker_motion(const Subsystem& subsystem, const SubsystemData&
                                 const PlacedMarker& marker) noexcept;
 
 /// Accelerations of a marker's section in the inertial frame, from the accelerations of the body
-/// that an evaluation at the state has left in the table: x, y [m/s^2], rotation [rad/s^2].
-Twist calc_marker_acceleration(const System& system, const SubsystemData& data,
+/// that an evaluation at the state has left in the table, and the gravity in force there: x, y
+/// [m/s^2], rotation [rad/s^2].
+Twist calc_marker_acceleration(const Position& gravity, const SubsystemData& data,
                                const PlacedMarker& marker) noexcept;
 
 /// What bending takes off a marker's distance from the root, along each body with geometric

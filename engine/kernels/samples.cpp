@@ -24,11 +24,11 @@ Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& dat
 
 SubsystemSample calc_sample(const System& system, std::size_t i, SubsystemData& data) noexcept {
   const Subsystem& subsystem = system.subsystems[i];
-  calc_poses(subsystem, data);
+  calc_poses(subsystem, data, data.poses);
   const Twist tip = calc_tip_displacement(subsystem, data);
   SubsystemSample sample{tip[0], tip[1], 0.0, 0.0, 0.0};
   const HubState& hub = *data.hub;
-  const bool has_gravity = system.gravity != Position::Zero();
+  const bool has_gravity = system.gravity != Position::Zero() && system.gravity_ramp == 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyEnergies body =
         calc_body_energies(data.bodies[j], data.twists[j], hub.twist[kRotation]);

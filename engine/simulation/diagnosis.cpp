@@ -75,11 +75,12 @@ FailureSite find_bad_load(const StepData& data) {
   FailureSite found;
   for_each_failed(data, [&](int i, int j, const BodyData& body) {
     const double t = data.subsystems[static_cast<std::size_t>(i)].progress->control.time;
-    for (const NodeLoad& load : body.model->loads) {
-      const double sum = load.factor->value(t) * (load.force.x() + load.force.y() + load.moment);
+    for (const BodyLoad& load : body.model->loads) {
+      const double sum = load.course->value(t) * (load.force.x() + load.force.y() + load.moment);
       if (std::isfinite(sum) || found.is_known()) continue;
-      found = {i, j, "the load on its node " + std::to_string(load.node) + " is not finite", "mass",
-               true};
+      std::ostringstream text;
+      text << "the load at x = " << load.points.front().x << " m in its frame is not finite";
+      found = {i, j, text.str(), "mass", true};
     }
   });
   return found;
@@ -148,9 +149,9 @@ FailureSite find_site(const StepContext& context, const FailedStep& failed) {
 }
 
 /// Whether drive and support prescribe a motion, or apply a torque, that is not finite.
-bool is_drive_finite(const System& system, double t) {
+bool is_drive_finite(const System& system, double t, double speed) {
   const Drive& drive = system.hub.drive;
-  if (!prescribes_motion(drive)) return std::isfinite(calc_torque(drive, t));
+  if (!prescribes_motion(drive)) return std::isfinite(calc_torque(drive, t, speed));
   const DriveMotion motion = calc_motion(drive, t);
   return std::isfinite(motion.angle + motion.speed + motion.acceleration);
 }
@@ -188,7 +189,8 @@ std::string describe_finding(const Scenario& scenario, const StepContext& contex
 std::string blame_input(const StepContext& context, const FailureSite& site) {
   if (site.has_bad_load)
     return "a factor, force or moment of that load overflows or was no number: correct it";
-  if (!is_drive_finite(context.system, failed_progress(context.data).control.time))
+  if (!is_drive_finite(context.system, failed_progress(context.data).control.time,
+                       context.data.hub_coordinates.v[kRotation]))
     return "the drive's motion or torque is not finite at this time: correct it";
   return {};
 }

@@ -14,7 +14,7 @@ Energies calc_hub_energies(const System& system, const Twist& position, const Tw
   const Position v = velocity.head<kPosition>(), p = position.head<kPosition>();
   const double speed = velocity[kRotation];
   return {0.5 * hub.mass * v.squaredNorm() + 0.5 * hub.inertia * speed * speed, 0.0,
-          hub.mass * system.gravity.dot(p)};
+          system.gravity_ramp > 0.0 ? 0.0 : hub.mass * system.gravity.dot(p)};
 }
 
 /// Sums over the hub and the samples of a step, in the subsystems' order.

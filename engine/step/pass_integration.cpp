@@ -134,7 +134,8 @@ void complete_body(const Method& method, const PassControl& control, BodyData& b
 
 void complete_hub(const System& system, const Method& method, StepData& data) noexcept {
   CoordinateBlock& hub = data.hub_coordinates;
-  const Twist found = calc_inertial_acceleration(system, data.hub, data.hub_solution);
+  const Twist found = calc_inertial_acceleration(system, data.progress[0].control.time, data.hub,
+                                                 data.hub_solution);
   double change = 0.0;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const PassControl& control = data.progress[0].control;
@@ -173,6 +174,11 @@ void finish_system(const System& system, const Integrator& integrator, StepData&
   const double known = is_turned ? system.hub.inertia * hub.acceleration[kRotation] : 0.0;
   report.power.applied =
       (hub.reaction[kRotation] - known + hub.applied_torque) * data.hub.twist[kRotation];
+  report.power.applied += hub.load.dot(data.hub.twist);
+  if (system.gravity_ramp > 0.0) {
+    const Position gravity = data.hub.R.inverse() * system.gravity_at(progress.control.time);
+    report.power.applied += system.hub.mass * gravity.dot(data.hub.twist.head<kPosition>());
+  }
   report.change = hub.change;
   report.failed = !is_finite(hub.acceleration);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
@@ -196,7 +202,7 @@ void finish_system(const System& system, const Integrator& integrator, StepData&
 void record_reactions(const System& system, const Integrator& integrator, StepData& data) noexcept {
   const double h = step_size(integrator);
   const std::int64_t last = std::min(last_complete_step(data), data.window.last);
-  const bool has_gravity = system.gravity != Position::Zero();
+  const bool needs_rotation = system.gravity != Position::Zero() || !system.hub_loads.empty();
   CoordinateBlock& hub = data.hub_coordinates;
   for (std::int64_t step = data.window.first; step <= last; ++step) {
     SystemRecord record;
@@ -207,10 +213,11 @@ void record_reactions(const System& system, const Integrator& integrator, StepDa
     record.velocity = velocity_of(hub);
     // Its own inertia takes what the subsystems leave of the drive's work.
     if (step > 0) record.step.work = work_on_hub(system, speed_before, hub.v[kRotation]);
-    const Rotation R = has_gravity ? Rotation::from_angle(hub.q[kRotation]) : Rotation{};
-    const Twist a = calc_prescribed_acceleration(system, R, hub.a[kRotation]);
+    const Rotation R = needs_rotation ? Rotation::from_angle(hub.q[kRotation]) : Rotation{};
+    const Twist a = calc_prescribed_acceleration(system, t, R, hub.a[kRotation]);
     record.step.reaction =
-        Twist(system.hub.mass, system.hub.mass, system.hub.inertia).cwiseProduct(a);
+        Twist(system.hub.mass, system.hub.mass, system.hub.inertia).cwiseProduct(a) -
+        calc_hub_load(system, t, {Position::Zero(), R, record.velocity});
     for (std::size_t i = 0; i < data.subsystems.size(); ++i)
       add_record(of_step(data.subsystems[i].records, step), static_cast<int>(i), record.step);
     of_step(data.records, step) = record;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/kernels/blade_loads.h"
 #include "engine/kernels/body_terms.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
@@ -126,15 +127,19 @@ void add_position(const Assembly& g, int i) {
                      }));
 }
 
+/// Twists of the bodies; their poses only where drag depends on them.
 void add_velocity(const Assembly& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   const Subsystem& subsystem = g.c.system.subsystems[i];
   SubsystemData& data = g.c.data.subsystems[i];
+  PartList outputs{blade.twists};
+  if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
   g.builder.add_node(
       g.label("velocity", i),
       reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),
-      writes(blade.twists), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+      writes(outputs), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
         calc_velocities(subsystem, data);
+        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
       }));
 }
 
@@ -194,31 +199,47 @@ PartList terms_inputs(const Assembly& g, int i, int j) {
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
   const PartList loads = loads_on(g, i, j);
   inputs.insert(inputs.end(), loads.begin(), loads.end());
-  bool needs_rotations = false;
-  bool needs_hub = member.centrifugal_stiffness != nullptr;
-  for (const NodeLoad& load : member.loads) {
+  const bool has_rising_gravity = g.c.system.gravity_ramp > 0.0;
+  bool needs_rotations = has_rising_gravity;
+  bool needs_hub = has_rising_gravity || member.centrifugal_stiffness != nullptr;
+  for (const BodyLoad& load : member.loads) {
     needs_rotations |= load.frame != LoadFrame::section;
     needs_hub |= load.frame == LoadFrame::inertial;
+  }
+  if (std::any_of(member.drags.begin(), member.drags.end(),
+                  [](const BodyDrag& drag) { return drag.relative_to == DragFrame::hub; })) {
+    needs_hub = true;
+    inputs.push_back(blade.drag_poses);
   }
   if (needs_rotations) inputs.push_back(blade.rotations);
   if (needs_hub) inputs.push_back(blade.hub_state);
   return inputs;
 }
 
+/// Adds what acts on body `j` at the state in the table.
+void add_forces(const System& system, int j, SubsystemData& blade) noexcept {
+  const double t = blade.progress->control.time;
+  const Twist& twist = blade.twists[j];
+  BodyData& body = blade.bodies[j];
+  if (!body.loads.empty()) add_loads(t, calc_rotation_to_hub(blade, j), blade.hub->R, twist, body);
+  if (!body.drags.empty()) add_drags(t, j, blade);
+  if (!body.applied.empty()) add_applied(twist, body);
+  if (system.gravity_ramp > 0.0) {
+    const Rotation R = blade.hub->R * calc_rotation_to_hub(blade, j);
+    add_gravity_power(R.inverse() * system.gravity_at(t), twist, body);
+  }
+}
+
 void add_mass(const Assembly& g, int i, int j) {
   SubsystemData& blade = g.c.data.subsystems[i];
-  const Damping& damping = g.c.system.damping;
-  g.builder.add_node(
-      g.label("mass", i, j), reads(terms_inputs(g, i, j)), writes(g.blade(i).bodies[j].terms),
-      unless_halted(*blade.progress, [&damping, &blade, j]() noexcept {
-        const Twist& twist = blade.twists[j];
-        BodyData& body = blade.bodies[j];
-        calc_body_terms({twist[kRotation], blade.hub->twist[kRotation]}, damping, body);
-        if (!body.model->loads.empty())
-          add_loads(blade.progress->control.time, calc_rotation_to_hub(blade, j), twist,
-                    blade.hub->R, body);
-        if (!body.applied.empty()) add_applied(twist, body);
-      }));
+  const System& system = g.c.system;
+  g.builder.add_node(g.label("mass", i, j), reads(terms_inputs(g, i, j)),
+                     writes(g.blade(i).bodies[j].terms),
+                     unless_halted(*blade.progress, [&system, &blade, j]() noexcept {
+                       calc_body_terms({blade.twists[j][kRotation], blade.hub->twist[kRotation]},
+                                       system.damping, blade.bodies[j]);
+                       add_forces(system, j, blade);
+                     }));
 }
 
 void add_inverse(const Assembly& g, int i, int j) {

@@ -85,6 +85,9 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
   parts.rotations = builder.add_part(name + "rotations", {bytes_of(data.rotations[0], count)});
   parts.twists = builder.add_part(name + "twists", {bytes_of(data.twists[0], count)});
   parts.poses = builder.add_part(name + "poses", {bytes_of(data.poses[0], count)});
+  if (!data.drag_poses.empty())
+    parts.drag_poses =
+        builder.add_part(name + "poses for drag", {bytes_of(data.drag_poses[0], count)});
   parts.wrenches = builder.add_part(name + "wrenches", {bytes_of(data.wrenches[0], count)});
   parts.samples = add_ring(name + "samples", data.samples, builder);
   if (context.formulation != Formulation::augmented) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A load of the user's, as it acts on the subsystems.
+// Loads as they act on the subsystems: the user's own, and those of the scenario.
 
 #include <exception>
 #include <memory>
@@ -9,6 +9,7 @@
 #include "engine/body/section.h"
 #include "engine/load.h"
 #include "engine/support/page_arena.h"
+#include "models/system/system.h"
 
 namespace spoke {
 
@@ -48,6 +49,13 @@ struct LoadData {
 struct AppliedWrench {
   const Section* section = nullptr;
   const SectionWrench* wrench = nullptr;
+};
+
+/// A load of the scenario on a body (BodyLoad, BodyDrag), with the section at each of its points.
+template <class Load>
+struct PlacedLoad {
+  const Load* load = nullptr;
+  std::vector<Section> sections;
 };
 
 }  // namespace spoke

@@ -59,6 +59,27 @@ void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
   }
 }
 
+/// The sections at which loads act on a body.
+template <class Load>
+std::vector<PlacedLoad<Load>> place(const std::vector<Load>& loads, const BodyData& data) {
+  std::vector<PlacedLoad<Load>> placed;
+  for (const Load& load : loads) {
+    placed.push_back({&load, {}});
+    for (const LoadPoint& point : load.points) {
+      Section section = make_section(*data.model->body, data.layout, point.element, point.s);
+      section.x = point.x;
+      placed.back().sections.push_back(section);
+    }
+  }
+  return placed;
+}
+
+/// Whether drag on a body depends on where it is in the hub's frame.
+bool has_drag_in_hub(const ChainBody& member) {
+  return std::any_of(member.drags.begin(), member.drags.end(),
+                     [](const BodyDrag& drag) { return drag.relative_to == DragFrame::hub; });
+}
+
 /// Points a subsystem to the progress and hub motion that it follows.
 void follow_progress(std::size_t i, StepData& data, SubsystemData& subsystem) {
   subsystem.prescribed = {data.hub, Twist::Zero()};
@@ -79,7 +100,7 @@ void allocate(const System& system, const TableOptions& options, StepData& data)
   hub.a = data.hub_storage[2].data();
   for (int k = 0; k < options.history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
   data.hub = {Position::Zero(), {}, Twist::Zero()};
-  data.hub_solution = {Twist::Zero(), Twist::Zero(), 0.0, 0.0};
+  data.hub_solution = {Twist::Zero(), Twist::Zero(), 0.0, Twist::Zero(), 0.0};
   data.is_coupled = options.is_coupled;
   data.window = {};
   data.progress.assign(options.is_coupled ? 1 : system.subsystems.size(), StepProgress{});
@@ -90,7 +111,14 @@ void allocate(const System& system, const TableOptions& options, StepData& data)
     SubsystemData& subsystem = data.subsystems[i];
     subsystem.arena = data.arenas.emplace_back(std::make_unique<Arena>()).get();
     allocate(system.subsystems[i], options.history, subsystem);
-    for (BodyData& body : subsystem.bodies) set_linear_range(options.linear_range, body);
+    for (BodyData& body : subsystem.bodies) {
+      set_linear_range(options.linear_range, body);
+      body.loads = place(body.model->loads, body);
+      body.drags = place(body.model->drags, body);
+    }
+    const std::vector<ChainBody>& bodies = system.subsystems[i].bodies;
+    if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub))
+      subsystem.drag_poses = ArenaVector<Pose>(bodies.size(), *subsystem.arena);
     follow_progress(i, data, subsystem);
     subsystem.samples = ArenaVector<SubsystemSample>(data.records.size(), *subsystem.arena);
     if (!options.is_coupled)

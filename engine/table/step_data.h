@@ -120,6 +120,7 @@ struct HubSolution {
   Twist acceleration;     ///< hub frame, less gravity: a - g (see solve_hub)
   Twist reaction;         ///< wrench of the support and drive on the hub, hub frame [N, N m]
   double applied_torque;  ///< of a torque drive [N m]
+  Twist load;             ///< of the loads on the hub, about its axis, hub frame [N, N m]
   double change;          ///< of a free coordinate in this iteration [m, rad]
 };
 
@@ -155,6 +156,8 @@ struct BodyData {
   Twist X;                    ///< frame acceleration, body frame, less gravity
   BodyReport report;
   std::vector<AppliedWrench> applied;  ///< by loads of the user's
+  std::vector<PlacedLoad<BodyLoad>> loads;
+  std::vector<PlacedLoad<BodyDrag>> drags;
 };
 
 /// One subsystem's share of the table; vectors by body, root to tip.
@@ -166,9 +169,10 @@ struct alignas(kInterferenceSize) SubsystemData {
   ArenaVector<Twist> twists;  ///< of the body frames, in the body frames
   EffectiveInertia effective;
   ArenaVector<HandleWrenches> wrenches;
-  ArenaVector<Pose> poses;      ///< in the hub frame; for sensors, no part of a step
-  ArenaVector<double> storage;  ///< of all flex vectors
-  std::vector<LoadData> loads;  ///< of the user's, whose first blade this is
+  ArenaVector<Pose> poses;       ///< in the hub frame; for sensors, no part of a step
+  ArenaVector<Pose> drag_poses;  ///< the same during a step; none unless drag depends on them
+  ArenaVector<double> storage;   ///< of all flex vectors
+  std::vector<LoadData> loads;   ///< of the user's, whose first blade this is
 
   // What the subsystem's nodes follow: the system's if it is coupled, else its own.
   StepProgress* progress = nullptr;

@@ -49,7 +49,7 @@ enum class StepOutcome {
 
 /// Rates of work [W].
 struct Power {
-  double applied = 0.0;      ///< of drive and loads
+  double applied = 0.0;      ///< of drive and loads, and of gravity that rises
   double dissipation = 0.0;  ///< by damping
 };
 
@@ -101,7 +101,8 @@ struct SubsystemSample {
   double tip_x = 0.0, tip_y = 0.0;  ///< displacement of the tip node, hub frame [m]
   double kinetic = 0.0;             ///< energy, stiffening term included [J]
   double strain = 0.0;              ///< energy [J]
-  double gravity = 0.0;             ///< work of gravity since the undeformed start [J]
+  /// Work of gravity since the undeformed start [J]; of gravity that rises 0: it is work of loads.
+  double gravity = 0.0;
 };
 
 /// The step as a whole: what all subsystems did, and the hub.

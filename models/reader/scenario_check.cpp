@@ -55,26 +55,81 @@ void check_blades(const std::vector<Blade>& blades) {
   if (!fault.empty()) fail("blades", fault);
 }
 
-void check_load(const std::string& path, const PointLoad& load, const std::vector<Blade>& blades) {
-  const int last = static_cast<int>(blades.size()) - 1;
-  if (load.blade < -1 || load.blade > last)
-    fail(path + ".blade", "is index " + std::to_string(load.blade) + ", expected 0 to " +
-                              std::to_string(last) + ", or -1 for every blade");
-  check(path + ".position", load.position, place_on(shortest_loaded(load, blades)));
-  check_numbers(path + ".force", load.force, kForce);
-  check_fields(path, load);
-  check_curve(path, "factor", load.factor, kFactor);
+void check_blade(const std::string& path, LoadedBlades loaded, const std::vector<Blade>& blades) {
+  if (!loaded.is_all())
+    check(path + ".blade", loaded.number(), Count{1, static_cast<int>(blades.size())});
 }
 
-void check_loads(const std::vector<PointLoad>& loads, const std::vector<Blade>& blades) {
-  std::size_t number = 0, points = 0;
-  for (const PointLoad& load : loads) {
-    const std::string path = "load." + std::to_string(++number);
+void check_position(const std::string& path, const std::optional<double>& position,
+                    LoadedBlades loaded, const std::vector<Blade>& blades) {
+  if (position) check(path + ".position", *position, place_on(shortest_loaded(loaded, blades)));
+}
+
+template <class Load>
+void check_ends(const std::string& path, const Load& load, const std::vector<Blade>& blades) {
+  const Blade& shortest = shortest_loaded(load.blade, blades);
+  check(path + ".from", load.from, place_on(shortest));
+  if (load.to) check(path + ".to", *load.to, end_on(shortest, load.from));
+  if (load.from >= load.to.value_or(shortest.length))
+    fail(path + ".from", "is " + describe(load.from) + ", expected less than the blade's length, " +
+                             describe(shortest.length) + " (m)");
+}
+
+void check_load(const std::string& path, const PointLoad& load, const std::vector<Blade>& blades) {
+  check_blade(path, load.blade, blades);
+  check_position(path, load.position, load.blade, blades);
+  check_numbers(path + ".force", load.force, kForce);
+}
+
+void check_load(const std::string& path, const DistributedLoad& load,
+                const std::vector<Blade>& blades) {
+  check_blade(path, load.blade, blades);
+  check_ends(path, load, blades);
+  check_numbers(path + ".force_per_length", load.force_per_length, kForcePerLength);
+}
+
+void check_load(const std::string& path, const Drag& drag, const std::vector<Blade>& blades) {
+  check_blade(path, drag.blade, blades);
+  check_position(path, drag.position, drag.blade, blades);
+  check_ends(path, drag, blades);
+}
+
+void check_load(const std::string& path, const HubLoad& load, const std::vector<Blade>&) {
+  check_numbers(path + ".position", load.position, kLength);
+  if (load.frame == LoadFrame::section)
+    fail(path + ".frame", "is \"section\", expected \"hub\" or \"inertial\"");
+  check_numbers(path + ".force", load.force, kForce);
+}
+
+/// Checks the loads of one kind; `visit` is called with the path of each and the load.
+template <class Load, class Visit>
+void check_loads(const char* table, const std::vector<Load>& loads,
+                 const std::vector<Blade>& blades, const Visit& visit) {
+  std::size_t number = 0;
+  for (const Load& load : loads) {
+    const std::string path = table + ('.' + std::to_string(++number));
     check_load(path, load, blades);
-    points += count_points(load, blades);
+    check_fields(path, load);
+    check_curve(path, "factor", load.factor, kFactor);
+    visit(path, load);
+  }
+}
+
+void check_all_loads(const Rotor& rotor) {
+  std::size_t points = 0;
+  const auto count = [&](const std::string& path, const auto& load, bool is_per_length) {
+    points += count_points(load.blade, is_per_length, load.factor, rotor.blades);
     const std::string fault = find_point_fault(points);
     if (!fault.empty()) fail(path, fault);
-  }
+  };
+  using Path = const std::string&;
+  check_loads("load", rotor.loads, rotor.blades,
+              [&](Path path, const PointLoad& load) { count(path, load, false); });
+  check_loads("distributed_load", rotor.distributed_loads, rotor.blades,
+              [&](Path path, const DistributedLoad& load) { count(path, load, true); });
+  check_loads("drag", rotor.drags, rotor.blades,
+              [&](Path path, const Drag& drag) { count(path, drag, is_distributed(drag)); });
+  check_loads("hub_load", rotor.hub_loads, rotor.blades, [](Path, const HubLoad&) {});
 }
 
 }  // namespace
@@ -85,9 +140,14 @@ void check_drive(const Drive& drive) {
     return check_curve(path, "speed", table->speed, kSpeed);
   if (const auto* torque = std::get_if<TorqueDrive>(&drive))
     check_curve(path, "torque", torque->torque, kTorque);
+  if (const auto* by_speed = std::get_if<TorqueBySpeed>(&drive)) {
+    check_numbers(path + ".speed", by_speed->torque.times(), kSpeed);
+    check_numbers(path + ".torque", by_speed->torque.values(), kTorque);
+  }
   std::visit(
       [&](const auto& fields) {
-        if constexpr (!std::is_same_v<decltype(fields), const SpeedTable&>)
+        using Fields = std::decay_t<decltype(fields)>;
+        if constexpr (!std::is_same_v<Fields, SpeedTable> && !std::is_same_v<Fields, FixedDrive>)
           check_fields(path, fields);
       },
       drive);
@@ -117,8 +177,9 @@ void check_scenario(const Scenario& scenario) {
   check_drive(rotor.hub.drive);
   check_blades(rotor.blades);
   check_numbers("gravity.acceleration", rotor.gravity, kGravity);
+  check("gravity.ramp", rotor.gravity_ramp, kRamp);
   check_fields("damping", rotor.damping);
-  check_loads(rotor.loads, rotor.blades);
+  check_all_loads(rotor);
   check_fields("integration", scenario.integration);
   const std::string fault = find_step_fault(scenario.integration);
   if (!fault.empty()) fail("integration.step", fault);

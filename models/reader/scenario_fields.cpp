@@ -35,9 +35,9 @@ std::string find_point_fault(std::size_t points) {
          std::to_string(most_points);
 }
 
-const Blade& shortest_loaded(const PointLoad& load, const std::vector<Blade>& blades) {
-  assert(!blades.empty() && load.blade < static_cast<int>(blades.size()));
-  if (load.blade >= 0) return blades[static_cast<std::size_t>(load.blade)];
+const Blade& shortest_loaded(LoadedBlades loaded, const std::vector<Blade>& blades) {
+  assert(!blades.empty() && loaded.number() <= static_cast<int>(blades.size()));
+  if (!loaded.is_all()) return blades[static_cast<std::size_t>(loaded.number() - 1)];
   return *std::min_element(blades.begin(), blades.end(),
                            [](const Blade& a, const Blade& b) { return a.length < b.length; });
 }
@@ -46,8 +46,22 @@ Quantity place_on(const Blade& blade) {
   return {"m, from root to tip of the blade", 0.0, blade.length};
 }
 
-std::size_t count_points(const PointLoad& load, const std::vector<Blade>& blades) {
-  return (load.blade < 0 ? blades.size() : 1) * load.factor.times().size();
+Quantity end_on(const Blade& blade, double from) {
+  return {"m, beyond from, up to the blade's tip", from, blade.length, false};
+}
+
+std::size_t count_points(LoadedBlades loaded, bool is_distributed, const Curve& factor,
+                         const std::vector<Blade>& blades) {
+  const std::size_t times = factor.times().size();
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    if (!loaded.holds(i)) continue;
+    points += times;
+    if (is_distributed)
+      points += std::size_t{4} * static_cast<std::size_t>(blades[i].bodies) *
+                static_cast<std::size_t>(blades[i].elements);
+  }
+  return points;
 }
 
 }  // namespace spoke

@@ -32,6 +32,9 @@ inline constexpr Quantity kFactor = Quantity::any("");
 inline constexpr Quantity kTime = Quantity::any("s");
 inline constexpr Quantity kSpeed = Quantity::any("rad/s");
 inline constexpr Quantity kTorque = Quantity::any("N m");
+inline constexpr Quantity kForcePerLength = Quantity::any("N/m");
+inline constexpr Quantity kLength = Quantity::any("m");
+inline constexpr Quantity kRamp = Quantity::not_negative("s");
 
 template <PerhapsConst<Hub> H, class Visit>
 void visit_fields(H& hub, const Visit& visit) {
@@ -85,9 +88,44 @@ void visit_fields(D& damping, const Visit& visit) {
         Presence::optional);
 }
 
+template <PerhapsConst<ConstantSpeed> D, class Visit>
+void visit_fields(D& drive, const Visit& visit) {
+  visit("speed", drive.speed, kSpeed, Presence::required);
+}
+
+template <PerhapsConst<TorqueBySpeed> D, class Visit>
+void visit_fields(D& drive, const Visit& visit) {
+  visit("initial_speed", drive.initial_speed, kSpeed, Presence::optional);
+  visit("ramp", drive.ramp, kRamp, Presence::optional);
+}
+
 template <PerhapsConst<PointLoad> L, class Visit>
 void visit_fields(L& load, const Visit& visit) {
   visit("moment", load.moment, Quantity::any("N m"), Presence::optional);
+  visit("ramp", load.ramp, kRamp, Presence::optional);
+}
+
+template <PerhapsConst<DistributedLoad> L, class Visit>
+void visit_fields(L& load, const Visit& visit) {
+  visit("moment_per_length", load.moment_per_length, Quantity::any("N"), Presence::optional);
+  visit("ramp", load.ramp, kRamp, Presence::optional);
+}
+
+template <PerhapsConst<Drag> D, class Visit>
+void visit_fields(D& drag, const Visit& visit) {
+  visit("linear", drag.linear, Quantity::not_negative("N s/m"), Presence::optional);
+  visit("quadratic", drag.quadratic, Quantity::not_negative("N s^2/m^2"), Presence::optional);
+  visit("linear_per_length", drag.linear_per_length, Quantity::not_negative("N s/m^2"),
+        Presence::optional);
+  visit("quadratic_per_length", drag.quadratic_per_length, Quantity::not_negative("N s^2/m^3"),
+        Presence::optional);
+  visit("ramp", drag.ramp, kRamp, Presence::optional);
+}
+
+template <PerhapsConst<HubLoad> L, class Visit>
+void visit_fields(L& load, const Visit& visit) {
+  visit("torque", load.torque, kTorque, Presence::optional);
+  visit("ramp", load.ramp, kRamp, Presence::optional);
 }
 
 template <PerhapsConst<Integration> I, class Visit>
@@ -119,15 +157,24 @@ void visit_fields(O& output, const Visit& visit) {
 /// Of a step and a duration that are fine by themselves.
 std::string find_step_fault(const Integration& integration);
 std::string find_element_fault(const std::vector<Blade>& blades);
-/// Of as many points of loads, on every blade that they act on.
+/// Of as many points as count_points() has found in all.
 std::string find_point_fault(std::size_t points);
 
 /// The blade on which the place of a load is limited most: its own, or the shortest. Precondition:
 /// the blade exists.
-const Blade& shortest_loaded(const PointLoad& load, const std::vector<Blade>& blades);
+const Blade& shortest_loaded(LoadedBlades loaded, const std::vector<Blade>& blades);
 /// Where on this blade a load may act.
 Quantity place_on(const Blade& blade);
-/// The load's points, on every blade that it acts on.
-std::size_t count_points(const PointLoad& load, const std::vector<Blade>& blades);
+/// What the outer end of a load between two places must be; of an inner end that is fine by itself.
+Quantity end_on(const Blade& blade, double from);
+/// Whether a drag has a part that is per length.
+inline bool is_distributed(const Drag& drag) {
+  return drag.linear_per_length != 0.0 || drag.quadratic_per_length != 0.0;
+}
+/// The points that a load keeps, on every blade that it acts on: of a load at a point as many as
+/// its curve has, of one between two places four for each element of the blade, and those of the
+/// curve.
+std::size_t count_points(LoadedBlades loaded, bool is_distributed, const Curve& factor,
+                         const std::vector<Blade>& blades);
 
 }  // namespace spoke

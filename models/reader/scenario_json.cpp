@@ -38,7 +38,16 @@ void add_drive(const TorqueDrive& drive, Json& json) {
   json["initial_speed"] = drive.initial_speed;
 }
 
+void add_drive(const TorqueBySpeed& drive, Json& json) {
+  json["speed"] = drive.torque.times();
+  json["torque"] = drive.torque.values();
+  json["initial_speed"] = drive.initial_speed;
+  json["ramp"] = drive.ramp;
+}
+
 void add_drive(const FreeDrive& drive, Json& json) { json["initial_speed"] = drive.initial_speed; }
+void add_drive(const ConstantSpeed& drive, Json& json) { json["speed"] = drive.speed; }
+void add_drive(const FixedDrive&, Json&) {}
 
 Json to_json(const Hub& hub) {
   Json drive = {{"kind", name_of(hub.drive)}};
@@ -63,15 +72,84 @@ Json to_json(const Blade& blade) {
           {"azimuth", blade.azimuth}};
 }
 
+Json to_json(LoadedBlades blade) { return blade.is_all() ? Json("all") : Json(blade.number()); }
+
+/// A ramp of 0 is left out: of scenarios without ramps nothing is written that was not before there
+/// were any, and checkpoints of them go on.
+void add_ramp(double ramp, Json& json) {
+  if (ramp > 0.0) json["ramp"] = ramp;
+}
+
+template <class Load>
+void add_course(const Load& load, Json& json) {
+  add_ramp(load.ramp, json);
+  json["time"] = load.factor.times();
+  json["factor"] = load.factor.values();
+}
+
+/// The ends of a load that is per length; without an outer one it ends at each blade's tip.
+template <class Load>
+void add_ends(const Load& load, Json& json) {
+  json["from"] = load.from;
+  if (load.to) json["to"] = *load.to;
+}
+
 Json to_json(const PointLoad& load) {
-  Json json = {{"blade", load.blade < 0 ? Json("all") : Json(load.blade + 1)},
-               {"position", load.position},
+  Json json = {{"blade", to_json(load.blade)}};
+  if (load.position) json["position"] = *load.position;
+  json["frame"] = name_of(load.frame);
+  json["force"] = to_json(load.force);
+  json["moment"] = load.moment;
+  add_course(load, json);
+  return json;
+}
+
+Json to_json(const DistributedLoad& load) {
+  Json json = {{"blade", to_json(load.blade)}};
+  add_ends(load, json);
+  json["frame"] = name_of(load.frame);
+  json["force_per_length"] = to_json(load.force_per_length);
+  json["moment_per_length"] = load.moment_per_length;
+  add_course(load, json);
+  return json;
+}
+
+Json to_json(const Drag& drag) {
+  Json json = {{"blade", to_json(drag.blade)}, {"relative_to", name_of(drag.relative_to)}};
+  if (drag.linear != 0.0 || drag.quadratic != 0.0) {
+    if (drag.position) json["position"] = *drag.position;
+    json["linear"] = drag.linear;
+    json["quadratic"] = drag.quadratic;
+  }
+  if (drag.linear_per_length != 0.0 || drag.quadratic_per_length != 0.0) {
+    add_ends(drag, json);
+    json["linear_per_length"] = drag.linear_per_length;
+    json["quadratic_per_length"] = drag.quadratic_per_length;
+  }
+  add_course(drag, json);
+  return json;
+}
+
+Json to_json(const HubLoad& load) {
+  Json json = {{"position", to_json(load.position)},
                {"frame", name_of(load.frame)},
                {"force", to_json(load.force)},
-               {"moment", load.moment},
-               {"time", load.factor.times()},
-               {"factor", load.factor.values()}};
+               {"torque", load.torque}};
+  add_course(load, json);
   return json;
+}
+
+template <class Item>
+Json to_list(const std::vector<Item>& items) {
+  Json list = Json::array();
+  for (const Item& item : items) list.push_back(to_json(item));
+  return list;
+}
+
+/// The loads of a kind; nothing if there are none, as for ramps.
+template <class Load>
+void add_loads(const char* key, const std::vector<Load>& loads, Json& json) {
+  if (!loads.empty()) json[key] = to_list(loads);
 }
 
 Json to_json(const Integration& integration) {
@@ -93,21 +171,22 @@ Json to_json(const Limits& limits) {
 }  // namespace
 
 std::string Scenario::to_json() const {
-  Json blades = Json::array();
-  for (const Blade& blade : rotor.blades) blades.push_back(spoke::to_json(blade));
-  Json loads = Json::array();
-  for (const PointLoad& load : rotor.loads) loads.push_back(spoke::to_json(load));
+  Json gravity = {{"acceleration", spoke::to_json(rotor.gravity)}};
+  add_ramp(rotor.gravity_ramp, gravity);
   Json json = {{"title", title},
                {"hub", spoke::to_json(rotor.hub)},
-               {"blades", blades},
-               {"gravity", {{"acceleration", spoke::to_json(rotor.gravity)}}},
+               {"blades", to_list(rotor.blades)},
+               {"gravity", gravity},
                {"damping",
                 {{"mass_factor", rotor.damping.mass_factor},
                  {"stiffness_factor", rotor.damping.stiffness_factor}}},
-               {"load", loads},
-               {"integration", spoke::to_json(integration)},
-               {"limits", spoke::to_json(limits)},
-               {"output", {{"interval", output.interval}}}};
+               {"load", to_list(rotor.loads)}};
+  add_loads("distributed_load", rotor.distributed_loads, json);
+  add_loads("drag", rotor.drags, json);
+  add_loads("hub_load", rotor.hub_loads, json);
+  json["integration"] = spoke::to_json(integration);
+  json["limits"] = spoke::to_json(limits);
+  json["output"] = {{"interval", output.interval}};
   // A title from a file name may hold anything.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -40,8 +40,9 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
                         const Overrides& overrides) {
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
-  const TomlSection root(document, {"title", "hub", "blade", "blades", "gravity", "damping", "load",
-                                    "integration", "limits", "output"});
+  const TomlSection root(
+      document, {"title", "hub", "blade", "blades", "gravity", "damping", "load",
+                 "distributed_load", "drag", "hub_load", "integration", "limits", "output"});
   Scenario scenario;
   scenario.name = std::filesystem::path(name).stem().string();
   scenario.title = root.text("title", scenario.name);

@@ -1,4 +1,4 @@
-// Reads each table of the rotor: hub, drive, blades, loads, gravity, damping.
+// Reads each table of the rotor: hub, drive, blades, gravity, damping.
 
 #include "models/reader/scenario_rotor.h"
 
@@ -6,7 +6,9 @@
 #include <numbers>
 #include <utility>
 
+#include "models/reader/curve_reader.h"
 #include "models/reader/field_reader.h"
+#include "models/reader/scenario_loads.h"
 #include "models/scenario.h"
 
 namespace spoke {
@@ -14,20 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// A function of time given as two arrays, or as one number.
-Curve read_curve(const TomlSection& section, std::string_view key, const Quantity& quantity) {
-  const std::vector<double> times = section.increasing_numbers("time", kTime);
-  const std::vector<double> values = section.numbers(key, quantity);
-  if (values.size() != times.size()) {
-    section.fail(key, "has " + std::to_string(values.size()) + " numbers, expected " +
-                          std::to_string(times.size()) + ", one for each of " + section.path() +
-                          ".time");
-  }
-  return {times, values};
-}
-
 Curve read_torque(const TomlSection& drive) {
-  if (drive.has("time")) return read_curve(drive, "torque", kTorque);
+  if (drive.has("time")) return read_curve(drive, "time", kTime, "torque", kTorque);
   if (drive.is_array("torque")) {
     drive.fail_expected("torque", "a number (N m), or with an array also the array time (s)");
   }
@@ -40,13 +30,14 @@ void check_drive_keys(const TomlSection& drive, std::string_view kind) {
     std::string_view name;
     TomlSection::Keys kinds;
   };
-  const std::vector<Key> keys = {{"speed", {"spin_up", "spin_up_hold_spin_down", "table"}},
-                                 {"ramp", {"spin_up", "spin_up_hold_spin_down"}},
-                                 {"hold", {"spin_up_hold_spin_down"}},
-                                 {"ramp_down", {"spin_up_hold_spin_down"}},
-                                 {"torque", {"torque"}},
-                                 {"time", {"torque", "table"}},
-                                 {"initial_speed", {"torque", "free"}}};
+  const std::vector<Key> keys = {
+      {"speed", {"spin_up", "spin_up_hold_spin_down", "table", "constant", "torque_by_speed"}},
+      {"ramp", {"spin_up", "spin_up_hold_spin_down", "torque_by_speed"}},
+      {"hold", {"spin_up_hold_spin_down"}},
+      {"ramp_down", {"spin_up_hold_spin_down"}},
+      {"torque", {"torque", "torque_by_speed"}},
+      {"time", {"torque", "table"}},
+      {"initial_speed", {"torque", "free", "torque_by_speed"}}};
   for (const Key& key : keys) {
     if (!drive.has(key.name)) continue;
     if (std::find(key.kinds.begin(), key.kinds.end(), kind) != key.kinds.end()) continue;
@@ -65,11 +56,20 @@ Fields read_fields(const TomlSection& section) {
 Drive read_drive(const TomlSection& hub) {
   const TomlSection drive = hub.section(
       "drive", {"kind", "speed", "ramp", "hold", "ramp_down", "torque", "time", "initial_speed"});
-  const TomlSection::Keys kinds = {"spin_up", "spin_up_hold_spin_down", "torque", "free", "table"};
+  const TomlSection::Keys kinds = {
+      "spin_up",  "spin_up_hold_spin_down", "torque", "free", "table", "fixed",
+      "constant", "torque_by_speed"};
   const std::string_view kind = kinds[drive.choice("kind", kinds)];
   check_drive_keys(drive, kind);
-  if (kind == "table") return SpeedTable{read_curve(drive, "speed", kSpeed)};
+  if (kind == "table") return SpeedTable{read_curve(drive, "time", kTime, "speed", kSpeed)};
   if (kind == "free") return read_fields<FreeDrive>(drive);
+  if (kind == "fixed") return FixedDrive{};
+  if (kind == "constant") return read_fields<ConstantSpeed>(drive);
+  if (kind == "torque_by_speed") {
+    auto by_speed = read_fields<TorqueBySpeed>(drive);
+    by_speed.torque = read_curve(drive, "speed", kSpeed, "torque", kTorque);
+    return by_speed;
+  }
   if (kind == "torque") {
     const Curve torque = read_torque(drive);
     TorqueDrive torque_drive = read_fields<TorqueDrive>(drive);
@@ -155,84 +155,21 @@ std::vector<Blade> read_blades(const TomlSection& root) {
   return blades;
 }
 
-/// The blade a load acts on: its index from 0, or -1 for every blade.
-int read_loaded_blade(const TomlSection& section, std::size_t blades) {
-  if (!section.has("blade")) return -1;
-  if (section.is_text("blade")) {
-    section.choice("blade", {"all"});
-    return -1;
-  }
-  return section.integer("blade", {1, static_cast<int>(blades)}) - 1;
-}
-
-PointLoad read_load(const TomlSection& section, const std::vector<Blade>& blades) {
-  if (!section.has("force") && !section.has("moment")) {
-    section.fail("", "has neither force nor moment, expected force = [x, y] or moment = M");
-  }
-  PointLoad load;
-  load.blade = read_loaded_blade(section, blades.size());
-  load.frame = section.choice("frame", {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section},
-                              load.frame);
-  if (section.has("force")) {
-    const std::vector<double> force = section.numbers("force", kForce, kPosition);
-    load.force = Position::Map(force.data());
-  }
-  visit_fields(load, FieldReader{section});
-  if (section.has("time") || section.has("factor")) {
-    load.factor = read_curve(section, "factor", kFactor);
-  }
-  return load;
-}
-
-/// Appends the load to `loads`, at its place: the given one, or the tip of every loaded blade.
-void place_load(const TomlSection& section, const std::vector<Blade>& blades, PointLoad load,
-                std::vector<PointLoad>& loads) {
-  const Blade& shortest = shortest_loaded(load, blades);
-  load.position = section.number("position", place_on(shortest), shortest.length);
-  const bool is_alike = load.blade >= 0 || section.has("position") ||
-                        std::all_of(blades.begin(), blades.end(), [&](const Blade& blade) {
-                          return blade.length == shortest.length;
-                        });
-  if (is_alike) {
-    loads.push_back(std::move(load));
-    return;
-  }
-  for (std::size_t i = 0; i < blades.size(); ++i) {
-    load.blade = static_cast<int>(i);
-    load.position = blades[i].length;
-    loads.push_back(load);
-  }
-}
-
-std::vector<PointLoad> read_loads(const TomlSection& root, const std::vector<Blade>& blades) {
-  std::vector<PointLoad> loads;
-  std::size_t points = 0;
-  for (const TomlSection& section :
-       root.sections("load", {"blade", "position", "frame", "force", "moment", "time", "factor"})) {
-    PointLoad load = read_load(section, blades);
-    // A load on every blade is copied to each.
-    points += count_points(load, blades);
-    const std::string fault = find_point_fault(points);
-    if (!fault.empty()) section.fail("", fault);
-    place_load(section, blades, std::move(load), loads);
-  }
-  return loads;
-}
-
 }  // namespace
 
 Rotor read_rotor(const TomlSection& root) {
   Rotor rotor;
   rotor.hub = read_hub(root);
   rotor.blades = read_blades(root);
-  const TomlSection gravity = root.section("gravity", {"acceleration"});
+  const TomlSection gravity = root.section("gravity", {"acceleration", "ramp"});
   if (gravity.has("acceleration")) {
     const std::vector<double> acceleration = gravity.numbers("acceleration", kGravity, kPosition);
     rotor.gravity = Position::Map(acceleration.data());
   }
+  rotor.gravity_ramp = gravity.number("ramp", kRamp, rotor.gravity_ramp);
   visit_fields(rotor.damping,
                FieldReader{root.section("damping", {"mass_factor", "stiffness_factor"})});
-  rotor.loads = read_loads(root, rotor.blades);
+  read_loads(root, rotor);
   return rotor;
 }
 

@@ -1,11 +1,10 @@
-// Cuts blades into bodies, and places loads on nodes.
+// Cuts blades into bodies.
 
 #include "models/system/system.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "models/system/beam_elements.h"
 
@@ -67,21 +66,11 @@ Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& cata
   return subsystem;
 }
 
-/// Puts a load on the node nearest to its place; between two bodies, on the inner body's end.
-void add_load(const PointLoad& load, const Blade& blade, Subsystem& subsystem) {
-  const double element_length = blade.length / (blade.bodies * blade.elements);
-  const int from_root = static_cast<int>(std::lround(load.position / element_length));
-  const int j = std::max(0, (from_root - 1) / blade.elements);
-  ChainBody& member = subsystem.bodies[j];
-  NodeLoad at;
-  at.node = from_root - j * blade.elements;
-  at.p = Position{at.node * element_length, 0.0};
-  for (int c = 0; c < kTwist; ++c) at.coordinate[c] = member.body->coordinate(at.node, c);
-  at.frame = load.frame;
-  at.force = load.force;
-  at.moment = load.moment;
-  at.factor = std::make_shared<const Curve>(load.factor);
-  member.loads.push_back(std::move(at));
+void put_loads(std::vector<BodyLoads> placed, Subsystem& subsystem) {
+  for (std::size_t j = 0; j < placed.size(); ++j) {
+    subsystem.bodies[j].loads = std::move(placed[j].loads);
+    subsystem.bodies[j].drags = std::move(placed[j].drags);
+  }
 }
 
 }  // namespace
@@ -107,13 +96,13 @@ System make_system(const Rotor& rotor) {
   System system;
   system.hub = rotor.hub;
   system.gravity = rotor.gravity;
+  system.gravity_ramp = rotor.gravity_ramp;
   system.damping = rotor.damping;
+  system.hub_loads = rotor.hub_loads;
   BodyCatalogue catalogue;
   for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
     system.subsystems.push_back(make_subsystem(rotor.hub, rotor.blades[i], catalogue));
-    for (const PointLoad& load : rotor.loads)
-      if (load.blade < 0 || load.blade == static_cast<int>(i))
-        add_load(load, rotor.blades[i], system.subsystems.back());
+    put_loads(make_body_loads(rotor, i), system.subsystems.back());
   }
   return system;
 }

@@ -3,26 +3,15 @@
 // What is simulated, as constant data: a hub and its subsystems (blades), each a chain of flexible
 // bodies tied by bracket joints, the first tied to the hub.
 
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "models/rotor.h"
+#include "models/system/blade_loads.h"
 #include "models/system/flexible_body.h"
 #include "models/system/space.h"
 
 namespace spoke {
-
-/// A point load as it sits on one body.
-struct NodeLoad {
-  int node = 0;                                    ///< 0..E
-  Position p = Position::Zero();                   ///< undeformed place in the body frame [m]
-  std::array<int, kTwist> coordinate{-1, -1, -1};  ///< as in Handle
-  LoadFrame frame = LoadFrame::hub;
-  Position force = Position::Zero();  ///< [N]
-  double moment = 0.0;                ///< [N m]
-  std::shared_ptr<const Curve> factor;
-};
 
 /// A body in its chain.
 struct ChainBody {
@@ -31,7 +20,8 @@ struct ChainBody {
   std::shared_ptr<const SymmetricBand<3>> centrifugal_stiffness;
   /// make_slope_integral, for the tip's displacement; null likewise.
   std::shared_ptr<const SymmetricBand<3>> slope_integral;
-  std::vector<NodeLoad> loads;
+  std::vector<BodyLoad> loads;
+  std::vector<BodyDrag> drags;
 };
 
 /// A chain of bodies, root to tip.
@@ -43,9 +33,14 @@ struct Subsystem {
 
 struct System {
   Hub hub;
+  std::vector<HubLoad> hub_loads;
   std::vector<Subsystem> subsystems;
-  Position gravity = Position::Zero();  ///< inertial frame [m/s^2]
+  Position gravity = Position::Zero();  ///< inertial frame, at full size [m/s^2]
+  double gravity_ramp = 0.0;            ///< [s]
   Damping damping;
+
+  /// In force at time t [s].
+  Position gravity_at(double t) const { return gravity * calc_rise(t, gravity_ramp); }
 
   int body_count() const;
   /// Deformation coordinates of all bodies together.

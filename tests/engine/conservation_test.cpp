@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
 #include "engine/run/time_stepper.h"
 #include "engine/simulation/sensors.h"
@@ -154,7 +155,7 @@ TEST_CASE("the energy residual falls at the order of the scheme with torque, dam
   rotor.damping = {0.1, 1e-4};
   rotor.gravity = Position{0.3, -1.0};
   PointLoad load;
-  load.blade = 0;
+  load.blade = LoadedBlades::number(1);
   load.position = 2.0;
   load.force = Position{0.0, 0.05};
   load.moment = 0.02;
@@ -164,6 +165,49 @@ TEST_CASE("the energy residual falls at the order of the scheme with torque, dam
     rotor.loads = {load};
     CHECK(order([&](double h) { return largest_residual(rotor, rk4, h); }, 4e-4) > 3.8);
     CHECK(residual_order(rotor) > 1.8);
+  }
+}
+
+TEST_CASE("the energy residual falls at the order of the scheme with loads of every kind") {
+  for (const bool is_free : {true, false}) {
+    Rotor rotor = is_free ? free_rotor() : soft_rotor(true, ReferenceFrame::chord);
+    rotor.damping = {0.1, 1e-4};
+    if (is_free) rotor.hub.drive = TorqueBySpeed{Curve({-20.0, 20.0}, {1.0, -0.5}), 2.0, 1.0};
+    rotor.gravity = Position{0.3, -1.0};
+    add_all_loads(rotor);
+    CAPTURE(is_free);
+    CHECK(order([&](double h) { return largest_residual(rotor, rk4, h); }, 4e-4) > 3.8);
+    const double second =
+        order([&](double h) { return largest_residual(rotor, generalized_alpha, h); }, 4e-4);
+    CHECK(second > 1.8);
+  }
+}
+
+TEST_CASE("a thruster changes momentum by its force, and angular momentum by its moment") {
+  for (const LoadFrame frame : {LoadFrame::inertial, LoadFrame::hub}) {
+    Rotor rotor = free_rotor();
+    HubLoad thruster;
+    thruster.position = {0.2, -0.1};
+    thruster.frame = frame;
+    thruster.force = {0.4, 0.7};
+    thruster.torque = 0.05;
+    rotor.hub_loads = {thruster};
+    constexpr double step = 1e-4;
+    Run run(rotor, Rk4{step}, step);
+    const auto rate = [&] {
+      const HubState hub = calc_hub_state(run.context().data.hub_coordinates);
+      const Position p = hub.p + hub.R * thruster.position;
+      const Rotation R = frame == LoadFrame::hub ? hub.R : Rotation{};
+      return translate(p, R * Twist(0.4, 0.7, 0.05));
+    };
+    const Twist before = run.momentum();
+    Twist impulse = Twist::Zero(), last = rate();
+    run.to(0.24, [&] {
+      const Twist now = rate();
+      impulse += 0.5 * step * (last + now);
+      last = now;
+    });
+    CHECK((run.momentum() - before - impulse).norm() < 1e-5 * impulse.norm());
   }
 }
 

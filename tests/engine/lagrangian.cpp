@@ -94,6 +94,23 @@ void for_each_body(const System& system, const Eigen::VectorXd& y, const double*
   }
 }
 
+/// Displacements u, v and rotation v' at `xi`, 0 to 1 within element `e` of length `l`.
+struct Displacement {
+  Dual u, v, slope;
+};
+Displacement displacement_at(const BodyCoordinates& q, int e, double xi, double l) {
+  const Shape N = shape_at(xi, l);
+  Displacement d;
+  for (int side = 0; side < 2; ++side) {
+    d.u = d.u + constant(N.u[side]) * q.at(e + side, 0);
+    for (int k = 0; k < 2; ++k) {
+      d.v = d.v + constant(N.v[2 * side + k]) * q.at(e + side, 1 + k);
+      d.slope = d.slope + constant(N.slope[2 * side + k]) * q.at(e + side, 1 + k);
+    }
+  }
+  return d;
+}
+
 /// Calls visit(x, weight, u, v, slope) at the quadrature points of a body.
 template <class Visit>
 void for_each_point(const FlexibleBody& body, const BodyCoordinates& q, Visit&& visit) {
@@ -101,15 +118,7 @@ void for_each_point(const FlexibleBody& body, const BodyCoordinates& q, Visit&& 
   for (int e = 0; e < body.elements; ++e)
     for (std::size_t g = 0; g < kGaussPoints.size(); ++g) {
       const double xi = 0.5 * (1.0 + kGaussPoints[g]);
-      const Shape N = shape_at(xi, l);
-      Dual u, v, slope;
-      for (int side = 0; side < 2; ++side) {
-        u = u + constant(N.u[side]) * q.at(e + side, 0);
-        for (int k = 0; k < 2; ++k) {
-          v = v + constant(N.v[2 * side + k]) * q.at(e + side, 1 + k);
-          slope = slope + constant(N.slope[2 * side + k]) * q.at(e + side, 1 + k);
-        }
-      }
+      const auto [u, v, slope] = displacement_at(q, e, xi, l);
       visit((e + xi) * l, 0.5 * kGaussWeights[g] * l, u, v, slope);
     }
 }
@@ -229,15 +238,19 @@ Eigen::VectorXd Lagrangian::residual(const Eigen::VectorXd& y, const Eigen::Vect
   return r;
 }
 
-Position Lagrangian::node_position(const Eigen::VectorXd& y, int blade, int body, int node) const {
-  Position found = Position::Zero();
-  for_each_body(system_, y, nullptr,
+SectionMotion Lagrangian::section(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int blade,
+                                  int body, double x) const {
+  SectionMotion found;
+  for_each_body(system_, y, v.data(),
                 [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
                   if (i != blade || j != body) return;
                   const FlexibleBody& model = *system_.subsystems[i].bodies[j].body;
-                  const double x = model.length * node / model.elements;
-                  const auto [px, py] = frame.point(constant(x) + q.at(node, 0), q.at(node, 1));
-                  found = {px.value, py.value};
+                  const double l = model.length / model.elements;
+                  const int e = std::min(static_cast<int>(x / l), model.elements - 1);
+                  const auto [u, w, slope] = displacement_at(q, e, x / l - e, l);
+                  const auto [px, py] = frame.point(constant(x) + u, w);
+                  const Dual angle = frame.angle + slope;
+                  found = {{px.value, py.value, angle.value}, {px.rate, py.rate, angle.rate}};
                 });
   return found;
 }

@@ -10,6 +10,12 @@
 
 namespace spoke::test {
 
+/// Place and motion of a section in the inertial frame: x, y [m], angle [rad] and their rates.
+struct SectionMotion {
+  Twist place = Twist::Zero();
+  Twist rate = Twist::Zero();
+};
+
 /// Generalised coordinates y: hub x, y, angle, then all deformation coordinates, body by body.
 class Lagrangian {
  public:
@@ -29,8 +35,9 @@ class Lagrangian {
   /// forces that are not of the potential.
   Eigen::VectorXd residual(const Eigen::VectorXd& y, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& a) const;
-  /// Position of a node of a body in the inertial frame [m].
-  Position node_position(const Eigen::VectorXd& y, int blade, int body, int node) const;
+  /// The section at x [m] of a body.
+  SectionMotion section(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int blade, int body,
+                        double x) const;
 
  private:
   const System& system_;

@@ -87,10 +87,7 @@ TEST_CASE("a step allocates nothing, at small and large numbers of elements") {
       scenario.integration.method = method;
       if (method == IntegrationMethod::rk4) scenario.integration.step = 1e-8;
       scenario.rotor.damping = {0.1, 1e-6};
-      PointLoad load;
-      load.force = Position{0.0, 1.0};
-      load.factor = Curve({0.0, 1.0, 2.0}, {0.0, 1.0, 0.0});
-      scenario.rotor.loads.push_back(load);
+      add_all_loads(scenario.rotor);
       CAPTURE(elements);
       CHECK(allocations_of_steps(scenario, {Formulation::structured, ExecutorKind::serial, 1},
                                  20) == 0);

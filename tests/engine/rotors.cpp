@@ -90,6 +90,46 @@ Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random) {
   return rotor;
 }
 
+void add_all_loads(Rotor& rotor) {
+  const Curve factor({-1.0, 2.0}, {0.3, 1.0});
+  for (const LoadFrame frame : {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section}) {
+    PointLoad point;
+    point.position = 0.83;
+    point.frame = frame;
+    point.force = {0.1, 0.2};
+    point.moment = 0.03;
+    point.factor = factor;
+    rotor.loads.push_back(point);
+    DistributedLoad distributed;
+    distributed.from = 0.17;
+    distributed.frame = frame;
+    distributed.force_per_length = {0.05, -0.1};
+    distributed.moment_per_length = 0.02;
+    distributed.ramp = 1.5;
+    rotor.distributed_loads.push_back(distributed);
+    if (frame == LoadFrame::section) continue;
+    HubLoad hub;
+    hub.position = {0.1, 0.2};
+    hub.frame = frame;
+    hub.force = {0.3, -0.4};
+    hub.torque = 0.2;
+    hub.factor = factor;
+    rotor.hub_loads.push_back(hub);
+  }
+  for (const DragFrame frame : {DragFrame::inertial, DragFrame::hub}) {
+    Drag drag;
+    drag.relative_to = frame;
+    drag.linear = 0.02;
+    drag.quadratic = 0.01;
+    drag.to = 0.91;
+    drag.linear_per_length = 0.03;
+    drag.quadratic_per_length = 0.02;
+    drag.ramp = 2.0;
+    rotor.drags.push_back(drag);
+  }
+  rotor.gravity_ramp = 1.2;
+}
+
 void randomize_state(std::mt19937& random, StepContext& context) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   StepData& data = context.data;
@@ -140,7 +180,7 @@ Twist hub_reaction(double t, const StepContext& context) {
   Twist sum = Twist(hub.mass, hub.mass, hub.inertia)
                   .cwiseProduct(calc_prescribed_motion(context.system, t).acceleration);
   for (const SubsystemData& subsystem : context.data.subsystems) sum += calc_reaction(subsystem);
-  return sum;
+  return sum - calc_hub_load(context.system, t, *context.data.subsystems[0].hub);
 }
 
 }  // namespace

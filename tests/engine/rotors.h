@@ -29,6 +29,10 @@ struct RandomRotor {
 };
 Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random);
 
+/// Adds a load of every kind to a rotor, on blades longer than 1 m, and lets gravity rise. The
+/// drive stays.
+void add_all_loads(Rotor& rotor);
+
 /// Fills coordinates and velocities with a random smooth bend of every body and a random hub
 /// motion.
 void randomize_state(std::mt19937& random, StepContext& context);

@@ -37,11 +37,14 @@ void check(const Scenario& scenario) {
     require(std::isfinite(blade.azimuth), "a blade has a direction");
   }
   for (const PointLoad& load : scenario.rotor.loads) {
-    require(load.blade < static_cast<int>(scenario.rotor.blades.size()), "a loaded blade exists");
-    require(load.position >= 0.0, "a load is on its blade");
+    require(load.blade.number() <= static_cast<int>(scenario.rotor.blades.size()),
+            "a loaded blade exists");
+    require(load.position.value_or(0.0) >= 0.0, "a load is on its blade");
     for (const double t : {-1.0, 0.0, 0.3, 1e30})
       require(!std::isnan(load.factor.value(t)), "a curve has values");
   }
+  for (const DistributedLoad& load : scenario.rotor.distributed_loads)
+    require(load.from < load.to.value_or(1e31), "a load per length has a length");
   require(scenario.integration.step <= scenario.integration.duration, "there is a step");
   const Drive& drive = scenario.rotor.hub.drive;
   require(!prescribes_motion(drive) || !std::isnan(calc_motion(drive, 0.1).speed),

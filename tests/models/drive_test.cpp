@@ -100,13 +100,13 @@ TEST_CASE("a speed table gives its speeds and their integral") {
 TEST_CASE("torque and free drives leave the motion open") {
   const Drive torque = TorqueDrive{Curve({0.0, 10.0}, {0.0, 20.0}), 1.5};
   CHECK_FALSE(prescribes_motion(torque));
-  CHECK(calc_torque(torque, 5.0) == Approx(10.0));
+  CHECK(calc_torque(torque, 5.0, 0.0) == Approx(10.0));
   CHECK(calc_initial_speed(torque) == 1.5);
   const Drive free = FreeDrive{-2.0};
   CHECK_FALSE(prescribes_motion(free));
-  CHECK(calc_torque(free, 5.0) == 0.0);
+  CHECK(calc_torque(free, 5.0, 0.0) == 0.0);
   CHECK(calc_initial_speed(free) == -2.0);
-  CHECK(calc_torque(SpinUp{4.0, 15.0}, 5.0) == 0.0);
+  CHECK(calc_torque(SpinUp{4.0, 15.0}, 5.0, 0.0) == 0.0);
 }
 
 TEST_CASE("drives are named as in scenario files") {

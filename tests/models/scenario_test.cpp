@@ -172,20 +172,20 @@ TEST_CASE("loads are read with their blade and place and frame and course") {
             kIntegration);
   REQUIRE(scenario.rotor.loads.size() == 3);
   const PointLoad& tip = scenario.rotor.loads[0];
-  CHECK(tip.blade == -1);
+  CHECK(tip.blade.is_all());
   CHECK(tip.position == 8.0);
   CHECK(tip.frame == LoadFrame::hub);
   CHECK(tip.force == Position(1.0, 2.0));
   CHECK(tip.moment == 0.0);
   CHECK(tip.factor.value(5.0) == 1.0);
   const PointLoad& follower = scenario.rotor.loads[1];
-  CHECK(follower.blade == 1);
+  CHECK(follower.blade.number() == 2);
   CHECK(follower.position == 3.5);
   CHECK(follower.frame == LoadFrame::section);
   CHECK(follower.moment == -4.0);
   CHECK(follower.factor.value(0.5) == Approx(0.5));
   CHECK(scenario.rotor.loads[2].frame == LoadFrame::inertial);
-  CHECK(scenario.rotor.loads[2].blade == -1);
+  CHECK(scenario.rotor.loads[2].blade.is_all());
 }
 
 TEST_CASE("a load on every tip finds the tips of blades of different lengths") {
@@ -193,9 +193,9 @@ TEST_CASE("a load on every tip finds the tips of blades of different lengths") {
       parse(kHub + "[blade]\nlength = 8\n" + kSection +
             "[[blades]]\n[[blades]]\nlength = 6\n[[load]]\nmoment = 1\n" + kIntegration);
   REQUIRE(scenario.rotor.loads.size() == 2);
-  CHECK(scenario.rotor.loads[0].blade == 0);
+  CHECK(scenario.rotor.loads[0].blade.number() == 1);
   CHECK(scenario.rotor.loads[0].position == 8.0);
-  CHECK(scenario.rotor.loads[1].blade == 1);
+  CHECK(scenario.rotor.loads[1].blade.number() == 2);
   CHECK(scenario.rotor.loads[1].position == 6.0);
 }
 

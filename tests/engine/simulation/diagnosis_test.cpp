@@ -84,7 +84,7 @@ std::string number(double value) {
 
 PointLoad tip_load(int blade, Curve factor) {
   PointLoad load;
-  load.blade = blade;
+  load.blade = LoadedBlades::number(blade + 1);
   load.position = 8.0;
   load.force = {0.0, 1.0};
   load.factor = std::move(factor);
@@ -163,7 +163,7 @@ TEST_CASE("a load that is not finite is named in the step it appears in") {
     const bool is_rk4 = method == IntegrationMethod::rk4;
     check_parts(diverge_unchecked(scenario),
                 {is_rk4 ? "t = 0.1051 s, step 1051: " : "t = 0.11 s, step 11: ",
-                 "blade 3 / body 2: the load on its node 4 is not finite",
+                 "blade 3 / body 2: the load at x = 4 m in its frame is not finite",
                  "(node \"blade 3 / body 2 / mass\")", "correct it"});
   }
 }
@@ -174,7 +174,7 @@ TEST_CASE("a load that is no number at the start is named at t = 0") {
   load.moment = std::numeric_limits<double>::quiet_NaN();
   scenario.rotor.loads.push_back(load);
   check_parts(diverge_unchecked(scenario),
-              {"t = 0 s, step 0: blade 1 / body 2: the load on its node 4"});
+              {"t = 0 s, step 0: blade 1 / body 2: the load at x = 4 m in its frame"});
 }
 
 TEST_CASE("a drive that is not finite is named") {

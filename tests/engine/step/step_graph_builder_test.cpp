@@ -28,18 +28,11 @@ Rotor demanding_rotor(bool is_free) {
   rotor.hub.drive = SpinUp{4.0, 1.0};
   if (is_free) {
     rotor.hub.support = HubSupport::free;
-    rotor.hub.drive = TorqueDrive{Curve(2.0), 1.0};
+    rotor.hub.drive = TorqueBySpeed{Curve({-4.0, 4.0}, {2.0, -1.0}), 1.0, 0.3};
   }
   rotor.gravity = Position{0.5, -9.0};
   rotor.damping = {0.1, 1e-4};
-  PointLoad load;
-  load.position = 3.0;
-  load.force = Position{1.0, 2.0};
-  load.moment = 0.5;
-  for (const LoadFrame frame : {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section}) {
-    load.frame = frame;
-    rotor.loads.push_back(load);
-  }
+  add_all_loads(rotor);
   return rotor;
 }
 

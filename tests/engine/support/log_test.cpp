@@ -59,7 +59,8 @@ Scenario bending_scenario() {
   Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
   scenario.name = "bent";
   scenario.rotor.hub.drive = SpinUp{0.0, 1.0};
-  scenario.rotor.loads.push_back({.blade = 1, .position = 8.0, .force = {0.0, 6.0}});
+  scenario.rotor.loads.push_back(
+      {.blade = LoadedBlades::number(2), .position = 8.0, .force = {0.0, 6.0}});
   scenario.integration.duration = 2.0;
   return scenario;
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tests/message_of.h"
@@ -31,7 +32,8 @@ Scenario make_scenario() {
   scenario.rotor.blades = {blade, blade};
   scenario.rotor.blades[1].length = 6.0;
   scenario.rotor.hub.drive = SpinUp{4.0, 15.0};
-  scenario.rotor.loads.push_back({.blade = 1, .position = 6.0, .force = {0.0, 1.0}});
+  scenario.rotor.loads.push_back(
+      {.blade = LoadedBlades::number(2), .position = 6.0, .force = {0.0, 1.0}});
   scenario.integration.duration = 20.0;
   return scenario;
 }
@@ -58,7 +60,8 @@ Blade& second(Scenario& s) { return s.rotor.blades[1]; }
 
 TEST_CASE("a sound scenario passes") {
   CHECK(message_after([](Scenario&) {}) == "no error");
-  CHECK(message_after([](Scenario& s) { s.rotor.loads[0].blade = -1; }) == "no error");
+  CHECK(message_after([](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::all(); }) ==
+        "no error");
 }
 
 TEST_CASE("blades in code are checked as those of a file") {
@@ -129,13 +132,19 @@ TEST_CASE("hub, drive, gravity and damping in code are checked as those of a fil
 }
 
 TEST_CASE("loads in code are checked as those of a file") {
+  // An index, from 0, is no number of a blade, from 1.
+  static_assert(!std::is_constructible_v<LoadedBlades, int>);
   check_cases({
-      {[](Scenario& s) { s.rotor.loads[0].blade = 2; },
-       "load.1.blade: is index 2, expected 0 to 1, or -1 for every blade"},
+      {[](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::number(3); },
+       "load.1.blade: is 3, expected a whole number from 1 to 2"},
+      {[](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::number(0); },
+       "load.1.blade: is 0, expected a whole number from 1 to 2"},
+      {[](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::number(-1); },
+       "load.1.blade: is -1, expected a whole number from 1 to 2"},
       {[](Scenario& s) { s.rotor.loads[0].position = 6.5; },
        "load.1.position: is 6.5, expected a number from 0 to 6 (m, from root to tip of the blade)"},
       {[](Scenario& s) {
-         s.rotor.loads[0].blade = -1;
+         s.rotor.loads[0].blade = LoadedBlades::all();
          s.rotor.loads[0].position = 7.0;
        },
        "load.1.position: is 7, expected a number from 0 to 6 (m, from root to tip of the blade)"},
@@ -153,11 +162,52 @@ TEST_CASE("loads in code are checked as those of a file") {
          std::vector<double> times(1'000'001);
          for (std::size_t k = 0; k < times.size(); ++k) times[k] = static_cast<double>(k);
          s.rotor.loads[0].position = 0.0;
-         s.rotor.loads[0].blade = -1;
+         s.rotor.loads[0].blade = LoadedBlades::all();
          s.rotor.loads[0].factor = Curve(times, times);
        },
        "load.1: makes 2000002 points (loads x blades x times) with those before it, expected at "
        "most 2000000"},
+  });
+}
+
+TEST_CASE(
+    "loads along blades and on the hub, drag and ramps in code are checked as those of a file") {
+  check_cases({
+      {[](Scenario& s) { s.rotor.gravity_ramp = -1.0; },
+       "gravity.ramp: is -1, expected a number of 0 or more (s)"},
+      {[](Scenario& s) { s.rotor.loads[0].ramp = kNan; },
+       "load.1.ramp: is nan, expected a finite number (s)"},
+      {[](Scenario& s) { s.rotor.distributed_loads.push_back({.blade = LoadedBlades::number(3)}); },
+       "distributed_load.1.blade: is 3, expected a whole number from 1 to 2"},
+      {[](Scenario& s) { s.rotor.distributed_loads.push_back({.from = 6.0}); },
+       "distributed_load.1.from: is 6, expected less than the blade's length, 6 (m)"},
+      {[](Scenario& s) { s.rotor.distributed_loads.push_back({.from = 2.0, .to = 1.0}); },
+       "distributed_load.1.to: is 1, expected a number greater than 2 and at most 6 (m, beyond "
+       "from, up to the blade's tip)"},
+      {[](Scenario& s) {
+         s.rotor.distributed_loads.push_back({.force_per_length = {0.0, kNan}});
+       },
+       "distributed_load.1.force_per_length.2: is nan, expected a finite number (N/m)"},
+      {[](Scenario& s) { s.rotor.drags.push_back({.linear = -1.0}); },
+       "drag.1.linear: is -1, expected a number of 0 or more (N s/m)"},
+      {[](Scenario& s) { s.rotor.drags.push_back({.position = 7.0, .linear = 1.0}); },
+       "drag.1.position: is 7, expected a number from 0 to 6 (m, from root to tip of the blade)"},
+      {[](Scenario& s) { s.rotor.drags.push_back({.to = kInfinity, .linear_per_length = 1.0}); },
+       "drag.1.to: is inf, expected a finite number (m, beyond from, up to the blade's tip)"},
+      {[](Scenario& s) { s.rotor.hub_loads.push_back({.frame = LoadFrame::section}); },
+       "hub_load.1.frame: is \"section\", expected \"hub\" or \"inertial\""},
+      {[](Scenario& s) {
+         s.rotor.hub_loads.push_back({.position = {kNan, 0.0}});
+       },
+       "hub_load.1.position.1: is nan, expected a finite number (m)"},
+      {[](Scenario& s) { s.rotor.hub_loads.push_back({.torque = kInfinity}); },
+       "hub_load.1.torque: is inf, expected a finite number (N m)"},
+      {[](Scenario& s) { s.rotor.hub.drive = ConstantSpeed{kNan}; },
+       "hub.drive.speed: is nan, expected a finite number (rad/s)"},
+      {[](Scenario& s) {
+         s.rotor.hub.drive = TorqueBySpeed{Curve({0.0, 1e31}, {1.0, 2.0}), 0.0, 0.0};
+       },
+       "hub.drive.speed.2: is 1e+31, expected 0 or a magnitude from 1e-40 to 1e+30 (rad/s)"},
   });
 }
 

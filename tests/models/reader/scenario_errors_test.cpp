@@ -192,7 +192,7 @@ TEST_CASE("missing keys are named with what they should be") {
        "f.toml:8:1: blade.count: is missing, expected a whole number from 1 to 100000"},
       {"kind = \"spin_up\"", "",
        "f.toml:4:1: hub.drive.kind: is missing, expected \"spin_up\", \"spin_up_hold_spin_down\", "
-       "\"torque\", \"free\" or \"table\""},
+       "\"torque\", \"free\", \"table\", \"fixed\", \"constant\" or \"torque_by_speed\""},
       {"ramp = 15.0", "",
        "f.toml:4:1: hub.drive.ramp: is missing, expected a number greater than 0 (s)"},
       {"radius = 0.1", "support = \"free\"",
@@ -200,16 +200,20 @@ TEST_CASE("missing keys are named with what they should be") {
       {"duration = 20.0", "",
        "f.toml:17:1: integration.duration: is missing, expected a number greater than 0 (s)"},
   });
-  check_message(error_of("# nothing but a comment"),
-                "f.toml: hub.drive.kind: is missing, expected \"spin_up\", "
-                "\"spin_up_hold_spin_down\", \"torque\", \"free\" or \"table\"");
+  check_message(
+      error_of("# nothing but a comment"),
+      "f.toml: hub.drive.kind: is missing, expected \"spin_up\", "
+      "\"spin_up_hold_spin_down\", \"torque\", \"free\", \"table\", \"fixed\", \"constant\" or "
+      "\"torque_by_speed\"");
   check_message(error_of("hub.drive.kind = 'free'"),
                 "f.toml: blade: is missing, expected [blade] or [[blades]]");
 }
 
 TEST_CASE("wrong words and wrong types are refused") {
   const std::string kinds =
-      "expected \"spin_up\", \"spin_up_hold_spin_down\", \"torque\", \"free\" or \"table\"";
+      "expected \"spin_up\", \"spin_up_hold_spin_down\", \"torque\", \"free\", \"table\", "
+      "\"fixed\", "
+      "\"constant\" or \"torque_by_speed\"";
   check_edits({
       {"kind = \"spin_up\"", "kind = \"spinup\"",
        "f.toml:5:8: hub.drive.kind: is \"spinup\", " + kinds},
@@ -233,16 +237,16 @@ TEST_CASE("keys of another kind of drive are refused") {
       {"ramp = 15.0", "ramp = 15.0\ntorque = 3",
        "f.toml:8:10: hub.drive.torque: does not belong to kind \"spin_up\", expected only with "
        "kind "
-       "\"torque\""},
+       "\"torque\" or \"torque_by_speed\""},
       {"ramp = 15.0", "ramp = 15.0\nhold = 3",
        "f.toml:8:8: hub.drive.hold: does not belong to kind \"spin_up\", expected only with kind "
        "\"spin_up_hold_spin_down\""},
       {"kind = \"spin_up\"", "kind = \"free\"",
        "f.toml:6:9: hub.drive.speed: does not belong to kind \"free\", expected only with kind "
-       "\"spin_up\", \"spin_up_hold_spin_down\" or \"table\""},
+       "\"spin_up\", \"spin_up_hold_spin_down\", \"table\", \"constant\" or \"torque_by_speed\""},
       {"ramp = 15.0", "ramp = 15.0\ninitial_speed = 3",
        "f.toml:8:17: hub.drive.initial_speed: does not belong to kind \"spin_up\", expected only "
-       "with kind \"torque\" or \"free\""},
+       "with kind \"torque\", \"free\" or \"torque_by_speed\""},
   });
 }
 
@@ -372,7 +376,8 @@ TEST_CASE("bad overrides are refused with the override as their place") {
                 "--set blade: has no '=', expected key=value, for example blade.bodies=8");
   check_message(error("hub.drive.kind=free"),
                 "f.toml:6:9: hub.drive.speed: does not belong to kind \"free\", expected only with "
-                "kind \"spin_up\", \"spin_up_hold_spin_down\" or \"table\"");
+                "kind \"spin_up\", \"spin_up_hold_spin_down\", \"table\", \"constant\" or "
+                "\"torque_by_speed\"");
   check_message(error("blades.1.length=7"),
                 "f.toml:9:9: blade.count: given along with [[blades]], expected only one of them");
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+// The tables of a scenario that describe loads.
+
+#include "models/reader/toml_section.h"
+#include "models/rotor.h"
+
+namespace spoke {
+
+/// Reads the loads on a rotor that has its blades. Throws InputError about what is wrong in them.
+void read_loads(const TomlSection& root, Rotor& rotor);
+
+}  // namespace spoke

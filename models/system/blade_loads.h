@@ -1,0 +1,58 @@
+#pragma once
+
+// Where the loads of a rotor act on its bodies.
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "models/rotor.h"
+
+namespace spoke {
+
+/// A point of a body at which a load acts, by the shape functions there.
+struct LoadPoint {
+  int element = 0;      ///< of the body
+  double s = 0.0;       ///< within the element, 0 at its inboard end, 1 at the outboard end
+  double x = 0.0;       ///< undeformed place in the body frame [m]
+  double weight = 1.0;  ///< of a point load 1, else the length that the point stands for [m]
+};
+
+/// A load's factor over time.
+struct LoadCourse {
+  Curve factor;
+  double ramp = 0.0;  ///< [s]
+
+  double value(double t) const { return factor.value(t) * calc_rise(t, ramp); }
+};
+
+/// A force and a moment on one body, as they act at each of its points, times weight and course.
+struct BodyLoad {
+  std::vector<LoadPoint> points;
+  LoadFrame frame = LoadFrame::hub;
+  Position force = Position::Zero();  ///< [N], or [N/m]
+  double moment = 0.0;                ///< [N m], or [N]
+  std::shared_ptr<const LoadCourse> course;
+};
+
+/// Drag on one body, as it acts at each of its points, times weight and course.
+struct BodyDrag {
+  std::vector<LoadPoint> points;
+  DragFrame relative_to = DragFrame::inertial;
+  double linear = 0.0;     ///< [N s/m], or [N s/m^2]
+  double quadratic = 0.0;  ///< [N s^2/m^2], or [N s^2/m^3]
+  std::shared_ptr<const LoadCourse> course;
+};
+
+/// What acts on one body.
+struct BodyLoads {
+  std::vector<BodyLoad> loads;
+  std::vector<BodyDrag> drags;
+};
+
+/// The loads and drags of a rotor on the bodies of blade `index`, root to tip. What is per
+/// length acts at the points of Gauss's rule of four in each element, or part of one: by the shape
+/// functions that is the exact integral of a load that is constant, and of linear drag.
+std::vector<BodyLoads> make_body_loads(const Rotor& rotor, std::size_t index);
+
+}  // namespace spoke
