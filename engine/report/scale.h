@@ -42,7 +42,8 @@ std::vector<double> round_ticks(double low, double high, int most);
 /// Precondition: 0 < low < high, finite.
 std::vector<double> log_ticks(double low, double high, int most);
 
-/// Maps the values of an axis to positions between `first` (at the low end) and `last`.
+/// Maps the values of an axis to positions between `first` (at the low end) and `last`. Nearly
+/// constant values are shown as such: a linear axis spans a ten-thousandth of them at the least.
 class Scale {
  public:
   /// `values`: what the chart shows; may be empty. `most_ticks`: that there is room for.
@@ -58,6 +59,7 @@ class Scale {
 
  private:
   double share(double value) const;
+  void widen();
   void extend_to_ticks(const Axis& axis, int most_ticks);
 
   ScaleKind kind_;
