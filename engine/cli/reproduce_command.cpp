@@ -77,14 +77,16 @@ void measure(Work work, const Integration& integration, const compare::BatchSize
              const Effort& effort, Reproduction& all) {
   const ChildTask task{
       .scenario = "", .text = "", .overrides = {}, .integration = integration, .work = work};
-  all.timings.set(work,
-                  compare::measure(
-                      configurations_of(work),
-                      [&](const compare::Configuration& configuration) {
-                        return make_child_command(task, configuration);
-                      },
-                      batch_size, {.rounds = effort.rounds, .most_seconds = effort.most_seconds},
-                      show_progress));
+  all.timings.set(
+      work,
+      compare::measure(
+          configurations_of(work),
+          [&](const compare::Configuration& configuration) {
+            return make_child_command(task, configuration);
+          },
+          batch_size,
+          {.rounds = effort.rounds, .most_seconds = effort.most_seconds, .shrinks_batches = true},
+          show_progress));
 }
 
 void measure_all(const Effort& effort, Reproduction& all) {

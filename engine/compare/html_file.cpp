@@ -92,6 +92,15 @@ report::LineChart scaling_chart(const Comparison& comparison, const Model& model
   return chart;
 }
 
+/// What is said below a formulation's bars: of pale ones, where there are any.
+std::string caption_of_speedups(const Comparison& comparison, const Model& model) {
+  const bool has_pale =
+      std::any_of(comparison.results.begin(), comparison.results.end(), [&](const Result& result) {
+        return belongs_to(result, model.formulation) && result.figures && result.oversubscribed;
+      });
+  return has_pale ? "Pale bars have more threads than processors." : "";
+}
+
 std::string load_text(const Loads& loads) {
   if (loads.before < 0.0) return "not known";
   return fmt::format("{:.2f} before, {:.2f} after", loads.before, loads.after);
@@ -138,14 +147,16 @@ std::string make_html(const Comparison& comparison) {
   for (const Model& model : comparison.models) {
     page.add_heading(fmt::format("Formulation {}", name_of(model.formulation)));
     page.add_figure(render(speedup_chart(comparison, model)),
-                    "Pale bars have more threads than processors.");
+                    caption_of_speedups(comparison, model));
     const report::LineChart scaling = scaling_chart(comparison, model);
     if (scaling.x.ticks.size() > 2) page.add_figure(render(scaling));
     page.add_table(make_table(comparison, model));
   }
-  page.add_heading("All formulations");
-  page.add_figure(render(time_chart(comparison)),
-                  "The axis is logarithmic: compare ends, not lengths.");
+  if (comparison.models.size() > 1) {
+    const report::BarChart times = time_chart(comparison);
+    page.add_heading("All formulations");
+    page.add_figure(render(times), report::caption_of(times.value));
+  }
   add_method(page, comparison);
   return page.html();
 }

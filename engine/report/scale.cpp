@@ -75,10 +75,21 @@ std::string title_of(const Axis& axis) {
   return axis.unit.empty() ? axis.title : axis.title + " [" + axis.unit + ']';
 }
 
+std::string caption_of(const Axis& axis) {
+  if (axis.kind == ScaleKind::linear) return "";
+  return "The axis is logarithmic: compare ends, not lengths.";
+}
+
 void Range::add(double value) {
   if (!std::isfinite(value)) return;
   low = low ? std::min(*low, value) : value;
   high = high ? std::max(*high, value) : value;
+}
+
+ScaleKind scale_for(const Range& values) {
+  constexpr double kMost = 12.0;  // times, up to which a linear axis tells the small ones apart
+  const bool is_wide = values.low && *values.low > 0.0 && *values.high > kMost * *values.low;
+  return is_wide ? ScaleKind::log : ScaleKind::linear;
 }
 
 std::vector<double> round_ticks(double low, double high, int most) {

@@ -23,6 +23,10 @@ struct Axis {
 /// "title [unit]".
 std::string title_of(const Axis& axis);
 
+/// What to say of bars along it: where the axis is logarithmic, that their ends count; else
+/// nothing.
+std::string caption_of(const Axis& axis);
+
 struct Tick {
   double value = 0.0;
   std::string label = {};
@@ -34,6 +38,10 @@ struct Range {
   std::optional<double> high = {};
   void add(double value);
 };
+
+/// Logarithmic where the largest value is so many times the smallest that a linear axis would
+/// flatten most of them; all of them positive.
+ScaleKind scale_for(const Range& values);
 
 /// Multiples of 1, 2 or 5 times a power of ten that lie in [low, high], `most` at most, 2 <= most.
 /// Precondition: low < high, finite.

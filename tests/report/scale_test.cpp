@@ -119,6 +119,14 @@ TEST_CASE("a scale without values or of a single one has a length") {
   CHECK(zero.high() > 0.0);
 }
 
+TEST_CASE("an axis is logarithmic where a linear one would flatten the small values") {
+  CHECK(scale_for(range(7.0, 172.0)) == ScaleKind::log);
+  CHECK(scale_for(range(7.0, 17.0)) == ScaleKind::linear);
+  CHECK(scale_for(range(0.0, 172.0)) == ScaleKind::linear);
+  CHECK(scale_for(range(-1.0, 172.0)) == ScaleKind::linear);
+  CHECK(scale_for({}) == ScaleKind::linear);
+}
+
 TEST_CASE("what an axis cannot show") {
   const Scale log({.kind = ScaleKind::log}, range(1.0, 10.0), 0.0, 1.0);
   CHECK_FALSE(log.shows(0.0));
