@@ -16,6 +16,7 @@
 #include "engine/compare/probe.h"
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/inverse_part.h"
+#include "engine/reproduce/remarks.h"
 #include "engine/reproduce/tables.h"
 #include "engine/results.h"
 #include "models/paper_rotor.h"
@@ -125,6 +126,7 @@ int reproduce(const Arguments& arguments) {
   fmt::print("{}\n", one_line(all.scenario.title));
   print_table(reproduce::method_table(all));
   fmt::print("\n");
+  for (const std::string& doubt : reproduce::doubts_of(all)) print_line("note", doubt);
   print_line("written", (folder / "reproduce.html").string() + ", reproduce.json");
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "models/count_text.h"
 #include "models/reader/field_reader.h"
 #include "models/scenario.h"
 
@@ -19,7 +20,7 @@ Curve read_curve(const TomlSection& section, std::string_view key, const Quantit
   const std::vector<double> times = section.increasing_numbers("time", kTime);
   const std::vector<double> values = section.numbers(key, quantity);
   if (values.size() != times.size()) {
-    section.fail(key, "has " + std::to_string(values.size()) + " numbers, expected " +
+    section.fail(key, "has " + counted(std::ssize(values), "number") + ", expected " +
                           std::to_string(times.size()) + ", one for each of " + section.path() +
                           ".time");
   }

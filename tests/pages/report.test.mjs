@@ -55,7 +55,7 @@ async function shownWindow(page) {
 }
 
 for (const scheme of ['light', 'dark'])
-  for (const width of [1280, 1920])
+  for (const width of [400, 1280, 1920])
     test(`the rotor's page is drawn at ${width} pixels, ${scheme}`, () =>
       withPage(rotorPage, { width, scheme }, async (page) => {
         assert.equal(await page.locator('h1').textContent(), 'Wu & Haug 1988 rotor, spin-up to 4 rad/s');

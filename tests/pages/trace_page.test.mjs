@@ -57,6 +57,22 @@ onPage('twelve threads, 24 blades, a long comparison: nothing is cut off',
     await checkFit(page);
   });
 
+onPage('on a narrow screen graph and chart stand one below the other', rotorFile, async (page) => {
+  await page.setInputFiles('#file', write('narrow.json', JSON.stringify(asChromeTrace(other))));
+  await page.waitForSelector('#chart1:not([hidden])');
+  await frame(page);
+  const layout = await page.evaluate(() => {
+    const box = (id) => document.getElementById(id).getBoundingClientRect();
+    return { wide: document.documentElement.scrollWidth - innerWidth, graph: box('graph'), gantt: box('gantt0'), stages: box('stagetable') };
+  });
+  assert.ok(layout.wide <= 0, `wider than the window by ${layout.wide}`);
+  assert.ok(layout.graph.bottom <= layout.gantt.top && layout.gantt.bottom <= layout.stages.top);
+  for (const where of ['graph', 'gantt0', 'gantt1']) assert.ok(await drawn(page, where, 0) > 1000, `${where} is drawn`);
+  await page.click('#help');
+  const dialog = await page.locator('dialog').boundingBox();
+  assert.ok(dialog.x >= 0 && dialog.x + dialog.width <= 400, 'the help fits');
+}, { width: 400, height: 800 });
+
 /** The same trace in a twentieth of the time. */
 function shortened(data) {
   const short = (times) => times.map((time) => Math.round(50 * time) / 1000);
