@@ -17,6 +17,7 @@
 #include "engine/output_file.h"
 #include "engine/support/byte_order.h"
 #include "engine/support/log.h"
+#include "models/count_text.h"
 #include "models/error.h"
 
 namespace spoke {
@@ -103,7 +104,7 @@ void log_file(const std::string& file, const char* what, const SavedState& state
   if (!is_heard(LogLevel::debug)) return;
   std::ostringstream text;
   text << file << ": " << what << " a checkpoint: t = " << state.time << " s, step " << state.steps
-       << ", " << bytes << " bytes";
+       << ", " << counted(static_cast<std::int64_t>(bytes), "byte");
   log(LogLevel::debug, text.str());
 }
 
@@ -120,7 +121,7 @@ std::string_view require_frame(std::string_view bytes, const std::string& name) 
     refuse(name, "is no checkpoint of Spoke");
   const auto refuse_length = [&](const std::string& expected) {
     refuse(name,
-           "is truncated: has " + std::to_string(bytes.size()) + " bytes, expected " + expected);
+           "is truncated: has " + counted(std::ssize(bytes), "byte") + ", expected " + expected);
   };
   if (bytes.size() < kFrame) refuse_length("at least " + std::to_string(kFrame));
   ByteReader header(bytes.substr(kMagic.size()));

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "models/count_text.h"
 #include "models/error.h"
 
 namespace spoke {
@@ -51,8 +52,8 @@ void read_marked(const std::string& file, const SensorFileMark& mark, const Take
     stream.read(piece.data(), static_cast<std::streamsize>(wanted));
     const auto count = static_cast<std::size_t>(stream.gcount());
     if (count == 0)
-      refuse(file, "it has " + std::to_string(done) + " bytes, the checkpoint was made behind " +
-                       std::to_string(mark.bytes));
+      refuse(file, "it has " + counted(static_cast<std::int64_t>(done), "byte") +
+                       ", the checkpoint was made behind " + std::to_string(mark.bytes));
     checksum = add_to_checksum(checksum, {piece.data(), count});
     take(std::string_view(piece.data(), count));
     done += count;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "models/count_text.h"
 #include "models/reader/quantity.h"
 #include "spoke/error.h"
 
@@ -56,9 +57,9 @@ std::vector<double> calc_slopes(const std::vector<double>& times,
 
 void check_points(const std::vector<double>& times, const std::vector<double>& values) {
   if (times.empty() || times.size() != values.size())
-    throw InputError("a curve has " + std::to_string(times.size()) + " times and " +
-                     std::to_string(values.size()) +
-                     " values, expected as many of each, at least one");
+    throw InputError("a curve has " + counted(std::ssize(times), "time") + " and " +
+                     counted(std::ssize(values), "value") +
+                     ", expected as many of each, at least one");
   for (std::size_t k = 0; k < times.size(); ++k) {
     const bool is_time = !std::isfinite(times[k]);
     if (is_time || !std::isfinite(values[k]))

@@ -9,6 +9,7 @@
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/report.h"
+#include "models/count_text.h"
 
 namespace spoke::cli {
 namespace {
@@ -31,8 +32,9 @@ int check(const Arguments& arguments) {
              "lowest natural frequency " + describe_frequency(properties.lowest_frequency));
   print_line("", "highest natural frequency " + describe_frequency(properties.highest_frequency));
   print_line("rk4", fmt::format("stable up to a step of {:.4g} s", properties.rk4_largest_step));
-  print_line("integration", fmt::format("{}, {} steps of {:.6g} s", name_of(integration.method),
-                                        simulation.planned_steps(), simulation.step_size()));
+  print_line("integration",
+             fmt::format("{}, {} of {:.6g} s", name_of(integration.method),
+                         counted(simulation.planned_steps(), "step"), simulation.step_size()));
   if (integration.method == IntegrationMethod::rk4 &&
       simulation.step_size() > properties.rk4_largest_step) {
     std::fflush(stdout);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "models/count_text.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -26,8 +27,9 @@ void require_fit(const std::filesystem::path& file, const RunRecord& record,
   const std::size_t sensors = simulation.sensor_names().size();
   const std::size_t blades = simulation.scenario().rotor.blades.size();
   if (record.ranges.size() != sensors || record.tips.size() != blades)
-    refuse(file, fmt::format("it has records of {} sensors and {} blades, expected {} and {}",
-                             record.ranges.size(), record.tips.size(), sensors, blades));
+    refuse(file, fmt::format("it has records of {} and {}, expected {} and {}",
+                             counted(std::ssize(record.ranges), "sensor"),
+                             counted(std::ssize(record.tips), "blade"), sensors, blades));
 }
 
 }  // namespace

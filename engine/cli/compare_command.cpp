@@ -17,6 +17,7 @@
 #include "engine/compare/table.h"
 #include "engine/results.h"
 #include "engine/support/machine.h"
+#include "models/count_text.h"
 #include "models/error.h"
 #include "models/reader/text_file.h"
 
@@ -53,9 +54,10 @@ void require_memory(const compare::Comparison& comparison,
   const auto available = static_cast<double>(comparison.machine.memory);
   if (available > 0.0 && needed > 0.8 * available)
     throw InputError(
-        fmt::format("{} processes at once need {:.1f} GB of memory, this machine has "
+        fmt::format("{} at once {} {:.1f} GB of memory, this machine has "
                     "{:.1f} GB: compare fewer configurations",
-                    configurations.size(), needed / 1e9, available / 1e9));
+                    counted(std::ssize(configurations), "process"),
+                    configurations.size() == 1 ? "needs" : "need", needed / 1e9, available / 1e9));
 }
 
 void probe_models(compare::Comparison& comparison, const compare::Axes& axes) {

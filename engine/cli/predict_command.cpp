@@ -189,7 +189,9 @@ std::vector<compare::Measurement> measure(const Task& task, const Subjects& subj
         return make_child_command(child, configuration);
       },
       [&](Formulation) { return subjects.batch; },
-      {.rounds = kRounds, .most_seconds = std::max(1.5, 4.0 * kBatchSeconds * kRounds)},
+      {.rounds = kRounds,
+       .most_seconds = std::max(1.5, 4.0 * kBatchSeconds * kRounds),
+       .shrinks_batches = true},
       show_progress,
       [&] {
         show_progress("timing nodes");

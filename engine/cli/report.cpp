@@ -9,15 +9,9 @@
 #include <cstdio>
 #include <vector>
 
+#include "models/count_text.h"
+
 namespace spoke::cli {
-namespace {
-
-std::string count(int number, std::string_view singular, std::string_view plural) {
-  return fmt::format("{} {}", number, number == 1 ? singular : plural);
-}
-
-}  // namespace
-
 void print_line(std::string_view label, std::string_view text) {
   fmt::print("  {:<16}{}\n", label, text);
 }
@@ -31,12 +25,11 @@ std::string one_line(std::string text) {
 void print_model(const Simulation& simulation) {
   const ModelSize size = simulation.size();
   fmt::print("{}\n", one_line(simulation.scenario().title));
-  print_line("model", count(size.subsystems, "subsystem", "subsystems") + ", " +
-                          count(size.bodies, "body", "bodies") + ", " +
-                          count(size.coordinates, "coordinate", "coordinates") + ", " +
-                          count(size.joints, "joint", "joints"));
-  print_line("step graph", count(size.graph_nodes, "node", "nodes") + ", " +
-                               count(size.graph_edges, "edge", "edges"));
+  print_line("model", counted(size.subsystems, "subsystem") + ", " + counted(size.bodies, "body") +
+                          ", " + counted(size.coordinates, "coordinate") + ", " +
+                          counted(size.joints, "joint"));
+  print_line("step graph",
+             counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge"));
 }
 
 void print_table(const report::Table& table) {

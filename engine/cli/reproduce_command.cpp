@@ -16,6 +16,7 @@
 #include "engine/compare/probe.h"
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/inverse_part.h"
+#include "engine/reproduce/remarks.h"
 #include "engine/reproduce/tables.h"
 #include "engine/results.h"
 #include "models/paper_rotor.h"
@@ -77,14 +78,16 @@ void measure(Work work, const Integration& integration, const compare::BatchSize
              const Effort& effort, Reproduction& all) {
   const ChildTask task{
       .scenario = "", .text = "", .overrides = {}, .integration = integration, .work = work};
-  all.timings.set(work,
-                  compare::measure(
-                      configurations_of(work),
-                      [&](const compare::Configuration& configuration) {
-                        return make_child_command(task, configuration);
-                      },
-                      batch_size, {.rounds = effort.rounds, .most_seconds = effort.most_seconds},
-                      show_progress));
+  all.timings.set(
+      work,
+      compare::measure(
+          configurations_of(work),
+          [&](const compare::Configuration& configuration) {
+            return make_child_command(task, configuration);
+          },
+          batch_size,
+          {.rounds = effort.rounds, .most_seconds = effort.most_seconds, .shrinks_batches = true},
+          show_progress));
 }
 
 void measure_all(const Effort& effort, Reproduction& all) {
@@ -123,6 +126,7 @@ int reproduce(const Arguments& arguments) {
   fmt::print("{}\n", one_line(all.scenario.title));
   print_table(reproduce::method_table(all));
   fmt::print("\n");
+  for (const std::string& doubt : reproduce::doubts_of(all)) print_line("note", doubt);
   print_line("written", (folder / "reproduce.html").string() + ", reproduce.json");
   return 0;
 }

@@ -25,6 +25,7 @@
 #include "engine/run_report/picture_steps.h"
 #include "engine/trace/files.h"
 #include "engine/vtk/vtk_series.h"
+#include "models/count_text.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -228,11 +229,11 @@ void print_plan(const Simulation& simulation) {
   print_model(simulation);
   print_line(
       "solved by",
-      fmt::format("{}, {}, {} steps of {:.6g} s, {} on {} thread{}",
-                  name_of(simulation.options().formulation),
-                  name_of(simulation.scenario().integration.method), simulation.planned_steps(),
-                  simulation.step_size(), name_of(simulation.options().executor),
-                  name_of(simulation.threads()), simulation.threads().total() == 1 ? "" : "s"));
+      fmt::format("{}, {}, {} of {:.6g} s, {} on {} {}", name_of(simulation.options().formulation),
+                  name_of(simulation.scenario().integration.method),
+                  counted(simulation.planned_steps(), "step"), simulation.step_size(),
+                  name_of(simulation.options().executor), name_of(simulation.threads()),
+                  simulation.threads().total() == 1 ? "thread" : "threads"));
   std::fflush(stdout);
 }
 
@@ -254,10 +255,9 @@ std::string describe_energy(const Simulation& simulation, const SensorStatistics
 
 void print_result(const Simulation& simulation, const Recording& recording,
                   const RunOutcome& outcome, const std::string& written) {
-  print_line(
-      "took",
-      fmt::format("{:.3g} s, {:.3g} s simulated a second, {} evaluations", outcome.wall_time,
-                  recording.statistics.last_time() / outcome.wall_time, simulation.evaluations()));
+  print_line("took", fmt::format("{:.3g} s, {:.3g} s simulated a second, {}", outcome.wall_time,
+                                 recording.statistics.last_time() / outcome.wall_time,
+                                 counted(simulation.evaluations(), "evaluation")));
   const bool is_chosen = simulation.options().executor == ExecutorKind::automatic;
   print_line("executor", (is_chosen ? "auto, " : "") + simulation.executor_description());
   const std::vector<std::string> tips = recording.tips.describe();
@@ -265,7 +265,8 @@ void print_result(const Simulation& simulation, const Recording& recording,
     print_line(i == 0 ? "tip deflection" : "", tips[i]);
   }
   if (tips.size() > kMostTipLines) {
-    print_line("", fmt::format("{} smaller ones: see summary.json", tips.size() - kMostTipLines));
+    print_line("", counted(static_cast<std::int64_t>(tips.size() - kMostTipLines), "smaller one") +
+                       ": see summary.json");
   }
   print_line("energy", describe_energy(simulation, recording.statistics));
   print_line("written", written);
@@ -282,7 +283,9 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
                                      recording.tips.describe(), *recording.report));
     written += ", report.html";
   }
-  if (recording.vtk) written += fmt::format(", vtk ({} times)", recording.vtk->size());
+  if (recording.vtk)
+    written += fmt::format(", vtk ({})",
+                           counted(static_cast<std::int64_t>(recording.vtk->size()), "time"));
   return written;
 }
 

@@ -17,6 +17,7 @@
 #include "engine/cli/results_folder.h"
 #include "engine/cli/trace_files.h"
 #include "engine/trace/files.h"
+#include "models/count_text.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -30,14 +31,14 @@ void require_steps(const TraceArguments& asked, const Simulation& simulation) {
   const std::int64_t planned = simulation.planned_steps();
   if (asked.steps > planned)
     throw InputError(
-        fmt::format("spoke trace: --steps {}: the scenario has {} steps, expected at most {}",
-                    asked.steps, planned, planned));
+        fmt::format("spoke trace: --steps {}: the scenario has {}, expected at most {}",
+                    asked.steps, counted(planned, "step"), planned));
   const double last = static_cast<double>(planned - asked.steps) * step;
   if (asked.from > last + 0.5 * step)
     throw InputError(fmt::format(
-        "spoke trace: --from {:.6g}: {} steps of {:.6g} s end at {:.6g} s, expected at most "
-        "{:.6g} s",
-        asked.from, planned, step, static_cast<double>(planned) * step, last));
+        "spoke trace: --from {:.6g}: {} of {:.6g} s {} at {:.6g} s, expected at most {:.6g} s",
+        asked.from, counted(planned, "step"), step, planned == 1 ? "ends" : "end",
+        static_cast<double>(planned) * step, last));
 }
 
 void run_to(double time, Simulation& simulation) {

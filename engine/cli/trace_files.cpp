@@ -16,6 +16,7 @@
 #include "engine/trace/statistics.h"
 #include "graph/machine/duration_text.h"
 #include "graph/viewer/viewer_page.h"
+#include "models/count_text.h"
 
 namespace spoke::cli {
 namespace {
@@ -25,11 +26,10 @@ std::string describe_steps(const StepTrace& trace) {
   int passes = 0;
   for (const TracedStep& step : trace.steps) passes += step.passes;
   std::string text =
-      fmt::format("{} step{} from t = {:.6g} s on, {} passes, {} slices", trace.steps.size(),
-                  trace.steps.size() == 1 ? "" : "s", first.time, passes, trace.slices.size());
+      fmt::format("{} from t = {:.6g} s on, {}, {}", counted(std::ssize(trace.steps), "step"),
+                  first.time, counted(passes, "pass"), counted(std::ssize(trace.slices), "slice"));
   if (trace.dropped_steps > 0)
-    text += fmt::format("; {} step{} dropped, the buffer was full", trace.dropped_steps,
-                        trace.dropped_steps == 1 ? "" : "s");
+    text += fmt::format("; {} dropped, the buffer was full", counted(trace.dropped_steps, "step"));
   return text;
 }
 
@@ -50,8 +50,8 @@ void print_summary(const StepTrace& trace, const Capacity& capacity) {
     print_line("capacity",
                capacity.text() + ": bound " +
                    graph::duration_text(trace::bound_at_capacity(trace, summary, capacity)));
-  print_line("idle", fmt::format("{:.0f} % of the time of {} thread{}", 100.0 * summary.idle,
-                                 threads, threads == 1 ? "" : "s"));
+  print_line("idle", fmt::format("{:.0f} % of the time of {}", 100.0 * summary.idle,
+                                 counted(threads, "thread")));
 }
 
 std::string list(const std::vector<std::string>& names) {

@@ -5,17 +5,21 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
+#include "engine/report/markup.h"
 #include "graph/machine/duration_text.h"
+#include "models/count_text.h"
 
 namespace spoke::compare {
 namespace {
 
 std::string speedup_text(const Result& result) {
-  return fmt::format("{:.2f} times serial's speed (quartiles {:.2f} to {:.2f})",
-                     result.figures->speedup, result.figures->speedup_low,
-                     result.figures->speedup_high);
+  const auto [speedup, low, high] = std::array{result.figures->speedup, result.figures->speedup_low,
+                                               result.figures->speedup_high};
+  return fmt::format("{} times serial's speed (quartiles {} to {})", report::ratio_text(speedup),
+                     report::ratio_text(low), report::ratio_text(high));
 }
 
 /// The other ones whose quartiles reach into the best one's: not distinguishable from it.
@@ -98,15 +102,18 @@ std::string describe_bits(const Comparison& comparison) {
 
 std::string describe_faults(const Comparison& comparison) {
   std::vector<std::string> parts;
-  const auto add = [&](Status status, const char* what) {
+  const auto add = [&](Status status, const char* what_one, const char* what_many) {
     const long number = count(
         comparison, [&](const Result& result) { return result.measurement.status == status; });
     if (number > 0)
-      parts.push_back(fmt::format("{} of {} {}", number, comparison.results.size(), what));
+      parts.push_back(fmt::format("{} of {} {}", number, comparison.results.size(),
+                                  number == 1 ? what_one : what_many));
   };
-  add(Status::no_answer, "gave no answer in time and were ended.");
-  add(Status::failed, "failed.");
-  add(Status::slow, "were so slow that they did fewer rounds.");
+  add(Status::no_answer, "gave no answer in time and was ended.",
+      "gave no answer in time and were ended.");
+  add(Status::failed, "failed.", "failed.");
+  add(Status::slow, "was so slow that it did fewer rounds.",
+      "were so slow that they did fewer rounds.");
   return fmt::format("{}", fmt::join(parts, " "));
 }
 
@@ -119,9 +126,10 @@ std::string describe_oversubscribed(const Comparison& comparison) {
            (kind == ExecutorKind::flow_graph || kind == ExecutorKind::openmp_scheme1);
   });
   return fmt::format(
-      "{} of {} have more threads than processors: they show what oversubscription costs here, not "
-      "what so many processors would give.{}",
-      many, comparison.results.size(),
+      "{} of {} {} more threads than processors: {} what oversubscription costs here, not what so "
+      "many processors would give.{}",
+      many, comparison.results.size(), many == 1 ? "has" : "have",
+      many == 1 ? "it shows" : "they show",
       held > 0 ? " Of flow_graph and openmp_scheme1 no more threads work than there are processors."
                : "");
 }
@@ -139,9 +147,9 @@ std::string describe_disturbance(const Comparison& comparison) {
 
 std::string describe_machine(const Comparison& comparison) {
   const Machine& machine = comparison.machine;
-  std::string text = fmt::format("Measured on {}, {} processor{} available",
+  std::string text = fmt::format("Measured on {}, {} available",
                                  machine.cpu.empty() ? "an unknown processor" : machine.cpu,
-                                 machine.cores, machine.cores == 1 ? "" : "s");
+                                 counted(machine.cores, "processor"));
   if (comparison.loads.before < 0.0)
     text += "; its load is not known.";
   else

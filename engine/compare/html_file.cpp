@@ -9,7 +9,9 @@
 #include "engine/compare/files.h"
 #include "engine/compare/table.h"
 #include "engine/report/chart.h"
+#include "engine/report/markup.h"
 #include "graph/machine/duration_text.h"
+#include "models/count_text.h"
 
 namespace spoke::compare {
 namespace {
@@ -26,9 +28,9 @@ report::BarChart speedup_chart(const Comparison& comparison, const Model& model)
     chart.groups.push_back(name_of(result.measurement.configuration));
     speedups.bars.push_back(
         report::Bar{figures.speedup, figures.speedup_low, figures.speedup_high,
-                    fmt::format("{:.2f}", figures.speedup),
-                    fmt::format("{} a step, {} rounds", graph::duration_text(figures.median),
-                                result.measurement.step_times.size()),
+                    report::ratio_text(figures.speedup),
+                    fmt::format("{} a step, {}", graph::duration_text(figures.median),
+                                counted(std::ssize(result.measurement.step_times), "round")),
                     result.oversubscribed});
     bounds.values.push_back(model.serial_step / figures.bound);
   }
@@ -92,6 +94,15 @@ report::LineChart scaling_chart(const Comparison& comparison, const Model& model
   return chart;
 }
 
+/// What is said below a formulation's bars: of pale ones, where there are any.
+std::string caption_of_speedups(const Comparison& comparison, const Model& model) {
+  const bool has_pale =
+      std::any_of(comparison.results.begin(), comparison.results.end(), [&](const Result& result) {
+        return belongs_to(result, model.formulation) && result.figures && result.oversubscribed;
+      });
+  return has_pale ? "Pale bars have more threads than processors." : "";
+}
+
 std::string load_text(const Loads& loads) {
   if (loads.before < 0.0) return "not known";
   return fmt::format("{:.2f} before, {:.2f} after", loads.before, loads.after);
@@ -115,7 +126,7 @@ void add_method(report::Page& page, const Comparison& comparison) {
   page.add_heading("How this was measured");
   page.add_paragraph(fmt::format(
       "Every configuration simulates the same steps from t = 0 in a process of its own. After {} "
-      "untimed batches of steps, fewer of what is slow, come up to {} rounds; in each, every "
+      "untimed batches of steps, fewer of what is slow, come up to {}; in each, every "
       "process runs one batch while all others are halted. Speedups are ratios of times within a "
       "round. T1 is the median serial time of a step, Tinf the share of it that lies on the "
       "costliest path through the step graph; no execution on P processors takes less than "
@@ -123,7 +134,7 @@ void add_method(report::Page& page, const Comparison& comparison) {
       "one thread's work when all ran the same loop, before or after the rounds. Bits are equal if "
       "the state is the same as "
       "serial's after every batch, to the last bit.",
-      kWarmUpBatches, comparison.rounds));
+      kWarmUpBatches, counted(comparison.rounds, "round")));
 }
 
 }  // namespace
@@ -131,21 +142,24 @@ void add_method(report::Page& page, const Comparison& comparison) {
 std::string make_html(const Comparison& comparison) {
   report::Page page(
       comparison.scenario.title.empty() ? comparison.scenario.name : comparison.scenario.title,
-      fmt::format("{} ways to run a step, compared in {} rounds", comparison.results.size(),
-                  comparison.rounds));
+      fmt::format("{} to run a step, compared in {}",
+                  counted(std::ssize(comparison.results), "way"),
+                  counted(comparison.rounds, "round")));
   page.add_notes(make_conclusions(comparison));
   add_facts(page, comparison);
   for (const Model& model : comparison.models) {
     page.add_heading(fmt::format("Formulation {}", name_of(model.formulation)));
     page.add_figure(render(speedup_chart(comparison, model)),
-                    "Pale bars have more threads than processors.");
+                    caption_of_speedups(comparison, model));
     const report::LineChart scaling = scaling_chart(comparison, model);
     if (scaling.x.ticks.size() > 2) page.add_figure(render(scaling));
     page.add_table(make_table(comparison, model));
   }
-  page.add_heading("All formulations");
-  page.add_figure(render(time_chart(comparison)),
-                  "The axis is logarithmic: compare ends, not lengths.");
+  if (comparison.models.size() > 1) {
+    const report::BarChart times = time_chart(comparison);
+    page.add_heading("All formulations");
+    page.add_figure(render(times), report::caption_of(times.value));
+  }
   add_method(page, comparison);
   return page.html();
 }

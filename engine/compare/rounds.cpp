@@ -92,6 +92,13 @@ void warm_up(Contender& contender, const Effort& effort) {
   }
 }
 
+/// At this pace all rounds together take no longer than they may, if one step a round does not.
+std::int64_t batch_in_time(std::int64_t batch, double step, const Effort& effort) {
+  const double most = effort.most_seconds / (step * effort.rounds);
+  return std::max<std::int64_t>(
+      1, static_cast<std::int64_t>(std::min(most, static_cast<double>(batch))));
+}
+
 void start(Contender& contender, const Command& command, const Effort& effort) {
   contender.child = std::make_unique<Child>(command);
   std::string rest;
@@ -100,7 +107,9 @@ void start(Contender& contender, const Command& command, const Effort& effort) {
   for (int k = 0; k < kTrials && contender.takes_part(); ++k)
     step = run_steps(contender, trial_of(contender.batch), effort.answer_seconds);
   const double batch_seconds = step * static_cast<double>(contender.batch);
-  if (!is_serial(contender) && batch_seconds > 0.5 * effort.most_seconds) {
+  if (effort.shrinks_batches && !is_serial(contender) && contender.takes_part()) {
+    contender.batch = batch_in_time(contender.batch, step, effort);
+  } else if (!is_serial(contender) && batch_seconds > 0.5 * effort.most_seconds) {
     contender.measurement.step_times.push_back(step);
     leave(contender, Status::slow, "");
   }

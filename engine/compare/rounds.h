@@ -45,6 +45,9 @@ struct Effort {
   /// half of that, it leaves before the first, and the trial is its only sample. The serial one
   /// never leaves.
   double most_seconds = 6.0;
+  /// What is slow makes fewer steps in a batch, so that it is in all rounds, instead of leaving
+  /// before the first. Its hashes are then of other steps than serial's.
+  bool shrinks_batches = false;
   double start_seconds = 120.0;  ///< allowed for a process to build its simulation
   double answer_seconds = 60.0;  ///< allowed for a batch
 };

@@ -6,6 +6,7 @@
 
 #include "engine/compare/conclusion.h"
 #include "graph/machine/duration_text.h"
+#include "models/count_text.h"
 
 namespace spoke::compare {
 namespace {
@@ -20,7 +21,8 @@ std::string remarks_on(const Comparison& comparison, const Result& result) {
     if (!remark.empty()) text += (text.empty() ? "" : ", ") + remark;
   };
   if (measurement.status == Status::slow)
-    add(fmt::format("slow: {} of {} rounds", measurement.step_times.size(), comparison.rounds));
+    add(fmt::format("slow: {} of {}", measurement.step_times.size(),
+                    counted(comparison.rounds, "round")));
   add(measurement.message);
   if (result.oversubscribed) add("oversubscribed");
   return text;
@@ -45,10 +47,10 @@ report::Tone tone_of(const Result& result, const Verdict& verdict) {
 report::Table make_table(const Comparison& comparison, const Model& model) {
   using report::Align;
   report::Table table{
-      fmt::format("{}: {} nodes, {} edges; T1 = {} and Tinf = {} a step; {} step{} a sample",
-                  name_of(model.formulation), model.size.graph_nodes, model.size.graph_edges,
-                  graph::duration_text(model.serial_step), graph::duration_text(model.span_step),
-                  model.batch, model.batch == 1 ? "" : "s"),
+      fmt::format("{}: {}, {}; T1 = {} and Tinf = {} a step; {} a sample",
+                  name_of(model.formulation), counted(model.size.graph_nodes, "node"),
+                  counted(model.size.graph_edges, "edge"), graph::duration_text(model.serial_step),
+                  graph::duration_text(model.span_step), counted(model.batch, "step")),
       {{"configuration"},
        {"mean [us]", Align::number},
        {"std dev", Align::number},

@@ -11,6 +11,7 @@
 #include "engine/kernels/blade_loads.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/marker_motion.h"
+#include "models/count_text.h"
 #include "models/error.h"
 
 namespace spoke {
@@ -48,8 +49,8 @@ std::vector<Marker> ask_markers(const Load& load) {
 /// Throws InputError unless 0 <= index < count.
 void require_index(const std::string& whose, const char* what, int index, std::size_t count) {
   if (index >= 0 && static_cast<std::size_t>(index) < count) return;
-  throw InputError(whose + ": " + what + " index " + std::to_string(index) + ", expected 0 to " +
-                   std::to_string(static_cast<int>(count) - 1));
+  throw InputError(whose + ": " + what + " index " + std::to_string(index) + ", expected " +
+                   range_text(0, static_cast<int>(count) - 1));
 }
 
 std::vector<int> blades_of(const std::vector<Marker>& markers) {
@@ -150,8 +151,8 @@ LoadData& find_load(int index, StepData& data) {
       if (load.number == index) return load;
       ++count;
     }
-  throw InputError("load index " + std::to_string(index) + ", expected 0 to " +
-                   std::to_string(static_cast<int>(count) - 1));
+  throw InputError("load index " + std::to_string(index) + ", expected " +
+                   range_text(0, static_cast<int>(count) - 1));
 }
 
 void require_same_markers(const std::shared_ptr<const Load>& load, const LoadData& data) {

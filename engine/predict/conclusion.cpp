@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "graph/machine/duration_text.h"
+#include "models/count_text.h"
 
 namespace spoke::predict {
 namespace {
@@ -30,9 +31,7 @@ const Point& last_that_pays(const Series& series) {
   });
 }
 
-std::string threads_text(int threads) {
-  return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
-}
+std::string threads_text(int threads) { return counted(threads, "thread"); }
 
 std::string describe_disturbance(const Prediction& prediction) {
   if (!is_busy(prediction.load_before, prediction.machine.cores)) return "";
@@ -119,10 +118,10 @@ std::string describe_errors(const Prediction& prediction) {
     for (const Point& point : series.points) add(point);
   if (points == 0) return "Nothing was measured to check the predictions.";
   return fmt::format(
-      "Of {} predictions that were checked on this machine the worst is {:+.1f} % off; those for "
+      "Of {} checked on this machine the worst is {:+.1f} % off; those for "
       "more threads than it has processors ({}) are extrapolations, to processors equal to this "
       "one that do not compete for caches and memory.",
-      points, 100.0 * largest, prediction.machine.cores);
+      counted(points, "prediction"), 100.0 * largest, prediction.machine.cores);
 }
 
 /// Which executors of the build there are no predictions of.

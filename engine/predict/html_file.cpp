@@ -108,6 +108,10 @@ report::BarChart check_chart(const Prediction& prediction) {
   add(ExecutorKind::serial, prediction.serial);
   for (const Series& series : prediction.series)
     for (const Point& point : series.points) add(series.executor, point);
+  report::Range values;
+  for (const auto* bars : {&predicted.bars, &measured.bars})
+    for (const auto& bar : *bars) values.add(bar->value);
+  chart.value.kind = report::scale_for(values);
   chart.series = {std::move(predicted), std::move(measured)};
   return chart;
 }
@@ -132,7 +136,8 @@ constexpr const char* kMethod =
     "The nodes of the step graph were timed one by one on one thread while it made real steps, "
     "the same ones as the measured processes and in the same rounds: of the graph of one pass, and "
     "of that of the window of steps which auto chooses in a run, or of one window for all if that "
-    "was asked for. A simulator then runs the graph on any number of processors equal to this one: "
+    "was asked for; a process that is much slower than serial makes fewer steps in a round. A "
+    "simulator then runs the graph on any number of processors equal to this one: "
     "flow_graph and auto by work stealing, as oneTBB does it, with the calibrated costs of "
     "starting a cluster, alone or while other threads do or search for work, and of handing it to "
     "another processor; openmp_levels level by level, the costliest thread of each and a barrier. "
@@ -155,7 +160,10 @@ std::string make_html(const Prediction& prediction) {
   page.add_figure(render(speedup_chart(prediction)),
                   "Both axes are logarithmic. Bands: as far as measured points were off, more with "
                   "each doubling of threads. Dashed: bounds. Points: measured here.");
-  if (prediction.rounds > 0) page.add_figure(render(check_chart(prediction)));
+  if (prediction.rounds > 0) {
+    const report::BarChart check = check_chart(prediction);
+    page.add_figure(render(check), report::caption_of(check.value));
+  }
   add_facts(page, prediction);
   page.add_table(make_table(prediction));
   page.add_heading("How this was predicted");

@@ -4,7 +4,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/report/markup.h"
 #include "graph/machine/duration_text.h"
+#include "models/count_text.h"
 
 namespace spoke::predict {
 namespace {
@@ -18,11 +20,11 @@ report::Row row_of(const Prediction& prediction, ExecutorKind executor, const Po
       std::to_string(point.window),
       microseconds(point.step.expected),
       microseconds(point.step.optimistic) + "-" + microseconds(point.step.pessimistic),
-      fmt::format("{:.2f}", prediction.speedup(point)),
+      report::ratio_text(prediction.speedup(point)),
       point.step.clusters > 0 ? std::to_string(point.step.clusters) : "-"};
   if (point.measured) {
     cells.push_back(microseconds(point.measured->step.median));
-    cells.push_back(fmt::format("{:.2f}", point.measured->speedup.median));
+    cells.push_back(report::ratio_text(point.measured->speedup.median));
     cells.push_back(fmt::format("{:+.1f} %", 100.0 * *point.error()));
   } else {
     cells.insert(cells.end(), 3, "");
@@ -35,16 +37,19 @@ report::Row row_of(const Prediction& prediction, ExecutorKind executor, const Po
 /// A graph, what a step by it takes and what its nodes cost; `whose`: a run's, auto's.
 void add_run(const RunGraph& run, const std::string& whose, std::vector<report::Fact>& facts) {
   const NodeMeasurement& nodes = run.nodes.serial;
-  facts.emplace_back("graph of " + whose, fmt::format("{} nodes, {} edges, for {}", run.node_count,
-                                                      run.edge_count, describe_runs(run)));
-  facts.emplace_back("a step", fmt::format("{:.4g} runs; T1 = {}, Tinf = {}, T1 / Tinf = {:.2f}",
-                                           nodes.runs_per_step, graph::duration_text(run.work),
-                                           graph::duration_text(run.span), run.parallelism()));
+  facts.emplace_back("graph of " + whose,
+                     fmt::format("{}, {}, for {}", counted(run.node_count, "node"),
+                                 counted(run.edge_count, "edge"), describe_runs(run)));
+  facts.emplace_back(
+      "a step",
+      fmt::format("{:.4g} run{}; T1 = {}, Tinf = {}, T1 / Tinf = {:.2f}", nodes.runs_per_step,
+                  nodes.runs_per_step == 1.0 ? "" : "s", graph::duration_text(run.work),
+                  graph::duration_text(run.span), run.parallelism()));
   facts.emplace_back("nodes",
-                     fmt::format("timed in {} steps, spread {:.3f} to {:.3f}, {} between "
+                     fmt::format("timed in {}, spread {:.3f} to {:.3f}, {} between "
                                  "two runs",
-                                 run.nodes.steps, run.nodes.spread.low, run.nodes.spread.high,
-                                 graph::duration_text(nodes.between_runs)));
+                                 counted(run.nodes.steps, "step"), run.nodes.spread.low,
+                                 run.nodes.spread.high, graph::duration_text(nodes.between_runs)));
 }
 
 }  // namespace

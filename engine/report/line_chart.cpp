@@ -11,8 +11,9 @@ namespace spoke::report {
 namespace {
 
 constexpr double kPlotHeight = 340.0;
-constexpr double kGutter = 84.0;      // left of the plot, for labels and title of the y axis
-constexpr double kRightSpace = 20.0;  // for half a label of the x axis
+constexpr double kLeastGutter = 84.0;  // left of the plot, for labels and title of the y axis
+constexpr double kTitleSpace = 32.0;   // of it for the title and the gap to the plot
+constexpr double kRightSpace = 20.0;   // for half a label of the x axis
 
 struct Axes {
   Scale x, y;
@@ -46,8 +47,13 @@ void add(Range& range, const Axis& axis, double value) {
   if (axis.kind == ScaleKind::linear || value > 0.0) range.add(value);
 }
 
-Axes axes_of(const LineChart& chart, const Box& plot) {
+struct Ranges {
   Range x, y;
+};
+
+Ranges ranges_of(const LineChart& chart) {
+  Ranges ranges;
+  auto& [x, y] = ranges;
   for (const LineSeries& series : chart.series) {
     for (const DataPoint& point : series.points) {
       add(x, chart.x, point.x);
@@ -60,8 +66,22 @@ Axes axes_of(const LineChart& chart, const Box& plot) {
     }
   }
   for (const ReferenceLine& line : chart.lines) add(y, chart.y, line.value);
-  return {Scale(chart.x, x, plot.x, plot.x + plot.width, 10),
-          Scale(chart.y, y, plot.y + plot.height, plot.y)};
+  return ranges;
+}
+
+/// The plot, right of the longest label of the y axis; labels do not depend on places.
+Box lay_out(const LineChart& chart, const Ranges& ranges) {
+  const Scale scale(chart.y, ranges.y, 0.0, 1.0);
+  double gutter = kLeastGutter;
+  for (const Tick& tick : scale.ticks())
+    gutter = std::max(gutter, width_of(tick.label) + kTitleSpace);
+  return {gutter, head_height(chart.title, legend_of(chart)), kChartWidth - gutter - kRightSpace,
+          kPlotHeight};
+}
+
+Axes axes_of(const LineChart& chart, const Ranges& ranges, const Box& plot) {
+  return {Scale(chart.x, ranges.x, plot.x, plot.x + plot.width, 10),
+          Scale(chart.y, ranges.y, plot.y + plot.height, plot.y)};
 }
 
 /// The line's path, a stroke of its own for each unbroken run of points.
@@ -143,9 +163,9 @@ bool has_data(const LineChart& chart, const Axes& axes) {
 
 std::string render(const LineChart& chart) {
   const std::vector<LegendEntry> legend = legend_of(chart);
-  const Box plot{kGutter, head_height(chart.title, legend), kChartWidth - kGutter - kRightSpace,
-                 kPlotHeight};
-  const Axes axes = axes_of(chart, plot);
+  const Ranges ranges = ranges_of(chart);
+  const Box plot = lay_out(chart, ranges);
+  const Axes axes = axes_of(chart, ranges, plot);
   Svg svg(kChartWidth, plot.y + plot.height + 46.0, chart.title);
   draw_head(svg, chart.title, legend);
   draw_x_axis(svg, axes.x, chart.x, plot);

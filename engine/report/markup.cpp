@@ -50,6 +50,11 @@ std::string escape(std::string_view text) {
 
 std::string coordinate(double value) { return without_trailing_zeros(print(2, value)); }
 
+std::string ratio_text(double ratio) {
+  const bool is_small = ratio != 0.0 && std::abs(ratio) < 0.1;
+  return is_small ? figure(ratio, 2) : std::isfinite(ratio) ? print(2, ratio) : figure(ratio);
+}
+
 std::string figure(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? "-" : value > 0.0 ? "inf" : "-inf";
   if (value == 0.0) return "0";

@@ -17,4 +17,7 @@ std::string coordinate(double value);
 /// A number for people in `digits` significant digits: "1.84", "0.0213", "12300", "4.1e-07".
 std::string figure(double value, int digits = 3);
 
+/// A ratio of times: two decimals, or two digits of a small one, which is not 0.
+std::string ratio_text(double ratio);
+
 }  // namespace spoke::report

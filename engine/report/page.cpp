@@ -108,8 +108,11 @@ void Page::add_tiles(const std::vector<Tile>& tiles) {
 }
 
 void Page::add_table(const Table& table) {
-  body_ += "<div class=\"scroll\"><table>\n";
-  if (!table.caption.empty()) body_ += element("caption", table.caption) + '\n';
+  // What scrolls is reached by the keyboard.
+  body_ += "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+           (table.caption.empty() ? "table" : escape(table.caption)) + "\"><table>\n";
+  if (!table.caption.empty())
+    body_ += "<caption>" + element("span", table.caption) + "</caption>\n";
   body_ += table_head(table) + "<tbody>\n";
   for (const Row& row : table.rows) body_ += table_row(table, row);
   if (table.rows.empty()) {
@@ -120,7 +123,8 @@ void Page::add_table(const Table& table) {
 }
 
 void Page::add_figure(std::string_view svg, std::string_view caption) {
-  body_ += "<figure><div class=\"scroll\">" + std::string(svg) + "</div>\n";
+  body_ += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"chart\">" +
+           std::string(svg) + "</div>\n";
   if (!caption.empty()) body_ += element("figcaption", caption) + '\n';
   body_ += "</figure>\n";
 }

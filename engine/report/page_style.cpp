@@ -47,7 +47,8 @@ dt { color: var(--soft); } dd { margin: 0; overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; margin: 1.25rem 0; }
 table { border-collapse: collapse; width: 100%; font-size: 0.875rem; }
 caption { text-align: left; color: var(--soft); padding-bottom: 0.6rem; font-size: 0.9rem; }
-th, td { text-align: left; padding: 0.38rem 0.75rem; vertical-align: baseline; }
+caption span { display: inline-block; position: sticky; left: 0; max-width: calc(100vw - 3rem); }
+th, td { text-align: left; padding: 0.38rem 0.6rem; vertical-align: baseline; }
 th:first-child, td:first-child { padding-left: 0.4rem; }
 th { font-weight: 600; vertical-align: bottom; border-bottom: 2px solid var(--rule); }
 td { border-bottom: 1px solid var(--rule); white-space: nowrap; }

@@ -14,6 +14,10 @@ namespace {
 /// Of a power of ten `e`, the multiples 1, 2, 5, and 10.
 constexpr std::array kRound{1.0, 2.0, 5.0, 10.0};
 
+/// The least length of a linear axis, by its largest value: what varies less is shown as flat, and
+/// labels need few digits to differ.
+constexpr double kLeastSpread = 1e-4;
+
 double power_of_ten(double exponent) { return std::pow(10.0, exponent); }
 
 /// The least round step that needs at most `most` ticks for the length.
@@ -71,10 +75,21 @@ std::string title_of(const Axis& axis) {
   return axis.unit.empty() ? axis.title : axis.title + " [" + axis.unit + ']';
 }
 
+std::string caption_of(const Axis& axis) {
+  if (axis.kind == ScaleKind::linear) return "";
+  return "The axis is logarithmic: compare ends, not lengths.";
+}
+
 void Range::add(double value) {
   if (!std::isfinite(value)) return;
   low = low ? std::min(*low, value) : value;
   high = high ? std::max(*high, value) : value;
+}
+
+ScaleKind scale_for(const Range& values) {
+  constexpr double kMost = 12.0;  // times, up to which a linear axis tells the small ones apart
+  const bool is_wide = values.low && *values.low > 0.0 && *values.high > kMost * *values.low;
+  return is_wide ? ScaleKind::log : ScaleKind::linear;
 }
 
 std::vector<double> round_ticks(double low, double high, int most) {
@@ -104,10 +119,18 @@ Scale::Scale(const Axis& axis, const Range& values, double first, double last, i
   low_ = axis.low.value_or(values.low.value_or(is_log ? 1.0 : 0.0));
   high_ = axis.high.value_or(values.high.value_or(is_log ? 10.0 : 1.0));
   if (is_log && !(low_ > 0.0)) low_ = high_ > 0.0 ? 1e-3 * high_ : 1.0;
+  if (!is_log && !axis.low && !axis.high) widen();
   if (!(high_ > low_)) {
     high_ = low_ + (low_ == 0.0 ? 1.0 : std::abs(low_));
   }
   extend_to_ticks(axis, most_ticks);
+}
+
+void Scale::widen() {
+  const double lacking = kLeastSpread * std::max(std::abs(low_), std::abs(high_)) - (high_ - low_);
+  if (!(lacking > 0.0)) return;
+  low_ -= 0.5 * lacking;
+  high_ += 0.5 * lacking;
 }
 
 void Scale::extend_to_ticks(const Axis& axis, int most_ticks) {

@@ -23,6 +23,10 @@ struct Axis {
 /// "title [unit]".
 std::string title_of(const Axis& axis);
 
+/// What to say of bars along it: where the axis is logarithmic, that their ends count; else
+/// nothing.
+std::string caption_of(const Axis& axis);
+
 struct Tick {
   double value = 0.0;
   std::string label = {};
@@ -35,6 +39,10 @@ struct Range {
   void add(double value);
 };
 
+/// Logarithmic where the largest value is so many times the smallest that a linear axis would
+/// flatten most of them; all of them positive.
+ScaleKind scale_for(const Range& values);
+
 /// Multiples of 1, 2 or 5 times a power of ten that lie in [low, high], `most` at most, 2 <= most.
 /// Precondition: low < high, finite.
 std::vector<double> round_ticks(double low, double high, int most);
@@ -42,7 +50,8 @@ std::vector<double> round_ticks(double low, double high, int most);
 /// Precondition: 0 < low < high, finite.
 std::vector<double> log_ticks(double low, double high, int most);
 
-/// Maps the values of an axis to positions between `first` (at the low end) and `last`.
+/// Maps the values of an axis to positions between `first` (at the low end) and `last`. Nearly
+/// constant values are shown as such: a linear axis spans a ten-thousandth of them at the least.
 class Scale {
  public:
   /// `values`: what the chart shows; may be empty. `most_ticks`: that there is room for.
@@ -58,6 +67,7 @@ class Scale {
 
  private:
   double share(double value) const;
+  void widen();
   void extend_to_ticks(const Axis& axis, int most_ticks);
 
   ScaleKind kind_;

@@ -4,6 +4,8 @@
 const kMargin = { left: 62, right: 14, top: 12, bottom: 26 };
 const kDashes = [[], [8, 4], [2, 3], [10, 3, 2, 3]];
 const kColors = 8;
+// The least range of values that a plot shows, by the largest of them: what varies less is shown as flat.
+const kLeastSpread = 1e-4;
 const kSuperscripts = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
 
 /** The value of a colour of the page's style, by the name of its variable. */
@@ -181,11 +183,11 @@ class TimePlot {
 
   timeOf(x) {
     const [begin, end] = this.axis.view;
-    return begin + ((x - kMargin.left) / this.area.width) * (end - begin);
+    return begin + ((x - this.area.left) / this.area.width) * (end - begin);
   }
   xOf(time) {
     const [begin, end] = this.axis.view;
-    return kMargin.left + ((time - begin) / (end - begin)) * this.area.width;
+    return this.area.left + ((time - begin) / (end - begin)) * this.area.width;
   }
   yOf(value) {
     const { low, high } = this.range;
@@ -213,23 +215,26 @@ class TimePlot {
     }
     if (!(low <= high)) return { low: 0, high: 1 };
     const size = Math.max(Math.abs(low), Math.abs(high));
-    const spread = Math.max(high - low, 1e-6 * size) || 1;
-    return { low: low - 0.07 * spread, high: high + 0.07 * spread };
+    const spread = Math.max(high - low, kLeastSpread * size) || 1;
+    const middle = 0.5 * (low + high);
+    return { low: middle - 0.57 * spread, high: middle + 0.57 * spread };
   }
 
   // Drawing
 
   draw() {
     const { context, width, height } = prepareCanvas(this.canvas);
-    this.area = {
-      width: Math.max(1, width - kMargin.left - kMargin.right),
-      height: Math.max(1, height - kMargin.top - kMargin.bottom),
-    };
     this.range = this.findRange();
-    this.drawGrid(context);
+    context.font = '12px system-ui, sans-serif';
+    const plotHeight = Math.max(1, height - kMargin.top - kMargin.bottom);
+    const labels = this.findLabels(plotHeight / 28);
+    const widest = Math.max(...labels.map(({ text }) => context.measureText(text).width));
+    const left = Math.max(kMargin.left, Math.ceil(widest) + 12);
+    this.area = { left, width: Math.max(1, width - left - kMargin.right), height: plotHeight };
+    this.drawGrid(context, labels);
     context.save();
     context.beginPath();
-    context.rect(kMargin.left, kMargin.top, this.area.width, this.area.height);
+    context.rect(this.area.left, kMargin.top, this.area.width, this.area.height);
     context.clip();
     for (const curve of this.plot.curves) if (curve.isShown) this.drawCurve(context, curve);
     this.drawMarks(context);
@@ -238,28 +243,34 @@ class TimePlot {
     this.showReadouts();
   }
 
-  drawGrid(context) {
+  /** The values at which there are grid lines, at most so many, and their labels; names the unit. */
+  findLabels(most) {
     const { low, high } = this.range;
-    const vertical = roundTicks(low, high, this.area.height / 28);
+    const { ticks, step } = roundTicks(low, high, most);
     const largest = Math.max(Math.abs(low), Math.abs(high));
     let exponent = 0;
     if (largest >= 1e4 || largest < 1e-2) exponent = 3 * Math.floor(Math.log10(largest) / 3);
     this.unit.textContent = exponent ? `10${superscript(exponent)} ${this.plot.unit}` : this.plot.unit;
-    const decimals = Math.max(0, -Math.floor(Math.log10(vertical.step) - exponent + 1e-9));
-    context.font = '12px system-ui, sans-serif';
+    const decimals = Math.max(0, -Math.floor(Math.log10(step) - exponent + 1e-9));
+    return ticks.map((value) => {
+      const text = (value / 10 ** exponent + 0).toFixed(decimals).replace(/^-(?=0\.?0*$)/, '');
+      return { value, text: text.replace('-', '\u2212'), isZero: Math.abs(value) < 1e-9 * largest };
+    });
+  }
+
+  drawGrid(context, labels) {
     context.lineWidth = 1;
     context.textBaseline = 'middle';
     context.textAlign = 'right';
-    for (const tick of vertical.ticks) {
-      const y = Math.round(this.yOf(tick)) + 0.5;
-      context.strokeStyle = colorOf(Math.abs(tick) < 1e-9 * largest ? '--soft' : '--rule');
+    for (const { value, text, isZero } of labels) {
+      const y = Math.round(this.yOf(value)) + 0.5;
+      context.strokeStyle = colorOf(isZero ? '--soft' : '--rule');
       context.beginPath();
-      context.moveTo(kMargin.left, y);
-      context.lineTo(kMargin.left + this.area.width, y);
+      context.moveTo(this.area.left, y);
+      context.lineTo(this.area.left + this.area.width, y);
       context.stroke();
       context.fillStyle = colorOf('--soft');
-      const text = (tick / 10 ** exponent + 0).toFixed(decimals).replace(/^-(?=0\.?0*$)/, '');
-      context.fillText(text.replace('-', '\u2212'), kMargin.left - 8, y);
+      context.fillText(text, this.area.left - 8, y);
     }
     this.drawTimeScale(context);
   }
@@ -277,7 +288,7 @@ class TimePlot {
       context.moveTo(x, kMargin.top);
       context.lineTo(x, bottom + 4);
       context.stroke();
-      context.textAlign = x > kMargin.left + this.area.width - 16 ? 'right' : 'center';
+      context.textAlign = x > this.area.left + this.area.width - 16 ? 'right' : 'center';
       context.fillStyle = colorOf('--soft');
       const isLast = tick === ticks[ticks.length - 1];
       context.fillText(tick.toFixed(decimals) + (isLast ? ' s' : ''), x, bottom + 8);
@@ -352,8 +363,8 @@ class TimePlot {
     if (this.axis.cursor === null) return;
     const text = `${numberText(this.axis.cursor)} s`;
     const half = context.measureText(text).width / 2 + 6;
-    const right = kMargin.left + this.area.width;
-    const x = Math.min(Math.max(this.xOf(this.axis.cursor), kMargin.left + half), right - half);
+    const right = this.area.left + this.area.width;
+    const x = Math.min(Math.max(this.xOf(this.axis.cursor), this.area.left + half), right - half);
     const y = kMargin.top + this.area.height + 4;
     context.fillStyle = colorOf('--ink');
     context.beginPath();
@@ -378,7 +389,7 @@ class TimePlot {
   followPointer() {
     const xIn = (event) => {
       const x = event.clientX - this.canvas.getBoundingClientRect().left;
-      return Math.min(Math.max(x, kMargin.left), kMargin.left + this.area.width);
+      return Math.min(Math.max(x, this.area.left), this.area.left + this.area.width);
     };
     this.canvas.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;

@@ -82,13 +82,15 @@ report::LineChart deflection_chart(const Reproduction& all) {
 report::LineChart subsystem_chart(const Reproduction& all) {
   report::LineChart chart{.title = "Subsystem threads",
                           .x = {.title = "threads", .low = 1.0, .ticks = {1.0, 2.0, 3.0}},
-                          .y = {.title = "time per step", .unit = "ms", .low = 0.0}};
+                          .y = {.title = "time per step", .unit = "ms"}};
+  report::Range medians;  // a slow one flattens the others unless the axis is logarithmic
   LineSeries ideal{.name = "serial / threads", .markers = false, .dashed = true};
   const auto alone = all.timings.find(Work::steps, serial(Formulation::subsystem));
   for (const int number : {1, 2}) {
     LineSeries series{.name = fmt::format("scheme {}", number)};
     for (const int threads : {1, 2, 3})
       if (const auto spread = all.timings.find(Work::steps, scheme(number, threads))) {
+        medians.add(1e3 * spread->median);
         series.points.push_back({static_cast<double>(threads), 1e3 * spread->median});
         series.band.push_back(
             {static_cast<double>(threads), 1e3 * spread->low, 1e3 * spread->high});
@@ -99,6 +101,8 @@ report::LineChart subsystem_chart(const Reproduction& all) {
     if (alone)
       ideal.points.push_back({static_cast<double>(threads), 1e3 * alone->median / threads});
   chart.series.push_back(std::move(ideal));
+  chart.y.kind = report::scale_for(medians);
+  if (chart.y.kind == report::ScaleKind::linear) chart.y.low = 0.0;
   return chart;
 }
 

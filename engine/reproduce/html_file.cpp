@@ -51,7 +51,10 @@ void add_threads(Page& page, const Reproduction& all) {
   page.add_heading("Fig. 10: threads for the subsystems");
   page.add_paragraph(remark_on_subsystem_threads(all));
   if (has_schemes()) {
-    page.add_figure(render(subsystem_chart(all)), "Bands: quartiles of the rounds.");
+    const report::LineChart chart = subsystem_chart(all);
+    page.add_figure(render(chart), chart.y.kind == report::ScaleKind::log
+                                       ? "The axis is logarithmic. Bands: quartiles of the rounds."
+                                       : "Bands: quartiles of the rounds.");
     page.add_table(subsystem_table(all));
   }
   page.add_heading("Fig. 11: two layers of threads, the whole step");
@@ -64,7 +67,8 @@ void add_threads(Page& page, const Reproduction& all) {
   page.add_heading("Fig. 12: two layers of threads, the inverse part");
   page.add_paragraph(remark_on_inverse(all));
   if (has_schemes()) {
-    page.add_figure(render(layered_chart(all, Work::inverse)), "The axis is logarithmic.");
+    page.add_figure(render(layered_chart(all, Work::inverse)),
+                    "The axis is logarithmic. Whiskers: quartiles of the rounds.");
     page.add_table(layered_table(all, Work::inverse));
   }
 }
@@ -101,11 +105,8 @@ void add_method_of_measurement(Page& page) {
 std::string make_html(const Reproduction& all) {
   Page page("The paper's evaluation, on this machine",
             "Han, Song and Kim 2017: three blades of four bodies of four elements");
-  if (all.is_quick)
-    page.add_note("A quick run: few rounds, so times are rough.", report::Tone::warning);
-  if (is_disturbed(all))
-    page.add_note("The machine was busy with other things: times are disturbed.",
-                  report::Tone::warning);
+  const std::vector<std::string> doubts = doubts_of(all);
+  if (!doubts.empty()) page.add_notes(doubts, report::Tone::warning);
   add_facts(page, all);
   add_model(page, all);
   add_threads(page, all);

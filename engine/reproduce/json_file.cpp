@@ -93,6 +93,7 @@ Json describe_deflections(const Reproduction& all) {
 Json describe(const Reproduction& all, Work work, const compare::Measurement& measurement) {
   const compare::Configuration& configuration = measurement.configuration;
   const auto spread = all.timings.find(work, configuration);
+  const auto speedup = all.timings.ratio(work, serial(configuration.formulation), configuration);
   Json json = {{"name", name_of(configuration)},
                {"formulation", name_of(configuration.formulation)},
                {"executor", name_of(configuration.executor)},
@@ -102,8 +103,7 @@ Json describe(const Reproduction& all, Work work, const compare::Measurement& me
                {"rounds", measurement.step_times.size()},
                {"median_s", spread ? Json(spread->median) : Json()},
                {"quartiles_s", spread ? Json::array({spread->low, spread->high}) : Json()},
-               {"speedup_over_serial",
-                or_null(all.timings.ratio(work, serial(configuration.formulation), configuration))},
+               {"speedup_over_serial", speedup ? Json(speedup->median) : Json()},
                {"step_times_s", measurement.step_times}};
   if (!measurement.message.empty()) json.set("message", measurement.message);
   return json;

@@ -6,20 +6,36 @@
 
 #include <algorithm>
 
+#include "engine/report/markup.h"
 #include "engine/reproduce/paper.h"
 #include "engine/reproduce/tables.h"
 #include "graph/machine/duration_text.h"
+#include "models/count_text.h"
 
 namespace spoke::reproduce {
 namespace {
 
 constexpr const char* kWithoutOpenMp =
     "This build is without OpenMP, so the paper's two schemes could not be measured.";
+constexpr const char* kUntold = "not to be told, for the times vary too much";
+constexpr double kGain = 0.97;  // of the time without, below which threads gain something
 constexpr const char* kNothing = "Too little could be measured to say anything.";
 
+/// As side_of(), but on a busy machine nothing is told of threads, which then wait for processors.
+Side side_of_threads(const Reproduction& all, const Ratio& ratio, double limit) {
+  return is_disturbed(all) ? Side::untold : side_of(ratio, limit);
+}
+
+/// What to say of each side.
+const char* choose(Side side, const char* below, const char* above, const char* untold) {
+  return side == Side::untold ? untold : side == Side::below ? below : above;
+}
+
+std::string text_of(const Ratio& ratio) { return report::ratio_text(ratio.median); }
+
 /// How much faster than the dense serial step, in the same rounds.
-std::optional<double> speedup(const Reproduction& all, Work work, int number,
-                              graph::Threads threads) {
+std::optional<Ratio> speedup(const Reproduction& all, Work work, int number,
+                             graph::Threads threads) {
   return all.timings.ratio(work, serial(Formulation::subsystem), scheme(number, threads));
 }
 
@@ -27,21 +43,24 @@ std::optional<double> speedup(const Reproduction& all, Work work, int number,
 std::string processors_text(const Reproduction& all, int threads) {
   const int cores = all.machine.cores;
   if (threads <= cores)
-    return fmt::format("This machine offers {} processors, enough for all threads.", cores);
+    return fmt::format("This machine offers {}, enough for all threads.",
+                       counted(cores, "processor"));
   if (threads > 3)
     return fmt::format(
-        "{} threads share {} processors here, of scheme 1 only as many work: no step can take less "
-        "than {:.2f} of serial's time.",
-        threads, cores, 1.0 / cores);
+        "{} threads share {} here, of scheme 1 only as many work: no step can take less than "
+        "{:.2f} "
+        "of serial's time.",
+        threads, counted(cores, "processor"), 1.0 / cores);
   return fmt::format(
-      "Three blades on {} processors: while each stays on one thread, a step takes at least {:.2f} "
-      "of serial's time, whatever the number of threads.",
-      cores, (cores == 1 ? 3.0 : 2.0) / 3.0);
+      "Three blades on {}: while each stays on one thread, a step takes at least {:.2f} of "
+      "serial's "
+      "time, whatever the number of threads.",
+      counted(cores, "processor"), (cores == 1 ? 3.0 : 2.0) / 3.0);
 }
 
 std::string disturbance_text(const Reproduction& all) {
   return is_disturbed(all) ? " The machine was busy meanwhile: barriers then wait for threads that "
-                             "have no processor, and differences below a factor of two mean little."
+                             "have no processor, and there is no verdict on threads."
                            : "";
 }
 
@@ -61,15 +80,64 @@ std::string remark_on_threads_of_methods(const Reproduction& all, graph::Threads
   const auto layers = all.timings.ratio(Work::steps, scheme(1, 3), scheme(1, layered));
   if (!threads || !layers) return "";
   return fmt::format(
-      "The gain of threads is {}: subsystem to parallel is 2.77 there and {:.2f} here on {} "
-      "processors, parallel to layered 3.6 there and {:.2f} here. Two inner threads cannot by "
+      "The gain of threads is {}: subsystem to parallel is 2.77 there and {} here on {}, parallel "
+      "to "
+      "layered 3.6 there and {} here. Two inner threads cannot by "
       "themselves make a step 3.6 times faster; if the paper's last column is a time per thread, "
       "as in its Fig. 10, it is not the time of a step.{} ",
-      *threads > 2.2 ? "confirmed" : "not confirmed", *threads, all.machine.cores, *layers,
+      choose(side_of_threads(all, *threads, 2.2), "not confirmed", "confirmed", kUntold),
+      text_of(*threads), counted(all.machine.cores, "processor"), text_of(*layers),
       disturbance_text(all));
 }
 
+/// Of the two schemes on two threads.
+const char* compare_schemes(const Reproduction& all, const Ratio& one_by_two) {
+  constexpr double kEqual = 1.1;
+  const Side low = side_of_threads(all, one_by_two, 1.0 / kEqual);
+  const Side high = side_of_threads(all, one_by_two, kEqual);
+  if (low == Side::below)
+    return "scheme 1 is clearly the faster, where the paper sees little difference";
+  if (high == Side::above) return "scheme 2 is clearly the faster, unlike in the paper";
+  if (low == Side::above && high == Side::below)
+    return "the schemes are about equal, as in the paper";
+  return "which scheme is faster is not to be told, for the times vary too much";
+}
+
+/// On which side of the second ratio the first one lies.
+Side side_of_threads(const Reproduction& all, const Ratio& ratio, const Ratio& other) {
+  const Side low = side_of_threads(all, ratio, other.low);
+  return low == side_of_threads(all, ratio, other.high) ? low : Side::untold;
+}
+
+/// How many of all times have quartiles so far apart, and of how many.
+std::pair<int, int> count_wide(const Timings& timings, double factor) {
+  int wide = 0, all = 0;
+  for (const Work work : {Work::steps, Work::inverse, Work::run})
+    for (const compare::Measurement& measurement : timings.all(work))
+      if (const auto spread = timings.find(work, measurement.configuration)) {
+        ++all;
+        if (spread->high > factor * spread->low) ++wide;
+      }
+  return {wide, all};
+}
+
 }  // namespace
+
+std::vector<std::string> doubts_of(const Reproduction& all) {
+  constexpr double kWide = 1.5;
+  std::vector<std::string> doubts;
+  if (all.is_quick) doubts.emplace_back("A quick run: few rounds, so times are rough.");
+  if (is_disturbed(all))
+    doubts.emplace_back(
+        "The machine was busy with other things: times are disturbed, and there is no verdict on "
+        "threads.");
+  if (const auto [wide, number] = count_wide(all.timings, kWide); wide > 0)
+    doubts.push_back(
+        fmt::format("Of {}, {} {} quartiles more than a factor of {} apart: there is no verdict "
+                    "where that leaves it open.",
+                    counted(number, "time"), wide, wide == 1 ? "has" : "have", kWide));
+  return doubts;
+}
 
 std::string remark_on_counts() {
   const paper::InverseSizes sizes = paper::inverse_sizes();
@@ -129,17 +197,13 @@ std::string remark_on_subsystem_threads(const Reproduction& all) {
   if (!has_schemes()) return kWithoutOpenMp;
   const auto one_2 = speedup(all, Work::steps, 1, 2), one_3 = speedup(all, Work::steps, 1, 3);
   const auto two_2 = speedup(all, Work::steps, 2, 2), two_3 = speedup(all, Work::steps, 2, 3);
-  if (!one_2 || !one_3 || !two_2 || !two_3) return kNothing;
-  const double better = std::max(*one_2 / *two_2, *two_2 / *one_2);
-  const char* winner =
-      better < 1.1      ? "the schemes are about equal, as in the paper"
-      : *one_2 > *two_2 ? "scheme 1 is clearly the faster, where the paper sees little difference"
-                        : "scheme 2 is clearly the faster, unlike in the paper";
+  const auto one_by_two = all.timings.ratio(Work::steps, scheme(1, 2), scheme(2, 2));
+  if (!one_2 || !one_3 || !two_2 || !two_3 || !one_by_two) return kNothing;
   return fmt::format(
       "In the paper the time falls as one over the threads, by 2.77 on three. Here scheme 1 gains "
-      "{:.2f} on two threads and {:.2f} on three, scheme 2 {:.2f} and {:.2f}; on two threads {}. "
-      "{}",
-      *one_2, *one_3, *two_2, *two_3, winner, processors_text(all, 3) + disturbance_text(all));
+      "{} on two threads and {} on three, scheme 2 {} and {}; on two threads {}. {}",
+      text_of(*one_2), text_of(*one_3), text_of(*two_2), text_of(*two_3),
+      compare_schemes(all, *one_by_two), processors_text(all, 3) + disturbance_text(all));
 }
 
 std::string remark_on_layers(const Reproduction& all) {
@@ -149,18 +213,21 @@ std::string remark_on_layers(const Reproduction& all) {
   };
   const auto two = slower(1, 2), four = slower(1, 4), two_2 = slower(2, 2), four_2 = slower(2, 4);
   if (!two || !four || !two_2 || !four_2) return kNothing;
-  const char* verdict = *two < 0.97 ? "two inner threads gain over one, as in the paper"
-                                    : "inner threads gain nothing over 3x1, unlike in the paper";
-  const char* schemes = *four_2 > *four
-                            ? "As in the paper, scheme 2 suffers more from more threads."
-                            : "Unlike in the paper, scheme 2 does not suffer more.";
+  const char* verdict =
+      choose(side_of_threads(all, *two, kGain), "two inner threads gain over one, as in the paper",
+             "inner threads gain nothing over 3x1, unlike in the paper",
+             "whether inner threads gain is not to be told, for the times vary too much");
+  const char* schemes = choose(side_of_threads(all, *four_2, *four),
+                               "Unlike in the paper, scheme 2 does not suffer more.",
+                               "As in the paper, scheme 2 suffers more from more threads.",
+                               "Which scheme suffers more from more threads is not to be told.");
   return fmt::format(
       "The paper finds 3x2 fastest, and scheme 2 on 3x4 some 1.8 times slower than on 3x1. Here "
       "{}: "
-      "scheme 1 takes {:.2f} times its 3x1 on 3x2 and {:.2f} times on 3x4, scheme 2 {:.2f} and "
-      "{:.2f} times. {} {} {}",
-      verdict, *two, *four, *two_2, *four_2, schemes, runtime_text(all),
-      processors_text(all, 12) + disturbance_text(all));
+      "scheme 1 takes {} times its 3x1 on 3x2 and {} times on 3x4, scheme 2 {} and {} times. {} {} "
+      "{}",
+      verdict, text_of(*two), text_of(*four), text_of(*two_2), text_of(*four_2), schemes,
+      runtime_text(all), processors_text(all, 12) + disturbance_text(all));
 }
 
 std::string remark_on_inverse(const Reproduction& all) {
@@ -175,14 +242,19 @@ std::string remark_on_inverse(const Reproduction& all) {
   const auto four = all.timings.ratio(Work::inverse, scheme(1, {3, 4}), scheme(1, {3, 1}));
   const auto four_2 = all.timings.ratio(Work::inverse, scheme(2, {3, 4}), scheme(2, {3, 1}));
   if (!four || !four_2) return text;
-  const char* verdict = std::max(*four, *four_2) < 0.97
-                            ? "it falls, as in the paper."
-                            : "it does not fall with both, unlike in the paper: a node takes a few "
-                              "microseconds, less than waking a thread.";
+  const Side one = side_of_threads(all, *four, kGain), two = side_of_threads(all, *four_2, kGain);
+  const Side both = one == Side::above || two == Side::above ? Side::above
+                    : one == two                             ? one
+                                                             : Side::untold;
+  const char* verdict =
+      choose(both, "it falls, as in the paper.",
+             "it does not fall with both, unlike in the paper: a node takes a few "
+             "microseconds, less than waking a thread.",
+             "whether it falls is not to be told, for the times vary too much.");
   return text + fmt::format(
-                    "In the paper this part falls with every inner thread. Here 3x4 takes {:.2f} "
-                    "times what 3x1 takes with scheme 1, {:.2f} times with scheme 2: {}{}",
-                    *four, *four_2, verdict, disturbance_text(all));
+                    "In the paper this part falls with every inner thread. Here 3x4 takes {} "
+                    "times what 3x1 takes with scheme 1, {} times with scheme 2: {}{}",
+                    text_of(*four), text_of(*four_2), verdict, disturbance_text(all));
 }
 
 std::string remark_on_methods(const Reproduction& all) {
@@ -192,16 +264,18 @@ std::string remark_on_methods(const Reproduction& all) {
   const auto chosen = all.timings.ratio(Work::steps, automatic(Formulation::structured), own);
   if (!conventional || !structured || !chosen) return kNothing;
   std::string text = fmt::format(
-      "The algorithm's gain is {}: conventional to subsystem is 3.6 in the paper and {:.1f} here, "
+      "The algorithm's gain is {}: conventional to subsystem is 3.6 in the paper and {} here, "
       "where only the blocks of (P 11) are factorised, not a matrix of 180. ",
-      *conventional > 1.5 ? "confirmed" : "not confirmed", *conventional);
+      choose(side_of(*conventional, 1.5), "not confirmed", "confirmed", kUntold),
+      report::figure(conventional->median, 2));
   const auto layered = best_layered(all);
   text += layered ? remark_on_threads_of_methods(all, *layered) : std::string(kWithoutOpenMp) + ' ';
   text += fmt::format(
-      "The structured formulation makes a step {:.1f} times faster than the subsystem one, both on "
-      "one thread; the executor auto takes {:.2f} times that time{}. ",
-      *structured, *chosen,
-      *chosen < 0.97 ? ", with threads" : ": steps of microseconds are best left to one thread");
+      "The structured formulation makes a step {} times faster than the subsystem one, both on "
+      "one thread; the executor auto takes {} times that time{}. ",
+      report::figure(structured->median, 2), text_of(*chosen),
+      choose(side_of_threads(all, *chosen, kGain), ", with threads",
+             ": steps of microseconds are best left to one thread", ""));
   if (const auto run = method_times(all).back().run)
     text += fmt::format(
         "An implicit step of {:.3g} s simulates the 20 s in {}; its largest lag differs by {:.2g} "

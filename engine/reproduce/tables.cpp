@@ -4,9 +4,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/report/markup.h"
 #include "engine/reproduce/operation_counts.h"
 #include "engine/reproduce/paper.h"
 #include "graph/machine/duration_text.h"
+#include "models/count_text.h"
 
 namespace spoke::reproduce {
 namespace {
@@ -41,15 +43,22 @@ std::optional<double> median_of(const Reproduction& all, Work work, const Config
   return spread ? std::optional(spread->median) : std::nullopt;
 }
 
+/// Quartiles, or of how few rounds the time is.
+std::string quartiles_text(const Spread& spread) {
+  if (spread.rounds < kLeastRounds)
+    return counted(static_cast<std::int64_t>(spread.rounds), "round");
+  return fmt::format("{} to {}", graph::duration_text(spread.low),
+                     graph::duration_text(spread.high));
+}
+
 /// Cells of one configuration: time, quartiles, times faster than another.
 void add_timing(const Reproduction& all, Work work, const Configuration& which,
                 const Configuration& reference, Row& row) {
   const auto spread = all.timings.find(work, which);
   row.cells.push_back(spread ? graph::duration_text(spread->median) : "-");
-  row.cells.push_back(spread ? fmt::format("{} to {}", graph::duration_text(spread->low),
-                                           graph::duration_text(spread->high))
-                             : "");
-  row.cells.push_back(number_text(all.timings.ratio(work, reference, which)));
+  row.cells.push_back(spread ? quartiles_text(*spread) : "");
+  const auto speedup = all.timings.ratio(work, reference, which);
+  row.cells.push_back(speedup ? report::ratio_text(speedup->median) : "-");
 }
 
 const Configuration& dense_serial() {
@@ -59,10 +68,10 @@ const Configuration& dense_serial() {
 
 std::vector<Column> scheme_columns() {
   return {{"threads"},
-          {"scheme 1", Align::number},
+          {"scheme\u00a01", Align::number},
           {"quartiles", Align::number},
           {"speedup", Align::number},
-          {"scheme 2", Align::number},
+          {"scheme\u00a02", Align::number},
           {"quartiles", Align::number},
           {"speedup", Align::number},
           {"paper"}};
@@ -197,7 +206,9 @@ std::vector<MethodTime> method_times(const Reproduction& all) {
     MethodTime time{.name = std::move(name),
                     .how = fmt::format("{}, {}", name_of(which.formulation), name_of(which))};
     time.seconds = median_of(all, Work::steps, which);
-    if (layered) time.ratio = all.timings.ratio(Work::steps, which, scheme(1, *layered));
+    if (const auto ratio =
+            layered ? all.timings.ratio(Work::steps, which, scheme(1, *layered)) : std::nullopt)
+      time.ratio = ratio->median;
     const Integration& integration = all.scenario.integration;
     if (time.seconds) time.run = *time.seconds * integration.duration / integration.step;
     return times.emplace_back(std::move(time));

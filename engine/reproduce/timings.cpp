@@ -78,12 +78,20 @@ std::optional<Spread> Timings::find(Work work, const Configuration& configuratio
                 compare::quantile(times, 0.75), times.size()};
 }
 
-std::optional<double> Timings::ratio(Work work, const Configuration& above,
-                                     const Configuration& below) const {
+std::optional<Ratio> Timings::ratio(Work work, const Configuration& above,
+                                    const Configuration& below) const {
   const Measurement* first = measurement(work, above);
   const Measurement* second = measurement(work, below);
   if (first == nullptr || second == nullptr) return {};
-  return compare::median(compare::ratios(first->step_times, second->step_times));
+  const std::vector<double> ratios = compare::ratios(first->step_times, second->step_times);
+  return Ratio{compare::median(ratios), compare::quantile(ratios, 0.25),
+               compare::quantile(ratios, 0.75), ratios.size()};
+}
+
+Side side_of(const Ratio& ratio, double limit) {
+  if (ratio.rounds < kLeastRounds) return Side::untold;
+  if (ratio.high < limit) return Side::below;
+  return ratio.low > limit ? Side::above : Side::untold;
 }
 
 }  // namespace spoke::reproduce

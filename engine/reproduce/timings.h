@@ -37,6 +37,23 @@ struct Spread {
   std::size_t rounds = 0;
 };
 
+/// From so many rounds on there are quartiles, and what follows from them.
+inline constexpr std::size_t kLeastRounds = 3;
+
+/// One time by another of the same round: median and quartiles over the rounds.
+struct Ratio {
+  double median = 0.0, low = 0.0, high = 0.0;
+  std::size_t rounds = 0;
+};
+
+/// What a ratio says of a limit.
+enum class Side {
+  below,
+  above,
+  untold,  ///< the quartiles are on both sides of it, or there are too few rounds for quartiles
+};
+Side side_of(const Ratio& ratio, double limit);
+
 class Timings {
  public:
   void set(Work work, std::vector<compare::Measurement> measurements);
@@ -44,9 +61,9 @@ class Timings {
   const std::vector<compare::Measurement>& all(Work work) const;
   /// None if it was not measured, or gave no sample.
   std::optional<Spread> find(Work work, const compare::Configuration& configuration) const;
-  /// Median over the rounds of the first one's time by the second one's in the same round.
-  std::optional<double> ratio(Work work, const compare::Configuration& above,
-                              const compare::Configuration& below) const;
+  /// The first one's time by the second one's.
+  std::optional<Ratio> ratio(Work work, const compare::Configuration& above,
+                             const compare::Configuration& below) const;
 
  private:
   const compare::Measurement* measurement(Work work,

@@ -11,6 +11,7 @@
 #include "engine/report/page.h"
 #include "engine/report/run_script.h"
 #include "engine/support/machine.h"
+#include "models/count_text.h"
 
 namespace spoke::run_report {
 namespace {
@@ -128,15 +129,16 @@ report::FactGroup model_facts(const Simulation& simulation) {
   const ModelSize size = simulation.size();
   const Rotor& rotor = simulation.scenario().rotor;
   const bool is_free = rotor.hub.support == HubSupport::free;
-  return {"Model",
-          {{"blades", std::to_string(size.subsystems)},
-           {"flexible bodies", std::to_string(size.bodies)},
-           {"beam elements", std::to_string(count_elements(simulation))},
-           {"coordinates", std::to_string(size.coordinates)},
-           {"joints", std::to_string(size.joints)},
-           {"hub", is_free ? "free in the plane" : "on an axle"},
-           {"step graph", fmt::format("{} nodes, {} edges", size.graph_nodes, size.graph_edges)},
-           {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
+  return {
+      "Model",
+      {{"blades", std::to_string(size.subsystems)},
+       {"flexible bodies", std::to_string(size.bodies)},
+       {"beam elements", std::to_string(count_elements(simulation))},
+       {"coordinates", std::to_string(size.coordinates)},
+       {"joints", std::to_string(size.joints)},
+       {"hub", is_free ? "free in the plane" : "on an axle"},
+       {"step graph", counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge")},
+       {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
 }
 
 report::FactGroup setting_facts(const Simulation& simulation) {
@@ -202,9 +204,9 @@ std::string describe_data(const Recorder& recorder) {
   const std::vector<double>& times = recorder.animation().times();
   if (times.size() < 2) return text + " The run was too short for an animation.";
   return text + fmt::format(
-                    " The animation has {} pictures, {} s apart; in between it moves along "
+                    " The animation has {}, {} s apart; in between it moves along "
                     "straight lines.",
-                    times.size(), number(times[1]));
+                    counted(std::ssize(times), "picture"), number(times[1]));
 }
 
 }  // namespace
@@ -213,9 +215,10 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
                       const RunOutcome& outcome, const std::vector<std::string>& tips,
                       const Recorder& recorder) {
   const Scenario& scenario = simulation.scenario();
-  report::Page page(scenario.title.empty() ? scenario.name : scenario.title,
-                    fmt::format("{} s in {} steps of {} s", number(statistics.last_time()),
-                                simulation.steps(), number(simulation.step_size())));
+  report::Page page(
+      scenario.title.empty() ? scenario.name : scenario.title,
+      fmt::format("{} s in {} of {} s", number(statistics.last_time()),
+                  counted(simulation.steps(), "step"), number(simulation.step_size())));
   page.widen();
   add_warnings(page, simulation, statistics, outcome);
   page.add_tiles(make_tiles(simulation, statistics, outcome, tips));

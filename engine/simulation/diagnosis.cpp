@@ -9,6 +9,7 @@
 #include "engine/kernels/body_energies.h"
 #include "engine/kernels/deformation_limits.h"
 #include "engine/kernels/natural_frequencies.h"
+#include "models/count_text.h"
 
 namespace spoke {
 namespace {
@@ -172,7 +173,7 @@ std::string describe_finding(const Scenario& scenario, const StepContext& contex
   } else if (failed.outcome == StepOutcome::not_converged) {
     text << "the iteration still changes a coordinate by " << failed_progress(context.data).change
          << " (tolerance " << context.integrator.limits.tolerance << ") after "
-         << context.integrator.limits.most << " iterations, most in " << name_body(site)
+         << counted(context.integrator.limits.most, "iteration") << ", most in " << name_body(site)
          << " (node \"" << name_body(site) << " / recovery\")";
   } else if (site.is_known()) {
     text << name_body(site) << ": " << site.finding << " (node \"" << name_body(site) << " / "

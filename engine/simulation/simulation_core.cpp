@@ -13,6 +13,7 @@
 #include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"
 #include "graph/declaration_check.h"
+#include "models/count_text.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 
@@ -52,7 +53,7 @@ void require_range(const char* what, std::int64_t value, std::int64_t least,
                    std::int64_t greatest) {
   if (value < least || value > greatest)
     throw InputError(std::string(what) + " is " + std::to_string(value) + ", expected " +
-                     std::to_string(least) + " to " + std::to_string(greatest));
+                     range_text(least, greatest));
 }
 
 SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& chosen,
@@ -214,8 +215,8 @@ void SimulationCore::restore(const SavedState& state) {
   const std::size_t table_count = count_state_values(data);
   const std::size_t count = table_count + doubles(seen).size();
   if (state.values.size() != count)
-    throw InputError("the saved state has " + std::to_string(state.values.size()) +
-                     " values, expected " + std::to_string(count) +
+    throw InputError("the saved state has " + counted(std::ssize(state.values), "value") +
+                     ", expected " + std::to_string(count) +
                      ", as where loads between blades act on one of the two simulations only");
   Observations before;
   const std::span<double> observed = doubles(before);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "engine/support/log.h"
+#include "models/count_text.h"
 
 namespace spoke {
 namespace {
@@ -21,12 +22,13 @@ void SimulationLog::log_built(const Scenario& scenario, const SimulationOptions&
                               const graph::Threads& threads) {
   if (!is_heard(LogLevel::info)) return;
   std::ostringstream text;
-  text << begin(scenario) << "built: " << size.subsystems << " blades, " << size.bodies
-       << " bodies, " << size.coordinates << " coordinates, step graph of " << size.graph_nodes
-       << " nodes and " << size.graph_edges << " edges, "
-       << static_cast<double>(size.memory_bytes) / 1e6 << " MB; " << name_of(options.formulation)
-       << ", " << name_of(scenario.integration.method) << ", " << steps << " steps of " << step_size
-       << " s, " << name_of(options.executor) << ", threads: " << name_of(threads);
+  text << begin(scenario) << "built: " << counted(size.subsystems, "blade") << ", "
+       << counted(size.bodies, "body") << ", " << counted(size.coordinates, "coordinate")
+       << ", step graph of " << counted(size.graph_nodes, "node") << " and "
+       << counted(size.graph_edges, "edge") << ", " << static_cast<double>(size.memory_bytes) / 1e6
+       << " MB; " << name_of(options.formulation) << ", " << name_of(scenario.integration.method)
+       << ", " << counted(steps, "step") << " of " << step_size << " s, "
+       << name_of(options.executor) << ", threads: " << name_of(threads);
   log(LogLevel::info, text.str());
 }
 

@@ -17,6 +17,7 @@
 #include "engine/trace/statistics.h"
 #include "graph/machine/duration_text.h"
 #include "graph/structure/index_of.h"
+#include "models/count_text.h"
 
 namespace spoke::trace {
 namespace {
@@ -216,12 +217,12 @@ std::string make_dot(const Trace& trace) {
   fmt::format_to(
       std::back_inserter(text),
       "digraph step {{\n"
-      "  label=\"{}\\none pass of a step, a box for each {}; mean of {} steps on {}\\n"
+      "  label=\"{}\\none pass of a step, a box for each {}; mean of {} on {}\\n"
       "darker: larger share of the time; framed: longest path, {}\"\n"
       "  labelloc=\"t\"; fontname=\"sans-serif\"; bgcolor=\"white\"; rankdir=\"LR\"\n"
       "  node [shape=\"box\", style=\"filled,rounded\", fontname=\"sans-serif\", fontsize=11]\n"
       "  edge [color=\"#555555\"]\n",
-      in_dot(trace.title), in_dot(boxes.unit), trace.steps.steps.size(),
+      in_dot(trace.title), in_dot(boxes.unit), counted(std::ssize(trace.steps.steps), "step"),
       in_dot(trace.steps.executor), graph::duration_text([&] {
         double sum = 0.0;
         for (const int box : path) sum += costs[index_of(box)];

@@ -10,6 +10,8 @@
 #include <ctime>
 #include <utility>
 
+#include "models/count_text.h"
+
 namespace spoke::trace {
 namespace {
 
@@ -30,9 +32,9 @@ std::string name_threads(const Simulation& simulation, const StepTrace& steps) {
 std::string explain_no_window(const StepTrace& steps, std::int64_t most_steps) {
   const bool is_one = steps.asked_steps == 1;
   std::string text =
-      fmt::format("{} less than half a window of {} steps, so {} traced without windows",
-                  is_one ? "1 step is" : fmt::format("{} steps are", steps.asked_steps),
-                  steps.unused_window, is_one ? "it was" : "they were");
+      fmt::format("{} {} less than half a window of {}, so {} traced without windows",
+                  counted(steps.asked_steps, "step"), is_one ? "is" : "are",
+                  counted(steps.unused_window, "step"), is_one ? "it was" : "they were");
   if (steps.unused_window <= most_steps)
     text += fmt::format("; spoke trace --steps {} shows the windows", steps.unused_window);
   return text;
@@ -54,9 +56,9 @@ std::vector<std::string> make_notes(const Simulation& simulation, const StepTrac
     notes.push_back(explain_no_window(steps, simulation.planned_steps() - first + 1));
   const std::int64_t made = static_cast<std::int64_t>(steps.steps.size()) + steps.dropped_steps;
   if (made < steps.asked_steps)
-    notes.push_back(fmt::format(
-        "the recording ends after {} of {} steps: the simulation ended or was interrupted", made,
-        steps.asked_steps));
+    notes.push_back(
+        fmt::format("the recording ends after {} of {}: the simulation ended or was interrupted",
+                    made, counted(steps.asked_steps, "step")));
   return notes;
 }
 

@@ -2,7 +2,10 @@
 
 #include "models/reader/curve_reader.h"
 
+#include <iterator>
 #include <string>
+
+#include "models/count_text.h"
 
 namespace spoke {
 
@@ -11,7 +14,7 @@ Curve read_curve(const TomlSection& section, std::string_view over, const Quanti
   const std::vector<double> places = section.increasing_numbers(over, over_quantity);
   const std::vector<double> values = section.numbers(key, quantity);
   if (values.size() != places.size()) {
-    section.fail(key, "has " + std::to_string(values.size()) + " numbers, expected " +
+    section.fail(key, "has " + counted(std::ssize(values), "number") + ", expected " +
                           std::to_string(places.size()) + ", one for each of " + section.path() +
                           '.' + std::string(over));
   }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "models/count_text.h"
 #include "models/error.h"
 #include "models/reader/quantity.h"
 #include "models/reader/toml_depth.h"
@@ -114,8 +115,9 @@ std::string put(toml::node& parent, const std::string& name, toml::node&& value)
   if (array == nullptr) return "is " + describe(parent) + ", which holds no keys";
   const std::size_t index = is_index(name) ? std::stoul(name) : 0;
   if (index == 0 || index > array->size() + 1) {
-    return "is an array of " + std::to_string(array->size()) +
-           " values, expected an index from 1 to " + std::to_string(array->size() + 1) +
+    return "is an array of " + counted(std::ssize(*array), "value") + ", expected " +
+           (array->empty() ? "the index 1"
+                           : "an index from " + range_text(1, std::ssize(*array) + 1)) +
            " instead of \"" + one_line(name, kLongestQuote) + '"';
   }
   std::move(value).visit([&]<class Value>(Value&& v) {

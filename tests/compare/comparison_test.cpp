@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -95,4 +96,24 @@ TEST_CASE("the files hold what was found") {
   CHECK(html.find("Rotor &lt;1&gt;") != std::string::npos);
   CHECK(html.find("flow_graph 8") != std::string::npos);
   CHECK(html.find("no luck, oversubscribed") != std::string::npos);
+}
+
+TEST_CASE("the page says of pale bars and of all formulations only where there are some") {
+  const auto counts = [](const Comparison& comparison) {
+    const std::string html = make_html(comparison);
+    const auto has = [&](const char* text) { return html.find(text) != std::string::npos; };
+    return std::array{has("Pale bars"), has("class=\"bar faint\""), has("All formulations"),
+                      has(">Time per step<")};
+  };
+  const auto serial = measurement_of(kSerial, 1, {10e-6, 10e-6});
+  const Comparison few = comparison_of({serial, measurement_of(kFlow, 2, {6e-6, 6e-6})});
+  CHECK(counts(few) == std::array{false, false, false, false});
+  // On a machine of two processors.
+  const Comparison many = comparison_of({serial, measurement_of(kFlow, 3, {6e-6, 6e-6})});
+  CHECK(counts(many) == std::array{true, true, false, false});
+  Measurement failed = measurement_of(kFlow, 3, {});
+  CHECK(counts(comparison_of({serial, failed})) == std::array{false, false, false, false});
+  Comparison two = few;
+  two.models.push_back({.formulation = Formulation::subsystem, .pass = {8.0, 2.0}});
+  CHECK(counts(two) == std::array{false, false, true, true});
 }

@@ -32,7 +32,7 @@ TEST_CASE("the best is named with its gain, and who equals it") {
                             measurement_of(kFlow, 3, {5.5e-6, 5.65e-6})}),
              {"structured: flow_graph 2 is best with 5.55 us a step, 1.80 times serial's speed",
               "1.11 of the bound", "not told from it: flow_graph 3", "same bits as serial",
-              "1 of 4 have more threads than processors",
+              "1 of 4 has more threads than processors: it shows what",
               "Of flow_graph and openmp_scheme1 no more threads work than",
               "Some processor, 2 processors", "load average 0.10 before and 1.00 after"});
 }
@@ -73,7 +73,7 @@ TEST_CASE("faults are counted") {
   slow.status = Status::slow;
   check_says(comparison_of({kTen, other, silent, slow}),
              {"1 of 4 ended in bits other than serial's", "1 of 4 gave no answer in time",
-              "1 of 4 were so slow", "serial wins"});
+              "1 of 4 was so slow", "serial wins"});
 }
 
 TEST_CASE("a busy machine makes everything doubtful, first of all") {

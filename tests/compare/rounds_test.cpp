@@ -84,6 +84,19 @@ TEST_CASE("the slow leave the warm-up early for the rounds, serial never") {
   CHECK(few[1].status == Status::measured);
 }
 
+TEST_CASE("the slow take part in all rounds, if they may make fewer steps in a batch") {
+  constexpr const char* kSecondEach = "echo ready; while read w n; do echo done $n $n; done";
+  const auto measurements = measure_scripts(
+      {kObedient, kSecondEach}, {.rounds = 5, .most_seconds = 16.0, .shrinks_batches = true});
+  CHECK(measurements[1].status == Status::measured);
+  CHECK(measurements[1].step_times == std::vector<double>(5, 1.0));
+  CHECK(measurements[1].hashes.back() == 3);  // steps, for a fifth of the 16 s
+  const auto too_slow = measure_scripts(
+      {kObedient, kSecondEach}, {.rounds = 5, .most_seconds = 1.5, .shrinks_batches = true});
+  CHECK(too_slow[1].step_times == std::vector<double>(2, 1.0));
+  CHECK(too_slow[1].hashes.back() == 1);
+}
+
 TEST_CASE("the caller takes part in every round, before the others") {
   std::string told;
   measure(

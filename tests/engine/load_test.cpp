@@ -289,6 +289,18 @@ TEST_CASE("a load between blades that throws names them, and the simulation stan
   CHECK(simulation.state_hash() == hash);
 }
 
+TEST_CASE("a load that is not there is refused with the indices that there are") {
+  const Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.01);
+  const auto load = steady_load({0, 0, 0.5}, 0.0, 0.0, 0.0);
+  const auto refused = [&](const Loads& loads) {
+    Simulation simulation(scenario, {}, loads);
+    return message_of<InputError>([&] { simulation.set_load(7, load); });
+  };
+  CHECK(refused({}) == "load index 7, expected none");
+  CHECK(refused({load}) == "load index 7, expected 0");
+  CHECK(refused({load, load}) == "load index 7, expected 0 to 1");
+}
+
 TEST_CASE("loads without a place are refused, by name") {
   const Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.01);
   const auto refused = [&](std::vector<Marker> markers) {

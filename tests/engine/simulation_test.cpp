@@ -203,6 +203,12 @@ TEST_CASE("what does not exist is refused with what was expected") {
         "the index of the blade is -1, expected 0 to 2");
   CHECK(message_of([&] { simulation.trace(0); }) ==
         "the number of steps to trace is 0, expected 1 to 4000");
+  Scenario ended = spin_up_scenario(wu_haug_blade(), 0.005);
+  ended.integration.duration = 0.005;
+  Simulation at_end(ended, kSerial);
+  CHECK(message_of([&] { at_end.trace(2); }) == "the number of steps to trace is 2, expected 1");
+  at_end.step();
+  CHECK(message_of([&] { at_end.trace(1); }) == "the number of steps to trace is 1, expected none");
   CHECK(message_of([&] { measure_nodes(simulation, 4001); }) ==
         "the number of steps to measure is 4001, expected 1 to 4000");
 }

@@ -125,9 +125,9 @@ TEST_CASE("a curve refuses points that are none") {
   const auto message = [](std::vector<double> times, std::vector<double> values) {
     return spoke::test::message_of([&] { Curve(std::move(times), std::move(values)); });
   };
-  const std::string sizes = " values, expected as many of each, at least one";
-  CHECK(message({}, {}) == "a curve has 0 times and 0" + sizes);
-  CHECK(message({0.0, 1.0}, {1.0}) == "a curve has 2 times and 1" + sizes);
+  const std::string sizes = ", expected as many of each, at least one";
+  CHECK(message({}, {}) == "a curve has 0 times and 0 values" + sizes);
+  CHECK(message({0.0, 1.0}, {1.0}) == "a curve has 2 times and 1 value" + sizes);
   CHECK(message({0.0, 0.0}, {1.0, 2.0}) ==
         "time 2 of a curve is 0, expected more than the one before it, 0");
   CHECK(message({1.0, 0.5}, {1.0, 2.0}) ==

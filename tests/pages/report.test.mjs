@@ -2,7 +2,7 @@
 // the folder of the shipped scenarios.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -55,7 +55,7 @@ async function shownWindow(page) {
 }
 
 for (const scheme of ['light', 'dark'])
-  for (const width of [1280, 1920])
+  for (const width of [400, 1280, 1920])
     test(`the rotor's page is drawn at ${width} pixels, ${scheme}`, () =>
       withPage(rotorPage, { width, scheme }, async (page) => {
         assert.equal(await page.locator('h1').textContent(), 'Wu & Haug 1988 rotor, spin-up to 4 rad/s');
@@ -93,6 +93,44 @@ test('hovering reads values in all plots, and they are those of sensors.csv', ()
     const box = await canvas.boundingBox();
     await page.mouse.move(box.x + box.width * 0.3, box.y + box.height / 2);
     assert.notEqual(await deflection.locator('output').first().textContent(), before);
+  }));
+
+/** Draws a plot anew and notes the labels at its left: their text, and where they begin. */
+const labelsOf = (plot) =>
+  plot.locator('canvas').first().evaluate((canvas) => {
+    const labels = [];
+    const { prototype } = CanvasRenderingContext2D;
+    const fillText = prototype.fillText;
+    prototype.fillText = function note(text, x, y) {
+      if (this.canvas === canvas && this.textAlign === 'right' && this.textBaseline === 'middle')
+        labels.push({ text, left: x - this.measureText(text).width });
+      fillText.call(this, text, x, y);
+    };
+    canvas.dispatchEvent(new KeyboardEvent('keydown', { key: '0' }));
+    prototype.fillText = fillText;
+    return labels;
+  });
+
+/** The shipped rotor at a constant speed of its hub [rad/s]; its page. */
+function runAtConstantSpeed(speed) {
+  const given = readFileSync(join(process.env.SPOKE_MODELS_DIR, 'wu_haug_rotor.toml'), 'utf8');
+  const drive = `kind = "table"\ntime = [0.0, 2.0]\nspeed = [${speed}, ${speed}]\n\n[blade]`;
+  const text = given.replace(/kind = [^[]*\[blade\]/, drive).replace(/duration = .*/, 'duration = 2.0');
+  const file = join(folder, 'constant.toml');
+  writeFileSync(file, text);
+  execFileSync(process.env.SPOKE_PROGRAM, ['run', file, '--quiet', '--out', join(folder, 'constant')]);
+  return join(folder, 'constant', 'report.html');
+}
+
+test('a nearly constant curve has labels that are whole, differ and are near its value', () =>
+  withPage(runAtConstantSpeed(1.27), {}, async (page) => {
+    const labels = await labelsOf(plotOf(page, 'Hub speed'));
+    assert.ok(labels.length >= 2, `${labels.length} labels`);
+    for (const { text, left } of labels) {
+      assert.ok(left >= 2, `${text} begins at ${left}`);
+      assert.ok(Math.abs(Number(text) - 1.27) < 1e-3, text);
+    }
+    assert.equal(new Set(labels.map(({ text }) => text)).size, labels.length);
   }));
 
 test('dragging zooms all plots, double-click and keys reset', () =>

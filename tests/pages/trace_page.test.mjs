@@ -38,6 +38,17 @@ function sumOfSlices(data, accept) {
   return data.slices.duration_us.reduce((sum, duration, k) => (accept(k) ? sum + duration : sum), 0);
 }
 
+/** The number of the step of median makespan, which a page opens on; of two the longer one. */
+function medianStep(data) {
+  const { step, begin_us: begin, duration_us: duration } = data.slices;
+  const makespans = data.steps.map(({ step: number }) => {
+    const own = step.map((_, k) => k).filter((k) => step[k] === number);
+    return { number, length: Math.max(...own.map((k) => begin[k] + duration[k])) - Math.min(...own.map((k) => begin[k])) };
+  }).sort((a, b) => a.length - b.length);
+  return makespans[makespans.length >> 1].number;
+}
+const opened = medianStep(rotor);
+
 onPage('twelve threads, 24 blades, a long comparison: nothing is cut off',
   write('wide.html', pageWith(builtPage, rotorTrace({ blades: 24, bodies: 8, threads: 12, steps: 8 }))), async (page) => {
     await checkFit(page);
@@ -45,6 +56,22 @@ onPage('twelve threads, 24 blades, a long comparison: nothing is cut off',
     await page.waitForSelector('#chart1:not([hidden])');
     await checkFit(page);
   });
+
+onPage('on a narrow screen graph and chart stand one below the other', rotorFile, async (page) => {
+  await page.setInputFiles('#file', write('narrow.json', JSON.stringify(asChromeTrace(other))));
+  await page.waitForSelector('#chart1:not([hidden])');
+  await frame(page);
+  const layout = await page.evaluate(() => {
+    const box = (id) => document.getElementById(id).getBoundingClientRect();
+    return { wide: document.documentElement.scrollWidth - innerWidth, graph: box('graph'), gantt: box('gantt0'), stages: box('stagetable') };
+  });
+  assert.ok(layout.wide <= 0, `wider than the window by ${layout.wide}`);
+  assert.ok(layout.graph.bottom <= layout.gantt.top && layout.gantt.bottom <= layout.stages.top);
+  for (const where of ['graph', 'gantt0', 'gantt1']) assert.ok(await drawn(page, where, 0) > 1000, `${where} is drawn`);
+  await page.click('#help');
+  const dialog = await page.locator('dialog').boundingBox();
+  assert.ok(dialog.x >= 0 && dialog.x + dialog.width <= 400, 'the help fits');
+}, { width: 400, height: 800 });
 
 /** The same trace in a twentieth of the time. */
 function shortened(data) {
@@ -96,7 +123,7 @@ onPage('hovering a slice highlights its node, and a click selects both', rotorFi
   await frame(page);
   const node = await placeOf(page, 'graph', 'blade 3 / body 1 / inverse');
   assert.equal((await pixel(page, 'graph', 1, node))[3], 255);
-  assert.match(await page.textContent('#tip'), /step 1201, pass 2/);
+  assert.match(await page.textContent('#tip'), new RegExp(`step ${opened}, pass 2`));
   await page.mouse.click(slice.x, slice.y);
   await page.mouse.move(5, 5);
   await frame(page);
@@ -137,15 +164,19 @@ onPage('the step selector shows another step', rotorFile, async (page) => {
     assert.match(await page.textContent('#stepname'), new RegExp(`^step ${step} `));
     assert.ok(Math.abs(await shown() - work(step)) < 1e-6);
   };
+  await check(opened);
+  assert.match(await page.textContent('#stepname'), /, the median\)/);
+  await page.click('#next');
+  await check(opened + 1);
+  assert.doesNotMatch(await page.textContent('#stepname'), /median/);
+  await page.keyboard.press('[');
+  await check(opened);
+  await page.keyboard.press('[');
+  await check(opened - 1);
+  await page.focus('#step');
+  await page.keyboard.press('Home');
   await check(1201);
   assert.equal(await page.isDisabled('#previous'), true);
-  await page.click('#next');
-  await check(1202);
-  await page.keyboard.press(']');
-  await check(1203);
-  await page.keyboard.press('[');
-  await check(1202);
-  await page.focus('#step');
   await page.keyboard.press('End');
   await check(1220);
   assert.equal(await page.isDisabled('#next'), true);
@@ -165,13 +196,13 @@ onPage('the table of stages holds the sums of the slices', rotorFile, async (pag
       }
     }
   };
-  await check((k) => rotor.slices.step[k] === 1201);
+  await check((k) => rotor.slices.step[k] === opened);
   await page.click('#scope button:has-text("all steps")');
   await check(() => true);
 });
 
 onPage('busy and idle time of the threads add up to the makespan', rotorFile, async (page) => {
-  const own = rotor.slices.step.map((step, k) => (step === 1201 ? k : -1)).filter((k) => k >= 0);
+  const own = rotor.slices.step.map((step, k) => (step === opened ? k : -1)).filter((k) => k >= 0);
   const end = Math.max(...own.map((k) => rotor.slices.begin_us[k] + rotor.slices.duration_us[k]));
   const makespan = end - Math.min(...own.map((k) => rotor.slices.begin_us[k]));
   const rows = await page.$$eval('#threadtable tbody tr', (found) => found.map((row) =>
@@ -188,7 +219,7 @@ for (const [kind, file] of [['trace.html', write('other.html', pageWith(builtPag
     await frame(page);
     for (const [row, data] of [['A', rotor], ['B', other]]) {
       const shown = await page.textContent(`#figures tr[data-trace=${row}] td[data-figure="T1, work"]`);
-      const work = sumOfSlices(data, (k) => data.slices.step[k] === 1201);
+      const work = sumOfSlices(data, (k) => data.slices.step[k] === opened);
       assert.ok(Math.abs(parseFloat(shown) - work) <= 0.5, `${shown}, not ${work}`);
     }
     assert.match(await page.textContent('#chartname1'), /openmp_scheme2/);

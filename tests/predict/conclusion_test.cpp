@@ -88,7 +88,7 @@ TEST_CASE("the worst of the predictions that were checked is told with its sign"
   check_says(prediction, {"Nothing was measured to check the predictions."});
   measure_as(10.5e-6, 1.0, prediction.serial);
   measure_as(7.5e-6, 1.4, prediction.series[0].points[1]);
-  check_says(prediction, {"Of 2 predictions that were checked on this machine the worst is -20.0 % "
+  check_says(prediction, {"Of 2 predictions checked on this machine the worst is -20.0 % "
                           "off",
                           "more threads than it has processors (2) are extrapolations"});
 }

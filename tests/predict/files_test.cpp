@@ -97,3 +97,11 @@ TEST_CASE("predict.json and predict.html have both graphs") {
   CHECK(nlohmann::json::parse(make_json(prediction))["auto_window"].is_null());
   CHECK(make_html(prediction).find("the same, auto") == std::string::npos);
 }
+
+TEST_CASE("one slow point does not flatten the chart of what was measured") {
+  const char* const caption = "The axis is logarithmic: compare ends, not lengths.";
+  Prediction prediction = sample();
+  CHECK(make_html(prediction).find(caption) == std::string::npos);
+  measure_as(400e-6, 0.025, prediction.series[0].points[1]);
+  CHECK(make_html(prediction).find(caption) != std::string::npos);
+}

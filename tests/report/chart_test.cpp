@@ -60,6 +60,19 @@ TEST_CASE("a line chart is well-formed, and a gap parts the line") {
   CHECK(count_of(commands, "L") == 1);
 }
 
+TEST_CASE("long labels of the y axis move the plot, not into the title") {
+  LineChart chart;
+  chart.y = {.title = "speed"};
+  chart.series = {{"constant", {{0.0, -0.00123456}, {1.0, -0.00123457}}}};
+  const std::string svg = render(chart);
+  const auto label = svg.find("class=\"tick end\">-0.00123");
+  REQUIRE(label != std::string::npos);
+  const auto x = svg.rfind("<text x=\"", label) + 9;
+  const auto text = label + std::string("class=\"tick end\">").size();
+  const double characters = static_cast<double>(svg.find('<', text) - text);
+  CHECK(std::stod(svg.substr(x)) - 7.7 * characters >= 20.0);  // right of the title
+}
+
 TEST_CASE("charts without values say so") {
   BarChart no_bars;
   CHECK(render(no_bars).find("no data") != std::string::npos);

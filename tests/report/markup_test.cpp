@@ -34,3 +34,14 @@ TEST_CASE("figures have three significant digits") {
   CHECK(figure(std::nan("")) == "-");
   CHECK(figure(INFINITY) == "inf");
 }
+
+TEST_CASE("ratios have two decimals, and no small one reads as zero") {
+  CHECK(ratio_text(1.0) == "1.00");
+  CHECK(ratio_text(2.774) == "2.77");
+  CHECK(ratio_text(36.57) == "36.57");
+  CHECK(ratio_text(0.1) == "0.10");
+  CHECK(ratio_text(0.0632) == "0.063");
+  CHECK(ratio_text(0.0018) == "0.0018");
+  CHECK(ratio_text(0.0) == "0.00");
+  CHECK(ratio_text(std::nan("")) == "-");
+}

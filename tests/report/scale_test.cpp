@@ -71,6 +71,30 @@ TEST_CASE("labels have the decimals they need") {
   CHECK(labels_of(Scale({.ticks = {1, 2, 4, 8, 16}}, range(1.0, 8.0), 0.0, 1.0)) == "1 2 4 8");
 }
 
+TEST_CASE("nearly constant values have labels that are short, differ and hold them") {
+  for (const double size : {1.27, 0.00123456, 84.1871, 5e6, 3.3e-7, 2e11})
+    for (const double sign : {1.0, -1.0})
+      for (const double spread : {0.0, 1e-15, 4e-8, 1e-5}) {
+        CAPTURE(size);
+        CAPTURE(spread);
+        const double value = sign * size;
+        const Scale scale({}, range(value - spread * size, value + spread * size), 0.0, 1.0);
+        CHECK(scale.low() < value - spread * size);
+        CHECK(scale.high() > value + spread * size);
+        CHECK(scale.high() - scale.low() < 1e-3 * size);
+        REQUIRE(scale.ticks().size() >= 2);
+        for (std::size_t k = 0; k < scale.ticks().size(); ++k) {
+          const Tick& tick = scale.ticks()[k];
+          CHECK(std::stod(tick.label) == approx(tick.value).epsilon(1e-5));
+          CHECK(tick.label.size() <= 12);
+          if (k > 0) CHECK(tick.label != scale.ticks()[k - 1].label);
+        }
+      }
+  CHECK(labels_of(Scale({}, range(1.27, 1.27), 0.0, 1.0)) ==
+        "1.26990 1.26995 1.27000 1.27005 1.27010");
+  CHECK(labels_of(Scale({.low = 0.0}, range(5.0, 5.0), 0.0, 1.0)) == "0 1 2 3 4 5");
+}
+
 TEST_CASE("a scale maps its ends and clamps what is beyond") {
   const Scale linear({.low = 0.0, .high = 10.0}, {}, 100.0, 200.0);
   CHECK(linear.position(0.0) == 100.0);
@@ -93,6 +117,14 @@ TEST_CASE("a scale without values or of a single one has a length") {
   }
   const Scale zero({}, range(0.0, 0.0), 0.0, 1.0);
   CHECK(zero.high() > 0.0);
+}
+
+TEST_CASE("an axis is logarithmic where a linear one would flatten the small values") {
+  CHECK(scale_for(range(7.0, 172.0)) == ScaleKind::log);
+  CHECK(scale_for(range(7.0, 17.0)) == ScaleKind::linear);
+  CHECK(scale_for(range(0.0, 172.0)) == ScaleKind::linear);
+  CHECK(scale_for(range(-1.0, 172.0)) == ScaleKind::linear);
+  CHECK(scale_for({}) == ScaleKind::linear);
 }
 
 TEST_CASE("what an axis cannot show") {

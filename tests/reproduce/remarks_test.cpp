@@ -133,3 +133,59 @@ TEST_CASE("a busy machine is told of wherever threads are judged") {
   all.loads.before = 1.1;  // more than half of two processors
   check_says(remark_on_subsystem_threads(all), {"The machine was busy meanwhile"});
 }
+
+TEST_CASE("where the rounds disagree there is no verdict") {
+  if (!has_schemes()) return;
+  // One round of three was as in the paper; its own 3x1 is 50 us.
+  const auto times = [](double usual, double odd) {
+    return std::vector{usual * 1e-6, odd * 1e-6, usual * 1e-6, odd * 1e-6};
+  };
+  const std::vector<double> flat = times(50, 50);
+  const auto layers_of = [&](Work work) {
+    return reproduction_of_rounds(work, {{scheme(1, {3, 1}), flat},
+                                         {scheme(1, {3, 2}), times(30, 90)},
+                                         {scheme(1, {3, 4}), times(30, 90)},
+                                         {scheme(2, {3, 1}), flat},
+                                         {scheme(2, {3, 2}), times(30, 90)},
+                                         {scheme(2, {3, 4}), times(40, 80)}});
+  };
+  const std::string layers = remark_on_layers(layers_of(Work::steps));
+  check_says(layers, {"whether inner threads gain is not to be told, for the times vary too much",
+                      "Which scheme suffers more from more threads is not to be told."});
+  check_silent(layers, "in the paper:");
+  check_silent(layers, "as in the paper");
+  check_says(remark_on_inverse(layers_of(Work::inverse)), {"whether it falls is not to be told"});
+  CHECK(doubts_of(layers_of(Work::steps)) ==
+        std::vector<std::string>{"Of 6 times, 4 have quartiles more than a factor of 1.5 apart: "
+                                 "there is no verdict where that leaves it open."});
+
+  const auto threads = [&](const std::vector<double>& one_2) {
+    return reproduction_of_rounds(Work::steps, {{serial(Formulation::subsystem), times(100, 100)},
+                                                {scheme(1, 2), one_2},
+                                                {scheme(1, 3), flat},
+                                                {scheme(2, 2), flat},
+                                                {scheme(2, 3), flat}});
+  };
+  check_says(remark_on_subsystem_threads(threads(times(40, 70))),
+             {"which scheme is faster is not to be told"});
+  check_says(remark_on_subsystem_threads(threads({25e-6, 25e-6})),  // too few rounds
+             {"which scheme is faster is not to be told"});
+}
+
+TEST_CASE("of a busy machine there is no verdict on threads, whatever was measured") {
+  if (!has_schemes()) return;
+  Reproduction all = methods(360, 40, 20, 12);
+  all.loads.before = 1.1;
+  const std::string text = remark_on_methods(all);
+  check_says(text, {"The algorithm's gain is confirmed", "The gain of threads is not to be told",
+                    "auto takes 0.60 times that time."});
+  CHECK(doubts_of(all).size() == 1);
+  CHECK(doubts_of(methods(360, 40, 20, 12)).empty());
+}
+
+TEST_CASE("a small ratio is never written as zero") {
+  if (!has_schemes()) return;
+  const Reproduction all = subsystem_threads(50, 40, 5e4, 7e4);  // scheme 2 waits for processors
+  check_says(remark_on_subsystem_threads(all), {"scheme 2 0.0020 and 0.0014"});
+  check_silent(remark_on_subsystem_threads(all), "0.00 ");
+}

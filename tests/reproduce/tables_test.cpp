@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/reproduce/charts.h"
 #include "tests/approx.h"
 #include "tests/reproduce/samples.h"
 
@@ -84,4 +85,24 @@ TEST_CASE("rows of schemes: time, quartiles and speedup, or a dash") {
                                "2.5 us to 2.5 us", "1.97", "1.78 ms, speedup 2.77 (Table 3)"});
   CHECK(rows[2].cells[1] == "-");
   CHECK(rows[2].cells[3] == "-");
+}
+
+TEST_CASE("a time of few rounds has no quartiles") {
+  if (!has_schemes()) return;
+  const Reproduction all = reproduction_of_rounds(
+      Work::steps, {{scheme(1, 2), {5e-6}}, {scheme(2, 2), {4e-6, 5e-6, 6e-6}}});
+  const auto cells = subsystem_table(all).rows[2].cells;
+  CHECK(cells[2] == "1 round");
+  CHECK(cells[5] == "4.5 us to 5.5 us");
+}
+
+TEST_CASE("one slow scheme does not flatten the chart of the others") {
+  if (!has_schemes()) return;
+  const Times even{{scheme(1, 1), 6e-6}, {scheme(1, 2), 3e-6}, {scheme(2, 1), 6e-6}};
+  CHECK(subsystem_chart(reproduction_of(Work::steps, even)).y.kind == report::ScaleKind::linear);
+  Times uneven = even;
+  uneven.push_back({scheme(2, 2), 3e-3});
+  const report::Axis axis = subsystem_chart(reproduction_of(Work::steps, uneven)).y;
+  CHECK(axis.kind == report::ScaleKind::log);
+  CHECK_FALSE(axis.low);
 }

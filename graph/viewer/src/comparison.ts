@@ -15,7 +15,7 @@ export function namesOf(recordings: Recording[]): string[] {
   const formulations = differ((trace) => trace.settings.formulation);
   return recordings.map(({ trace }) => {
     const { settings, scenario, threads } = trace;
-    const size = String(settings.threads ?? threads.length);
+    const size = String(settings.threads ?? threads.length);  // "3x4" of nested teams
     const text = `${settings.executor}, ${size} ${size === '1' ? 'thread' : 'threads'}`;
     return `${scenarios ? `${scenario}: ` : ''}${text}${formulations ? `, ${settings.formulation}` : ''}`;
   });

@@ -34,7 +34,7 @@ export class GanttGeometry {
     const threads = shown.recording.trace.threads.length;
     this.from = from;
     this.to = to;
-    this.chartLeft = width > 420 ? 92 : 58;
+    this.chartLeft = width > 420 ? 92 : 76;
     this.chartWidth = Math.max(1, width - this.chartLeft - kRightMargin);
     this.scale = this.chartWidth / (to - from);
     this.chartTop = kAxis + (lines(shown.steps) + lines(shown.passes)) * kLine + 6;

@@ -15,6 +15,8 @@ export class Recording {
   /** First begin and last end of each step, us. */
   readonly stepBegin: Float64Array;
   readonly stepEnd: Float64Array;
+  /** The step of median makespan, of two in the middle the longer one, as `spoke trace` prints it. */
+  readonly medianStep: number;
   private readonly threadRows: Rows;
   private readonly stepRows: Rows;
   private readonly places: Int32Array;
@@ -40,6 +42,8 @@ export class Recording {
       this.stepBegin[step] = Math.min(this.stepBegin[step], slices.begin[k]);
       this.stepEnd[step] = Math.max(this.stepEnd[step], slices.begin[k] + slices.duration[k]);
     }
+    const byMakespan = steps.map((_, step) => step).sort((a, b) => this.makespan(a) - this.makespan(b));
+    this.medianStep = byMakespan[steps.length >> 1];
   }
 
   private place(node: number, step: number, pass: number): number {
@@ -49,6 +53,11 @@ export class Recording {
   /** Of all steps: from the first begin to the last end, us. */
   get extent(): number {
     return this.stepEnd.reduce((a, b) => Math.max(a, b), -Infinity) - this.stepBegin.reduce((a, b) => Math.min(a, b), Infinity);
+  }
+
+  /** From the first begin to the last end of a step, us. */
+  makespan(step: number): number {
+    return Math.max(0, this.stepEnd[step] - this.stepBegin[step]);
   }
 
   /** Slices of a thread or a step, ordered by begin. */

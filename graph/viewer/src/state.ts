@@ -50,10 +50,11 @@ export class State {
 
   setTraces(recordings: Recording[], names: string[]): void {
     const node = this.selectedName();
+    // The first step is a cold one, so a page opens on the median step. A further trace leaves it.
+    if (this.recordings[0] !== recordings[0]) this.step = recordings[0].medianStep;
     this.recordings = recordings;
     this.names = names;
     this.active = 0;
-    this.step = Math.min(this.step, recordings[0].trace.steps.length - 1);
     this.hovered = null;
     this.selected = this.pickByName(node, -1);
     this.tell('traces');

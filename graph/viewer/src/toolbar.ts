@@ -1,6 +1,6 @@
 // Step selector, pass and colour switches, filters.
 import { byId, element } from './dom';
-import { time } from './format';
+import { plural, time } from './format';
 import { Palette, swatchStyle } from './palette';
 import { State } from './state';
 
@@ -41,10 +41,10 @@ export function toggleCritical(state: State): void {
 function drawMakespans(state: State): void {
   const svg = byId('makespans');
   const [recording] = state.recordings;
-  const lengths = recording.trace.steps.map((_, k) => Math.max(0, recording.stepEnd[k] - recording.stepBegin[k]));
+  const lengths = recording.trace.steps.map((_, k) => recording.makespan(k));
   // A step that was interrupted does not flatten the others.
-  const median = [...lengths].sort((a, b) => a - b)[lengths.length >> 1];
-  const longest = Math.max(1e-9, Math.min(lengths.reduce((a, b) => Math.max(a, b), 0), 2.5 * median));
+  const most = 2.5 * recording.makespan(recording.medianStep);
+  const longest = Math.max(1e-9, Math.min(lengths.reduce((a, b) => Math.max(a, b), 0), most));
   const count = lengths.length;
   svg.setAttribute('viewBox', '0 0 1000 100');
   const pitch = 1000 / Math.max(1, count - 1);
@@ -73,9 +73,9 @@ export function showStep(state: State): void {
   byId<HTMLButtonElement>('previous').disabled = state.step === 0;
   byId<HTMLButtonElement>('next').disabled = state.step === steps.length - 1;
   byId('makespans').querySelectorAll('rect').forEach((bar, k) => bar.classList.toggle('chosen', k === state.step));
-  const passes = `${step.passes} ${step.passes === 1 ? 'pass' : 'passes'}`;
-  byId('stepname').replaceChildren(element('b', {}, `step ${step.number}`),
-    ` (${state.step + 1} of ${steps.length})`, element('span', {}, `t = ${Number(step.time.toPrecision(7))} s, ${passes}`));
+  const place = state.step === state.recordings[0].medianStep && steps.length > 2 ? ', the median' : '';
+  byId('stepname').replaceChildren(element('b', {}, `step ${step.number}`), ` (${state.step + 1} of ${steps.length}${place})`,
+    element('span', {}, `t = ${Number(step.time.toPrecision(7))} s, ${plural(step.passes, 'pass')}`));
 }
 
 export function showSteps(state: State): void {

@@ -21,6 +21,18 @@ test('the bound is the work by the threads where that is larger than the span', 
   near(recordingOf(serial, 1).analysis(0).bound, 10);
 });
 
+test('the median step is that of median makespan, of two in the middle the longer one', () => {
+  // Each step begins where the one before ends; the first one is cold.
+  const stepsOf = (lengths: number[]) => {
+    const begins = lengths.map((_, k) => lengths.slice(0, k).reduce((a, b) => a + b, 0));
+    return recordingOf(lengths.map((length, k): Slice => [A1, 7 + k, 0, 0, begins[k], length]), 1, lengths.map((_, k) => 7 + k));
+  };
+  assert.equal(stepsOf([90, 3, 5, 1, 4]).medianStep, 4);
+  assert.equal(stepsOf([90, 3, 5, 1]).medianStep, 2);
+  assert.equal(stepsOf([90]).medianStep, 0);
+  near(stepsOf([90, 3, 5]).makespan(1), 3);
+});
+
 test('the critical path holds the longest chain in order', () => {
   const recording = recordingOf(kPass);
   const nodes = recording.analysis(0).critical.map((slice) => recording.trace.slices.node[slice]);

@@ -370,8 +370,8 @@ TEST_CASE("bad overrides are refused with the override as their place") {
       "--set load.1.force=[0,1: load.1.force: is \"[0,1\", expected an array of 2 numbers "
       "(N)");
   check_message(error("load.2.force=[0,1]"),
-                "--set load.2.force=[0,1]: load: is an array of 0 values, expected an index from 1 "
-                "to 1 instead of \"2\"");
+                "--set load.2.force=[0,1]: load: is an array of 0 values, expected the index 1 "
+                "instead of \"2\"");
   check_message(error("blade"),
                 "--set blade: has no '=', expected key=value, for example blade.bodies=8");
   check_message(error("hub.drive.kind=free"),
