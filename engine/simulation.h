@@ -84,7 +84,7 @@ class SPOKE_EXPORT Simulation {
   const graph::StepGraph& run_graph() const;
   /// Of the rotor at rest. Takes a while for large ones.
   LinearProperties linear_properties() const;
-  /// The kind of the executor: "auto", "serial", ...
+  /// The kind of the executor: "auto", "serial", ..., or the name of one of the program's own.
   std::string_view executor_name() const;
   /// In one line what runs the steps; of "auto" what it chose so far, and why.
   std::string executor_description() const;
