@@ -170,8 +170,8 @@ class SPOKE_EXPORT Simulation {
   Wrench hub_reaction() const;
   /// What the part of a blade outboard of a section does to the part inboard, in the frame of the
   /// section: x the axial force (positive in tension), y the shear force, z the bending moment. By
-  /// the strains of the finite element, so that the axial force is constant along an element, and
-  /// the shear force; where two elements meet, those of the outer one.
+  /// the strains of the finite element, so that along an element of a uniform blade the axial force
+  /// is constant, and the shear force; where two elements meet, those of the outer one.
   Wrench section_force(const Marker& marker) const;
 
   // Changes between steps. They act from the next step on. They are the caller's: no saved state
