@@ -4,11 +4,12 @@ set(cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/spoke)
 set(models_folder ${CMAKE_INSTALL_DATADIR}/spoke/models)
 
 # Building the program alone, as `./spoke run` does, leaves most of this unbuilt: said in one line before
-# anything is copied. COMPONENT is the one that is installed, FILE what it cannot do without.
+# anything is copied (the space keeps CMake from wrapping it). COMPONENT is the one that is installed,
+# FILE what it cannot do without.
 function(spoke_require_built component file)
   install(CODE "
 if(NOT EXISTS \"${file}\")
-  message(FATAL_ERROR \"not built yet, run first: cmake --build ${PROJECT_BINARY_DIR}\")
+  message(FATAL_ERROR \" Spoke is not built yet, run first: cmake --build ${PROJECT_BINARY_DIR}\")
 endif()" COMPONENT ${component})
 endfunction()
 spoke_require_built(development $<TARGET_FILE:spoke_library>)

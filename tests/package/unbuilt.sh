@@ -12,7 +12,7 @@ for component in '' development program; do
     echo "installed without a build"
     exit 1
   fi
-  grep -q "not built yet, run first: cmake --build $work/build" <<<"$said" ||
+  grep -q "Spoke is not built yet, run first: cmake --build $work/build" <<<"$said" ||
     { printf 'said instead:\n%s\n' "$said"; exit 1; }
   [ ! -e "$work/installed" ] || { echo "installed something"; exit 1; }
 done
