@@ -92,7 +92,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"machine", describe_machine(this_machine())},
                   {"formulation", name_of(simulation.options().formulation)},
                   {"integrator", name_of(scenario.integration.method)},
-                  {"executor", name_of(simulation.options().executor)},
+                  {"executor", simulation.executor_name()},
                   {"executor_choice", simulation.executor_description()},
                   {"threads", simulation.threads().total()},
                   {"step_size_s", simulation.step_size()},

@@ -82,6 +82,13 @@ class BodyWalk {
   double shortening_ = 0.0, shortening_rate_ = 0.0, stretch_ = 0.0;
 };
 
+/// EA of an element [N].
+double mean_axial_stiffness(const Blade& blade, const FlexibleBody& body, int element) {
+  if (body.pieces.empty()) return blade.youngs_modulus * blade.area;
+  const double l = body.length / body.elements;
+  return mean_axial_stiffness(body.pieces, element * l, (element + 1) * l);
+}
+
 }  // namespace
 
 void calc_shape(const Blade& blade, const Subsystem& subsystem, SubsystemData& data,
@@ -99,8 +106,8 @@ void calc_shape(const Blade& blade, const Subsystem& subsystem, SubsystemData& d
     if (j == 0) shape.nodes.push_back(first);
     for (int k = 1; k <= blade.elements; ++k) {
       shape.nodes.push_back(walk.node(k));
-      shape.axial_forces.push_back(blade.youngs_modulus * blade.area * walk.stretch() /
-                                   walk.element_length());
+      shape.axial_forces.push_back(mean_axial_stiffness(blade, *data.bodies[j].model->body, k - 1) *
+                                   walk.stretch() / walk.element_length());
     }
     offset = walk.offset();
   }

@@ -31,7 +31,8 @@ namespace {
 Simulation::Simulation(const Scenario& scenario, const SimulationOptions& options,
                        const Loads& loads)
     : core_(std::make_unique<SimulationCore>(scenario, options, loads)) {
-  SimulationLog::log_built(scenario, options, size(), planned_steps(), step_size(), threads());
+  SimulationLog::log_built(scenario, options.formulation, size(), planned_steps(), step_size(),
+                           executor_name(), threads());
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -63,7 +64,7 @@ LinearProperties Simulation::linear_properties() const {
   return {range.lowest, range.highest, calc_rk4_largest_step(range)};
 }
 
-std::string_view Simulation::executor_name() const { return name_of(core_->options.executor); }
+std::string_view Simulation::executor_name() const { return core_->runner->executor_name(); }
 std::string Simulation::executor_description() const { return core_->runner->describe(); }
 graph::Threads Simulation::threads() const { return core_->runner->threads(); }
 double Simulation::time() const { return static_cast<double>(steps()) * core_->step_size; }

@@ -84,7 +84,7 @@ class SPOKE_EXPORT Simulation {
   const graph::StepGraph& run_graph() const;
   /// Of the rotor at rest. Takes a while for large ones.
   LinearProperties linear_properties() const;
-  /// The kind of the executor: "auto", "serial", ...
+  /// The kind of the executor: "auto", "serial", ..., or the name of one of the program's own.
   std::string_view executor_name() const;
   /// In one line what runs the steps; of "auto" what it chose so far, and why.
   std::string executor_description() const;
@@ -170,8 +170,8 @@ class SPOKE_EXPORT Simulation {
   Wrench hub_reaction() const;
   /// What the part of a blade outboard of a section does to the part inboard, in the frame of the
   /// section: x the axial force (positive in tension), y the shear force, z the bending moment. By
-  /// the strains of the finite element, so that the axial force is constant along an element, and
-  /// the shear force; where two elements meet, those of the outer one.
+  /// the strains of the finite element, so that along an element of a uniform blade the axial force
+  /// is constant, and the shear force; where two elements meet, those of the outer one.
   Wrench section_force(const Marker& marker) const;
 
   // Changes between steps. They act from the next step on. They are the caller's: no saved state

@@ -21,11 +21,15 @@ inline constexpr int kMostWindow = 1000;
 struct SimulationOptions {
   Formulation formulation = Formulation::structured;  ///< of the equations
   ExecutorKind executor = ExecutorKind::automatic;    ///< what runs the step graph
-  graph::Threads threads;  ///< unless set: the cores available to the process
+  graph::Threads threads{};  ///< unless set: the cores available to the process
   /// Steps that one run of the executor may make where the hub's whole motion is prescribed; there
   /// blades need not wait for one another between steps. At most kMostWindow; 0: as the executor
   /// chooses.
   int window = 0;
+  /// Makes what runs the steps instead of `executor` and `threads`, which then say nothing: called
+  /// by the constructor of Simulation for the graph of one pass, and, if `window` is above 1, for
+  /// that of a window; what it throws leaves the constructor. See graph::Executor.
+  graph::ExecutorFactory make_executor{};
 };
 
 /// The size of a model.

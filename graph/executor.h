@@ -36,6 +36,18 @@ constexpr int kMostThreads = 1024;
 SPOKE_EXPORT std::string name_of(const Threads& threads);
 
 /// Runs the nodes of one graph, each after its predecessors, any number of times.
+///
+/// A program may derive an executor of its own, and hand it to a simulation by
+/// SimulationOptions::make_executor. It overrides run(), name() and threads(), and keeps to this:
+/// - run() runs each node of the graph once, by run_on_thread(), after all nodes of
+///   StepGraph::predecessors() have returned; what they wrote must be visible to it (a mutex, an
+///   atomic with release and acquire, or the same thread make it so). Nodes of which neither leads
+///   to the other may run at once, on any threads and in any order.
+/// - When run() returns, all nodes have returned, and what they wrote is visible to the caller.
+/// - run() throws nothing. It is called again and again, always by one thread at a time.
+/// - No node runs outside of run() or run_while(). The destructor ends the executor's threads.
+///
+/// Then the results have the bits of the executor `serial`; state_hash() shows it.
 class SPOKE_EXPORT Executor {
  public:
   Executor() = default;
@@ -72,12 +84,20 @@ class SPOKE_EXPORT Executor {
   virtual void set_recorder(NodeRecorder* recorder) { recorder_ = recorder; }
 
  protected:
+  /// Runs nodes of `graph` one after the other as thread `thread` of this executor, from 0, the
+  /// calling one, to threads().total() - 1; records them if a trace is made. An executor of a
+  /// program's own runs all of its nodes by this. Different threads may call it at once.
+  void run_on_thread(int thread, const StepGraph& graph,
+                     std::span<const NodeId> nodes) const noexcept;
   /// Who records, or nullptr.
   NodeRecorder* recorder() const { return recorder_; }
 
  private:
   NodeRecorder* recorder_ = nullptr;
 };
+
+/// Makes an executor of a program's own for a graph that outlives it and stays in place.
+using ExecutorFactory = std::function<std::unique_ptr<Executor>(const StepGraph& graph)>;
 
 /// What an executor runs a graph on.
 enum class ExecutorKind {

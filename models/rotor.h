@@ -19,6 +19,28 @@ enum class ReferenceFrame {
   chord,    ///< at the inboard node, through the outboard node: u_0 = v_0 = v_E = 0
 };
 
+/// What a blade is made of from root to tip: values at stations, linear between them. As many of
+/// each as there are stations.
+struct BladeSections {
+  std::vector<double> station;            ///< from the root, ascending from 0 to the length [m]
+  std::vector<double> mass_per_length;    ///< rhoA [kg/m]
+  std::vector<double> axial_stiffness;    ///< EA [N]
+  std::vector<double> bending_stiffness;  ///< EI in the plane [N m^2]
+
+  /// Whether all values are equal.
+  friend bool operator==(const BladeSections&, const BladeSections&) = default;
+};
+
+/// A small mass on the axis of a blade.
+struct PointMass {
+  double position = 0.0;  ///< from the blade's root [m]
+  double mass = 0.0;      ///< [kg]
+  double inertia = 0.0;   ///< about its centre, for rotation in the plane [kg m^2]
+
+  /// Whether all values are equal.
+  friend bool operator==(const PointMass&, const PointMass&) = default;
+};
+
 /// A slender straight blade, cut into equal flexible bodies of equal Euler-Bernoulli elements.
 struct Blade {
   double length = 0.0;          ///< [m]
@@ -33,6 +55,9 @@ struct Blade {
   /// Of each of its bodies.
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
   double azimuth = 0.0;  ///< direction of the undeformed blade in the hub frame [rad]
+  /// If the blade is not uniform; density, area, second_moment and youngs_modulus are then 0.
+  BladeSections sections{};
+  std::vector<PointMass> point_masses{};  ///< that it carries besides its own mass
 };
 
 /// How the hub is held.

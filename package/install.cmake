@@ -3,6 +3,24 @@
 set(cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/spoke)
 set(models_folder ${CMAKE_INSTALL_DATADIR}/spoke/models)
 
+# Building the program alone, as `./spoke run` does, leaves most of this unbuilt: said in one line before
+# anything is copied (the space keeps CMake from wrapping it). COMPONENT is the one that is installed,
+# FILE what it cannot do without.
+function(spoke_require_built component file)
+  install(CODE "
+if(NOT EXISTS \"${file}\")
+  message(FATAL_ERROR \" Spoke is not built yet, run first: cmake --build ${PROJECT_BINARY_DIR}\")
+endif()" COMPONENT ${component})
+endfunction()
+spoke_require_built(development $<TARGET_FILE:spoke_library>)
+spoke_require_built(development ${headers_stamp})
+if(BUILD_SHARED_LIBS)
+  spoke_require_built(library $<TARGET_FILE:spoke_library>)
+endif()
+if(SPOKE_PROGRAM)
+  spoke_require_built(program $<TARGET_FILE:spoke>)
+endif()
+
 install(TARGETS spoke_library EXPORT spokeTargets
   LIBRARY COMPONENT library NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development)
@@ -42,5 +60,7 @@ install(FILES ${scenarios} DESTINATION ${models_folder} COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
   ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/spoke COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/spoke
+  COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/spoke
   COMPONENT program PATTERN "*.sh" EXCLUDE PATTERN "*.dot" EXCLUDE)

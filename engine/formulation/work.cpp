@@ -2,6 +2,8 @@
 
 #include "engine/formulation/work.h"
 
+#include <set>
+
 #include "engine/formulation/dense_body.h"
 
 namespace spoke {
@@ -43,6 +45,21 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData& data, Formulat
     }
 }
 
+/// Memory of what bodies of one kind share [bytes]: bands and their factors, some 44 numbers a
+/// coordinate; in the dense formulations two full blocks. Bodies of tapered blades are all of kinds
+/// of their own.
+double estimate_constants(const System& system, Formulation formulation) {
+  std::set<BodyKey> kinds;
+  double numbers = 0.0;
+  for (const Subsystem& subsystem : system.subsystems)
+    for (const ChainBody& member : subsystem.bodies) {
+      if (!kinds.insert(member.body.get()).second) continue;
+      const double nf = member.body->coordinates();
+      numbers += 44.0 * nf + (formulation == Formulation::structured ? 0.0 : 2.0 * nf * nf);
+    }
+  return numbers * sizeof(double);
+}
+
 }  // namespace
 
 std::string_view name_of(Formulation formulation) {
@@ -77,7 +94,7 @@ void allocate(const System& system, Formulation formulation, const ElasticShares
 
 double estimate_memory(const System& system, Formulation formulation) {
   constexpr double kNumber = sizeof(double);
-  double bytes = 0.0;
+  double bytes = estimate_constants(system, formulation);
   double unknowns = 2.0 * kTwist;
   for (const Subsystem& subsystem : system.subsystems) {
     const double joints = kTwist * static_cast<double>(subsystem.bodies.size());

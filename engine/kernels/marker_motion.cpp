@@ -103,10 +103,22 @@ Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyD
     return value_at(shape, places, body.coordinates.q) +
            damping.stiffness_factor * value_at(shape, places, body.coordinates.v);
   };
-  const double bending_stiffness = blade.youngs_modulus * blade.second_moment;
-  return {blade.youngs_modulus * blade.area * with_damping(section.strain, section.axial_at),
-          -bending_stiffness * with_damping(section.curvature_change, section.bending_at),
-          bending_stiffness * with_damping(section.curvature, section.bending_at)};
+  double axial_stiffness = blade.youngs_modulus * blade.area;
+  double bending_stiffness = blade.youngs_modulus * blade.second_moment;
+  double stiffness_slope = 0.0;
+  const std::vector<BeamPiece>& pieces = body.model->body->pieces;
+  if (!pieces.empty()) {
+    const BeamPiece& piece = piece_at(pieces, section.x);
+    axial_stiffness = piece.at(piece.axial_stiffness, section.x);
+    bending_stiffness = piece.at(piece.bending_stiffness, section.x);
+    stiffness_slope = piece.slope(piece.bending_stiffness);
+  }
+  // The shear force is -(EI v'')'.
+  const double curvature = with_damping(section.curvature, section.bending_at);
+  const double shear =
+      -bending_stiffness * with_damping(section.curvature_change, section.bending_at);
+  return {axial_stiffness * with_damping(section.strain, section.axial_at),
+          shear - stiffness_slope * curvature, bending_stiffness * curvature};
 }
 
 }  // namespace spoke

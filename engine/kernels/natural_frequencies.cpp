@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -26,22 +27,28 @@ int count_negative(const TwistMatrix& symmetric) {
 /// Eliminates a blade's nodes from the tip; `rest` is its dynamic stiffness at the root node.
 Elimination eliminate(const Blade& blade, double frequency) {
   constexpr int d = kTwist;
-  const BeamElement element = make_beam_element(make_beam_properties(blade));
-  const BeamElement::Matrix A = element.stiffness - frequency * frequency * element.mass;
+  const bool is_equal = is_uniform(blade);
+  std::vector<BeamElement> elements;
   Elimination sum;
-  const int nodes = blade.bodies * blade.elements;
-  for (int node = nodes; node > 0; --node) {
-    const TwistMatrix pivot = sum.rest + A.bottomRightCorner<d, d>();
-    sum.negative += count_negative(pivot);
-    sum.rest = A.topLeftCorner<d, d>() -
-               A.topRightCorner<d, d>() * pivot.inverse() * A.bottomLeftCorner<d, d>();
+  for (int j = blade.bodies - 1; j >= 0; --j) {
+    if (elements.empty() || !is_equal)
+      elements = make_beam_elements(make_beam_properties(blade, j));
+    for (int e = blade.elements; e > 0; --e) {
+      const BeamElement& element = elements[std::min<std::size_t>(e, elements.size()) - 1];
+      const BeamElement::Matrix A = element.stiffness - frequency * frequency * element.mass;
+      const TwistMatrix pivot = sum.rest + A.bottomRightCorner<d, d>();
+      sum.negative += count_negative(pivot);
+      sum.rest = A.topLeftCorner<d, d>() -
+                 A.topRightCorner<d, d>() * pivot.inverse() * A.bottomLeftCorner<d, d>();
+    }
   }
   return sum;
 }
 
 bool have_equal_dynamics(const Blade& a, const Blade& b) {
-  return a.bodies == b.bodies && a.elements == b.elements &&
-         make_beam_properties(a) == make_beam_properties(b);
+  return a.bodies == b.bodies && a.elements == b.elements && a.length == b.length &&
+         make_beam_properties(a, 0) == make_beam_properties(b, 0) && a.sections == b.sections &&
+         a.point_masses == b.point_masses;
 }
 
 /// Components of the hub's motion that are not prescribed.

@@ -15,6 +15,7 @@
 #include "engine/step/step_graph_builder.h"
 #include "graph/calibrate/quantiles.h"
 #include "graph/tune/auto_executor.h"
+#include "spoke/error.h"
 
 namespace spoke {
 namespace {
@@ -70,8 +71,24 @@ class RecordingScope {
   TimeStepper& stepper_;
 };
 
-ExecutorKind single_kind(ExecutorKind kind) {
-  return kind == ExecutorKind::automatic ? ExecutorKind::serial : kind;
+/// An executor of the kind asked for, or of the caller's own.
+std::unique_ptr<graph::Executor> make_asked(const graph::StepGraph& graph,
+                                            const RunnerOptions& options,
+                                            const graph::Threads& threads) {
+  if (!options.make_executor) return graph::make_executor(graph, options.executor, threads);
+  std::unique_ptr<graph::Executor> made = options.make_executor(graph);
+  if (!made) throw InputError("SimulationOptions::make_executor made none, expected an executor");
+  const graph::Threads count = made->threads();
+  if (count.outer < 1 || count.inner < 1 || count.total() > graph::kMostThreads)
+    throw InputError("the executor " + std::string(made->name()) + " has " + name_of(count) +
+                     " threads, expected 1 to " + std::to_string(graph::kMostThreads));
+  return made;
+}
+
+/// What runs a single pass.
+RunnerOptions single_options(RunnerOptions options) {
+  if (options.executor == ExecutorKind::automatic) options.executor = ExecutorKind::serial;
+  return options;
 }
 
 }  // namespace
@@ -87,10 +104,9 @@ int window_records(const RunnerOptions& options, const System& system) {
   return static_cast<int>(std::clamp(most_bytes / bytes, 4.0, 1024.0));
 }
 
-StepRunner::Runner::Runner(StepContext& context, int passes, ExecutorKind kind,
+StepRunner::Runner::Runner(StepContext& context, int passes, const RunnerOptions& options,
                            graph::Threads threads)
-    : graph(build_step_graph(context, passes)),
-      executor(graph::make_executor(graph, kind, threads)) {}
+    : graph(build_step_graph(context, passes)), executor(make_asked(graph, options, threads)) {}
 
 StepRunner::Runner::Runner(StepContext& context, int passes)
     : graph(build_step_graph(context, passes)),
@@ -100,14 +116,14 @@ StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
     : context_(context),
       options_(options),
       threads_(allowed_threads(options)),
-      single_(context, 1, single_kind(options.executor), threads_),
+      single_(context, 1, single_options(options), threads_),
       stepper_(context, single_.graph),
       timed_(single_.graph) {
   if (!is_automatic()) threads_ = single_.executor->threads();
   if (is_automatic() && threads_.total() == 1) reason_ = "serial: one thread";
   if (options.window <= 1 || !reason_.empty()) return;
   window_ = std::make_unique<Runner>(context, options.window * usual_passes(context.integrator));
-  window_->executor = graph::make_executor(window_->graph, options.executor, threads_);
+  window_->executor = make_asked(window_->graph, options, threads_);
 }
 
 StepRunner::~StepRunner() = default;
@@ -282,6 +298,10 @@ void StepRunner::choose_stepping() {
   if (remaining_seconds() < kLeastPayback * building) return;
   stepping_ = std::make_unique<Runner>(context_, 1);
   stepping_->executor = make_planned(stepping_->graph);
+}
+
+std::string_view StepRunner::executor_name() const {
+  return is_automatic() ? name_of(ExecutorKind::automatic) : single_.executor->name();
 }
 
 int StepRunner::choices() const {

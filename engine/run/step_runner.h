@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "engine/run/time_stepper.h"
 #include "engine/step/step_context.h"
@@ -20,6 +21,8 @@ struct RunnerOptions {
   graph::Threads threads;          ///< unset: the available ones
   int window = 0;                  ///< steps; 0: as the executor chooses
   std::int64_t planned_steps = 0;  ///< of the simulation
+  /// Of the caller's own, instead of `executor`, which is then not automatic; or empty.
+  graph::ExecutorFactory make_executor{};
 };
 
 /// Records that the table of a system needs for these options, see TableOptions::window_steps.
@@ -73,6 +76,8 @@ class StepRunner {
   /// Steps that a run of run_graph() makes, about.
   int run_steps() const { return window_ ? window_->steps : 1; }
   graph::Threads threads() const { return threads_; }
+  /// The executor's name: "auto", "serial", ..., or as one of the caller's own is called.
+  std::string_view executor_name() const;
   /// How many times `automatic` has chosen; 0 for the others.
   int choices() const;
   /// In one line what runs the steps, and if it was chosen, why.
@@ -81,7 +86,7 @@ class StepRunner {
  private:
   /// A graph and what runs it.
   struct Runner {
-    Runner(StepContext& context, int passes, graph::ExecutorKind kind, graph::Threads threads);
+    Runner(StepContext& context, int passes, const RunnerOptions& options, graph::Threads threads);
     /// The graph alone.
     Runner(StepContext& context, int passes);
     graph::StepGraph graph;

@@ -80,7 +80,8 @@ void SimulationCore::prepare(const Loads& loads) {
                         {scenario.integration.tolerance, scenario.integration.iterations,
                          scenario.integration.max_iterations}};
   require_memory(context.system, context.formulation);
-  const RunnerOptions how{options.executor, options.threads, options.window, planned_steps};
+  const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
+                          options.threads, options.window, planned_steps, options.make_executor};
   const std::vector<AskedLoad> asked = ask_loads(loads);
   context.loads_tie_blades = ties_blades(asked);
   allocate(context, window_records(how, context.system));

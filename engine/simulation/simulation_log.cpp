@@ -17,18 +17,18 @@ std::string begin(const Scenario& scenario) {
 
 }  // namespace
 
-void SimulationLog::log_built(const Scenario& scenario, const SimulationOptions& options,
+void SimulationLog::log_built(const Scenario& scenario, Formulation formulation,
                               const ModelSize& size, std::int64_t steps, double step_size,
-                              const graph::Threads& threads) {
+                              std::string_view executor, const graph::Threads& threads) {
   if (!is_heard(LogLevel::info)) return;
   std::ostringstream text;
   text << begin(scenario) << "built: " << counted(size.subsystems, "blade") << ", "
        << counted(size.bodies, "body") << ", " << counted(size.coordinates, "coordinate")
        << ", step graph of " << counted(size.graph_nodes, "node") << " and "
        << counted(size.graph_edges, "edge") << ", " << static_cast<double>(size.memory_bytes) / 1e6
-       << " MB; " << name_of(options.formulation) << ", " << name_of(scenario.integration.method)
-       << ", " << counted(steps, "step") << " of " << step_size << " s, "
-       << name_of(options.executor) << ", threads: " << name_of(threads);
+       << " MB; " << name_of(formulation) << ", " << name_of(scenario.integration.method) << ", "
+       << counted(steps, "step") << " of " << step_size << " s, " << executor
+       << ", threads: " << name_of(threads);
   log(LogLevel::info, text.str());
 }
 

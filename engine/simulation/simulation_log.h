@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "engine/simulation/observations.h"
 #include "engine/simulation_options.h"
@@ -16,8 +17,8 @@ namespace spoke {
 class SimulationLog {
  public:
   /// Its size, and what solves it.
-  static void log_built(const Scenario& scenario, const SimulationOptions& options,
-                        const ModelSize& size, std::int64_t steps, double step_size,
+  static void log_built(const Scenario& scenario, Formulation formulation, const ModelSize& size,
+                        std::int64_t steps, double step_size, std::string_view executor,
                         const graph::Threads& threads);
   /// That a state was restored.
   static void log_restored(const Scenario& scenario, double t, std::int64_t steps);

@@ -47,10 +47,48 @@ void check_curve(const std::string& path, const char* key, const Curve& curve,
   check_numbers(path + '.' + key, curve.values(), quantity);
 }
 
+void check_sections(const std::string& path, const Blade& blade) {
+  const auto check_unused = [&](const char* key, double value) {
+    if (value != 0.0)
+      fail(path + '.' + key, "given along with sections, expected only one of them");
+  };
+  check_unused("density", blade.density);
+  check_unused("area", blade.area);
+  check_unused("second_moment", blade.second_moment);
+  check_unused("youngs_modulus", blade.youngs_modulus);
+  check_numbers(path + ".sections.station", blade.sections.station, kStation);
+  visit_properties(blade.sections, [&](const char* key, const std::vector<double>& values,
+                                       const Quantity& quantity) {
+    check_numbers(path + ".sections." + key, values, quantity);
+  });
+  const SectionsFault fault = find_sections_fault(blade);
+  if (!fault.key.empty()) fail(path + ".sections." + fault.key, fault.text);
+}
+
+void check_blade(const std::string& path, const Blade& blade) {
+  check_fields(path, blade);
+  if (has_sections(blade)) check_sections(path, blade);
+  const std::size_t masses = blade.point_masses.size();
+  if (masses > kMostPointMasses)
+    fail(path + ".point_mass", "are " + std::to_string(masses) + " tables, expected at most " +
+                                   std::to_string(kMostPointMasses));
+  std::size_t number = 0;
+  for (const PointMass& point : blade.point_masses) {
+    const std::string point_path = path + ".point_mass." + std::to_string(++number);
+    check(point_path + ".position", point.position, place_on(blade));
+    check_fields(point_path, point);
+  }
+}
+
 void check_blades(const std::vector<Blade>& blades) {
   if (blades.empty()) fail("blades", "there are none, expected one or more");
-  std::size_t number = 0;
-  for (const Blade& blade : blades) check_fields("blades." + std::to_string(++number), blade);
+  std::size_t number = 0, stations = 0;
+  for (const Blade& blade : blades) {
+    check_blade("blades." + std::to_string(++number), blade);
+    stations += count_stations(blade);
+  }
+  const std::string station_fault = find_station_fault(stations);
+  if (!station_fault.empty()) fail("blades", station_fault);
   const std::string fault = find_element_fault(blades);
   if (!fault.empty()) fail("blades", fault);
 }

@@ -4,9 +4,17 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 
 namespace spoke {
+namespace {
+
+std::string count_numbers(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " number" : " numbers");
+}
+
+}  // namespace
 
 std::string find_step_fault(const Integration& integration) {
   constexpr double most_steps = 1e10;
@@ -16,6 +24,42 @@ std::string find_step_fault(const Integration& integration) {
   const double steps = integration.duration / integration.step;
   if (steps <= most_steps) return {};
   return "makes " + describe(steps) + " steps, expected at most " + describe(most_steps);
+}
+
+SectionsFault find_sections_fault(const Blade& blade) {
+  const std::vector<double>& station = blade.sections.station;
+  if (station.size() < 2)
+    return {"station", "has " + count_numbers(station.size()) + ", expected 2 or more"};
+  SectionsFault fault;
+  visit_properties(blade.sections,
+                   [&](const char* key, const std::vector<double>& values, const Quantity&) {
+                     if (fault.key.empty() && values.size() != station.size())
+                       fault = {key, "has " + count_numbers(values.size()) + ", expected " +
+                                         std::to_string(station.size()) + ", one for each station"};
+                   });
+  if (!fault.key.empty()) return fault;
+  for (std::size_t i = 1; i < station.size(); ++i)
+    if (!(station[i] > station[i - 1]))
+      return {"station." + std::to_string(i + 1), "is " + describe(station[i]) +
+                                                      ", expected more than the value before it, " +
+                                                      describe(station[i - 1])};
+  if (station.front() != 0.0)
+    return {"station", "begins at " + describe(station.front()) + ", expected 0 (m, the root)"};
+  if (std::abs(station.back() - blade.length) > 1e-9 * blade.length)
+    return {"station", "ends at " + describe(station.back()) + ", expected " +
+                           describe(blade.length) + " (m, the blade's length)"};
+  return {};
+}
+
+std::size_t count_stations(const Blade& blade) {
+  return blade.sections.station.size() + blade.point_masses.size();
+}
+
+std::string find_station_fault(std::size_t count) {
+  constexpr std::size_t most = 2'000'000;
+  if (count <= most) return {};
+  return "makes " + std::to_string(count) +
+         " stations and point masses on all blades, expected at most " + std::to_string(most);
 }
 
 std::string find_element_fault(const std::vector<Blade>& blades) {

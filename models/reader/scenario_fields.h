@@ -24,6 +24,7 @@ concept PerhapsConst = std::same_as<std::remove_const_t<T>, Of>;
 // Sizes beyond these are slips of the keyboard, not machines anybody simulates; below them
 // the engine still compares its need with the memory there is.
 inline constexpr int kMostOfAKind = 100'000;
+inline constexpr std::size_t kMostPointMasses = 1000;  ///< on a blade
 
 // Numbers that stand in arrays.
 inline constexpr Quantity kGravity = Quantity::any("m/s^2");
@@ -35,6 +36,7 @@ inline constexpr Quantity kTorque = Quantity::any("N m");
 inline constexpr Quantity kForcePerLength = Quantity::any("N/m");
 inline constexpr Quantity kLength = Quantity::any("m");
 inline constexpr Quantity kRamp = Quantity::not_negative("s");
+inline constexpr Quantity kStation = Quantity::not_negative("m");
 
 template <PerhapsConst<Hub> H, class Visit>
 void visit_fields(H& hub, const Visit& visit) {
@@ -69,15 +71,34 @@ void visit_fields(D& drive, const Visit& visit) {
   visit("initial_speed", drive.initial_speed, kSpeed, Presence::optional);
 }
 
+/// Whether a blade is described by sections, rightly or wrongly.
+inline bool has_sections(const Blade& blade) { return blade.sections != BladeSections{}; }
+
+/// The arrays of sections that are as long as that of the stations.
+template <PerhapsConst<BladeSections> S, class Visit>
+void visit_properties(S& sections, const Visit& visit) {
+  visit("mass_per_length", sections.mass_per_length, Quantity::positive("kg/m"));
+  visit("axial_stiffness", sections.axial_stiffness, Quantity::positive("N"));
+  visit("bending_stiffness", sections.bending_stiffness, Quantity::positive("N m^2"));
+}
+
+template <PerhapsConst<PointMass> P, class Visit>
+void visit_fields(P& point, const Visit& visit) {
+  visit("mass", point.mass, Quantity::positive("kg"), Presence::required);
+  visit("inertia", point.inertia, Quantity::not_negative("kg m^2"), Presence::optional);
+}
+
 template <PerhapsConst<Blade> B, class Visit>
 void visit_fields(B& blade, const Visit& visit) {
   visit("length", blade.length, Quantity::positive("m"), Presence::required);
   visit("bodies", blade.bodies, Count{1, kMostOfAKind}, Presence::optional);
   visit("elements", blade.elements, Count{1, kMostOfAKind}, Presence::optional);
-  visit("density", blade.density, Quantity::positive("kg/m^3"), Presence::required);
-  visit("area", blade.area, Quantity::positive("m^2"), Presence::required);
-  visit("second_moment", blade.second_moment, Quantity::positive("m^4"), Presence::required);
-  visit("youngs_modulus", blade.youngs_modulus, Quantity::positive("Pa"), Presence::required);
+  if (!has_sections(blade)) {
+    visit("density", blade.density, Quantity::positive("kg/m^3"), Presence::required);
+    visit("area", blade.area, Quantity::positive("m^2"), Presence::required);
+    visit("second_moment", blade.second_moment, Quantity::positive("m^4"), Presence::required);
+    visit("youngs_modulus", blade.youngs_modulus, Quantity::positive("Pa"), Presence::required);
+  }
   visit("azimuth", blade.azimuth, Quantity::any("rad"), Presence::optional);
 }
 
@@ -156,6 +177,16 @@ void visit_fields(O& output, const Visit& visit) {
 
 /// Of a step and a duration that are fine by themselves.
 std::string find_step_fault(const Integration& integration);
+/// Of a blade that is described by sections: which key of them is wrong, and how. Empty texts if
+/// none is.
+struct SectionsFault {
+  std::string key, text;
+};
+SectionsFault find_sections_fault(const Blade& blade);
+/// Of as many stations and point masses, on all blades.
+std::string find_station_fault(std::size_t count);
+/// How many a blade has.
+std::size_t count_stations(const Blade& blade);
 std::string find_element_fault(const std::vector<Blade>& blades);
 /// Of as many points as count_points() has found in all.
 std::string find_point_fault(std::size_t points);

@@ -59,17 +59,34 @@ Json to_json(const Hub& hub) {
           {"drive", drive}};
 }
 
+Json to_json(const BladeSections& sections) {
+  return {{"station", sections.station},
+          {"mass_per_length", sections.mass_per_length},
+          {"axial_stiffness", sections.axial_stiffness},
+          {"bending_stiffness", sections.bending_stiffness}};
+}
+
+void add_material(const Blade& blade, Json& json) {
+  if (!blade.sections.station.empty()) {
+    json["sections"] = to_json(blade.sections);
+    return;
+  }
+  json["density"] = blade.density;
+  json["area"] = blade.area;
+  json["second_moment"] = blade.second_moment;
+  json["youngs_modulus"] = blade.youngs_modulus;
+}
+
 Json to_json(const Blade& blade) {
-  return {{"length", blade.length},
-          {"bodies", blade.bodies},
-          {"elements", blade.elements},
-          {"density", blade.density},
-          {"area", blade.area},
-          {"second_moment", blade.second_moment},
-          {"youngs_modulus", blade.youngs_modulus},
-          {"geometric_stiffening", blade.geometric_stiffening},
-          {"reference_frame", name_of(blade.reference_frame)},
-          {"azimuth", blade.azimuth}};
+  Json json = {{"length", blade.length}, {"bodies", blade.bodies}, {"elements", blade.elements}};
+  add_material(blade, json);
+  json["geometric_stiffening"] = blade.geometric_stiffening;
+  json["reference_frame"] = name_of(blade.reference_frame);
+  json["azimuth"] = blade.azimuth;
+  for (const PointMass& point : blade.point_masses)
+    json["point_mass"].push_back(
+        {{"position", point.position}, {"mass", point.mass}, {"inertia", point.inertia}});
+  return json;
 }
 
 Json to_json(LoadedBlades blade) { return blade.is_all() ? Json("all") : Json(blade.number()); }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "models/reader/blade_sections.h"
 #include "models/reader/curve_reader.h"
 #include "models/reader/field_reader.h"
 #include "models/reader/scenario_loads.h"
@@ -99,9 +100,14 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
   };
   Blade blade;
   blade.azimuth = azimuth;
+  const TomlSection& material = material_of(own, common);
+  if (material.has("sections")) blade.sections = read_sections(material);
   visit_fields(blade, [&](std::string_view key, auto& value, const auto& range, Presence presence) {
-    FieldReader{key == "azimuth" ? own : from(key)}(key, value, range, presence);
+    const bool is_own = key == "azimuth" || (&material == &own && is_material(key));
+    FieldReader{is_own ? own : from(key)}(key, value, range, presence);
   });
+  if (material.has("sections")) check_sections(material, blade);
+  blade.point_masses = read_point_masses(from("point_mass"), blade);
   blade.geometric_stiffening =
       from("geometric_stiffening").flag("geometric_stiffening", blade.geometric_stiffening);
   blade.reference_frame =
@@ -109,6 +115,11 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
           .choice("reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord},
                   blade.reference_frame);
   return blade;
+}
+
+void check_stations(const TomlSection& root, std::size_t count) {
+  const std::string fault = find_station_fault(count);
+  if (!fault.empty()) root.fail(root.has("blades") ? "blades" : "blade", fault);
 }
 
 void check_elements(const TomlSection& root, const std::vector<Blade>& blades) {
@@ -126,7 +137,9 @@ std::vector<Blade> read_blades(const TomlSection& root) {
                                   "youngs_modulus",
                                   "geometric_stiffening",
                                   "reference_frame",
-                                  "azimuth"};
+                                  "azimuth",
+                                  "sections",
+                                  "point_mass"};
   TomlSection::Keys common_keys = keys;
   common_keys.push_back("count");
   const TomlSection common = root.section("blade", common_keys);
@@ -137,6 +150,7 @@ std::vector<Blade> read_blades(const TomlSection& root) {
     if (!root.has("blade")) root.fail("blade", "is missing, expected [blade] or [[blades]]");
     const int count = common.integer("count", {1, kMostOfAKind});
     const Blade blade = read_blade(common, common, first);
+    check_stations(root, static_cast<std::size_t>(count) * count_stations(blade));
     blades.assign(static_cast<std::size_t>(count), blade);
     for (int i = 0; i < count; ++i) {
       blades[static_cast<std::size_t>(i)].azimuth = first + 2.0 * pi * i / count;
@@ -146,9 +160,11 @@ std::vector<Blade> read_blades(const TomlSection& root) {
       common.fail("count", "given along with [[blades]], expected only one of them");
     }
     const auto count = static_cast<double>(one_by_one.size());
+    std::size_t stations = 0;
     for (const TomlSection& own : one_by_one) {
       const double even = first + 2.0 * pi * static_cast<double>(blades.size()) / count;
       blades.push_back(read_blade(own, common, even));
+      check_stations(root, stations += count_stations(blades.back()));
     }
   }
   check_elements(root, blades);

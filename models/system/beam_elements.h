@@ -3,35 +3,23 @@
 // The finite element: planar Euler-Bernoulli beam, linear axial and cubic (Hermite) bending shape
 // functions; section rotary inertia and shear are neglected.
 
-#include <compare>
+#include <vector>
 
+#include "models/system/beam_properties.h"
 #include "models/system/flexible_body.h"
 
 namespace spoke {
 
-/// One body of a beam.
-struct BeamProperties {
-  double length = 0.0;             ///< of the body [m]
-  int elements = 1;                ///< of equal length
-  double mass_per_length = 0.0;    ///< rhoA [kg/m]
-  double axial_stiffness = 0.0;    ///< EA [N]
-  double bending_stiffness = 0.0;  ///< EI [N m^2]
-  ReferenceFrame reference_frame = ReferenceFrame::clamped;
-
-  auto operator<=>(const BeamProperties&) const = default;
-};
-
-/// Properties of one of the equal bodies of a blade.
-BeamProperties make_beam_properties(const Blade& blade);
-
 /// Assembles the constant integrals of a body, (P 3), element by element.
-/// Precondition: all numbers positive.
+/// Preconditions: all numbers positive; the pieces, if any, follow one another from 0 to the
+/// length.
 FlexibleBody make_beam_body(const BeamProperties& beam);
 
 /// The centrifugal stiffness KG per squared hub speed [N s^2/m, ...] of a body whose frame stands
 /// `distance` [m] from the hub axis and which carries the outboard bodies' first moment `outboard`
 /// = int rhoA r dr [kg m]: int T(x) N_v'^T N_v' dx, with T(x) = int_x^L rhoA (distance + xi) dxi +
-/// outboard the tension of the undeformed blade at unit hub speed.
+/// outboard the tension of the undeformed blade at unit hub speed. Point masses count as rhoA does;
+/// the inertia of one adds J N_v'^T N_v'.
 SymmetricBand<3> make_centrifugal_stiffness(const BeamProperties& beam, double distance,
                                             double outboard);
 
@@ -41,11 +29,11 @@ SymmetricBand<3> make_slope_integral(const BeamProperties& beam);
 /// Mass and stiffness of one element in the coordinates (u, v, psi) of its two nodes.
 struct BeamElement {
   using Matrix = Eigen::Matrix<double, 2 * kTwist, 2 * kTwist>;
-  Matrix mass;
-  Matrix stiffness;
+  Matrix mass = Matrix::Zero();
+  Matrix stiffness = Matrix::Zero();
 };
 
-/// The element of a beam whose bodies are `beam`.
-BeamElement make_beam_element(const BeamProperties& beam);
+/// The elements of a body, from its inboard end; of a uniform one, a single one that is like all.
+std::vector<BeamElement> make_beam_elements(const BeamProperties& beam);
 
 }  // namespace spoke

@@ -6,8 +6,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 #include "models/rotor.h"
+#include "models/system/beam_pieces.h"
 #include "models/system/symmetric_band.h"
 
 namespace spoke {
@@ -65,6 +67,8 @@ struct FlexibleBody {
 
   Handle inboard;
   Handle outboard;
+  /// What the body is made of, if it is not uniform.
+  std::vector<BeamPiece> pieces;
 
   int axial() const { return elements; }
   /// Length of the axial vectors: E, made even.

@@ -43,21 +43,47 @@ class BodyCatalogue {
   std::map<BeamProperties, SharedBand> slope_integrals_;
 };
 
+/// int rhoA r dr over a body and its point masses, which begins at r = `distance` [kg m].
+double first_moment(const BeamProperties& beam, double distance) {
+  if (beam.pieces.empty())
+    return beam.mass_per_length * beam.length * (distance + beam.length / 2.0);
+  const BeamPiece& first = beam.pieces.front();
+  return first_moment_beyond(first, first.begin, distance) +
+         first_moments_outboard(beam.pieces, beam.masses, distance).front();
+}
+
+/// Of a blade that is not uniform, for each body: int rhoA r dr over the bodies outboard of it and
+/// their point masses [kg m].
+std::vector<double> find_outboard_moments(const Hub& hub, const Blade& blade) {
+  if (is_uniform(blade)) return {};
+  std::vector<double> moments(static_cast<std::size_t>(blade.bodies));
+  double sum = 0.0;
+  for (int j = blade.bodies - 1; j >= 0; --j) {
+    moments[static_cast<std::size_t>(j)] = sum;
+    const BeamProperties beam = make_beam_properties(blade, j);
+    sum += first_moment(beam, hub.radius + j * beam.length);
+  }
+  return moments;
+}
+
 Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& catalogue) {
-  const BeamProperties beam = make_beam_properties(blade);
+  const BeamProperties first = make_beam_properties(blade, 0);
+  const std::vector<double> moments = find_outboard_moments(hub, blade);
   const double tip = hub.radius + blade.length;
   Subsystem subsystem;
   subsystem.root.R = Rotation::from_angle(blade.azimuth);
   subsystem.root.p = subsystem.root.R * Position{hub.radius, 0.0};
   subsystem.length = blade.length;
   for (int j = 0; j < blade.bodies; ++j) {
+    const BeamProperties beam = is_uniform(blade) ? first : make_beam_properties(blade, j);
     ChainBody member;
     member.body = catalogue.body(beam);
     if (blade.geometric_stiffening) {
       const double distance = hub.radius + j * beam.length;
       const double end = distance + beam.length;
-      const double outboard =
+      const double of_uniform =
           j + 1 == blade.bodies ? 0.0 : beam.mass_per_length * (tip * tip - end * end) / 2.0;
+      const double outboard = moments.empty() ? of_uniform : moments[static_cast<std::size_t>(j)];
       member.centrifugal_stiffness = catalogue.stiffness(beam, distance, outboard);
       member.slope_integral = catalogue.slope_integral(beam);
     }

@@ -1,7 +1,9 @@
 #include "tests/engine/lagrangian.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "tests/engine/rotors.h"
 
@@ -94,54 +96,96 @@ void for_each_body(const System& system, const Eigen::VectorXd& y, const double*
   }
 }
 
-/// Displacements u, v and rotation v' at `xi`, 0 to 1 within element `e` of length `l`.
-struct Displacement {
+/// A place on a body: displacements of its section there.
+struct Point {
+  double x;
   Dual u, v, slope;
 };
-Displacement displacement_at(const BodyCoordinates& q, int e, double xi, double l) {
-  const Shape N = shape_at(xi, l);
-  Displacement d;
+
+Point point_at(const FlexibleBody& body, const BodyCoordinates& q, double x) {
+  const double l = body.length / body.elements;
+  const int e = std::min(static_cast<int>(x / l), body.elements - 1);
+  const Shape N = shape_at(x / l - e, l);
+  Point point{x, {}, {}, {}};
   for (int side = 0; side < 2; ++side) {
-    d.u = d.u + constant(N.u[side]) * q.at(e + side, 0);
+    point.u = point.u + constant(N.u[side]) * q.at(e + side, 0);
     for (int k = 0; k < 2; ++k) {
-      d.v = d.v + constant(N.v[2 * side + k]) * q.at(e + side, 1 + k);
-      d.slope = d.slope + constant(N.slope[2 * side + k]) * q.at(e + side, 1 + k);
+      point.v = point.v + constant(N.v[2 * side + k]) * q.at(e + side, 1 + k);
+      point.slope = point.slope + constant(N.slope[2 * side + k]) * q.at(e + side, 1 + k);
     }
   }
-  return d;
+  return point;
 }
 
-/// Calls visit(x, weight, u, v, slope) at the quadrature points of a body.
-template <class Visit>
-void for_each_point(const FlexibleBody& body, const BodyCoordinates& q, Visit&& visit) {
-  const double l = body.length / body.elements;
-  for (int e = 0; e < body.elements; ++e)
-    for (std::size_t g = 0; g < kGaussPoints.size(); ++g) {
-      const double xi = 0.5 * (1.0 + kGaussPoints[g]);
-      const auto [u, v, slope] = displacement_at(q, e, xi, l);
-      visit((e + xi) * l, 0.5 * kGaussWeights[g] * l, u, v, slope);
+/// What lies along a blade, in the coordinate x of a body that begins at `origin`.
+struct Matter {
+  const FlexibleBody& body;
+  const Blade* blade;  ///< null: uniform
+  double origin;
+
+  double mass_per_length(double x) const {
+    if (!blade) return body.mass / body.length;
+    const BladeSections& sections = blade->sections;
+    if (sections.station.empty()) return blade->density * blade->area;
+    std::size_t k = 1;
+    while (k + 1 < sections.station.size() && sections.station[k] < origin + x) ++k;
+    const double part =
+        (origin + x - sections.station[k - 1]) / (sections.station[k] - sections.station[k - 1]);
+    return (1.0 - part) * sections.mass_per_length[k - 1] + part * sections.mass_per_length[k];
+  }
+  /// Between which no property has a corner, from `from` to the end: nodes, stations, point masses.
+  std::vector<double> corners(double from) const {
+    std::vector<double> all{from, body.length};
+    for (int e = 1; e < body.elements; ++e) all.push_back(e * body.length / body.elements);
+    if (blade) {
+      for (const double station : blade->sections.station) all.push_back(station - origin);
+      for (const PointMass& point : blade->point_masses) all.push_back(point.position - origin);
     }
-}
+    std::erase_if(all, [&](double x) { return x < from || x > body.length; });
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  /// Calls visit(x, weight) at five Gauss points of each stretch from `from` to the end.
+  template <class Visit>
+  void for_each_point(double from, const Visit& visit) const {
+    const std::vector<double> places = corners(from);
+    for (std::size_t k = 1; k < places.size(); ++k)
+      for (std::size_t g = 0; g < kGaussPoints.size(); ++g) {
+        const double half = 0.5 * (places[k] - places[k - 1]);
+        if (half > 0.0)
+          visit(places[k - 1] + half * (1.0 + kGaussPoints[g]), half * kGaussWeights[g]);
+      }
+  }
+  /// Calls visit(x, point mass) for those of this body beyond `from`.
+  template <class Visit>
+  void for_each_mass(double from, const Visit& visit) const {
+    if (!blade) return;
+    for (const PointMass& point : blade->point_masses) {
+      const double x = point.position - origin;
+      const bool is_here = (x > 1e-9 || origin == 0.0) && x < body.length + 1e-9;
+      if (is_here && x >= from) visit(std::min(x, body.length), point);
+    }
+  }
+};
 
-double mass_per_length(const FlexibleBody& body) { return body.mass / body.length; }
-
-/// Distance of a body's undeformed frame from the hub axis.
-double undeformed_distance(const Subsystem& subsystem, int body) {
-  double r = std::hypot(subsystem.root.p.x(), subsystem.root.p.y());
-  for (int j = 0; j < body; ++j) r += subsystem.bodies[j].body->length;
-  return r;
+Matter matter_of(const Subsystem& subsystem, std::size_t body, const Blade* blade) {
+  double origin = 0.0;
+  for (std::size_t j = 0; j < body; ++j) origin += subsystem.bodies[j].body->length;
+  return {*subsystem.bodies[body].body, blade, origin};
 }
 
 /// Tension of the undeformed blade at unit hub speed, at x of a body: int rhoA r dr outboard of x.
-double unit_tension(const Subsystem& subsystem, int body, double x) {
-  const double r = undeformed_distance(subsystem, body);
-  const double end = r + subsystem.bodies[body].body->length;
-  double tension =
-      mass_per_length(*subsystem.bodies[body].body) * (end * end - (r + x) * (r + x)) / 2.0;
-  for (std::size_t j = body + 1; j < subsystem.bodies.size(); ++j) {
-    const double a = undeformed_distance(subsystem, static_cast<int>(j));
-    const double b = a + subsystem.bodies[j].body->length;
-    tension += mass_per_length(*subsystem.bodies[j].body) * (b * b - a * a) / 2.0;
+double unit_tension(const Subsystem& subsystem, const Blade* blade, std::size_t body, double x) {
+  const double radius = std::hypot(subsystem.root.p.x(), subsystem.root.p.y());
+  double tension = 0.0;
+  for (std::size_t j = body; j < subsystem.bodies.size(); ++j) {
+    const Matter matter = matter_of(subsystem, j, blade);
+    const double from = j == body ? x : 0.0, r = radius + matter.origin;
+    matter.for_each_point(from, [&](double at, double weight) {
+      tension += weight * matter.mass_per_length(at) * (r + at);
+    });
+    matter.for_each_mass(
+        from, [&](double at, const PointMass& point) { tension += point.mass * (r + at); });
   }
   return tension;
 }
@@ -167,14 +211,34 @@ double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorX
   double energy = 0.5 * hub.mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * hub.inertia * v[2] * v[2];
   for_each_body(
       system_, y, v.data(), [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
-        const ChainBody& member = system_.subsystems[i].bodies[j];
-        const double rhoA = mass_per_length(*member.body);
-        for_each_point(*member.body, q, [&](double x, double weight, Dual u, Dual w, Dual slope) {
-          const auto [px, py] = frame.point(constant(x) + u, w);
-          energy += 0.5 * weight * rhoA * (px.rate * px.rate + py.rate * py.rate);
-          if (member.centrifugal_stiffness)
-            energy -= 0.5 * v[2] * v[2] * weight * unit_tension(system_.subsystems[i], j, x) *
-                      slope.value * slope.value;
+        const Subsystem& subsystem = system_.subsystems[i];
+        const ChainBody& member = subsystem.bodies[j];
+        const Blade* blade = blades_.empty() ? nullptr : &blades_[i];
+        const Matter matter = matter_of(subsystem, static_cast<std::size_t>(j), blade);
+        const auto of_particle = [&](const Point& at, double side) {
+          // Beside the axis by `side`, carried by the section as far as linear in its rotation.
+          const auto [px, py] =
+              frame.point(constant(at.x) + at.u - constant(side) * at.slope, at.v + constant(side));
+          return 0.5 * (px.rate * px.rate + py.rate * py.rate);
+        };
+        const auto of_stiffening = [&](double per_slope, const Point& at) {
+          return member.centrifugal_stiffness
+                     ? 0.5 * v[2] * v[2] * per_slope * at.slope.value * at.slope.value
+                     : 0.0;
+        };
+        matter.for_each_point(0.0, [&](double x, double weight) {
+          const Point at = point_at(*member.body, q, x);
+          energy += weight * matter.mass_per_length(x) * of_particle(at, 0.0);
+          energy -= of_stiffening(
+              weight * unit_tension(subsystem, blade, static_cast<std::size_t>(j), x), at);
+        });
+        // Two halves on either side of the axis have the inertia; turned by psi, each goes towards
+        // the axis by side psi^2 / 2.
+        matter.for_each_mass(0.0, [&](double x, const PointMass& point) {
+          const Point at = point_at(*member.body, q, x);
+          const double side = std::sqrt(point.inertia / point.mass);
+          energy += 0.5 * point.mass * (of_particle(at, side) + of_particle(at, -side));
+          energy -= of_stiffening(point.inertia, at);
         });
       });
   return energy;
@@ -187,10 +251,18 @@ double Lagrangian::potential_energy(const Eigen::VectorXd& y) const {
   for_each_body(
       system_, y, nullptr, [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
         const FlexibleBody& body = *system_.subsystems[i].bodies[j].body;
-        for_each_point(body, q, [&](double x, double weight, Dual u, Dual w, Dual) {
-          const auto [px, py] = frame.point(constant(x) + u, w);
-          energy -= weight * mass_per_length(body) * (g.x() * px.value + g.y() * py.value);
+        const Matter matter = matter_of(system_.subsystems[i], static_cast<std::size_t>(j),
+                                        blades_.empty() ? nullptr : &blades_[i]);
+        const auto of_gravity = [&](double mass, double x) {
+          const Point at = point_at(body, q, x);
+          const auto [px, py] = frame.point(constant(x) + at.u, at.v);
+          energy -= mass * (g.x() * px.value + g.y() * py.value);
+        };
+        matter.for_each_point(0.0, [&](double x, double weight) {
+          of_gravity(weight * matter.mass_per_length(x), x);
         });
+        matter.for_each_mass(0.0,
+                             [&](double x, const PointMass& point) { of_gravity(point.mass, x); });
         // The elastic stiffness itself is checked against the beam's analytic solutions elsewhere.
         const Eigen::VectorXd q_u = y.segment(next, body.axial());
         const Eigen::VectorXd q_v = y.segment(next + body.axial(), body.bending());
@@ -244,12 +316,9 @@ SectionMotion Lagrangian::section(const Eigen::VectorXd& y, const Eigen::VectorX
   for_each_body(system_, y, v.data(),
                 [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
                   if (i != blade || j != body) return;
-                  const FlexibleBody& model = *system_.subsystems[i].bodies[j].body;
-                  const double l = model.length / model.elements;
-                  const int e = std::min(static_cast<int>(x / l), model.elements - 1);
-                  const auto [u, w, slope] = displacement_at(q, e, x / l - e, l);
-                  const auto [px, py] = frame.point(constant(x) + u, w);
-                  const Dual angle = frame.angle + slope;
+                  const Point at = point_at(*system_.subsystems[i].bodies[j].body, q, x);
+                  const auto [px, py] = frame.point(constant(x) + at.u, at.v);
+                  const Dual angle = frame.angle + at.slope;
                   found = {{px.value, py.value, angle.value}, {px.rate, py.rate, angle.rate}};
                 });
   return found;

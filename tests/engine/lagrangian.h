@@ -5,6 +5,7 @@
 // the blades. No integral, joint equation or mass matrix of the engine is used.
 
 #include <Eigen/Core>
+#include <span>
 
 #include "engine/step/step_context.h"
 
@@ -19,7 +20,9 @@ struct SectionMotion {
 /// Generalised coordinates y: hub x, y, angle, then all deformation coordinates, body by body.
 class Lagrangian {
  public:
-  explicit Lagrangian(const System& system) : system_(system) {}
+  /// `blades`: of which the system was made, if they are not uniform. Must outlive this.
+  explicit Lagrangian(const System& system, std::span<const Blade> blades = {})
+      : system_(system), blades_(blades) {}
 
   int size() const { return kTwist + system_.deformation_count(); }
 
@@ -41,6 +44,7 @@ class Lagrangian {
 
  private:
   const System& system_;
+  std::span<const Blade> blades_;
 };
 
 /// y, v and a of a context's state.

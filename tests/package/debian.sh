@@ -37,4 +37,5 @@ done
 [ -s "$work/spoke/usr/share/doc/spoke/copyright" ]
 [ -s "$work/libspoke-dev/usr/share/doc/libspoke-dev/copyright" ]
 [ -s "$work/libspoke-dev/usr/include/spoke/spoke.h" ]
+[ -s "$work/spoke/usr/share/doc/spoke/examples/first_rotor.cpp" ]
 "$program" check "$work/spoke/usr/share/spoke/models/wu_haug_rotor.toml"

@@ -1,15 +1,26 @@
 #!/usr/bin/env bash
-# Builds the project outside/ against an installed Spoke, and runs it.
-#   outside.sh cmake|pkg-config PREFIX WORK CMAKE COMPILER
+# Builds the project outside/, or the installed examples, against an installed Spoke, and runs it.
+#   outside.sh cmake|pkg-config|examples PREFIX WORK CMAKE COMPILER
 set -euo pipefail
 way=$1 prefix=$2 work=$3 cmake=$4 compiler=$5
 source=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/outside
 rm -rf "$work"
 mkdir -p "$work"
+library=$(find "$prefix" -name 'libspoke.so*' -print -quit)
+export LD_LIBRARY_PATH=${library:+$(dirname "$library")}
 case $way in
   cmake)
     "$cmake" -S "$source" -B "$work" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$prefix"
     "$cmake" --build "$work"
+    ;;
+  examples)
+    "$cmake" -S "$prefix/share/doc/spoke/examples" -B "$work" -DCMAKE_CXX_COMPILER="$compiler" \
+      -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_PREFIX_PATH="$prefix"
+    "$cmake" --build "$work"
+    for example in "$prefix"/share/doc/spoke/examples/*.cpp; do
+      "$work/example_$(basename "$example" .cpp)"
+    done
+    exit
     ;;
   pkg-config)
     PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name spoke.pc)")
@@ -21,6 +32,4 @@ case $way in
     ;;
   *) exit 2 ;;
 esac
-library=$(find "$prefix" -name 'libspoke.so*' -print -quit)
-export LD_LIBRARY_PATH=${library:+$(dirname "$library")}
 "$work/outside" "$prefix/share/spoke/models/wu_haug_rotor.toml"

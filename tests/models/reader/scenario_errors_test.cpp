@@ -319,7 +319,8 @@ TEST_CASE("blades given in both ways or wrongly are refused") {
       {"[[blades]]\ncount = 3\n",
        "f.toml:23:1: blades.1.count: unknown key, expected \"length\", \"bodies\", "
        "\"elements\", \"density\", \"area\", \"second_moment\", \"youngs_modulus\", "
-       "\"geometric_stiffening\", \"reference_frame\" or \"azimuth\""},
+       "\"geometric_stiffening\", \"reference_frame\", \"azimuth\", \"sections\" or "
+       "\"point_mass\""},
   });
   check_edits({
       {"[blade]", "[[blade]]",
