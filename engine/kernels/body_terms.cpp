@@ -208,4 +208,30 @@ void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotatio
   }
 }
 
+Twist calc_applied_beyond(double t, const Rotation& R_HB, const Rotation& R_0,
+                          const Section& section, const BodyData& data) noexcept {
+  const double* q = data.coordinates.q;
+  const double first = section.x - 1e-9 * data.model->body->length;  // a load at the section counts
+  const Twist at = section_values(section, q);
+  const Position origin{section.x + at[0], at[1]};
+  Twist sum = Twist::Zero();
+  const auto add = [&](const Position& s, const Position& force, double moment) {
+    const Position arm = s - origin;
+    sum += Twist(force.x(), force.y(), moment + arm.x() * force.y() - arm.y() * force.x());
+  };
+  for (const NodeLoad& load : data.model->loads) {
+    if (load.p.x() < first) continue;
+    const auto value = [&](int c) { return q[data.layout.offset(load.coordinate[c])]; };
+    const double factor = load.factor->value(t);
+    add(load.p + Position{value(0), value(1)},
+        factor * resolve_force(load, value(kRotation), R_HB, R_0), factor * load.moment);
+  }
+  for (const auto& [place, wrench] : data.applied) {
+    if (place->x < first) continue;
+    const Twist moved = section_values(*place, q);
+    add({place->x + moved[0], moved[1]}, wrench->force, wrench->moment);
+  }
+  return sum;
+}
+
 }  // namespace spoke

@@ -22,4 +22,9 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData&
 void add_loads(double t, const Rotation& R_HB, const Twist& twist, const Rotation& R_0,
                BodyData& data) noexcept;
 
+/// What point loads and loads of the user's do to a body at a section and outboard of it: force [N]
+/// and moment about the deformed section [N m], body frame. Frames as in add_loads().
+Twist calc_applied_beyond(double t, const Rotation& R_HB, const Rotation& R_0,
+                          const Section& section, const BodyData& data) noexcept;
+
 }  // namespace spoke

@@ -20,6 +20,7 @@ struct RunnerOptions {
   graph::Threads threads;          ///< unset: the available ones
   int window = 0;                  ///< steps; 0: as the executor chooses
   std::int64_t planned_steps = 0;  ///< of the simulation
+  std::size_t readings = 0;        ///< values that sensors of the scenario's take in a step
 };
 
 /// Records that the table of a system needs for these options, see TableOptions::window_steps.

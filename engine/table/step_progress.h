@@ -98,6 +98,7 @@ struct SubsystemSample {
   double kinetic = 0.0;             ///< energy, stiffening term included [J]
   double strain = 0.0;              ///< energy [J]
   double gravity = 0.0;             ///< work of gravity since the undeformed start [J]
+  Twist root = Twist::Zero();       ///< see SubsystemData::root_load
 };
 
 /// The step as a whole: what all subsystems did, and the hub.

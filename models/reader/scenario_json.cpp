@@ -84,6 +84,17 @@ Json to_json(const Integration& integration) {
           {"max_iterations", integration.max_iterations}};
 }
 
+Json to_json(const Sensor& sensor) {
+  Json json = {{"name", sensor.name.empty() ? name_of(sensor.quantity) : sensor.name},
+               {"quantity", name_of(sensor.quantity)}};
+  if (is_of_blade(sensor.quantity))
+    json["blade"] = sensor.blade < 0 ? Json("all") : Json(sensor.blade + 1);
+  if (has_position(sensor.quantity) && sensor.position) json["position"] = *sensor.position;
+  if (sensor.quantity == SensorQuantity::joint_reaction) json["joint"] = sensor.joint + 1;
+  if (frames_of(sensor.quantity).size() > 1) json["frame"] = name_of(frame_of(sensor));
+  return json;
+}
+
 Json to_json(const Limits& limits) {
   return {{"deflection", limits.deflection},
           {"energy_growth", limits.energy_growth},
@@ -97,6 +108,8 @@ std::string Scenario::to_json() const {
   for (const Blade& blade : rotor.blades) blades.push_back(spoke::to_json(blade));
   Json loads = Json::array();
   for (const PointLoad& load : rotor.loads) loads.push_back(spoke::to_json(load));
+  Json measured = Json::array();
+  for (const Sensor& sensor : sensors) measured.push_back(spoke::to_json(sensor));
   Json json = {{"title", title},
                {"hub", spoke::to_json(rotor.hub)},
                {"blades", blades},
@@ -107,7 +120,8 @@ std::string Scenario::to_json() const {
                {"load", loads},
                {"integration", spoke::to_json(integration)},
                {"limits", spoke::to_json(limits)},
-               {"output", {{"interval", output.interval}}}};
+               {"output", {{"interval", output.interval}}},
+               {"sensor", measured}};
   // A title from a file name may hold anything.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -50,7 +50,7 @@ Rotor free_rotor() {
 class Run {
  public:
   Run(const Rotor& rotor, const Method& method, double step, const Loads& loads = {})
-      : step_(step), sensors_(prepare(rotor, method, loads)), lagrangian_(context_.system) {}
+      : step_(step), sensors_(prepare(rotor, method, loads), {}), lagrangian_(context_.system) {}
 
   /// Visits the state after every step.
   template <class Visit>
@@ -72,8 +72,9 @@ class Run {
   }
 
   double energy_residual() {
-    Sensors::sample(context_.system, step_done_, context_.data);
-    return sensors_.measure(context_.system, work_, step_done_, context_.data).back();
+    Sensors::sample(context_.system, step_done_, 0.0, context_.data);
+    sensors_.measure(context_.system, work_, step_done_, context_.data);
+    return sensors_.balance().residual;
   }
 
   /// Linear momentum, and angular momentum about the origin.
