@@ -97,9 +97,7 @@ SimulationCore& core_of(Simulation& simulation) { return *simulation.core_; }
 const std::vector<std::string>& Simulation::sensor_names() const { return core_->sensors.names(); }
 const std::vector<std::string>& Simulation::sensor_units() const { return core_->sensors.units(); }
 
-std::span<const double> Simulation::sensor_values() const {
-  return core_->values();
-}
+std::span<const double> Simulation::sensor_values() const { return core_->values(); }
 
 std::size_t Simulation::sensor_index(std::string_view name) const {
   const auto& names = sensor_names();

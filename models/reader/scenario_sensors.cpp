@@ -15,11 +15,10 @@ namespace {
 constexpr std::size_t kMostValues = 1'000'000;
 constexpr std::size_t kLongestName = 64;
 
-using Measured = SensorQuantity;
-constexpr std::initializer_list<Measured> kQuantities{
-    Measured::displacement,  Measured::velocity,       Measured::acceleration,
-    Measured::section_force, Measured::joint_reaction, Measured::hub_reaction,
-    Measured::momentum,      Measured::blade_momentum, Measured::kinetic_energy};
+constexpr std::initializer_list<SensorQuantity> kQuantities{
+    SensorQuantity::displacement,  SensorQuantity::velocity,       SensorQuantity::acceleration,
+    SensorQuantity::section_force, SensorQuantity::joint_reaction, SensorQuantity::hub_reaction,
+    SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy};
 
 bool is_name(const std::string& name) {
   return !name.empty() && name.size() <= kLongestName &&
