@@ -46,11 +46,11 @@ struct Sensor {
 /// The frame in force.
 SPOKE_EXPORT SensorFrame frame_of(const Sensor& sensor);
 /// Frames in which a quantity may be resolved, the usual one first.
-std::span<const SensorFrame> frames_of(SensorQuantity quantity);
+SPOKE_EXPORT std::span<const SensorFrame> frames_of(SensorQuantity quantity);
 /// Whether a sensor of this quantity is one of a blade.
-bool is_of_blade(SensorQuantity quantity);
+SPOKE_EXPORT bool is_of_blade(SensorQuantity quantity);
 /// Whether it is at a position along a blade.
-bool has_position(SensorQuantity quantity);
+SPOKE_EXPORT bool has_position(SensorQuantity quantity);
 
 /// A value of a sensor: the last word of its column's name, and its unit.
 struct SensorComponent {
@@ -58,10 +58,10 @@ struct SensorComponent {
   std::string_view unit;  ///< SI
 };
 /// The values of a quantity, in the order of their columns.
-std::span<const SensorComponent> components_of(SensorQuantity quantity);
+SPOKE_EXPORT std::span<const SensorComponent> components_of(SensorQuantity quantity);
 /// What the names of a sensor's columns begin with on blade `blade` (from 0; of none, any number):
 /// "blade1.mid".
-std::string prefix_of(const Sensor& sensor, int blade);
+SPOKE_EXPORT std::string prefix_of(const Sensor& sensor, int blade);
 
 /// "displacement", "velocity", ...
 SPOKE_EXPORT std::string_view name_of(SensorQuantity quantity);
