@@ -13,7 +13,7 @@ namespace spoke {
 /// A value: it may be copied, kept and handed to other threads; it refers to no simulation.
 struct SavedState {
   /// What decides how a state goes on, as JSON: model, formulation, method and step size. Executor,
-  /// threads, window, duration, limits, title and output do not.
+  /// threads, window, duration, limits, title, output and sensors do not.
   std::shared_ptr<const std::string> model;
   double time = 0.0;             ///< [s]
   std::int64_t steps = 0;        ///< made since t = 0

@@ -98,15 +98,7 @@ SimulationCore& core_of(Simulation& simulation) { return *simulation.core_; }
 const std::vector<std::string>& Simulation::sensor_names() const { return core_->sensors.names(); }
 const std::vector<std::string>& Simulation::sensor_units() const { return core_->sensors.units(); }
 
-std::span<const double> Simulation::sensor_values() const {
-  if (core_->measured_step != steps()) {
-    Sensors::sample(core_->context.system, steps(), core_->context.data);
-    core_->sensor_values =
-        core_->sensors.measure(core_->context.system, core_->work, steps(), core_->context.data);
-    core_->measured_step = steps();
-  }
-  return core_->sensor_values;
-}
+std::span<const double> Simulation::sensor_values() const { return core_->values(); }
 
 std::size_t Simulation::sensor_index(std::string_view name) const {
   const auto& names = sensor_names();

@@ -129,7 +129,8 @@ class SPOKE_EXPORT Simulation {
   /// another model; the simulation then stays as it is.
   void restore(const SavedState& state);
 
-  /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual".
+  /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual", further
+  /// ones of the blades, and those of Scenario::sensors (docs/results.md).
   const std::vector<std::string>& sensor_names() const;
   /// Units of the sensors, in the same order: "m", "rad", "N m", "J", ...
   const std::vector<std::string>& sensor_units() const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/rotor.h"
+#include "models/sensor.h"
 #include "spoke/export.h"
 
 namespace spoke {
@@ -59,6 +60,8 @@ struct SPOKE_EXPORT Scenario {
   Integration integration;  ///< how, and for how long
   Limits limits;            ///< beyond which results are doubted
   Output output;            ///< what spoke run writes
+  /// What is measured besides the sensors that every simulation has.
+  std::vector<Sensor> sensors;
 
   /// Every key with the value in force (defaults included), as a JSON object shaped like the file;
   /// blades always one by one, under "blades".

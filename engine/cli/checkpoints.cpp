@@ -5,6 +5,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string>
 #include <utility>
 
 #include "models/count_text.h"
@@ -34,6 +36,22 @@ void require_fit(const std::filesystem::path& file, const RunRecord& record,
 
 }  // namespace
 
+namespace {
+
+/// Refuses rows of other sensors. What else may be wrong with them is found when they are opened.
+void require_columns(const std::filesystem::path& file, const Simulation& simulation) {
+  const std::filesystem::path rows = file.parent_path() / "sensors.csv";
+  std::ifstream stream(rows);
+  std::string header;
+  if (!std::getline(stream, header)) return;
+  std::string expected = "t";
+  for (const std::string& name : simulation.sensor_names()) expected += "," + name;
+  if (header != expected)
+    refuse(file, rows.string() + " has other columns than the sensors of the scenario");
+}
+
+}  // namespace
+
 Checkpoint resume(const std::filesystem::path& file, Simulation& simulation) {
   Checkpoint checkpoint = load_checkpoint(file);
   if (!checkpoint.record)
@@ -44,6 +62,7 @@ Checkpoint resume(const std::filesystem::path& file, Simulation& simulation) {
     refuse(file, error.what());
   }
   require_fit(file, *checkpoint.record, simulation);
+  require_columns(file, simulation);
   if (simulation.steps() > simulation.planned_steps())
     refuse(file, fmt::format("it stands at t = {:.6g} s, beyond the duration of {:.6g} s",
                              simulation.time(), simulation.scenario().integration.duration));

@@ -23,7 +23,8 @@ const char* const kMeasuringStatusText = R"(Exit status:
 )";
 
 const char* const kRunText = R"(Output files, in the folder of --out:
-  sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies
+  sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies,
+                root loads, and what the scenario's [[sensor]] tables ask for
   summary.json  all values in force, machine, steps, wall time, hash of the final state, and
                 the extremes of every sensor over all steps
   report.html   a page to look at: plots over time, the rotor moving, all numbers; needs no network

@@ -38,7 +38,8 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
   record.work = progress.work;
   record.dissipated = progress.dissipated;
   record.deflection = report.deflection;
-  progress.completed = progress.step;
+  // A restart shows nothing: its accelerations are those of the method.
+  if (progress.control.stage != PassControl::kRestart) progress.completed = progress.step;
   progress.power = report.power;
   begin_step(integrator, progress.step + 1, progress);
   progress.is_halted = progress.step > window.last;

@@ -2,6 +2,8 @@
 
 #include "engine/kernels/blade_loads.h"
 
+#include "models/system/gauss_rule.h"
+
 namespace spoke {
 namespace {
 
@@ -25,6 +27,38 @@ Position hub_velocity_at(const Position& s, const Pose& X_HB, const HubState& hu
   const Position r = X_HB.p + X_HB.R * s;
   return X_HB.R.inverse() *
          Position(Position(hub.twist.head<kPosition>()) + hub.twist[kRotation] * quarter_turn(r));
+}
+
+/// Force of drag at a section, without weight and course, body frame.
+Position calc_drag(const BodyDrag& drag, const Section& section, const Twist& twist,
+                   const Pose& X_HB, const HubState& hub, const BodyData& body) {
+  const Twist q = section_values(section, body.coordinates.q);
+  const Twist v = section_values(section, body.coordinates.v);
+  const Position s{section.x + q[0], q[1]};
+  Position u = Position(twist.head<kPosition>()) + twist[kRotation] * quarter_turn(s) +
+               Position(v.head<kPosition>());
+  if (drag.relative_to == DragFrame::hub) u -= hub_velocity_at(s, X_HB, hub);
+  return -(drag.linear + drag.quadratic * u.norm()) * u;
+}
+
+/// Calls visit(section, weight) for the points of a load beyond x [m]. Of a stretch that x cuts,
+/// the rule is that of what is left.
+template <class Load, class Visit>
+void visit_beyond(const PlacedLoad<Load>& placed, double x, const BodyData& body,
+                  const Visit& visit) {
+  for (std::size_t k = 0; k < placed.sections.size(); ++k) {
+    const LoadPoint& point = placed.load->points[k];
+    const auto [begin, end] = point.stretch;
+    if (!point.is_per_length() || begin >= x || end <= x) {
+      if (point.x >= x) visit(placed.sections[k], point.weight);
+      continue;
+    }
+    const std::size_t of_rule = k % GaussRule::kPoints;
+    const double place = x + GaussRule::places[of_rule] * (end - x);
+    const FlexibleBody& model = *body.model->body;
+    visit(make_section(model, body.layout, place / model.length),
+          GaussRule::weights[of_rule] * (end - x));
+  }
 }
 
 }  // namespace
@@ -63,22 +97,51 @@ void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist&
 void add_drags(double t, int j, SubsystemData& data) noexcept {
   BodyData& body = data.bodies[j];
   const Twist& twist = data.twists[j];
+  const Pose X_HB = data.drag_poses.empty() ? Pose{} : data.drag_poses[j];
   for (const auto& [drag, sections] : body.drags) {
     const double factor = drag->course->value(t);
     for (std::size_t k = 0; k < sections.size(); ++k) {
-      const Section& section = sections[k];
-      const Twist q = section_values(section, body.coordinates.q);
-      const Twist v = section_values(section, body.coordinates.v);
-      const Position s{section.x + q[0], q[1]};
-      Position u = Position(twist.head<kPosition>()) + twist[kRotation] * quarter_turn(s) +
-                   Position(v.head<kPosition>());
-      if (drag->relative_to == DragFrame::hub)
-        u -= hub_velocity_at(s, data.drag_poses[j], *data.hub);
       const double share = drag->points[k].weight * factor;
-      const Position force = -share * (drag->linear + drag->quadratic * u.norm()) * u;
-      add_wrench(section, force, 0.0, twist, body);
+      const Position force = share * calc_drag(*drag, sections[k], twist, X_HB, *data.hub, body);
+      add_wrench(sections[k], force, 0.0, twist, body);
     }
   }
+}
+
+Twist calc_applied_beyond(double t, const Section& section, int j,
+                          const SubsystemData& data) noexcept {
+  const BodyData& body = data.bodies[j];
+  const Pose& X_HB = data.poses[j];
+  const double* q = body.coordinates.q;
+  const double x = section.x - 1e-9 * body.model->body->length;  // a load at the section counts
+  const Twist at = section_values(section, q);
+  const Position origin{section.x + at[0], at[1]};
+  Twist sum = Twist::Zero();
+  const auto add = [&](const Section& where, const Position& force, double moment) {
+    const Twist moved = section_values(where, q);
+    const Position arm = Position{where.x + moved[0], moved[1]} - origin;
+    sum += Twist(force.x(), force.y(), moment + arm.x() * force.y() - arm.y() * force.x());
+  };
+  for (const PlacedLoad<BodyLoad>& placed : body.loads) {
+    const BodyLoad& load = *placed.load;
+    const double factor = load.course->value(t);
+    visit_beyond(placed, x, body, [&](const Section& where, double weight) {
+      const double rotation = section_values(where, q)[kRotation];
+      const Position force = weight * factor * resolve_force(load, rotation, X_HB.R, data.hub->R);
+      add(where, force, weight * factor * load.moment);
+    });
+  }
+  for (const PlacedLoad<BodyDrag>& placed : body.drags) {
+    const double factor = placed.load->course->value(t);
+    visit_beyond(placed, x, body, [&](const Section& where, double weight) {
+      const Position force =
+          weight * factor * calc_drag(*placed.load, where, data.twists[j], X_HB, *data.hub, body);
+      add(where, force, 0.0);
+    });
+  }
+  for (const auto& [place, wrench] : body.applied)
+    if (place->x >= x) add(*place, wrench->force, wrench->moment);
+  return sum;
 }
 
 void add_gravity_power(const Position& gravity, const Twist& twist, BodyData& body) noexcept {

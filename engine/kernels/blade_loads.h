@@ -22,6 +22,12 @@ void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist&
 /// for drag must be those of the state.
 void add_drags(double t, int j, SubsystemData& data) noexcept;
 
+/// What loads of the scenario, drag and loads of the user's do to body `j` of a subsystem at a
+/// section and outboard of it: force [N] and moment about the deformed section [N m], body frame.
+/// Poses, twists and the hub's motion must be those of the state at time `t` [s].
+Twist calc_applied_beyond(double t, const Section& section, int j,
+                          const SubsystemData& data) noexcept;
+
 /// Adds the power of gravity on a body; `gravity` in the body frame [m/s^2]. Its force is none: see
 /// solve_hub().
 void add_gravity_power(const Position& gravity, const Twist& twist, BodyData& body) noexcept;

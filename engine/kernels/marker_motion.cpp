@@ -2,10 +2,8 @@
 
 #include "engine/kernels/marker_motion.h"
 
-#include <algorithm>
-#include <array>
-
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/relative_motion.h"
 
 namespace spoke {
 
@@ -61,29 +59,6 @@ Twist calc_marker_acceleration(const Position& gravity, const SubsystemData& dat
   return {acceleration.x(), acceleration.y(), body.X[kRotation] + a[kRotation]};
 }
 
-namespace {
-
-/// 1/2 int v'^2 dx from a body's inboard end to `station`, by a rule that is exact for it [m].
-double integrate_foreshortening(const BodyData& body, double station) {
-  static constexpr std::array<double, 3> places{0.11270166537925831, 0.5, 0.88729833462074169};
-  static constexpr std::array<double, 3> weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-  const FlexibleBody& model = *body.model->body;
-  double sum = 0.0;
-  for (int e = 0; e < model.elements; ++e) {
-    const double begin = static_cast<double>(e) / model.elements;
-    const double length = std::min(station, (e + 1.0) / model.elements) - begin;
-    if (length <= 0.0) break;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const Section at = make_section(model, body.layout, begin + places[k] * length);
-      const double slope = value_at(at.slope, at.bending_at, body.coordinates.q);
-      sum += weights[k] * length * model.length * slope * slope;
-    }
-  }
-  return 0.5 * sum;
-}
-
-}  // namespace
-
 Position calc_marker_foreshortening(const Subsystem& subsystem, const SubsystemData& data, int body,
                                     double station) {
   Position sum = Position::Zero();
@@ -91,7 +66,7 @@ Position calc_marker_foreshortening(const Subsystem& subsystem, const SubsystemD
     const BodyData& member = data.bodies[j];
     if (!member.model->slope_integral) continue;
     const double shortened =
-        j < body ? calc_foreshortening(member) : integrate_foreshortening(member, station);
+        j < body ? calc_foreshortening(member) : calc_foreshortening(member, station).length;
     sum += calc_pose_in_hub(subsystem, data, j).R * Position{shortened, 0.0};
   }
   return sum;

@@ -26,7 +26,10 @@ SubsystemSample calc_sample(const System& system, std::size_t i, SubsystemData& 
   const Subsystem& subsystem = system.subsystems[i];
   calc_poses(subsystem, data, data.poses);
   const Twist tip = calc_tip_displacement(subsystem, data);
-  SubsystemSample sample{tip[0], tip[1], 0.0, 0.0, 0.0};
+  SubsystemSample sample;
+  sample.tip_x = tip[0];
+  sample.tip_y = tip[1];
+  sample.root = data.root_load;
   const HubState& hub = *data.hub;
   const bool has_gravity = system.gravity != Position::Zero() && system.gravity_ramp == 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {

@@ -99,8 +99,10 @@ int window_records(const RunnerOptions& options, const System& system) {
   if (options.executor != ExecutorKind::automatic || resolved(options.threads).total() == 1)
     return 1;
   constexpr double most_bytes = 4e6;
-  const double bytes = sizeof(SystemRecord) + static_cast<double>(system.subsystems.size()) *
-                                                  (sizeof(StepRecord) + sizeof(SubsystemSample));
+  const double bytes = sizeof(SystemRecord) +
+                       static_cast<double>(options.readings) * sizeof(double) +
+                       static_cast<double>(system.subsystems.size()) *
+                           (sizeof(StepRecord) + sizeof(SubsystemSample));
   return static_cast<int>(std::clamp(most_bytes / bytes, 4.0, 1024.0));
 }
 

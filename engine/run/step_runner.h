@@ -21,6 +21,7 @@ struct RunnerOptions {
   graph::Threads threads;          ///< unset: the available ones
   int window = 0;                  ///< steps; 0: as the executor chooses
   std::int64_t planned_steps = 0;  ///< of the simulation
+  std::size_t readings = 0;        ///< values that sensors of the scenario's take in a step
   /// Of the caller's own, instead of `executor`, which is then not automatic; or empty.
   graph::ExecutorFactory make_executor{};
 };

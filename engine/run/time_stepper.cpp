@@ -119,6 +119,7 @@ StepOutcome TimeStepper::start() {
   for_each_block(data, clear_accelerations);
   const StepOutcome started = restart();
   of_step(data.records, 0) = record;
+  if (started == StepOutcome::done) continue_from(0);
   return started;
 }
 

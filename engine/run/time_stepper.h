@@ -60,7 +60,8 @@ class TimeStepper {
   void continue_from(std::int64_t steps);
   /// Evaluates accelerations, wrenches and frames at the state at the end of the last step, which
   /// stays as it is but for `renew`: forces have changed since, and the next step starts from
-  /// accelerations that know of it. `record`: what the step's record would be. Precondition: are_together().
+  /// accelerations that know of it. `record`: what the step's record would be. Precondition:
+  /// are_together().
   StepOutcome evaluate(bool renew, SystemRecord& record);
   /// Lets `watch` follow all runs by executors until it is replaced; nullptr: none does.
   /// `together`: meanwhile no subsystem begins a step before all have completed the one before. Not

@@ -24,6 +24,41 @@ Plot plot_of_tips(const Simulation& simulation, std::string title, bool is_acros
   return plot;
 }
 
+/// A curve for each blade of a sensor that all have: "blade1" and what follows, ".root.x".
+Plot plot_of_blades(const Simulation& simulation, std::string title, std::string unit,
+                    const std::string& sensor) {
+  Plot plot{std::move(title), std::move(unit), {}};
+  for (std::size_t i = 1; i <= simulation.scenario().rotor.blades.size(); ++i) {
+    const std::string number = std::to_string(i);
+    plot.channels.push_back(
+        {"blade " + number, simulation.sensor_index("blade" + number + sensor)});
+  }
+  return plot;
+}
+
+/// The scenario's own sensors: a plot for each component, with a curve for each blade.
+void add_plots_of_sensors(const Simulation& simulation, std::vector<Plot>& plots) {
+  const Scenario& scenario = simulation.scenario();
+  for (const Sensor& sensor : scenario.sensors) {
+    const std::string name =
+        sensor.name.empty() ? std::string(name_of(sensor.quantity)) : sensor.name;
+    for (const SensorComponent& component : components_of(sensor.quantity)) {
+      const std::string end = component.name.empty() ? "" : "." + std::string(component.name);
+      const std::string unit(component.unit);
+      if (!is_of_blade(sensor.quantity)) {
+        plots.push_back({name + end, unit, {{name + end, simulation.sensor_index(name + end)}}});
+      } else if (sensor.blade < 0) {
+        plots.push_back(plot_of_blades(simulation, name + end, unit, "." + name + end));
+      } else {
+        plots.push_back({name + end,
+                         unit,
+                         {{"blade " + std::to_string(sensor.blade + 1),
+                           simulation.sensor_index(prefix_of(sensor, sensor.blade) + end)}}});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Plot> make_plots(const Simulation& simulation) {
@@ -42,6 +77,9 @@ std::vector<Plot> make_plots(const Simulation& simulation) {
                    {one("kinetic", "energy.kinetic"), one("strain", "energy.strain"),
                     one("work", "energy.work"), one("dissipated", "energy.dissipated")}});
   plots.push_back({"Energy residual", "J", {one("residual", "energy.residual")}});
+  plots.push_back(plot_of_blades(simulation, "Axial force at the root", "N", ".root.x"));
+  plots.push_back(plot_of_blades(simulation, "Bending moment at the root", "N m", ".root.moment"));
+  add_plots_of_sensors(simulation, plots);
   return plots;
 }
 

@@ -28,7 +28,7 @@ struct Plot {
 };
 
 /// The plots of a simulation's sensors: deflections of the tips, motion and torque of the hub,
-/// energies.
+/// energies, loads of the roots, and the scenario's own sensors.
 std::vector<Plot> make_plots(const Simulation& simulation);
 
 struct Sample {

@@ -48,6 +48,7 @@ std::string make_identity(const Scenario& scenario, Formulation formulation, dou
   json.erase("title");
   json.erase("limits");
   json.erase("output");
+  json.erase("sensor");
   json["integration"].erase("duration");
   json["integration"]["step"] = step_size;
   json["formulation"] = name_of(formulation);

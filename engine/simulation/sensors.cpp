@@ -2,7 +2,10 @@
 
 #include "engine/simulation/sensors.h"
 
+#include <utility>
+
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 
 namespace spoke {
@@ -52,7 +55,7 @@ void WorkDone::add(const StepRecord& step) {
   dissipated += step.dissipated;
 }
 
-Sensors::Sensors(const System& system) {
+Sensors::Sensors(const System& system, std::vector<SensorColumn> asked) : asked_(std::move(asked)) {
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
     const std::string blade = "blade" + std::to_string(i + 1);
     add(blade + ".tip.x", "m");
@@ -70,6 +73,15 @@ Sensors::Sensors(const System& system) {
   add("energy.work", "J");
   add("energy.dissipated", "J");
   add("energy.residual", "J");
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
+    const std::string blade = "blade" + std::to_string(i + 1);
+    add(blade + ".tip.along", "m");
+    add(blade + ".tip.across", "m");
+    add(blade + ".root.x", "N");
+    add(blade + ".root.y", "N");
+    add(blade + ".root.moment", "N m");
+  }
+  for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
 void Sensors::add(std::string name, std::string unit) {
@@ -78,16 +90,28 @@ void Sensors::add(std::string name, std::string unit) {
 }
 
 void Sensors::start(const System& system, StepData& data) {
-  sample(system, 0, data);
+  sample(system, 0, 0.0, data);
   const Energies energies = sum_energies(system, of_step(data.records, 0), 0, data);
   initial_energy_ = energies.kinetic + energies.strain;
   initial_gravity_ = energies.gravity;
 }
 
-void Sensors::sample(const System& system, std::int64_t step, StepData& data) {
+void Sensors::sample(const System& system, std::int64_t step, double t, StepData& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     update_kinematics(system.subsystems[i], data.subsystems[i]);
     of_step(data.subsystems[i].samples, step) = calc_sample(system, i, data.subsystems[i]);
+    calc_readings(system, i, step, t, data);
+  }
+}
+
+/// Tips in the blades' own axes, and loads of the roots.
+void Sensors::add_blade_values(const System& system, std::int64_t step, const StepData& data) {
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    const SubsystemSample& sample = of_step(data.subsystems[i].samples, step);
+    const Position tip =
+        system.subsystems[i].root.R.inverse() * Position{sample.tip_x, sample.tip_y};
+    const Twist& root = sample.root;
+    values_.insert(values_.end(), {tip.x(), tip.y(), root[0], root[1], root[kRotation]});
   }
 }
 
@@ -109,6 +133,9 @@ const std::vector<double>& Sensors::measure(const System& system, const WorkDone
   values_.insert(values_.end(),
                  {record.position[kRotation], record.velocity[kRotation], torque, energies.kinetic,
                   energies.strain, done, work.dissipated, residual});
+  add_blade_values(system, step, data);
+  for (const SensorColumn& column : asked_)
+    values_.push_back(value_of(column, system.hub, step, data));
   balance_ = {energies.kinetic + energies.strain, residual};
   return values_;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/simulation/observations.h"
+#include "engine/simulation/sensor_columns.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -32,7 +33,8 @@ struct WorkDone {
 /// Names, units and values of the sensors of a system.
 class Sensors {
  public:
-  explicit Sensors(const System& system);
+  /// `asked`: of the scenario, behind those that every simulation has.
+  Sensors(const System& system, std::vector<SensorColumn> asked);
 
   const std::vector<std::string>& names() const { return names_; }
   const std::vector<std::string>& units() const { return units_; }
@@ -40,8 +42,9 @@ class Sensors {
   /// Takes the state at the start as reference of energy.
   void start(const System& system, StepData& data);
   double initial_energy() const { return initial_energy_; }  ///< kinetic and strain energy [J]
-  /// Fills the samples of step `step` from the state in the table, which must be the step's.
-  static void sample(const System& system, std::int64_t step, StepData& data);
+  /// Fills the samples and readings of step `step`, time t [s], from the state in the table, which
+  /// must be the step's.
+  static void sample(const System& system, std::int64_t step, double t, StepData& data);
   /// Values at the end of step `step`, of which records and samples must be in the table, in the
   /// order of names(). `work`: up to then.
   const std::vector<double>& measure(const System& system, const WorkDone& work, std::int64_t step,
@@ -51,7 +54,9 @@ class Sensors {
 
  private:
   void add(std::string name, std::string unit);
+  void add_blade_values(const System& system, std::int64_t step, const StepData& data);
 
+  std::vector<SensorColumn> asked_;
   std::vector<std::string> names_;
   std::vector<std::string> units_;
   std::vector<double> values_;

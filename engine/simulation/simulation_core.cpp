@@ -64,7 +64,7 @@ SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& c
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
       identity(std::make_shared<const std::string>(
           make_identity(scenario, options.formulation, step_size))),
-      sensors((prepare(loads), context.system)) {
+      sensors(context.system, prepare(loads)) {
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   sensors.start(context.system, context.data);
@@ -72,7 +72,7 @@ SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& c
   complete_step(0, {});
 }
 
-void SimulationCore::prepare(const Loads& loads) {
+std::vector<SensorColumn> SimulationCore::prepare(const Loads& loads) {
   if (scenario.limits.deflection > 0.0) context.linear_range = scenario.limits.deflection;
   context.system = make_system(scenario.rotor);
   context.formulation = options.formulation;
@@ -81,15 +81,21 @@ void SimulationCore::prepare(const Loads& loads) {
                          scenario.integration.max_iterations}};
   require_memory(context.system, context.formulation);
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
-                          options.threads, options.window, planned_steps, options.make_executor};
+                          options.threads,
+                          options.window,
+                          planned_steps,
+                          count_readings(scenario.sensors, scenario.rotor.blades.size()),
+                          options.make_executor};
   const std::vector<AskedLoad> asked = ask_loads(loads);
   context.loads_tie_blades = ties_blades(asked);
   allocate(context, window_records(how, context.system));
   place_loads(asked, context.data);
+  std::vector<SensorColumn> columns = place_sensors(scenario.sensors, scenario.rotor, context.data);
   runner = std::make_unique<StepRunner>(context, how);
 #ifndef NDEBUG
   require_kept_declarations();
 #endif
+  return columns;
 }
 
 /// Debug builds run every node once on its declared data alone.
@@ -105,7 +111,7 @@ void SimulationCore::step() {
   if (runner->steps() >= planned_steps) return;
   require_done([this] {
     return runner->advance_one([this](std::int64_t step) {
-      if (stops_on_growth()) Sensors::sample(context.system, step, context.data);
+      if (stops_on_growth()) sample(step);
       complete_step(step, {});
     });
   });
@@ -156,15 +162,35 @@ void SimulationCore::require_state(const char* use) const {
                      ": a step failed or was not brought to its end");
 }
 
+void SimulationCore::sample(std::int64_t step) {
+  Sensors::sample(context.system, step, static_cast<double>(step) * step_size, context.data);
+}
+
+const std::vector<double>& SimulationCore::values() {
+  if (measured_step == runner->steps()) return sensor_values;
+  if (loads_are_stale && has_loads(context.data) && !scenario.sensors.empty()) evaluate_again();
+  sample(runner->steps());
+  sensor_values = sensors.measure(context.system, work, runner->steps(), context.data);
+  measured_step = runner->steps();
+  return sensor_values;
+}
+
 void SimulationCore::evaluate() {
   require_state("evaluate");
   if (evaluated_step == runner->steps()) return;
+  if (!scenario.sensors.empty()) values();  // as the step has left them
+  evaluate_again();
+}
+
+void SimulationCore::evaluate_again() {
   const StepOutcome outcome = runner->evaluate(false, evaluated);
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
   evaluated_step = runner->steps();
+  loads_are_stale = false;
 }
 
 void SimulationCore::renew() {
+  values();
   evaluated_step = -1;
   const StepOutcome outcome = runner->evaluate(true, evaluated);
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
@@ -231,6 +257,7 @@ void SimulationCore::restore(const SavedState& state) {
   evaluations = state.evaluations;
   work = {state.work, state.dissipated};
   measured_step = evaluated_step = -1;
+  loads_are_stale = true;
   SimulationLog::log_restored(scenario, static_cast<double>(state.steps) * step_size, state.steps);
 }
 
@@ -247,6 +274,9 @@ void SimulationCore::require_done(const Advance& advance) {
     if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps() + 1);
   } catch (const EnergyHasGrown&) {
     throw_failure(StepOutcome::energy_grew, runner->steps());
+  } catch (...) {
+    loads_are_stale = true;
+    throw;
   }
 }
 

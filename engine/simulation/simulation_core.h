@@ -41,6 +41,8 @@ class SimulationCore {
   void restore(const SavedState& state);
   /// Throws StateError if there is no state to `use`.
   void require_state(const char* use) const;
+  /// The sensors at the last step's end.
+  const std::vector<double>& values();
   /// Brings accelerations and wrenches to the state at the last step's end.
   void evaluate();
   /// The same, after a force has changed: the next step starts from it.
@@ -63,12 +65,16 @@ class SimulationCore {
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
   std::int64_t measured_step = -1;
+  /// What loads of the user's exert, as the table has it, is not that of the state.
+  bool loads_are_stale = false;
   /// The step at whose end accelerations and wrenches were evaluated, and its record.
   std::int64_t evaluated_step = -1;
   SystemRecord evaluated;
 
  private:
-  void prepare(const Loads& loads);
+  std::vector<SensorColumn> prepare(const Loads& loads);
+  void sample(std::int64_t step);
+  void evaluate_again();
   void require_kept_declarations();
   std::vector<double> take_values(std::int64_t steps);
   bool stops_on_growth() const;

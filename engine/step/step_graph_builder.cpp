@@ -10,7 +10,9 @@
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
+#include "engine/kernels/section_balance.h"
 #include "engine/step/pass_integration.h"
 #include "engine/step/step_parts.h"
 
@@ -466,24 +468,64 @@ void add_subsystem_finish(const Assembly& g, int i) {
       });
 }
 
+/// What keeping the loads of the joints reads.
+PartList joint_load_inputs(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  PartList inputs{blade.wrenches, blade.rotations};
+  if (!g.c.system.subsystems[i].bodies.front().centrifugal_stiffness) return inputs;
+  inputs.push_back(blade.hub_acceleration);
+  for (const PartId terms : blade.all(&BodyParts::terms)) inputs.push_back(terms);
+  return inputs;
+}
+
+/// What the scenario's sensors read beyond the places, twists and loads of joints of the blade.
+PartList reading_inputs(const Assembly& g, int i) {
+  PartList inputs;
+  const std::vector<Reading>& readings = g.c.data.subsystems[i].readings;
+  const auto add = [&inputs](const PartList& list) {
+    inputs.insert(inputs.end(), list.begin(), list.end());
+  };
+  for (const Reading& reading : readings) {
+    const bool is_root = reading.body == 0 && reading.section.x == 0.0;
+    const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
+    const bool is_accelerated = is_load || reading.quantity == SensorQuantity::acceleration;
+    const bool feels_hub = is_load || reading.frame == SensorFrame::inertial;
+    if (is_load) add(loads_on(g, i, reading.body));
+    if (!is_accelerated) continue;
+    for (int j = 0; j <= reading.body; ++j)
+      inputs.push_back(g.blade(i).bodies[static_cast<std::size_t>(j)].accelerations);
+    if (feels_hub && g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
+  }
+  return inputs;
+}
+
 /// What the sensors show, if the pass has completed a step that is observed.
 void add_sensors(const Assembly& g, int i) {
   const SubsystemParts& blade = g.blade(i);
-  const System& system = g.c.system;
-  const Window& window = g.c.data.window;
-  SubsystemData& data = g.c.data.subsystems[i];
-  const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method);
-  PartList outputs{blade.poses, blade.samples}, inputs{blade.rotations, blade.twists};
+  const StepContext& c = g.c;
+  StepData& table = g.c.data;
+  SubsystemData& data = table.subsystems[i];
+  const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
+  PartList outputs{blade.poses, blade.samples, blade.joint_loads};
+  if (!data.readings.empty()) outputs.push_back(blade.readings);
+  const PartList inputs{blade.rotations, blade.twists};
   if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
-  g.builder.add_node(
-      g.label("sensors", i),
-      reads(blade.progress, blade.all(&BodyParts::coordinates), blade.hub_state, inputs, outputs),
-      writes(outputs), [&system, &window, &data, i, is_corrected]() noexcept {
-        if (!window.observed || data.progress->completed < 0) return;
-        const auto index = static_cast<std::size_t>(i);
-        if (is_corrected) update_kinematics(system.subsystems[index], data);
-        of_step(data.samples, data.progress->completed) = calc_sample(system, index, data);
-      });
+  g.builder.add_node(g.label("sensors", i),
+                     reads(blade.progress, blade.all(&BodyParts::coordinates), blade.hub_state,
+                           inputs, joint_load_inputs(g, i), reading_inputs(g, i), outputs),
+                     writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
+                       const std::int64_t step = data.progress->completed;
+                       if (step < 0) return;
+                       const auto index = static_cast<std::size_t>(i);
+                       const Subsystem& subsystem = c.system.subsystems[index];
+                       keep_joint_loads(subsystem, data);
+                       if (!table.window.observed) return;
+                       if (is_corrected) update_kinematics(subsystem, data);
+                       of_step(data.samples, step) = calc_sample(c.system, index, data);
+                       if (!data.readings.empty())
+                         calc_readings(c.system, index, step,
+                                       static_cast<double>(step) * step_size(c.integrator), table);
+                     });
 }
 
 void add_motion(const Assembly& g, int i) {

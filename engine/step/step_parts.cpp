@@ -90,6 +90,12 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
         builder.add_part(name + "poses for drag", {bytes_of(data.drag_poses[0], count)});
   parts.wrenches = builder.add_part(name + "wrenches", {bytes_of(data.wrenches[0], count)});
   parts.samples = add_ring(name + "samples", data.samples, builder);
+  parts.joint_loads = builder.add_part(
+      name + "joint loads", {bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)});
+  if (!data.readings.empty())
+    parts.readings = builder.add_part(name + "readings",
+                                      {bytes_of(data.reading_ring[0], data.reading_ring.size())},
+                                      data.reading_count * sizeof(double));
   if (context.formulation != Formulation::augmented) {
     Memory effective{bytes_of(data.effective)};
     if (context.formulation == Formulation::subsystem) {

@@ -25,7 +25,8 @@ struct BodyParts {
 struct SubsystemParts {
   std::vector<BodyParts> bodies;
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
-  graph::PartId drag_poses;                             ///< if there are any
+  graph::PartId drag_poses;             ///< if there are any
+  graph::PartId joint_loads, readings;  ///< with the load of the root; of the sensors, if any
   graph::PartId progress, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
   graph::PartId workspace;           ///< of who makes the effective inertia (dense blocks)

@@ -13,6 +13,8 @@ StateCopy::StateCopy(StepData& data) {
   for (SubsystemData& subsystem : data.subsystems) {
     state_.push_back(std::as_writable_bytes(std::span(subsystem.storage)));
     state_.push_back(std::as_writable_bytes(std::span(&subsystem.prescribed, 1)));
+    state_.push_back(std::as_writable_bytes(std::span(&subsystem.root_load, 1)));
+    state_.push_back(std::as_writable_bytes(std::span(subsystem.joint_loads)));
   }
   std::size_t count = 0;
   for (const std::span<std::byte> part : state_) count += part.size();

@@ -10,8 +10,9 @@
 
 namespace spoke {
 
-/// A copy of what the next step depends on: coordinates, histories and accelerations of hub and
-/// bodies, and the progress. All else in the table is recalculated by a pass.
+/// A copy of what the next step and the sensors depend on: coordinates, histories and accelerations
+/// of hub and bodies, loads of the joints, and the progress. All else in the table is recalculated
+/// by a pass.
 class StateCopy {
  public:
   /// Prepares to copy the state of `data`, which must outlive this and stay in place.

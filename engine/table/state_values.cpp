@@ -71,6 +71,8 @@ void for_each_state_part(StepData& data, RecordValues& record, Apply&& apply) {
   for (StepProgress& progress : data.progress) apply(doubles(progress.power));
   for (SubsystemData& subsystem : data.subsystems) {
     apply(doubles(subsystem.prescribed));
+    apply(doubles(subsystem.root_load));
+    apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
     for (BodyData& body : subsystem.bodies) {
       const CoordinateBlock& block = body.coordinates;
       const auto size = static_cast<std::size_t>(block.size);

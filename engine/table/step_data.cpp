@@ -27,6 +27,7 @@ void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
   data.rotations = ArenaVector<Rotation>(count, arena);
   data.poses = ArenaVector<Pose>(count, arena);
   data.twists = ArenaVector<Twist>(count, Twist::Zero(), arena);
+  data.joint_loads = ArenaVector<Twist>(count, Twist::Zero(), arena);
   data.wrenches = ArenaVector<HandleWrenches>(count, {Twist::Zero(), Twist::Zero()}, arena);
   std::size_t total = FlexLayout::kPad;
   for (std::size_t j = 0; j < count; ++j) {

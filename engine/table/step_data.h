@@ -14,6 +14,7 @@
 
 #include "engine/body/elastic_block.h"
 #include "engine/table/load_data.h"
+#include "engine/table/reading.h"
 #include "engine/table/step_progress.h"
 #include "models/system/system.h"
 
@@ -182,7 +183,26 @@ struct alignas(kInterferenceSize) SubsystemData {
   PrescribedHub prescribed;              ///< if not coupled
   ArenaVector<StepRecord> records;       ///< ring by step, if not coupled
   ArenaVector<SubsystemSample> samples;  ///< ring by step
+
+  // At the end of the last step, by its last evaluation.
+  Twist root_load =
+      Twist::Zero();               ///< what the blade does to the hub, in the blade's axes [N, N m]
+  ArenaVector<Twist> joint_loads;  ///< on the inboard handle of each body, body frames [N, N m]
+
+  // Sensors of the scenario's.
+  std::vector<Reading> readings;
+  std::size_t reading_count = 0;     ///< values that they take
+  ArenaVector<double> reading_ring;  ///< by step, reading_count each
 };
+
+/// Values of the readings of a step in the ring.
+inline double* readings_of(SubsystemData& data, std::int64_t step) {
+  return data.reading_ring.data() +
+         data.reading_count * (static_cast<std::size_t>(step) % data.samples.size());
+}
+inline const double* readings_of(const SubsystemData& data, std::int64_t step) {
+  return readings_of(const_cast<SubsystemData&>(data), step);
+}
 
 struct StepData {
   Window window;

@@ -103,6 +103,7 @@ struct SubsystemSample {
   double strain = 0.0;              ///< energy [J]
   /// Work of gravity since the undeformed start [J]; of gravity that rises 0: it is work of loads.
   double gravity = 0.0;
+  Twist root = Twist::Zero();  ///< see SubsystemData::root_load
 };
 
 /// The step as a whole: what all subsystems did, and the hub.

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "models/reader/scenario_fields.h"
+#include "models/reader/scenario_sensors.h"
 #include "spoke/error.h"
 
 namespace spoke {
@@ -223,6 +224,7 @@ void check_scenario(const Scenario& scenario) {
   if (!fault.empty()) fail("integration.step", fault);
   check_fields("limits", scenario.limits);
   check_fields("output", scenario.output);
+  check_sensors(scenario.sensors, rotor.blades);
 }
 
 }  // namespace spoke

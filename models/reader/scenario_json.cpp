@@ -156,6 +156,17 @@ Json to_json(const HubLoad& load) {
   return json;
 }
 
+Json to_json(const Sensor& sensor) {
+  Json json = {{"name", sensor.name.empty() ? name_of(sensor.quantity) : sensor.name},
+               {"quantity", name_of(sensor.quantity)}};
+  if (is_of_blade(sensor.quantity))
+    json["blade"] = sensor.blade < 0 ? Json("all") : Json(sensor.blade + 1);
+  if (has_position(sensor.quantity) && sensor.position) json["position"] = *sensor.position;
+  if (sensor.quantity == SensorQuantity::joint_reaction) json["joint"] = sensor.joint + 1;
+  if (frames_of(sensor.quantity).size() > 1) json["frame"] = name_of(frame_of(sensor));
+  return json;
+}
+
 template <class Item>
 Json to_list(const std::vector<Item>& items) {
   Json list = Json::array();
@@ -204,6 +215,7 @@ std::string Scenario::to_json() const {
   json["integration"] = spoke::to_json(integration);
   json["limits"] = spoke::to_json(limits);
   json["output"] = {{"interval", output.interval}};
+  json["sensor"] = to_list(sensors);
   // A title from a file name may hold anything.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -4,6 +4,7 @@
 
 #include "models/reader/field_reader.h"
 #include "models/reader/scenario_rotor.h"
+#include "models/reader/scenario_sensors.h"
 #include "models/reader/text_file.h"
 #include "models/reader/toml_document.h"
 #include "models/scenario.h"
@@ -40,9 +41,9 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
                         const Overrides& overrides) {
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
-  const TomlSection root(
-      document, {"title", "hub", "blade", "blades", "gravity", "damping", "load",
-                 "distributed_load", "drag", "hub_load", "integration", "limits", "output"});
+  const TomlSection root(document, {"title", "hub", "blade", "blades", "gravity", "damping", "load",
+                                    "distributed_load", "drag", "hub_load", "integration", "limits",
+                                    "output", "sensor"});
   Scenario scenario;
   scenario.name = std::filesystem::path(name).stem().string();
   scenario.title = root.text("title", scenario.name);
@@ -50,6 +51,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   scenario.integration = read_integration(root);
   scenario.limits = read_limits(root);
   visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});
+  scenario.sensors = read_sensors(root, scenario.rotor.blades);
   return scenario;
 }
 

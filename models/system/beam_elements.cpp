@@ -283,6 +283,7 @@ FlexibleBody make_beam_body(const BeamProperties& beam) {
     for (int e = 0; e < beam.elements; ++e) add_uniform_element(beam, e, body);
   } else {
     body.pieces = beam.pieces;
+    body.masses = beam.masses;
     add_varying_elements(beam, body);
   }
   body.H.transpose();

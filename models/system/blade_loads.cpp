@@ -3,8 +3,9 @@
 #include "models/system/blade_loads.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "models/system/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -49,19 +50,19 @@ PlacedPoint place(double position, const Mesh& mesh) {
 
 /// The points between two stations, root to tip.
 std::vector<PlacedPoint> place(double from, double to, const Mesh& mesh) {
-  // Gauss's rule of four on [0, 1].
-  static constexpr std::array<double, 4> places{0.06943184420297371, 0.33000947820757187,
-                                                0.66999052179242813, 0.93056815579702629};
-  static constexpr std::array<double, 4> weights{0.17392742256872693, 0.32607257743127307,
-                                                 0.32607257743127307, 0.17392742256872693};
   std::vector<PlacedPoint> points;
   const int first = std::max(0, static_cast<int>(from / mesh.length) - 1);
   for (int e = first; e < mesh.count && e * mesh.length < to; ++e) {
     const double begin = std::max(from / mesh.length - e, 0.0);
     const double share = std::min(to / mesh.length - e, 1.0) - begin;
     if (share <= 1e-9) continue;  // round-off
-    for (std::size_t k = 0; k < places.size(); ++k)
-      points.push_back(place(e, begin + places[k] * share, weights[k] * share * mesh.length, mesh));
+    const double inboard = (e % mesh.elements + begin) * mesh.length;
+    const std::array<double, 2> stretch{inboard, inboard + share * mesh.length};
+    for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
+      points.push_back(place(e, begin + GaussRule::places[k] * share,
+                             GaussRule::weights[k] * share * mesh.length, mesh));
+      points.back().point.stretch = stretch;
+    }
   }
   return points;
 }

@@ -2,6 +2,7 @@
 
 // Where the loads of a rotor act on its bodies.
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -16,6 +17,11 @@ struct LoadPoint {
   double s = 0.0;       ///< within the element, 0 at its inboard end, 1 at the outboard end
   double x = 0.0;       ///< undeformed place in the body frame [m]
   double weight = 1.0;  ///< of a point load 1, else the length that the point stands for [m]
+  /// Of a load per length: between which places the points of one GaussRule lie, this among them,
+  /// in the body frame [m]. Of a point load nothing.
+  std::array<double, 2> stretch{};
+
+  bool is_per_length() const { return stretch[1] > stretch[0]; }
 };
 
 /// A load's factor over time.

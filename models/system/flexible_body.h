@@ -69,6 +69,7 @@ struct FlexibleBody {
   Handle outboard;
   /// What the body is made of, if it is not uniform.
   std::vector<BeamPiece> pieces;
+  std::vector<BodyMass> masses;
 
   int axial() const { return elements; }
   /// Length of the axial vectors: E, made even.

@@ -130,6 +130,36 @@ TEST_CASE("a checkpoint that does not belong to the run is refused and nothing i
                 "o/summary.json: is no checkpoint of Spoke", folder);
 }
 
+TEST_CASE("a resumed run goes on with the rows of its sensors, and with no others") {
+  const WorkFolder folder;
+  const Words sensors = {"--set", "sensor.1={quantity=\"section_force\", position=3, name=\"mid\"}",
+                         "--set",
+                         "sensor.2={quantity=\"acceleration\", frame=\"inertial\", blade=2}"};
+  const auto with = [&](const Words& more) {
+    Words words = sensors;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  REQUIRE(run_spoke(run_of("1", with({"--out", "o", "--checkpoint-every", "9"})), folder).status ==
+          0);
+  REQUIRE(run_spoke(run_of("2", with({"--out", "whole"})), folder).status == 0);
+  const std::string checkpoint = "o/checkpoint.spoke";
+  check_refused(run_of("2", with({"--set", "sensor.1.name=middle", "--resume", checkpoint})),
+                "o/checkpoint.spoke: cannot be resumed: o/sensors.csv has other columns than the "
+                "sensors of the scenario",
+                folder);
+  check_refused(run_of("2", {"--resume", checkpoint}),
+                "it has records of 41 sensors and 3 blades, expected 29 and 3", folder);
+  REQUIRE(run_spoke(run_of("2", with({"--resume", checkpoint})), folder).status == 0);
+  const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
+  CHECK(rows == read_file(folder.path() / "whole" / "sensors.csv"));
+  CHECK(
+      rows.find(",blade3.root.moment,blade1.mid.x,blade1.mid.y,blade1.mid.moment,blade2.mid.x,") !=
+      std::string::npos);
+  CHECK(rows.find(",blade2.acceleration.x,blade2.acceleration.y,blade2.acceleration.rotation\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("a damaged checkpoint, and rows that are not its own, are refused") {
   const WorkFolder folder;
   run_a_second(folder);

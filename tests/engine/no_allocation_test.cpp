@@ -107,8 +107,15 @@ TEST_CASE("a step of the dense formulations allocates nothing at the paper's siz
 }
 
 TEST_CASE("measuring the sensors allocates nothing") {
-  Simulation simulation(spin_up_scenario(wu_haug_blade(), 1e-3),
-                        {Formulation::structured, ExecutorKind::serial, 1});
+  Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
+  for (const SensorQuantity quantity : {SensorQuantity::acceleration, SensorQuantity::section_force,
+                                        SensorQuantity::momentum, SensorQuantity::hub_reaction}) {
+    Sensor sensor;
+    sensor.quantity = quantity;
+    sensor.position = 3.0;
+    scenario.sensors.push_back(sensor);
+  }
+  Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
   simulation.sensor_values();
   const long before = allocations.load();
   for (int n = 0; n < 5; ++n) {

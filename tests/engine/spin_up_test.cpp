@@ -25,6 +25,8 @@ struct TipHistory {
   double smallest_x = 0.0;
   std::map<int, double> y_at;  ///< by time in units of 0.1 s
   std::map<int, double> torque_at;
+  std::map<int, double> root_moment_at;  ///< of the first blade
+  double largest_root_moment = 0.0;
 };
 
 TipHistory run(const Scenario& scenario) {
@@ -38,10 +40,13 @@ TipHistory run(const Scenario& scenario) {
       history.time_of_peak = simulation.time();
     }
     history.smallest_x = std::min(history.smallest_x, simulation.sensor("blade1.tip.x"));
+    const double moment = simulation.sensor("blade1.root.moment");
+    history.largest_root_moment = std::max(history.largest_root_moment, std::abs(moment));
     const double tenths = simulation.time() * 10.0;
     if (std::abs(tenths - std::lround(tenths)) < 1e-6) {
       history.y_at[static_cast<int>(std::lround(tenths))] = y;
       history.torque_at[static_cast<int>(std::lround(tenths))] = simulation.sensor("hub.torque");
+      history.root_moment_at[static_cast<int>(std::lround(tenths))] = moment;
     }
   }
   return history;
@@ -88,7 +93,9 @@ TEST_CASE("spin-up with geometric stiffening: the drive torque is the exact root
   for (const auto& [tenths, torque] : root) {
     const double hub = calc_motion(SpinUp{4.0, 15.0}, tenths / 10.0).acceleration;
     CHECK(history.torque_at.at(tenths) == approx(3.0 * torque + hub).epsilon(1e-3));
+    CHECK(history.root_moment_at.at(tenths) == approx(-torque).epsilon(1e-3));
   }
+  CHECK(history.largest_root_moment == approx(18.37384).epsilon(5e-5));
 }
 
 TEST_CASE("spin-up with geometric stiffening: one body of 4 elements is within 0.3 %") {

@@ -232,6 +232,8 @@ TEST_CASE("the JSON of a scenario is the file with every value in force") {
   for (const std::string& hub : hubs) {
     const std::string json =
         parse(hub + kBlade + "[[load]]\nblade = 2\nforce = [1, 2]\n[[load]]\nmoment = 0.1\n" +
+              "[[sensor]]\nquantity = 'section_force'\nposition = 1\n[[sensor]]\nquantity = "
+              "'joint_reaction'\njoint = 2\nblade = 3\n" +
               kIntegration)
             .to_json();
     CHECK(parse(document_of(json)).to_json() == json);

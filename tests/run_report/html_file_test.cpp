@@ -43,7 +43,7 @@ TEST_CASE("the data hold the curves of all plots and a film") {
   const Run run(test_scenario());
   const json data = json::parse(make_data(run.recorder, 0.5));
   CHECK(data["end"] == approx(2.0));
-  REQUIRE(data["plots"].size() == 6);
+  REQUIRE(data["plots"].size() == 8);
   CHECK(data["plots"][0]["title"] == "Tip deflection across the blade");
   CHECK(data["plots"][0]["curves"].size() == 2);
   // 21 samples of a time and a value, 4 bytes each, in base64
@@ -63,12 +63,34 @@ TEST_CASE("deflections across and along the blade have the blade's directions") 
 
 TEST_CASE("only a free hub has a plot of its place") {
   Scenario scenario = test_scenario();
-  CHECK(make_plots(Simulation(scenario, test_options())).size() == 6);
+  CHECK(make_plots(Simulation(scenario, test_options())).size() == 8);
   scenario.rotor.hub.support = HubSupport::free;
   scenario.rotor.hub.mass = 10.0;
   const auto plots = make_plots(Simulation(scenario, test_options()));
-  REQUIRE(plots.size() == 7);
+  REQUIRE(plots.size() == 9);
   CHECK(plots[4].title == "Place of the hub");
+}
+
+TEST_CASE("roots and the scenario's own sensors have plots") {
+  Scenario scenario = test_scenario();
+  scenario.sensors.resize(3);
+  scenario.sensors[0].name = "mid";
+  scenario.sensors[0].position = 3.0;
+  scenario.sensors[1].quantity = SensorQuantity::kinetic_energy;
+  scenario.sensors[1].blade = 1;
+  scenario.sensors[2].quantity = SensorQuantity::momentum;
+  const Simulation simulation(scenario, test_options());
+  const auto plots = make_plots(simulation);
+  REQUIRE(plots.size() == 8 + 3 + 1 + 3);
+  CHECK(plots[7].title == "Bending moment at the root");
+  CHECK(plots[7].channels[1].first == simulation.sensor_index("blade2.root.moment"));
+  CHECK(plots[9].title == "mid.y");
+  CHECK(plots[9].unit == "m");
+  CHECK(plots[9].channels[1].first == simulation.sensor_index("blade2.mid.y"));
+  REQUIRE(plots[11].channels.size() == 1);
+  CHECK(plots[11].channels[0].name == "blade 2");
+  CHECK(plots[11].channels[0].first == simulation.sensor_index("blade2.kinetic_energy"));
+  CHECK(plots[14].channels[0].first == simulation.sensor_index("momentum.angular"));
 }
 
 TEST_CASE("the page has the model's numbers, settings and extremes, and escapes the title") {

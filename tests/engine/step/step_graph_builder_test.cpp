@@ -6,6 +6,7 @@
 #include <map>
 
 #include "engine/kernels/load_terms.h"
+#include "engine/simulation/sensor_columns.h"
 #include "engine/step/pass_integration.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/load_rotors.h"
@@ -76,14 +77,27 @@ void set_progress(const PassControl& control, StepContext& context) {
   context.integrator.limits.tolerance = control.stage == 1 ? 1e9 : 0.0;
 }
 
+/// Sensors that read all that sensors may.
+std::vector<Sensor> demanding_sensors() {
+  std::vector<Sensor> sensors(3);
+  sensors[0].quantity = SensorQuantity::acceleration;
+  sensors[0].frame = SensorFrame::inertial;
+  sensors[1].quantity = SensorQuantity::section_force;
+  sensors[1].position = 0.5;
+  sensors[2].quantity = SensorQuantity::blade_momentum;
+  return sensors;
+}
+
 void prepare(const Case& which, StepContext& context) {
   // Loads of the user's that depend on all they may.
   Loads loads{demanding_load(0), demanding_load(1)};
   if (which.tie != Tie::none) loads.push_back(demanding_load_between());
   const std::vector<AskedLoad> asked = ask_loads(loads);
   context.loads_tie_blades = ties_blades(asked);
-  make_context(demanding_rotor(which.tie == Tie::hub), which.formulation, which.method, context);
+  const Rotor rotor = demanding_rotor(which.tie == Tie::hub);
+  make_context(rotor, which.formulation, which.method, context);
   place_loads(asked, context.data);
+  place_sensors(demanding_sensors(), rotor, context.data);
   std::mt19937 random(4);
   randomize_state(random, context);
   // Histories and accelerations as after some steps, so that every term of the integrator counts.

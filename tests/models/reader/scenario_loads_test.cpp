@@ -306,7 +306,7 @@ TEST_CASE("bad drives are refused") {
       {"kind=\"torque_by_speed\"\nspeed=[0,1]",
        "f.toml:4:1: hub.drive.torque: is missing, expected an array of numbers (N m)"},
       {"kind=\"torque_by_speed\"\nspeed=[0,1]\ntorque=[1]",
-       "f.toml:7:8: hub.drive.torque: has 1 numbers, expected 2, one for each of hub.drive.speed"},
+       "f.toml:7:8: hub.drive.torque: has 1 number, expected 2, one for each of hub.drive.speed"},
       {"kind=\"torque_by_speed\"\nspeed=[1,0]\ntorque=[1,2]",
        "f.toml:6:10: hub.drive.speed.2: is 0, expected more than the value before it, 1"},
       {"kind=\"torque_by_speed\"\nspeed=[0,1]\ntorque=3",

@@ -1,0 +1,167 @@
+// Integrates inertia forces and momenta along elements, and adds loads and joints.
+
+#include "engine/kernels/section_balance.h"
+
+#include <algorithm>
+
+#include "engine/kernels/blade_loads.h"
+#include "engine/kernels/kinematics.h"
+#include "models/system/gauss_rule.h"
+
+namespace spoke {
+namespace {
+
+double cross(const Position& a, const Position& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Calls visit(mass, inertia, section) for points from `from` to `to` [m] along an element, with
+/// the share of the mass that each stands for; `density` is the mass per length at a place [kg/m].
+template <class Density, class Visit>
+void visit_stretch(const BodyData& body, double from, double to, const Density& density,
+                   const Visit& visit) {
+  if (to <= from) return;
+  const FlexibleBody& model = *body.model->body;
+  for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
+    const double x = from + GaussRule::places[k] * (to - from);
+    visit(GaussRule::weights[k] * (to - from) * density(x), 0.0,
+          make_section(model, body.layout, x / model.length));
+  }
+}
+
+/// The same along a body from `from` [m] to its outboard end, then for the point masses there.
+template <class Visit>
+void visit_mass(const BodyData& body, double from, const Visit& visit) {
+  const FlexibleBody& model = *body.model->body;
+  const double l = model.length / model.elements, uniform = model.mass / model.length;
+  for (int e = 0; e < model.elements; ++e) {
+    const double begin = std::max(from, e * l), end = (e + 1) * l;
+    if (model.pieces.empty())
+      visit_stretch(
+          body, begin, end, [uniform](double) { return uniform; }, visit);
+    for (const BeamPiece& piece : model.pieces)
+      visit_stretch(
+          body, std::max(begin, piece.begin), std::min(end, piece.end),
+          [&piece](double x) { return piece.at(piece.mass_per_length, x); }, visit);
+  }
+  for (const BodyMass& point : model.masses)
+    if (point.x >= from - 1e-9 * model.length)
+      visit(point.mass, point.inertia, make_section(model, body.layout, point.x / model.length));
+}
+
+/// Place of a section in its body's frame.
+Position place_of(const Section& section, const double* q) {
+  return Position{section.x, 0.0} + Position(section_values(section, q).head<kPosition>());
+}
+
+/// qf^T KG qf [kg m^2].
+double calc_centrifugal_inertia(const BodyData& body) {
+  const SymmetricBand<3>& KG = *body.model->centrifugal_stiffness;
+  const double* v = body.coordinates.q + body.layout.v();
+  double sum = 0.0;
+  for (int i = 0; i < KG.size(); ++i) sum += v[i] * KG.row(i, v);
+  return sum;
+}
+
+/// Acceleration less gravity and rotation of a body's frame, in that frame.
+struct FrameAcceleration {
+  Position linear;
+  double angular;
+};
+
+FrameAcceleration calc_frame_acceleration(const Twist& hub_acceleration, double w0,
+                                          const RelativeMotion& frame) {
+  const double alpha = hub_acceleration[kRotation];
+  const Position a = Position(hub_acceleration.head<kPosition>()) + frame.a +
+                     2.0 * w0 * quarter_turn(frame.v) + alpha * quarter_turn(frame.p) -
+                     w0 * w0 * frame.p;
+  return {frame.R.inverse() * a, alpha + frame.acceleration};
+}
+
+}  // namespace
+
+Twist calc_hub_acceleration(const System& system, std::size_t i, const StepData& data,
+                            double t) noexcept {
+  if (!data.is_coupled) return data.subsystems[i].prescribed.acceleration;
+  const double* a = data.hub_coordinates.a;
+  const Position linear =
+      data.hub.R.inverse() * Position(Position{a[0], a[1]} - system.gravity_at(t));
+  return {linear.x(), linear.y(), a[kRotation]};
+}
+
+void keep_joint_loads(const Subsystem& subsystem, SubsystemData& data) noexcept {
+  for (std::size_t j = 0; j < data.bodies.size(); ++j)
+    data.joint_loads[j] = data.wrenches[j].inboard;
+  const Rotation to_blade = subsystem.root.R.inverse() * data.rotations[0];
+  data.root_load = Twist::Zero() - to_blade * data.joint_loads[0];  // never -0
+  if (!subsystem.bodies.front().centrifugal_stiffness) return;
+  double inertia = 0.0, rate = 0.0;
+  for (const BodyData& body : data.bodies) {
+    inertia += body.terms.centrifugal_inertia;
+    rate += body.terms.centrifugal_rate;
+  }
+  data.root_load[kRotation] +=
+      inertia * (*data.hub_acceleration)[kRotation] + 2.0 * data.hub->twist[kRotation] * rate;
+}
+
+Twist calc_section_load(const System& system, std::size_t i, const StepData& data, double t,
+                        int body, const Section& section) noexcept {
+  const Subsystem& subsystem = system.subsystems[i];
+  const SubsystemData& blade = data.subsystems[i];
+  const BodyData& member = blade.bodies[body];
+  const CoordinateBlock& c = member.coordinates;
+  const double w = blade.twists[body][kRotation];
+  const FrameAcceleration frame = calc_frame_acceleration(
+      calc_hub_acceleration(system, i, data, t), blade.hub->twist[kRotation],
+      calc_frame_motion(subsystem, blade, body));
+  const Position at = place_of(section, c.q);
+  Position force = Position::Zero();
+  double moment = 0.0;
+  visit_mass(member, section.x, [&](double mass, double inertia, const Section& p) {
+    const Position s = place_of(p, c.q);
+    const Position s_rate = section_values(p, c.v).head<kPosition>();
+    const Twist relative = section_values(p, c.a);
+    const Position a = frame.linear + frame.angular * quarter_turn(s) +
+                       2.0 * w * quarter_turn(s_rate) - w * w * s +
+                       Position(relative.head<kPosition>());
+    force -= mass * a;
+    moment -= mass * cross(s - at, a) + inertia * (frame.angular + relative[kRotation]);
+  });
+  const Twist applied = calc_applied_beyond(t, section, body, blade);
+  force += applied.head<kPosition>();
+  moment += applied[kRotation];
+  if (const auto next = static_cast<std::size_t>(body) + 1; next < blade.bodies.size()) {
+    const Twist joint = -(blade.rotations[next] * blade.joint_loads[next]);
+    const Position f = joint.head<kPosition>();
+    force += f;
+    moment += joint[kRotation] + cross(calc_outboard_position(member) - at, f);
+  }
+  return {force.x(), force.y(), moment};
+}
+
+Twist calc_momentum(const SubsystemData& data) noexcept {
+  const HubState& hub = *data.hub;
+  Position linear = Position::Zero();
+  double angular = 0.0;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const BodyData& body = data.bodies[j];
+    const Twist& twist = data.twists[j];
+    Position momentum = Position::Zero();
+    double about_frame = 0.0;
+    visit_mass(body, 0.0, [&](double mass, double inertia, const Section& p) {
+      const Position s = place_of(p, body.coordinates.q);
+      const Twist relative = section_values(p, body.coordinates.v);
+      const Position v = Position(twist.head<kPosition>()) + twist[kRotation] * quarter_turn(s) +
+                         Position(relative.head<kPosition>());
+      momentum += mass * v;
+      about_frame += mass * cross(s, v) + inertia * (twist[kRotation] + relative[kRotation]);
+    });
+    const Position origin = hub.p + hub.R * data.poses[j].p;
+    const Position P = hub.R * (data.poses[j].R * momentum);
+    linear += P;
+    angular += cross(origin, P) + about_frame;
+    if (!body.model->centrifugal_stiffness) continue;
+    angular -= hub.twist[kRotation] * calc_centrifugal_inertia(body);
+  }
+  return {linear.x(), linear.y(), angular};
+}
+
+}  // namespace spoke

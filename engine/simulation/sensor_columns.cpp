@@ -1,0 +1,140 @@
+// Finds the bodies and sections of sensors, and reads their values from the table.
+
+#include "engine/simulation/sensor_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spoke {
+namespace {
+
+/// Blades that a sensor reads on: of one of the whole system, all.
+struct BladeRange {
+  std::size_t first, end;
+};
+
+BladeRange blades_of(const Sensor& sensor, std::size_t blades) {
+  if (sensor.blade < 0 || !is_of_blade(sensor.quantity)) return {0, blades};
+  const auto first = static_cast<std::size_t>(sensor.blade);
+  return {first, first + 1};
+}
+
+/// Whether a blade takes a reading for it; else it is in the table anyway.
+bool needs_reading(SensorQuantity quantity) {
+  return quantity != SensorQuantity::hub_reaction && quantity != SensorQuantity::kinetic_energy;
+}
+
+/// Where two bodies meet, the inner one: what acts there then is outboard of the section.
+Reading make_reading(const Sensor& sensor, const Blade& blade, const SubsystemData& data) {
+  constexpr double kSlack = 1e-9;
+  Reading reading{sensor.quantity, frame_of(sensor), 0, 0.0, {}, data.reading_count};
+  if (sensor.quantity == SensorQuantity::joint_reaction) reading.body = sensor.joint;
+  if (!has_position(sensor.quantity)) return reading;
+  const double along = sensor.position.value_or(blade.length) / blade.length * blade.bodies;
+  reading.body = std::clamp(static_cast<int>(std::ceil(along - kSlack)) - 1, 0, blade.bodies - 1);
+  const double station = std::min(along - reading.body, 1.0);
+  reading.station = station > 1.0 - kSlack ? 1.0 : station;
+  const BodyData& body = data.bodies[reading.body];
+  reading.section = make_section(*body.model->body, body.layout, reading.station);
+  return reading;
+}
+
+/// The readings of a sensor, and where they are.
+std::vector<std::size_t> add_readings(const Sensor& sensor, const Rotor& rotor, StepData& data) {
+  std::vector<std::size_t> places;
+  if (!needs_reading(sensor.quantity)) return places;
+  const auto [first, end] = blades_of(sensor, data.subsystems.size());
+  for (std::size_t i = first; i < end; ++i) {
+    SubsystemData& blade = data.subsystems[i];
+    blade.readings.push_back(make_reading(sensor, rotor.blades[i], blade));
+    places.push_back(blade.reading_count);
+    blade.reading_count += kTwist;
+  }
+  return places;
+}
+
+void add_columns(const Sensor& sensor, std::size_t blade, const std::vector<std::size_t>& places,
+                 std::vector<SensorColumn>& columns) {
+  const std::string prefix = prefix_of(sensor, static_cast<int>(blade));
+  std::size_t number = 0;
+  for (const SensorComponent& component : components_of(sensor.quantity)) {
+    std::string name = prefix;
+    if (!component.name.empty()) name += '.' + std::string(component.name);
+    columns.push_back({std::move(name), std::string(component.unit), sensor.quantity,
+                       frame_of(sensor), number++, blade, places});
+  }
+}
+
+/// Of the hub, then of the blades in their order.
+double calc_total_momentum(const SensorColumn& column, const Hub& hub, std::int64_t step,
+                           const StepData& data) {
+  const SystemRecord& record = of_step(data.records, step);
+  const Twist &x = record.position, &v = record.velocity;
+  double sum = column.component == kRotation
+                   ? hub.inertia * v[kRotation] + hub.mass * (x[0] * v[1] - x[1] * v[0])
+                   : hub.mass * v[static_cast<Eigen::Index>(column.component)];
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    sum += readings_of(data.subsystems[i], step)[column.places[i] + column.component];
+  return sum;
+}
+
+double calc_hub_reaction(const SensorColumn& column, const SystemRecord& record) {
+  Twist wrench = record.step.reaction;
+  wrench[kRotation] += record.applied_torque;
+  if (column.frame == SensorFrame::inertial)
+    wrench = Rotation::from_angle(record.position[kRotation]) * wrench;
+  return wrench[static_cast<Eigen::Index>(column.component)];
+}
+
+}  // namespace
+
+std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades) {
+  std::size_t count = 0;
+  for (const Sensor& sensor : sensors) {
+    const auto [first, end] = blades_of(sensor, blades);
+    if (needs_reading(sensor.quantity)) count += kTwist * (end - first);
+  }
+  return count;
+}
+
+std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const Rotor& rotor,
+                                        StepData& data) {
+  std::vector<SensorColumn> columns;
+  for (const Sensor& sensor : sensors) {
+    const std::vector<std::size_t> places = add_readings(sensor, rotor, data);
+    if (!is_of_blade(sensor.quantity)) {
+      add_columns(sensor, 0, places, columns);
+      continue;
+    }
+    const auto [first, end] = blades_of(sensor, data.subsystems.size());
+    for (std::size_t i = first; i < end; ++i)
+      add_columns(sensor, i, places.empty() ? places : std::vector<std::size_t>{places[i - first]},
+                  columns);
+  }
+  for (SubsystemData& blade : data.subsystems)
+    blade.reading_ring =
+        ArenaVector<double>(blade.reading_count * blade.samples.size(), 0.0, *blade.arena);
+  return columns;
+}
+
+double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
+                const StepData& data) {
+  const SubsystemData& blade = data.subsystems[column.blade];
+  switch (column.quantity) {
+    case SensorQuantity::kinetic_energy:
+      return of_step(blade.samples, step).kinetic;
+    case SensorQuantity::momentum:
+      return calc_total_momentum(column, hub, step, data);
+    case SensorQuantity::hub_reaction:
+      return calc_hub_reaction(column, of_step(data.records, step));
+    default:
+      break;
+  }
+  const double value = readings_of(blade, step)[column.places[0] + column.component];
+  const bool turns_with_hub = column.quantity == SensorQuantity::displacement &&
+                              column.frame == SensorFrame::inertial &&
+                              column.component == kRotation;
+  return turns_with_hub ? value + of_step(data.records, step).position[kRotation] : value;
+}
+
+}  // namespace spoke

@@ -1,0 +1,18 @@
+#pragma once
+
+// The [[sensor]] tables of a scenario.
+
+#include <vector>
+
+#include "models/reader/toml_section.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+/// Reads them. Throws InputError, also if two sensors would have columns of one name.
+std::vector<Sensor> read_sensors(const TomlSection& root, const std::vector<Blade>& blades);
+
+/// Checks what is filled in code in the same way. The blades must be fine.
+void check_sensors(const std::vector<Sensor>& sensors, const std::vector<Blade>& blades);
+
+}  // namespace spoke

@@ -1,0 +1,95 @@
+// Names, frames and components of the quantities that sensors measure.
+
+#include "models/sensor.h"
+
+#include <array>
+
+namespace spoke {
+namespace {
+
+using Components = std::array<SensorComponent, 3>;
+
+constexpr Components kDisplacement{{{"x", "m"}, {"y", "m"}, {"rotation", "rad"}}};
+constexpr Components kVelocity{{{"x", "m/s"}, {"y", "m/s"}, {"rotation", "rad/s"}}};
+constexpr Components kAcceleration{{{"x", "m/s^2"}, {"y", "m/s^2"}, {"rotation", "rad/s^2"}}};
+constexpr Components kWrench{{{"x", "N"}, {"y", "N"}, {"moment", "N m"}}};
+constexpr Components kMomentum{{{"x", "kg m/s"}, {"y", "kg m/s"}, {"angular", "kg m^2/s"}}};
+constexpr std::array<SensorComponent, 1> kEnergy{{{"", "J"}}};
+
+using Frame = SensorFrame;
+constexpr std::array kMotionFrames{Frame::hub, Frame::blade, Frame::inertial};
+constexpr std::array kSectionFrames{Frame::section, Frame::blade, Frame::hub, Frame::inertial};
+constexpr std::array kJointFrames{Frame::blade, Frame::hub, Frame::inertial};
+constexpr std::array kHubFrames{Frame::inertial, Frame::hub};
+constexpr std::array kInertial{Frame::inertial};
+
+}  // namespace
+
+std::span<const SensorFrame> frames_of(SensorQuantity quantity) {
+  switch (quantity) {
+    case SensorQuantity::section_force:
+      return kSectionFrames;
+    case SensorQuantity::joint_reaction:
+      return kJointFrames;
+    case SensorQuantity::hub_reaction:
+      return kHubFrames;
+    case SensorQuantity::momentum:
+    case SensorQuantity::blade_momentum:
+    case SensorQuantity::kinetic_energy:
+      return kInertial;
+    default:
+      return kMotionFrames;
+  }
+}
+
+SensorFrame frame_of(const Sensor& sensor) {
+  return sensor.frame.value_or(frames_of(sensor.quantity).front());
+}
+
+bool is_of_blade(SensorQuantity quantity) {
+  return quantity != SensorQuantity::hub_reaction && quantity != SensorQuantity::momentum;
+}
+
+bool has_position(SensorQuantity quantity) {
+  return quantity == SensorQuantity::displacement || quantity == SensorQuantity::velocity ||
+         quantity == SensorQuantity::acceleration || quantity == SensorQuantity::section_force;
+}
+
+std::span<const SensorComponent> components_of(SensorQuantity quantity) {
+  switch (quantity) {
+    case SensorQuantity::velocity:
+      return kVelocity;
+    case SensorQuantity::acceleration:
+      return kAcceleration;
+    case SensorQuantity::section_force:
+    case SensorQuantity::joint_reaction:
+    case SensorQuantity::hub_reaction:
+      return kWrench;
+    case SensorQuantity::momentum:
+    case SensorQuantity::blade_momentum:
+      return kMomentum;
+    case SensorQuantity::kinetic_energy:
+      return kEnergy;
+    default:
+      return kDisplacement;
+  }
+}
+
+std::string prefix_of(const Sensor& sensor, int blade) {
+  const std::string name(sensor.name.empty() ? name_of(sensor.quantity) : sensor.name);
+  return is_of_blade(sensor.quantity) ? "blade" + std::to_string(blade + 1) + "." + name : name;
+}
+
+std::string_view name_of(SensorQuantity quantity) {
+  constexpr std::array<std::string_view, 9> names{
+      "displacement", "velocity", "acceleration",   "section_force", "joint_reaction",
+      "hub_reaction", "momentum", "blade_momentum", "kinetic_energy"};
+  return names[static_cast<std::size_t>(quantity)];
+}
+
+std::string_view name_of(SensorFrame frame) {
+  constexpr std::array<std::string_view, 4> names{"hub", "blade", "inertial", "section"};
+  return names[static_cast<std::size_t>(frame)];
+}
+
+}  // namespace spoke

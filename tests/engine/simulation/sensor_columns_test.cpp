@@ -1,0 +1,117 @@
+// Sensors of the scenario's keep their bits, states and names.
+
+#include "engine/simulation/sensor_columns.h"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "models/error.h"
+#include "tests/engine/load_rotors.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+using Quantity = SensorQuantity;
+
+SimulationOptions serial(Formulation formulation) {
+  return {formulation, ExecutorKind::serial, 1, 1};
+}
+
+std::vector<Sensor> every_sensor() {
+  std::vector<Sensor> sensors;
+  for (int quantity = 0; quantity <= static_cast<int>(Quantity::kinetic_energy); ++quantity) {
+    Sensor sensor;
+    sensor.quantity = static_cast<Quantity>(quantity);
+    sensors.push_back(sensor);
+  }
+  sensors[3].position = 0.7;
+  return sensors;
+}
+
+std::vector<std::vector<double>> rows_of(const Scenario& scenario, const SimulationOptions& options,
+                                         const Loads& loads) {
+  Simulation simulation(scenario, options, loads);
+  std::vector<std::vector<double>> rows;
+  simulation.run_until(scenario.integration.duration, [&](double, std::span<const double> values) {
+    rows.emplace_back(values.begin(), values.end());
+  });
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("sensors have the same bits on all executors, in windows, and after a restore") {
+  for (const bool is_free : {false, true})
+    for (const IntegrationMethod method :
+         {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}) {
+      Scenario scenario = soft_scenario(method, 0.02);
+      scenario.rotor.gravity = Position{0.0, -9.81};
+      if (is_free) scenario.rotor.hub.support = HubSupport::free;
+      scenario.sensors = every_sensor();
+      const Loads loads{demanding_load(0)};
+      const auto expected =
+          rows_of(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1}, loads);
+      REQUIRE(expected.size() == 100);
+      for (const int window : {2, 7, 0})
+        CHECK(rows_of(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2, window},
+                      loads) == expected);
+
+      Simulation simulation(scenario, serial(Formulation::structured));
+      for (int n = 0; n < 20; ++n) simulation.step();
+      simulation.joint_reaction(0, 0);
+      const SavedState state = simulation.save();
+      const std::vector<double> values(simulation.sensor_values().begin(),
+                                       simulation.sensor_values().end());
+      Simulation other(scenario, serial(Formulation::structured));
+      other.restore(state);
+      CHECK(std::vector<double>(other.sensor_values().begin(), other.sensor_values().end()) ==
+            values);
+    }
+}
+
+TEST_CASE("a state goes on in a simulation with other sensors") {
+  Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.02);
+  Simulation plain(scenario);
+  plain.run_until(0.01);
+  scenario.sensors = every_sensor();
+  Simulation measured(scenario);
+  measured.restore(plain.save());
+  plain.run_until(0.02);
+  measured.run_until(0.02);
+  CHECK(measured.state_hash() == plain.state_hash());
+}
+
+TEST_CASE("sensors that are none are refused when they are filled in code") {
+  const auto message_of = [](const std::function<void(Sensor&)>& spoil) -> std::string {
+    Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.02);
+    scenario.sensors.resize(1);
+    spoil(scenario.sensors[0]);
+    try {
+      Simulation simulation(scenario);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  CHECK(message_of([](Sensor&) {}) == "accepted");
+  CHECK(message_of([](Sensor& s) { s.blade = 2; }) ==
+        "sensor.1.blade: is index 2, expected 0 to 1, or -1 for every blade");
+  CHECK(message_of([](Sensor& s) { s.position = 2.5; }) ==
+        "sensor.1.position: is 2.5, expected a number from 0 to 2 (m, from root to tip of the "
+        "blade)");
+  CHECK(message_of([](Sensor& s) { s.name = "a,b"; }) ==
+        "sensor.1.name: is \"a,b\", expected letters, digits, \"_\", \"-\" and \".\", 1 to 64 of "
+        "them");
+  CHECK(message_of([](Sensor& s) { s.frame = SensorFrame::section; }) ==
+        "sensor.1.frame: is \"section\", which does not belong to quantity \"displacement\"");
+  CHECK(message_of([](Sensor& s) {
+          s.quantity = Quantity::joint_reaction;
+          s.joint = 2;
+        }) == "sensor.1.joint: is index 2, expected 0 to 1");
+}
