@@ -4,11 +4,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <cstdio>
 #include <numbers>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/report.h"
+#include "engine/cli/standard_streams.h"
 
 namespace spoke::cli {
 namespace {
@@ -35,10 +35,9 @@ int check(const Arguments& arguments) {
                                         simulation.planned_steps(), simulation.step_size()));
   if (integration.method == IntegrationMethod::rk4 &&
       simulation.step_size() > properties.rk4_largest_step) {
-    std::fflush(stdout);
-    fmt::print(stderr,
-               "{}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s\n",
-               arguments.scenario, simulation.step_size(), properties.rk4_largest_step);
+    print_error(fmt::format(
+        "{}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s",
+        arguments.scenario, simulation.step_size(), properties.rk4_largest_step));
   }
   return 0;
 }

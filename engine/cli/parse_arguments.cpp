@@ -5,10 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <iostream>
+#include <sstream>
 
 #include "engine/cli/help_texts.h"
 #include "engine/cli/shared_options.h"
+#include "engine/cli/standard_streams.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -174,7 +175,9 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   try {
     program.parse(reversed);
   } catch (const CLI::Success& help) {
-    program.exit(help, std::cout, std::cerr);
+    std::ostringstream text;
+    program.exit(help, text, text);
+    print(text.str());
     result.command = Arguments::Command::none;
   } catch (const CLI::ExtrasError&) {
     throw InputError(name + ": unexpected argument " + program.remaining(true).front() + " (see " +

@@ -3,11 +3,11 @@
 #include "engine/cli/report.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <vector>
+
+#include "engine/cli/standard_streams.h"
 
 namespace spoke::cli {
 namespace {
@@ -19,7 +19,7 @@ std::string count(int number, std::string_view singular, std::string_view plural
 }  // namespace
 
 void print_line(std::string_view label, std::string_view text) {
-  fmt::print("  {:<16}{}\n", label, text);
+  print(fmt::format("  {:<16}{}\n", label, text));
 }
 
 std::string one_line(std::string text) {
@@ -28,9 +28,11 @@ std::string one_line(std::string text) {
   return text;
 }
 
+void print_title(const std::string& title) { print(one_line(title) + '\n'); }
+
 void print_model(const Simulation& simulation) {
   const ModelSize size = simulation.size();
-  fmt::print("{}\n", one_line(simulation.scenario().title));
+  print_title(simulation.scenario().title);
   print_line("model", count(size.subsystems, "subsystem", "subsystems") + ", " +
                           count(size.bodies, "body", "bodies") + ", " +
                           count(size.coordinates, "coordinate", "coordinates") + ", " +
@@ -51,9 +53,9 @@ void print_table(const report::Table& table) {
       line += table.columns[c].align == report::Align::number
                   ? fmt::format("  {:>{}}", text_of(c), widths[c])
                   : fmt::format("  {:<{}}", text_of(c), widths[c]);
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    print(line.substr(0, line.find_last_not_of(' ') + 1) + '\n');
   };
-  fmt::print("\n{}\n", table.caption);
+  print('\n' + table.caption + '\n');
   print_row([&](std::size_t c) { return table.columns[c].title; });
   for (const report::Row& row : table.rows) print_row([&](std::size_t c) { return row.cells[c]; });
 }

@@ -16,6 +16,9 @@ void print_line(std::string_view label, std::string_view text);
 /// The text with control characters replaced by spaces, for messages of one line.
 std::string one_line(std::string text);
 
+/// Prints the title of a scenario as a line.
+void print_title(const std::string& title);
+
 /// Prints title, sizes of the model and of its step graph.
 void print_model(const Simulation& simulation);
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/cli/trace_files.h"
 #include "engine/trace/files.h"
 #include "models/error.h"
@@ -91,14 +91,14 @@ int trace(const Arguments& arguments) {
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   const TraceArguments& asked = arguments.trace;
   require_steps(asked, simulation);
+  const ResultsFolder taken(folder);
   trace::remove_files(folder);
   run_to(asked.from, simulation);
   Traced traced = record(asked, simulation);
   print_model(simulation);
   write_trace(simulation, std::move(traced.steps), folder, true);
   if (traced.divergence.empty()) return 0;
-  std::fflush(stdout);
-  fmt::print(stderr, "{}\n", traced.divergence);
+  print_error(traced.divergence);
   return 3;
 }
 
