@@ -24,9 +24,12 @@ int check(const Arguments& arguments) {
   options.executor = ExecutorKind::serial;
   const Simulation simulation = build_simulation(
       arguments.scenario, read_scenario(arguments.scenario, arguments.overrides), options);
+  warn_of_degrees(arguments.scenario, simulation.scenario());
   const Integration& integration = simulation.scenario().integration;
   const LinearProperties properties = simulation.linear_properties();
   print_model(simulation);
+  print_line("memory", fmt::format("about {:.3g} MB",
+                                   1e-6 * static_cast<double>(simulation.size().memory_bytes)));
   print_line("at rest",
              "lowest natural frequency " + describe_frequency(properties.lowest_frequency));
   print_line("", "highest natural frequency " + describe_frequency(properties.highest_frequency));

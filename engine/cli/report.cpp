@@ -5,6 +5,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "engine/cli/standard_streams.h"
@@ -39,6 +41,20 @@ void print_model(const Simulation& simulation) {
                           count(size.joints, "joint", "joints"));
   print_line("step graph", count(size.graph_nodes, "node", "nodes") + ", " +
                                count(size.graph_edges, "edge", "edges"));
+}
+
+void warn_of_degrees(const std::string& file, const Scenario& scenario) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const std::vector<Blade>& blades = scenario.rotor.blades;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    const double azimuth = blades[i].azimuth;
+    // Unless given, it is that of the first blade and a share of a turn.
+    const double share = turn * static_cast<double>(i) / static_cast<double>(blades.size());
+    if (std::abs(azimuth) <= turn || std::abs(azimuth - share) <= turn) continue;
+    return print_error(fmt::format(
+        "warning: {}: the azimuth of blade {} is {:.6g} rad, beyond a turn of 2 pi: degrees?",
+        one_line(file), i + 1, azimuth));
+  }
 }
 
 void print_table(const report::Table& table) {

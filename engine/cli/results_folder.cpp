@@ -45,7 +45,7 @@ void require_folder(const fs::path& folder) {
   while (!error && !is_there(existing, error) && existing.has_relative_path())
     existing = existing.parent_path();
   if (error) refuse(folder, error.message());
-  if (!fs::is_directory(existing)) refuse(folder, existing.string() + " is no folder");
+  if (!fs::is_directory(existing, error)) refuse(folder, existing.string() + " is no folder");
   if (access(existing.c_str(), W_OK | X_OK) != 0)
     refuse(folder, existing.string() + " is not writable");
 }
@@ -72,7 +72,8 @@ void ResultsFolder::make() {
     folder /= name;
     std::error_code error;
     if (fs::create_directory(folder, error)) made_.push_back(folder);
-    if (!error || fs::is_directory(folder)) continue;
+    std::error_code none;
+    if (!error || fs::is_directory(folder, none)) continue;
     remove_made();
     refuse(path_, error.message());
   }

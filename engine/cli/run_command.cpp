@@ -330,7 +330,7 @@ int run(const Arguments& arguments) {
   const fs::path folder = folder_of_results(arguments, scenario);
   const auto start = Clock::now();
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
-  spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
+  spdlog::info("built in {:.3g} s, about {} bytes of data and step graph", seconds_since(start),
                simulation.size().memory_bytes);
   const fs::path trace_folder = arguments.trace_out;
   require_places(arguments, folder);
@@ -346,6 +346,7 @@ int run(const Arguments& arguments) {
   if (!arguments.quiet && !arguments.resume.empty())
     print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
                                       simulation.time(), simulation.steps()));
+  warn_of_degrees(arguments.scenario, scenario);
   const Interruption interruption;
   const RunOutcome outcome =
       integrate(simulation, recording, checkpoints, !trace_folder.empty(), !arguments.quiet);

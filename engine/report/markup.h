@@ -17,4 +17,8 @@ std::string coordinate(double value);
 /// A number for people in `digits` significant digits: "1.84", "0.0213", "12300", "4.1e-07".
 std::string figure(double value, int digits = 3);
 
+/// The same with a unit behind it, which takes an SI prefix: "-5.611 MN m", "80.8 uJ" with the
+/// Greek letter.
+std::string quantity(double value, const std::string& unit, int digits = 3);
+
 }  // namespace spoke::report

@@ -34,6 +34,12 @@ Limits read_limits(const TomlSection& root) {
   return limits;
 }
 
+/// The file's name without folder and ending; it names a folder, so that "." and ".." are none.
+std::string name_of_file(const std::string& file) {
+  const std::string stem = std::filesystem::path(file).stem().string();
+  return stem.find_first_not_of('.') == std::string::npos ? "scenario" : stem;
+}
+
 }  // namespace
 
 Scenario parse_scenario(const std::string& text, const std::string& name,
@@ -43,7 +49,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   const TomlSection root(document, {"title", "hub", "blade", "blades", "gravity", "damping", "load",
                                     "integration", "limits", "output"});
   Scenario scenario;
-  scenario.name = std::filesystem::path(name).stem().string();
+  scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
   scenario.rotor = read_rotor(root);
   scenario.integration = read_integration(root);
