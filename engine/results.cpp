@@ -8,6 +8,7 @@
 
 #include "engine/output_file.h"
 #include "engine/support/machine_json.h"
+#include "models/error.h"
 
 namespace spoke {
 namespace {
@@ -47,6 +48,9 @@ const char* status_of(const RunOutcome& outcome) {
 }  // namespace
 
 void SensorStatistics::add(double t, std::span<const double> values) {
+  if (values.size() != ranges_.size())
+    throw InputError("SensorStatistics::add(): " + std::to_string(values.size()) +
+                     " values, expected " + std::to_string(ranges_.size()));
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     SensorRange& range = ranges_[i];
     const double value = values[i];
@@ -68,6 +72,10 @@ std::vector<double> SensorStatistics::final_values() const {
   values.reserve(ranges_.size());
   for (const SensorRange& range : ranges_) values.push_back(range.final);
   return values;
+}
+
+OutputTimes::OutputTimes(double interval, double next) : interval_(interval), next_(next) {
+  if (!(interval >= 0.0)) throw InputError("OutputTimes: expected an interval of 0 or more");
 }
 
 bool OutputTimes::is_due(double t) {

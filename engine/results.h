@@ -35,7 +35,8 @@ class SPOKE_EXPORT SensorStatistics {
   SensorStatistics(std::vector<SensorRange> ranges, double last_time)
       : ranges_(std::move(ranges)), last_time_(last_time) {}
 
-  /// values: one for each sensor, at time t [s]. Does not allocate.
+  /// values: one for each sensor, at time t [s]. Does not allocate. Throws InputError if there are
+  /// more or fewer.
   void add(double t, std::span<const double> values);
   /// By sensor.
   const std::vector<SensorRange>& ranges() const { return ranges_; }
@@ -52,10 +53,9 @@ class SPOKE_EXPORT SensorStatistics {
 /// Tells which steps are output: the first one at or after each multiple of an interval.
 class SPOKE_EXPORT OutputTimes {
  public:
-  /// interval [s]; 0: every step is output.
-  explicit OutputTimes(double interval) : interval_(interval) {}
-  /// Goes on where next_multiple() was `next`.
-  OutputTimes(double interval, double next) : interval_(interval), next_(next) {}
+  /// interval [s]; 0: every step is output. Goes on where next_multiple() was `next`. Throws
+  /// InputError unless interval >= 0.
+  explicit OutputTimes(double interval, double next = 0.0);
 
   /// Whether the step that ends at t [s] is output. Call once per step, in order of time. Allows
   /// for the round-off of times: a step 1e-9 of its time too early is on time.
@@ -65,7 +65,7 @@ class SPOKE_EXPORT OutputTimes {
 
  private:
   double interval_;
-  double next_ = 0.0;
+  double next_;
 };
 
 /// How a run ended.

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/formulation/work.h"
 #include "engine/kernels/load_terms.h"
 #include "engine/kernels/natural_frequencies.h"
 #include "engine/simulation/simulation_core.h"
+#include "engine/step/model_memory.h"
 #include "models/error.h"
 #include "models/reader/nearest_name.h"
 #include "models/reader/scenario_check.h"
@@ -51,7 +51,8 @@ ModelSize Simulation::size() const {
   size.joints = size.bodies;
   size.graph_nodes = core_->runner->step_graph().node_count();
   size.graph_edges = core_->runner->step_graph().edge_count();
-  size.memory_bytes = static_cast<std::size_t>(estimate_memory(system, core_->context.formulation));
+  size.memory_bytes =
+      static_cast<std::size_t>(estimate_model_memory(system, core_->context.formulation));
   return size;
 }
 
@@ -76,6 +77,7 @@ std::int64_t Simulation::evaluations() const { return core_->evaluations; }
 void Simulation::step() { core_->step(); }
 
 void Simulation::run_until(double t, const StepObserver& observe) {
+  if (std::isnan(t)) throw InputError("run_until(): the time is not a number");
   const double steps_to_t = std::ceil(t / core_->step_size - 0.5);
   if (!(steps_to_t > 0.0)) return;
   core_->run_to(

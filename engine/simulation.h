@@ -103,9 +103,10 @@ class SPOKE_EXPORT Simulation {
   /// simulation then stands at the end of the step before, and can be stepped again.
   void step();
   /// Steps until time() >= t - half a step, or done(), and tells `observe` of every step, in order,
-  /// on the calling thread. Faster than as many calls of step(): see SimulationOptions::window.
-  /// Throws DivergenceError and LoadError like step(), after the observer was told of all complete
-  /// steps; what the observer throws ends the run at the step that it was told of.
+  /// on the calling thread; t [s], infinity: to the end. Faster than as many calls of step(): see
+  /// SimulationOptions::window. Throws InputError if t is not a number. Throws DivergenceError and
+  /// LoadError like step(), after the observer was told of all complete steps; what the observer
+  /// throws ends the run at the step that it was told of.
   void run_until(double t, const StepObserver& observe = {});
   /// Asks the run_until() that is calling an observer to return soon: once all blades have made the
   /// steps that any of them has begun, each of which the observer is told. Without effect

@@ -40,7 +40,7 @@ struct ModelSize {
   int joints = 0;       ///< between bodies, and to the hub
   int graph_nodes = 0;  ///< of the step graph, one pass
   int graph_edges = 0;  ///< likewise
-  std::size_t memory_bytes = 0;  ///< of one step's data and the constants
+  std::size_t memory_bytes = 0;  ///< of data, constants and graph, about
 };
 
 /// Told of the end of a step: time [s] and the sensors there, in the order of

@@ -85,6 +85,7 @@ Curve::Curve(std::vector<double> times, std::vector<double> values)
 }
 
 std::size_t Curve::segment(double t) const {
+  if (std::isnan(t)) throw InputError("a curve is asked for a time that is not a number");
   assert(times_.front() <= t && t < times_.back());
   const auto next = std::upper_bound(times_.begin(), times_.end(), t);
   return static_cast<std::size_t>(next - times_.begin()) - 1;

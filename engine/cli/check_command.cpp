@@ -4,11 +4,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <cstdio>
 #include <numbers>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/report.h"
+#include "engine/cli/standard_streams.h"
 #include "models/count_text.h"
 
 namespace spoke::cli {
@@ -25,9 +25,12 @@ int check(const Arguments& arguments) {
   options.executor = ExecutorKind::serial;
   const Simulation simulation = build_simulation(
       arguments.scenario, read_scenario(arguments.scenario, arguments.overrides), options);
+  warn_of_degrees(arguments.scenario, simulation.scenario());
   const Integration& integration = simulation.scenario().integration;
   const LinearProperties properties = simulation.linear_properties();
   print_model(simulation);
+  print_line("memory", fmt::format("about {:.3g} MB",
+                                   1e-6 * static_cast<double>(simulation.size().memory_bytes)));
   print_line("at rest",
              "lowest natural frequency " + describe_frequency(properties.lowest_frequency));
   print_line("", "highest natural frequency " + describe_frequency(properties.highest_frequency));
@@ -37,10 +40,9 @@ int check(const Arguments& arguments) {
                          counted(simulation.planned_steps(), "step"), simulation.step_size()));
   if (integration.method == IntegrationMethod::rk4 &&
       simulation.step_size() > properties.rk4_largest_step) {
-    std::fflush(stdout);
-    fmt::print(stderr,
-               "{}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s\n",
-               arguments.scenario, simulation.step_size(), properties.rk4_largest_step);
+    print_error(fmt::format(
+        "{}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s",
+        arguments.scenario, simulation.step_size(), properties.rk4_largest_step));
   }
   return 0;
 }

@@ -11,6 +11,7 @@
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/compare/conclusion.h"
 #include "engine/compare/files.h"
 #include "engine/compare/probe.h"
@@ -76,15 +77,14 @@ void probe_models(compare::Comparison& comparison, const compare::Axes& axes) {
 }
 
 void print(const compare::Comparison& comparison, const fs::path& folder) {
-  fmt::print("{}\n", one_line(comparison.scenario.title));
+  print_title(comparison.scenario.title);
   for (const compare::Model& model : comparison.models)
     print_table(compare::make_table(comparison, model));
-  fmt::print("\n{}\n", compare::make_conclusion(comparison));
+  cli::print('\n' + compare::make_conclusion(comparison) + '\n');
   print_line("written", (folder / "compare.html").string() + ", compare.json, compare.csv");
 }
 
 void write(const compare::Comparison& comparison, const fs::path& folder) {
-  make_folder(folder);
   write_file(folder / "compare.json", compare::make_json(comparison));
   write_file(folder / "compare.csv", compare::make_csv(comparison));
   write_file(folder / "compare.html", compare::make_html(comparison));
@@ -102,6 +102,7 @@ int compare(const Arguments& arguments) {
   comparison.machine = this_machine();
   const auto configurations = choose_configurations(arguments, scenario, comparison.machine.cores);
   require_folder(folder);
+  const ResultsFolder taken(folder);
   comparison.loads.before = load_average();
   comparison.capacity = measure_capacity();
   probe_models(comparison, arguments.compare.axes);

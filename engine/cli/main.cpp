@@ -3,13 +3,11 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-#include <cerrno>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
 #include <exception>
 #include <new>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/cli/check_command.h"
 #include "engine/cli/compare_command.h"
@@ -19,6 +17,7 @@
 #include "engine/cli/report.h"
 #include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/cli/trace_command.h"
 #include "graph/execute/unbound_thread.h"
 #include "graph/executor.h"
@@ -59,24 +58,30 @@ int execute(const cli::Arguments& arguments) {
 }
 
 int complain(const std::string& message, int status) {
-  std::fflush(stdout);
-  fmt::print(stderr, "{}\n", cli::one_line(message));
+  cli::print_error(cli::one_line(message));
   return status;
 }
 
-/// The status of a command that ended with `status`, once what it printed has gone out.
-int finish_output(int status) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  const char* reason = std::strerror(errno);
-  fmt::print(stderr, "standard output: cannot be written: {}\n", reason);
+/// Whether a command's result is what it prints, rather than files.
+bool prints_result(const cli::Arguments& arguments) {
+  return arguments.command == cli::Arguments::Command::check ||
+         arguments.command == cli::Arguments::Command::none;
+}
+
+/// The status of a command that ended with `status`, once what it printed has gone out. `is_lost`:
+/// its result is what it prints, and there is no standard output.
+int finish_output(int status, bool is_lost) {
+  const char* reason = cli::flush_output();
+  if (is_lost) reason = "it is closed";
+  if (reason == nullptr) return status;
+  cli::print_error(std::string("standard output: cannot be written: ") + reason);
   return status == 0 ? 2 : status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file beyond the process's limit is then an error of writing, with its message.
-  std::signal(SIGXFSZ, SIG_IGN);
+  const bool has_output = cli::open_standard_streams();
   try {
     const std::vector<std::string> words(argv + 1, argv + argc);
     // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
@@ -86,7 +91,8 @@ int main(int argc, char** argv) {
     // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
     std::optional<graph::UnboundThread> unbound;
     if (!graph::is_openmp(arguments.options.executor)) unbound.emplace();
-    return finish_output(execute(arguments));
+    const int status = execute(arguments);
+    return finish_output(status, !has_output && prints_result(arguments));
   } catch (const InputError& error) {
     return complain(error.what(), 2);
   } catch (const DivergenceError& error) {
@@ -94,7 +100,6 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("spoke: the model does not fit into this machine's memory", 2);
   } catch (const std::exception& error) {
-    if (std::ferror(stdout) != 0) return finish_output(0);
     return complain(std::string("spoke: internal error: ") + error.what(), 1);
   }
 }

@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
 #include "engine/cli/report.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/cli/threads_option.h"
 #include "engine/reproduce/inverse_part.h"
 #include "models/error.h"
@@ -72,8 +72,8 @@ SimulationOptions make_options(const std::vector<std::string>& words) {
 }
 
 void answer(const std::string& line) {
-  fmt::print("{}\n", one_line(line));
-  std::fflush(stdout);
+  print(one_line(line) + '\n');
+  flush_output();
 }
 
 struct Timed {

@@ -5,10 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <iostream>
+#include <sstream>
 
 #include "engine/cli/help_texts.h"
 #include "engine/cli/shared_options.h"
+#include "engine/cli/standard_streams.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -137,6 +138,13 @@ std::vector<std::string> repeat_set(const std::vector<std::string>& arguments) {
   return repeated;
 }
 
+/// A scenario whose name begins as an option does, as a path that does not.
+std::string as_path(const std::string& argument) {
+  const bool is_file = argument.starts_with('-') && argument.ends_with(".toml") &&
+                       argument.find('=') == std::string::npos;
+  return is_file ? "./" + argument : argument;
+}
+
 /// Refuses what is neither a command nor an option of the program. The name for messages.
 std::string check_first(const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
@@ -170,15 +178,20 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
 
   const std::string name = check_first(arguments);
   std::vector<std::string> reversed = repeat_set(arguments);
+  std::transform(reversed.begin(), reversed.end(), reversed.begin(), as_path);
   std::reverse(reversed.begin(), reversed.end());
   try {
     program.parse(reversed);
   } catch (const CLI::Success& help) {
-    program.exit(help, std::cout, std::cerr);
+    std::ostringstream text;
+    program.exit(help, text, text);
+    print(text.str());
     result.command = Arguments::Command::none;
   } catch (const CLI::ExtrasError&) {
-    throw InputError(name + ": unexpected argument " + program.remaining(true).front() + " (see " +
-                     name + " --help)");
+    std::vector<std::string> extras = program.remaining(true);
+    std::erase(extras, "--");
+    throw InputError(name + ": unexpected argument " + extras.front() + " (see " + name +
+                     " --help)");
   } catch (const CLI::ParseError& error) {
     throw InputError(name + ": " + error.what() + " (see " + name + " --help)");
   }

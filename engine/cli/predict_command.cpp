@@ -2,8 +2,6 @@
 
 #include "engine/cli/predict_command.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -16,6 +14,7 @@
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/compare/probe.h"
 #include "engine/predict/conclusion.h"
 #include "engine/predict/files.h"
@@ -200,17 +199,16 @@ std::vector<compare::Measurement> measure(const Task& task, const Subjects& subj
 }
 
 void write(const predict::Prediction& prediction, const fs::path& folder) {
-  make_folder(folder);
   write_file(folder / "predict.json", predict::make_json(prediction));
   write_file(folder / "predict.csv", predict::make_csv(prediction));
   write_file(folder / "predict.html", predict::make_html(prediction));
 }
 
 void print(const predict::Prediction& prediction, const fs::path& folder) {
-  fmt::print("{}\n", one_line(prediction.scenario.title));
+  print_title(prediction.scenario.title);
   for (const auto& [label, text] : predict::make_facts(prediction)) print_line(label, text);
   print_table(predict::make_table(prediction));
-  fmt::print("\n{}\n", predict::make_conclusion(prediction));
+  cli::print('\n' + predict::make_conclusion(prediction) + '\n');
   print_line("written", (folder / "predict.html").string() + ", predict.json, predict.csv");
 }
 
@@ -222,6 +220,7 @@ int predict(const Arguments& arguments) {
                               ? fs::path("results") / task.scenario.name / "predict"
                               : fs::path(arguments.out);
   require_folder(folder);
+  const ResultsFolder taken(folder);
   const Machine machine = this_machine();
   const double load_before = load_average();
   show_progress("warming up: nodes");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
 
 namespace spoke::cli {
 
@@ -31,8 +32,10 @@ void ProgressBar::draw(double t, Clock::time_point now) const {
   const int filled = static_cast<int>(fraction * width);
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double speed = elapsed > 0.0 ? (t - from_) / elapsed : 0.0;
-  fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} %  t = {:.4g} of {:.4g} s  {:.3g} s/s\033[K", "",
-             filled, "", width - filled, 100.0 * fraction, t, duration_, speed);
+  const std::string line =
+      fmt::format("\r[{:#<{}}{:.<{}}] {:3.0f} %  t = {:.4g} of {:.4g} s  {:.3g} s/s\033[K", "",
+                  filled, "", width - filled, 100.0 * fraction, t, duration_, speed);
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -2,7 +2,6 @@
 
 #include "engine/cli/progress_line.h"
 
-#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -12,7 +11,7 @@ namespace spoke::cli {
 void show_progress(const std::string& text) {
   static const bool shown = isatty(STDERR_FILENO) == 1;
   if (!shown) return;
-  fmt::print(stderr, "\r{}\033[K", text);
+  std::fputs(("\r" + text + "\033[K").c_str(), stderr);
   std::fflush(stderr);
 }
 

@@ -3,17 +3,18 @@
 #include "engine/cli/report.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "engine/cli/standard_streams.h"
 #include "models/count_text.h"
 
 namespace spoke::cli {
 void print_line(std::string_view label, std::string_view text) {
-  fmt::print("  {:<16}{}\n", label, text);
+  print(fmt::format("  {:<16}{}\n", label, text));
 }
 
 std::string one_line(std::string text) {
@@ -22,14 +23,30 @@ std::string one_line(std::string text) {
   return text;
 }
 
+void print_title(const std::string& title) { print(one_line(title) + '\n'); }
+
 void print_model(const Simulation& simulation) {
   const ModelSize size = simulation.size();
-  fmt::print("{}\n", one_line(simulation.scenario().title));
+  print_title(simulation.scenario().title);
   print_line("model", counted(size.subsystems, "subsystem") + ", " + counted(size.bodies, "body") +
                           ", " + counted(size.coordinates, "coordinate") + ", " +
                           counted(size.joints, "joint"));
   print_line("step graph",
              counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge"));
+}
+
+void warn_of_degrees(const std::string& file, const Scenario& scenario) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const std::vector<Blade>& blades = scenario.rotor.blades;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    const double azimuth = blades[i].azimuth;
+    // Unless given, it is that of the first blade and a share of a turn.
+    const double share = turn * static_cast<double>(i) / static_cast<double>(blades.size());
+    if (std::abs(azimuth) <= turn || std::abs(azimuth - share) <= turn) continue;
+    return print_error(fmt::format(
+        "warning: {}: the azimuth of blade {} is {:.6g} rad, beyond a turn of 2 pi: degrees?",
+        one_line(file), i + 1, azimuth));
+  }
 }
 
 void print_table(const report::Table& table) {
@@ -44,9 +61,9 @@ void print_table(const report::Table& table) {
       line += table.columns[c].align == report::Align::number
                   ? fmt::format("  {:>{}}", text_of(c), widths[c])
                   : fmt::format("  {:<{}}", text_of(c), widths[c]);
-    fmt::print("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
+    print(line.substr(0, line.find_last_not_of(' ') + 1) + '\n');
   };
-  fmt::print("\n{}\n", table.caption);
+  print('\n' + table.caption + '\n');
   print_row([&](std::size_t c) { return table.columns[c].title; });
   for (const report::Row& row : table.rows) print_row([&](std::size_t c) { return row.cells[c]; });
 }

@@ -16,8 +16,15 @@ void print_line(std::string_view label, std::string_view text);
 /// The text with control characters replaced by spaces, for messages of one line.
 std::string one_line(std::string text);
 
+/// Prints the title of a scenario as a line.
+void print_title(const std::string& title);
+
 /// Prints title, sizes of the model and of its step graph.
 void print_model(const Simulation& simulation);
+
+/// Warns on stderr, in one line, of an azimuth that looks as if it were given in degrees. `file` of
+/// the scenario.
+void warn_of_degrees(const std::string& file, const Scenario& scenario);
 
 /// Prints a table in columns as wide as their widest cell, after an empty line.
 void print_table(const report::Table& table);

@@ -2,8 +2,6 @@
 
 #include "engine/cli/reproduce_command.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/compare/probe.h"
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/inverse_part.h"
@@ -110,6 +109,7 @@ int reproduce(const Arguments& arguments) {
   const fs::path folder =
       arguments.out.empty() ? fs::path("results") / "reproduce" : fs::path(arguments.out);
   require_folder(folder);
+  const ResultsFolder taken(folder);
   const Effort& effort = arguments.quick ? kQuick : kFull;
   Reproduction all{.scenario = paper_rotor(), .is_quick = arguments.quick};
   all.scenario.integration.method = IntegrationMethod::rk4;
@@ -120,12 +120,11 @@ int reproduce(const Arguments& arguments) {
   simulate(all);
   measure_all(effort, all);
   all.loads.after = load_average();
-  make_folder(folder);
   write_file(folder / "reproduce.json", reproduce::make_json(all));
   write_file(folder / "reproduce.html", reproduce::make_html(all));
-  fmt::print("{}\n", one_line(all.scenario.title));
+  print_title(all.scenario.title);
   print_table(reproduce::method_table(all));
-  fmt::print("\n");
+  print("\n");
   for (const std::string& doubt : reproduce::doubts_of(all)) print_line("note", doubt);
   print_line("written", (folder / "reproduce.html").string() + ", reproduce.json");
   return 0;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "engine/cli/progress_bar.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/cli/tip_deflections.h"
 #include "engine/cli/trace_files.h"
 #include "engine/results.h"
@@ -234,7 +234,7 @@ void print_plan(const Simulation& simulation) {
                   counted(simulation.planned_steps(), "step"), simulation.step_size(),
                   name_of(simulation.options().executor), name_of(simulation.threads()),
                   simulation.threads().total() == 1 ? "thread" : "threads"));
-  std::fflush(stdout);
+  flush_output();
 }
 
 std::string describe_energy(const Simulation& simulation, const SensorStatistics& statistics) {
@@ -307,15 +307,17 @@ fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario)
 /// Opens the files of a run, a new one or one that is resumed, and restores its state.
 Recording open_recording(const Arguments& arguments, const fs::path& folder,
                          Simulation& simulation) {
-  if (arguments.resume.empty()) {
-    make_folder(folder);
-    return Recording(simulation, arguments, folder);
-  }
+  if (arguments.resume.empty()) return Recording(simulation, arguments, folder);
   const fs::path resumed = arguments.resume;
   const Checkpoint checkpoint = resume(resumed, simulation);
-  make_folder(folder);
   return Recording(simulation, arguments, folder, *checkpoint.record,
                    resumed.parent_path() / "sensors.csv");
+}
+
+/// Whether a trace is wanted in a folder other than that of the results.
+bool has_own_folder(const fs::path& trace_folder, const fs::path& folder) {
+  std::error_code error;
+  return !trace_folder.empty() && !fs::equivalent(trace_folder, folder, error);
 }
 
 int exit_status(const RunOutcome& outcome) {
@@ -331,10 +333,13 @@ int run(const Arguments& arguments) {
   const fs::path folder = folder_of_results(arguments, scenario);
   const auto start = Clock::now();
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
-  spdlog::info("built in {:.3g} s, {} bytes of step data and constants", seconds_since(start),
+  spdlog::info("built in {:.3g} s, about {} bytes of data and step graph", seconds_since(start),
                simulation.size().memory_bytes);
   const fs::path trace_folder = arguments.trace_out;
   require_places(arguments, folder);
+  const ResultsFolder taken(folder);
+  std::optional<ResultsFolder> taken_for_trace;
+  if (has_own_folder(trace_folder, folder)) taken_for_trace.emplace(trace_folder);
   Recording recording = open_recording(arguments, folder, simulation);
   remove_stale(folder, arguments);
   if (!trace_folder.empty()) trace::remove_files(trace_folder);
@@ -344,6 +349,7 @@ int run(const Arguments& arguments) {
   if (!arguments.quiet && !arguments.resume.empty())
     print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
                                       simulation.time(), simulation.steps()));
+  warn_of_degrees(arguments.scenario, scenario);
   const Interruption interruption;
   const RunOutcome outcome =
       integrate(simulation, recording, checkpoints, !trace_folder.empty(), !arguments.quiet);
@@ -352,11 +358,9 @@ int run(const Arguments& arguments) {
   if (!arguments.quiet) print_result(simulation, recording, outcome, written);
   if (!trace_folder.empty())
     write_trace_of_run(simulation, std::move(recording.trace), trace_folder, !arguments.quiet);
-  std::fflush(stdout);
-  for (const Warning& warning : simulation.warnings())
-    fmt::print(stderr, "warning: {}\n", warning.text);
+  for (const Warning& warning : simulation.warnings()) print_error("warning: " + warning.text);
   const std::string message = outcome.divergence + outcome.interruption;
-  if (!message.empty()) fmt::print(stderr, "{}\n", message);
+  if (!message.empty()) print_error(message);
   return exit_status(outcome);
 }
 

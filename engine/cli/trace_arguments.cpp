@@ -26,7 +26,7 @@ double parse_number(const std::string& option, const std::string& text, double l
 }  // namespace
 
 void add_trace_options(CLI::App& command, TraceArguments& arguments) {
-  command.add_option("--steps", arguments.steps, "Steps to record [20]")
+  command.add_option("--steps", arguments.steps, "Steps to record [20, or all if there are fewer]")
       ->check(CLI::Range(std::int64_t{1}, kMostSteps))
       ->type_name("K");
   command

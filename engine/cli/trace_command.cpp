@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/cli/trace_files.h"
 #include "engine/trace/files.h"
 #include "models/count_text.h"
@@ -25,20 +25,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the scenario has the steps that are asked for.
-void require_steps(const TraceArguments& asked, const Simulation& simulation) {
+constexpr std::int64_t kUsualSteps = 20;
+
+/// How many steps to record. Throws InputError if the scenario has not the steps that are asked
+/// for.
+std::int64_t choose_steps(const TraceArguments& asked, const Simulation& simulation) {
   const double step = simulation.step_size();
   const std::int64_t planned = simulation.planned_steps();
-  if (asked.steps > planned)
+  const std::int64_t steps = asked.steps.value_or(std::min(kUsualSteps, planned));
+  if (steps > planned)
     throw InputError(
-        fmt::format("spoke trace: --steps {}: the scenario has {}, expected at most {}",
-                    asked.steps, counted(planned, "step"), planned));
-  const double last = static_cast<double>(planned - asked.steps) * step;
+        fmt::format("spoke trace: --steps {}: the scenario has {}, expected at most {}", steps,
+                    counted(planned, "step"), planned));
+  const double last = static_cast<double>(planned - steps) * step;
   if (asked.from > last + 0.5 * step)
     throw InputError(fmt::format(
         "spoke trace: --from {:.6g}: {} of {:.6g} s {} at {:.6g} s, expected at most {:.6g} s",
         asked.from, counted(planned, "step"), step, planned == 1 ? "ends" : "end",
         static_cast<double>(planned) * step, last));
+  return steps;
 }
 
 void run_to(double time, Simulation& simulation) {
@@ -61,18 +66,18 @@ struct Traced {
 [[noreturn]] void throw_too_small(const TraceArguments& asked, const StepTrace& steps) {
   std::string text = fmt::format("spoke trace: --buffer {:g}: no step fits, expected at least {}",
                                  asked.buffer_mb, megabytes(steps.bytes_of_first));
-  if (asked.steps > 1)
-    text += fmt::format(", for all {} steps {}", asked.steps, megabytes(steps.bytes_of_all));
+  if (steps.asked_steps > 1)
+    text += fmt::format(", for all {} steps {}", steps.asked_steps, megabytes(steps.bytes_of_all));
   throw InputError(text);
 }
 
-Traced record(const TraceArguments& asked, Simulation& simulation) {
+Traced record(const TraceArguments& asked, std::int64_t steps, Simulation& simulation) {
   Traced traced;
   TraceOptions options;
   options.buffer_bytes = static_cast<std::size_t>(1e6 * asked.buffer_mb);
-  options.unfinished = [&](StepTrace steps) { traced.steps = std::move(steps); };
+  options.unfinished = [&](StepTrace recorded) { traced.steps = std::move(recorded); };
   try {
-    traced.steps = simulation.trace(asked.steps, {}, options);
+    traced.steps = simulation.trace(steps, {}, options);
   } catch (const DivergenceError& error) {
     if (traced.steps.steps.empty()) throw;
     traced.divergence = one_line(error.what());
@@ -91,15 +96,15 @@ int trace(const Arguments& arguments) {
   require_folder(folder);
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   const TraceArguments& asked = arguments.trace;
-  require_steps(asked, simulation);
+  const std::int64_t steps = choose_steps(asked, simulation);
+  const ResultsFolder taken(folder);
   trace::remove_files(folder);
   run_to(asked.from, simulation);
-  Traced traced = record(asked, simulation);
+  Traced traced = record(asked, steps, simulation);
   print_model(simulation);
   write_trace(simulation, std::move(traced.steps), folder, true);
   if (traced.divergence.empty()) return 0;
-  std::fflush(stdout);
-  fmt::print(stderr, "{}\n", traced.divergence);
+  print_error(traced.divergence);
   return 3;
 }
 

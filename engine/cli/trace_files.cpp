@@ -6,12 +6,11 @@
 
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "engine/cli/report.h"
-#include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/trace/files.h"
 #include "engine/trace/statistics.h"
 #include "graph/machine/duration_text.h"
@@ -77,7 +76,6 @@ void write_trace(const Simulation& simulation, StepTrace steps, const std::files
                  bool prints) {
   assert(!steps.steps.empty());
   const trace::Trace trace = trace::describe(simulation, std::move(steps));
-  make_folder(folder);
   const trace::WrittenFiles written = trace::write_files(trace, folder, graph::viewer_page());
   if (!prints) return;
   print_line("traced", describe_steps(trace.steps));
@@ -94,9 +92,8 @@ void write_trace_of_run(const Simulation& simulation, std::optional<StepTrace> s
                         const std::filesystem::path& folder, bool prints) {
   if (steps && !steps->steps.empty())
     return write_trace(simulation, std::move(*steps), folder, prints);
-  std::fflush(stdout);
-  fmt::print(stderr, "warning: no trace written to {}: {}\n", one_line(folder.string()),
-             explain_absence(steps));
+  print_error(fmt::format("warning: no trace written to {}: {}", one_line(folder.string()),
+                          explain_absence(steps)));
 }
 
 }  // namespace spoke::cli

@@ -14,8 +14,8 @@ namespace spoke::cli {
 /// As --buffer takes them, rounded up.
 std::int64_t megabytes(std::size_t bytes);
 
-/// Writes the files of a trace that `simulation` has made, in a folder that is made if needed, and,
-/// if `prints`, says what they show and where they are. Throws InputError. Precondition: there is a
+/// Writes the files of a trace that `simulation` has made to a folder that is there, and, if
+/// `prints`, says what they show and where they are. Throws InputError. Precondition: there is a
 /// step.
 void write_trace(const Simulation& simulation, StepTrace steps, const std::filesystem::path& folder,
                  bool prints);

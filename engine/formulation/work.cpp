@@ -101,15 +101,15 @@ double estimate_memory(const System& system, Formulation formulation) {
     for (const ChainBody& member : subsystem.bodies) {
       const double nf = member.body->coordinates();
       unknowns += 2.0 * kTwist + nf;
-      bytes += kNumber * (15.0 * nf + 300.0);
-      if (formulation == Formulation::subsystem) bytes += 2.0 * kNumber * (nf + 3) * (nf + 13);
+      bytes += 190.0 * nf + 3100.0;
+      if (formulation == Formulation::subsystem) bytes += kNumber * (nf + 3) * (nf + 16);
       constexpr double kPoint = sizeof(LoadPoint) + sizeof(Section);
       for (const BodyLoad& load : member.loads)
         bytes += kPoint * static_cast<double>(load.points.size());
       for (const BodyDrag& drag : member.drags)
         bytes += kPoint * static_cast<double>(drag.points.size());
     }
-    if (formulation == Formulation::subsystem) bytes += 2.0 * kNumber * joints * joints;
+    if (formulation == Formulation::subsystem) bytes += kNumber * joints * joints;
   }
   if (formulation == Formulation::augmented) bytes += 2.0 * kNumber * unknowns * unknowns;
   return bytes;

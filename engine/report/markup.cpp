@@ -68,4 +68,17 @@ std::string figure(double value, int digits) {
   return print(std::max(0, digits - before), value);
 }
 
+std::string quantity(double value, const std::string& unit, int digits) {
+  constexpr std::array prefixes = {"p", "n", "\u00b5", "m", "", "k", "M", "G", "T"};
+  constexpr int none = 4;
+  int place = none;
+  // Of the rounded value: 999.96 has as many digits as 1000.
+  const double size = std::abs(value) * (1.0 + 0.5 * std::pow(10.0, -digits));
+  if (std::isfinite(value) && value != 0.0)
+    place = none + static_cast<int>(std::floor(std::log10(size) / 3.0));
+  if (place < 0 || place >= static_cast<int>(prefixes.size())) place = none;
+  return figure(value * std::pow(10.0, 3 * (none - place)), digits) + ' ' +
+         prefixes[static_cast<std::size_t>(place)] + unit;
+}
+
 }  // namespace spoke::report

@@ -19,5 +19,8 @@ std::string figure(double value, int digits = 3);
 
 /// A ratio of times: two decimals, or two digits of a small one, which is not 0.
 std::string ratio_text(double ratio);
+/// The same with a unit behind it, which takes an SI prefix: "-5.611 MN m", "80.8 uJ" with the
+/// Greek letter.
+std::string quantity(double value, const std::string& unit, int digits = 3);
 
 }  // namespace spoke::report

@@ -77,16 +77,14 @@ std::vector<report::Tile> make_tiles(const Simulation& simulation,
     tiles.push_back({"Largest tip deflection", tips.front().substr(0, split),
                      split == std::string::npos ? "" : tips.front().substr(split + 1)});
   }
-  const auto add_largest = [&](const char* label, const char* sensor, const char* unit) {
-    const Sample sample = largest(range_of(simulation, statistics, sensor));
-    tiles.push_back({label, report::figure(sample.value, 4) + ' ' + unit,
-                     fmt::format("at {} s", number(sample.t))});
-  };
-  add_largest("Largest hub speed", "hub.speed", "rad/s");
-  add_largest("Largest torque", "hub.torque", "N m");
+  const auto at = [](const Sample& sample) { return fmt::format("at {} s", number(sample.t)); };
+  const Sample speed = largest(range_of(simulation, statistics, "hub.speed"));
+  tiles.push_back({"Largest hub speed", report::figure(speed.value, 4) + " rad/s", at(speed)});
+  const Sample torque = largest(range_of(simulation, statistics, "hub.torque"));
+  tiles.push_back({"Largest torque", report::quantity(torque.value, "N m", 4), at(torque)});
   const Sample residual = largest(range_of(simulation, statistics, "energy.residual"));
   const double relative = relative_residual(simulation, statistics);
-  tiles.push_back({"Largest energy residual", report::figure(residual.value) + " J",
+  tiles.push_back({"Largest energy residual", report::quantity(residual.value, "J"),
                    report::figure(relative, 2) + " of the largest kinetic energy",
                    relative > kNotableResidual ? report::Tone::warning : report::Tone::plain});
   tiles.push_back(

@@ -12,18 +12,21 @@
 namespace spoke {
 namespace {
 
-/// Memory of the step graph while it is built [bytes]: some 2 kB a node, and a bit for each pair of
-/// nodes, by which edges implied by others are found.
+/// Memory of the step graph of one pass, while it is built [bytes].
 double estimate_graph_memory(const System& system) {
-  const double nodes = 3.0 + 5.0 * static_cast<double>(system.subsystems.size()) +
+  const double nodes = 3.0 + 8.0 * static_cast<double>(system.subsystems.size()) +
                        3.0 * static_cast<double>(system.body_count());
-  return 2000.0 * nodes + nodes * nodes / 8.0;
+  return 1200.0 * nodes;
 }
 
 }  // namespace
 
+double estimate_model_memory(const System& system, Formulation formulation) {
+  return estimate_memory(system, formulation) + estimate_graph_memory(system);
+}
+
 void require_memory(const System& system, Formulation formulation) {
-  const double needed = estimate_memory(system, formulation) + estimate_graph_memory(system);
+  const double needed = estimate_model_memory(system, formulation);
   const double most = 0.8 * available_memory();
   if (needed < most) return;
   const auto gigabytes = [](double bytes) {

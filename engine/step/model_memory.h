@@ -1,11 +1,14 @@
 #pragma once
 
-// Whether a model fits into this machine's memory.
+// How much memory a model takes, and whether this machine has it.
 
 #include "engine/formulation/formulation.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
+
+/// What data and step graph of a model take, by measurements of models of many sizes [bytes].
+double estimate_model_memory(const System& system, Formulation formulation);
 
 /// Throws InputError if the data and step graph of a model need more memory than four fifths of
 /// what this process may use, naming both.

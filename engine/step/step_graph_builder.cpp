@@ -181,6 +181,7 @@ void add_loads_of_user(const Assembly& g, int i) {
 /// The loads of the user's that act on a body.
 PartList loads_on(const Assembly& g, int i, int j) {
   PartList list;
+  if (g.c.data.subsystems[i].bodies[j].applied.empty()) return list;  // spares a look at all blades
   for (std::size_t first = 0; first < g.parts.subsystems.size(); ++first) {
     const std::vector<LoadData>& loads = g.c.data.subsystems[first].loads;
     for (std::size_t k = 0; k < loads.size(); ++k)

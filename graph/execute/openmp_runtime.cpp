@@ -5,6 +5,9 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <limits>
 #include <string>
 
 #include "spoke/error.h"
@@ -32,6 +35,21 @@ int processors_for_openmp() {
   const auto binding = openmp_binding();
   return binding ? std::min(available_threads(), static_cast<int>(binding->places.size()))
                  : available_threads();
+}
+
+std::size_t openmp_stack() {
+  const char* const text = std::getenv("OMP_STACKSIZE");
+  if (text == nullptr) return 0;
+  char* end = nullptr;
+  const unsigned long long number = std::strtoull(text, &end, 10);
+  while (std::isspace(static_cast<unsigned char>(*end)) != 0) ++end;
+  const std::string units = "BKMG";
+  const char unit = *end == '\0' ? 'K' : static_cast<char>(std::toupper(*end));
+  const auto place = units.find(unit);
+  if (end == text || place == std::string::npos) return 0;
+  const unsigned shift = 10 * static_cast<unsigned>(place);
+  constexpr unsigned long long most = std::numeric_limits<std::size_t>::max();
+  return number > (most >> shift) ? most : static_cast<std::size_t>(number << shift);
 }
 
 void check_openmp_limit(ExecutorKind kind, const Threads& threads) {

@@ -2,6 +2,7 @@
 
 // What the OpenMP runtime makes of its environment. Of builds with OpenMP only.
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,10 @@ std::optional<OpenMpBinding> openmp_binding();
 /// How many of its threads can run at once: available_threads(), at most the processors of all
 /// places.
 int processors_for_openmp();
+
+/// The stack of a thread by OMP_STACKSIZE, which runtimes read when they are loaded [bytes]; 0: it
+/// says none.
+std::size_t openmp_stack();
 
 /// As check_thread_limit(), for a kind of OpenMP.
 void check_openmp_limit(ExecutorKind kind, const Threads& threads);

@@ -22,7 +22,8 @@ namespace {
 #ifdef SPOKE_HAS_OPENMP
 // OpenMP's runtimes end the program if the system refuses them a thread: that shows here.
 void try_if_many(const Threads& threads) {
-  if (threads.total() > processors_of_process()) try_threads(threads.total());
+  const std::size_t stack = openmp_stack();
+  if (stack > 0 || threads.total() > processors_of_process()) try_threads(threads.total(), stack);
 }
 #endif
 

@@ -35,6 +35,12 @@ Limits read_limits(const TomlSection& root) {
   return limits;
 }
 
+/// The file's name without folder and ending; it names a folder, so that "." and ".." are none.
+std::string name_of_file(const std::string& file) {
+  const std::string stem = std::filesystem::path(file).stem().string();
+  return stem.find_first_not_of('.') == std::string::npos ? "scenario" : stem;
+}
+
 }  // namespace
 
 Scenario parse_scenario(const std::string& text, const std::string& name,
@@ -45,7 +51,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
                                     "distributed_load", "drag", "hub_load", "integration", "limits",
                                     "output", "sensor"});
   Scenario scenario;
-  scenario.name = std::filesystem::path(name).stem().string();
+  scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
   scenario.rotor = read_rotor(root);
   scenario.integration = read_integration(root);

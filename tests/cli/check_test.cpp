@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/program.h"
@@ -29,6 +31,61 @@ TEST_CASE("check accepts every shipped scenario") {
     const Ended ended = run_spoke({"check", shipped(name)}, folder);
     CHECK(ended.status == 0);
     CHECK(ended.err.empty());
+  }
+}
+
+#ifndef SPOKE_SANITIZED
+
+namespace {
+
+/// The most memory that a child of this process has had [MB].
+double most_memory_of_children() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return 1.024e-3 * static_cast<double>(usage.ru_maxrss);
+}
+
+}  // namespace
+
+TEST_CASE("the memory that check tells is what the model takes, in proportion to its bodies") {
+  const WorkFolder folder;
+  REQUIRE(run_spoke({"check", shipped("wu_haug_rotor")}, folder).status == 0);
+  const double program = most_memory_of_children();
+  // Each larger than those before it.
+  for (const auto& [count, bodies] : {std::pair<std::string, std::string>{"1500", "4"},
+                                      {"1", "12000"},
+                                      {"3000", "4"},
+                                      {"1", "24000"}}) {
+    CAPTURE(count);
+    CAPTURE(bodies);
+    const Ended ended = run_spoke({"check", shipped("wu_haug_rotor"), "--set",
+                                   "blade.count=" + count, "--set", "blade.bodies=" + bodies},
+                                  folder);
+    REQUIRE(ended.status == 0);
+    const std::string label = "memory          about ";
+    const double told = std::stod(ended.out.substr(ended.out.find(label) + label.size()));
+    const double used = most_memory_of_children() - program;
+    CHECK(told > 0.8 * used);
+    CHECK(told < 1.2 * used);
+  }
+}
+
+#endif
+
+TEST_CASE("an azimuth beyond a turn is asked whether it is in degrees") {
+  const auto warnings = [](const std::string& command, const std::string& assignment) {
+    const Ended ended = run_spoke({command, shipped("wu_haug_rotor"), "--set", assignment, "--set",
+                                   "integration.duration=0.05"},
+                                  WorkFolder());
+    CHECK(ended.status == 0);
+    return ended.err;
+  };
+  for (const std::string command : {"check", "run"}) {
+    CHECK(warnings(command, "blade.azimuth=90") ==
+          "warning: " + shipped("wu_haug_rotor") +
+              ": the azimuth of blade 1 is 90 rad, beyond a turn of 2 pi: degrees?\n");
+    for (const char* usual : {"blade.azimuth=6.28", "blade.azimuth=-6.28", "blade.azimuth=3"})
+      CHECK(warnings(command, usual).empty());
   }
 }
 

@@ -144,6 +144,24 @@ TEST_CASE("-v logs to stderr and leaves stdout alone") {
   CHECK(ended.err.find("[info]") != std::string::npos);
 }
 
+TEST_CASE("scenarios with odd names have results in a folder of their own") {
+  for (const auto& [file, name] : {std::pair<std::string, std::string>{"...toml", "scenario"},
+                                   {"-x.toml", "-x"},
+                                   {"--y.toml", "--y"},
+                                   {" .toml", " "},
+                                   {"a b;c.toml", "a b;c"}}) {
+    CAPTURE(file);
+    const WorkFolder folder;
+    folder.write(file, read_file(shipped("wu_haug_rotor")));
+    const Ended ended = run_spoke(
+        {"run", file, "--quiet", "--set", "integration.duration=0.05", "--no-report"}, folder);
+    CHECK(ended.status == 0);
+    CHECK(ended.err.empty());
+    CHECK(fs::exists(folder.path() / "results" / name / "sensors.csv"));
+    CHECK(folder.entries() == 5);
+  }
+}
+
 TEST_CASE("a second run replaces the results of the first") {
   const WorkFolder folder;
   for (const char* duration : {"integration.duration=0.2", "integration.duration=0.1"}) {

@@ -112,6 +112,17 @@ TEST_CASE("OpenMP's executors count the processors, too, where their threads are
   CHECK(cores_with("env OMP_PROC_BIND=true", "openmp_levels") == cores_with(""));
 }
 
+TEST_CASE("stacks that the system refuses are told before anything is written") {
+  for (const std::string executor : {"openmp_levels", "openmp_scheme1"})
+    check_refused(run_rotor("0.01", {"--executor", executor, "--threads", "2"}),
+                  "2 threads cannot be made here: the system refuses more than 1 (", WorkFolder(),
+                  "env OMP_STACKSIZE=900000G");
+  for (const std::string stack : {"16M", "8000", " 4 m", "nonsense", "-1", ""})
+    CHECK(run_spoke(run_rotor("0.01", {"--executor", "openmp_levels", "--threads", "2"}),
+                    WorkFolder(), "env OMP_STACKSIZE='" + stack + "'")
+              .status == 0);
+}
+
 TEST_CASE("who asks for nested teams is told who takes them") {
   check_refused(run_rotor("0.01", {"--threads", "3x4"}),
                 "--threads: auto has one layer of threads, expected a number, got 3x4 "

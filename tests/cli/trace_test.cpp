@@ -344,6 +344,16 @@ TEST_CASE("a run whose trace has no step says so, and leaves no earlier trace") 
   CHECK(lines_of(warned(resumed, 0, "the run had come to its end before").err).size() == 1);
 }
 
+TEST_CASE("a scenario of few steps is traced as a whole unless a number is asked for") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke(
+      {"trace", shipped("wu_haug_rotor"), "--set", "integration.duration=0.02", "--out", "t"},
+      folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  CHECK(contains(ended.out, "4 steps from t = 0.005 s on"));
+}
+
 TEST_CASE("trace refuses a bad command line in one line and writes nothing") {
   const WorkFolder folder;
   const auto refused = [&](std::vector<std::string> options, const std::string& message) {

@@ -105,6 +105,14 @@ TEST_CASE("output is due at the first step at or after each multiple of the inte
   CHECK(due_steps(0.1, 0.0001, 200000).size() == 201);
 }
 
+TEST_CASE("numbers that mean nothing are refused") {
+  for (const double interval : {-1.0, std::nan("")})
+    CHECK_THROWS_AS(OutputTimes{interval}, InputError);
+  SensorStatistics statistics(3);
+  CHECK_THROWS_AS(statistics.add(0.0, std::vector<double>{1.0, 2.0}), InputError);
+  CHECK_THROWS_AS(statistics.add(0.0, {}), InputError);
+}
+
 TEST_CASE("output times forgive the round-off of summed steps") {
   OutputTimes times(0.05);
   double t = 0.0;

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "engine/simulation/node_measurement.h"
 #include "models/error.h"
@@ -149,8 +150,9 @@ TEST_CASE("a model beyond the machine's memory is refused before anything is all
   Scenario scenario = spin_up_scenario(wu_haug_blade(1000, 20), 0.005);
   CHECK_THROWS_WITH_AS(Simulation(scenario, {Formulation::augmented, ExecutorKind::serial, 1}),
                        doctest::Contains("memory"), InputError);
-  scenario.rotor = make_rotor(wu_haug_blade(1, 1), 100000);
-  CHECK_THROWS_WITH_AS(Simulation(scenario, kSerial), doctest::Contains("memory"), InputError);
+  scenario.rotor = make_rotor(wu_haug_blade(100000, 1), 1);
+  CHECK_THROWS_WITH_AS(Simulation(scenario, {Formulation::subsystem, ExecutorKind::serial, 1}),
+                       doctest::Contains("memory"), InputError);
 }
 
 TEST_CASE("simulations may be moved") {
@@ -211,6 +213,17 @@ TEST_CASE("what does not exist is refused with what was expected") {
   CHECK(message_of([&] { at_end.trace(1); }) == "the number of steps to trace is 1, expected none");
   CHECK(message_of([&] { measure_nodes(simulation, 4001); }) ==
         "the number of steps to measure is 4001, expected 1 to 4000");
+}
+
+TEST_CASE("a time that is no number is refused, and infinity is the end") {
+  Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.5), kSerial);
+  CHECK(message_of([&] { simulation.run_until(std::nan("")); }) ==
+        "run_until(): the time is not a number");
+  CHECK(simulation.steps() == 0);
+  simulation.run_until(-std::numeric_limits<double>::infinity());
+  CHECK(simulation.steps() == 0);
+  simulation.run_until(std::numeric_limits<double>::infinity());
+  CHECK(simulation.done());
 }
 
 TEST_CASE("every error of the library has a code") {

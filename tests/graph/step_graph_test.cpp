@@ -194,6 +194,23 @@ TEST_CASE("random graphs: reachability is that of the conflicts, and no edge is 
   }
 }
 
+TEST_CASE("edges are reduced over any distance, in memory that grows with the nodes") {
+  // A chain; every node also reads what the first one wrote, and each 700th what the last such one
+  // did, which the chain implies.
+  constexpr int kNodes = 5000;
+  StepGraphBuilder builder;
+  const auto add_part = [&](int k) { return builder.add_part("part " + std::to_string(k), {}); };
+  std::vector<PartId> parts;
+  for (int k = 0; k < kNodes; ++k) parts.push_back(add_part(k));
+  builder.add_node({"first"}, reads(), writes(parts[0]), nothing);
+  for (std::size_t k = 1; k < kNodes; ++k)
+    builder.add_node({"next"}, reads(parts[0], parts[k - 1], parts[k - 1 - (k - 1) % 700]),
+                     writes(parts[k]), nothing);
+  const StepGraph graph = builder.build();
+  CHECK(graph.edge_count() == kNodes - 1);
+  for (int k = 1; k < kNodes; ++k) CHECK(indices(graph.predecessors({k})) == List{k - 1});
+}
+
 TEST_CASE("random graphs: successors mirror predecessors, and the serial order is topological") {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);

@@ -23,6 +23,20 @@ TEST_CASE("coordinates are short and never in exponents") {
   CHECK(coordinate(100.0) == "100");
 }
 
+TEST_CASE("quantities have SI prefixes") {
+  CHECK(quantity(-5611377.0, "N m", 4) == "-5.611 MN m");
+  CHECK(quantity(12345.0, "N m") == "12.3 kN m");
+  CHECK(quantity(999.4, "J") == "999 J");
+  CHECK(quantity(1000.4, "J") == "1.00 kJ");
+  CHECK(quantity(1.0, "J") == "1.00 J");
+  CHECK(quantity(0.0, "J") == "0 J");
+  CHECK(quantity(8.08e-5, "J") == "80.8 \u00b5J");
+  CHECK(quantity(-2.5e-3, "N") == "-2.50 mN");
+  CHECK(quantity(4.1e-20, "J") == "4.1e-20 J");
+  CHECK(quantity(3e17, "J") == "3e+17 J");
+  CHECK(quantity(std::nan(""), "J") == "- J");
+}
+
 TEST_CASE("figures have three significant digits") {
   CHECK(figure(1.8449) == "1.84");
   CHECK(figure(0.021349) == "0.0213");
