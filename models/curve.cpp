@@ -85,7 +85,6 @@ Curve::Curve(std::vector<double> times, std::vector<double> values)
 }
 
 std::size_t Curve::segment(double t) const {
-  if (std::isnan(t)) throw InputError("a curve is asked for a time that is not a number");
   assert(times_.front() <= t && t < times_.back());
   const auto next = std::upper_bound(times_.begin(), times_.end(), t);
   return static_cast<std::size_t>(next - times_.begin()) - 1;
@@ -99,6 +98,7 @@ Curve::Cubic Curve::cubic(std::size_t k) const {
 }
 
 double Curve::value(double t) const {
+  if (std::isnan(t)) return t;
   if (t <= times_.front()) return values_.front();
   if (t >= times_.back()) return values_.back();
   const std::size_t k = segment(t);
@@ -106,6 +106,7 @@ double Curve::value(double t) const {
 }
 
 double Curve::derivative(double t) const {
+  if (std::isnan(t)) return t;
   if (t < times_.front() || t > times_.back()) return 0.0;
   if (t == times_.back()) return slopes_.back();
   const std::size_t k = segment(t);
@@ -115,6 +116,7 @@ double Curve::derivative(double t) const {
 double Curve::integral(double t) const { return primitive(t) - primitive(0.0); }
 
 double Curve::primitive(double t) const {
+  if (std::isnan(t)) return t;
   if (t <= times_.front()) return values_.front() * (t - times_.front());
   if (t >= times_.back()) return integrals_.back() + values_.back() * (t - times_.back());
   const std::size_t k = segment(t);

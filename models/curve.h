@@ -22,6 +22,9 @@ class SPOKE_EXPORT Curve {
   /// sizes are equal and not zero, times increase, and all is finite.
   Curve(std::vector<double> times, std::vector<double> values);
 
+  // At a time that is not a number all three are none: nodes of a graph ask for it where a motion
+  // has diverged.
+
   /// At time t [s].
   double value(double t) const;
   /// At the first and the last point the one-sided derivative inside; 0 before and after.

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "spoke/error.h"
 
@@ -46,7 +47,8 @@ std::size_t openmp_stack() {
   const std::string units = "BKMG";
   const char unit = *end == '\0' ? 'K' : static_cast<char>(std::toupper(*end));
   const auto place = units.find(unit);
-  if (end == text || place == std::string::npos) return 0;
+  const bool is_negative = std::string_view(text).find('-') != std::string_view::npos;
+  if (end == text || is_negative || place == std::string::npos) return 0;
   const unsigned shift = 10 * static_cast<unsigned>(place);
   constexpr unsigned long long most = std::numeric_limits<std::size_t>::max();
   return number > (most >> shift) ? most : static_cast<std::size_t>(number << shift);

@@ -1,5 +1,6 @@
 // Makes the executor of a kind, after its number of threads has been checked.
 
+#include <algorithm>
 #include <memory>
 
 #include "graph/execute/available_threads.h"
@@ -55,6 +56,8 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
     }
 #ifdef SPOKE_HAS_OPENMP
     case ExecutorKind::openmp_scheme1:
+      // Makes no more than there are processors.
+      try_if_many({std::min(threads.total(), processors_for_openmp()), 1});
       return make_openmp_scheme1_executor(graph, threads, processors_for_openmp());
     case ExecutorKind::openmp_scheme2:
       try_if_many(threads);

@@ -120,10 +120,10 @@ TEST_CASE("derivative and integral of a curve belong to its value") {
   CHECK(curve.integral(4.0) == Approx(sum).epsilon(1e-13));
 }
 
-TEST_CASE("a curve refuses a time that is no number") {
+TEST_CASE("at a time that is no number a curve has no value") {
   for (const Curve& curve : {Curve(2.0), Curve({0.0, 1.0, 3.0}, {1.0, 2.0, 0.0})})
     for (const auto function : {&Curve::value, &Curve::derivative, &Curve::integral})
-      CHECK_THROWS_AS((curve.*function)(std::nan("")), spoke::InputError);
+      CHECK(std::isnan((curve.*function)(std::nan(""))));
 }
 
 TEST_CASE("a curve refuses points that are none") {

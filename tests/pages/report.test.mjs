@@ -60,8 +60,8 @@ for (const scheme of ['light', 'dark'])
       withPage(rotorPage, { width, scheme }, async (page) => {
         assert.equal(await page.locator('h1').textContent(), 'Wu & Haug 1988 rotor, spin-up to 4 rad/s');
         const plots = page.locator('.plot');
-        assert.equal(await plots.count(), 6);
-        for (let k = 0; k < 6; ++k)
+        assert.equal(await plots.count(), 8);
+        for (let k = 0; k < 8; ++k)
           assert.ok((await countPixels(plots.nth(k).locator('canvas').first())) > 1000);
         for (const view of ['#film-hub', '#film-inertial'])
           assert.ok((await countPixels(page.locator(view))) > 1000);
@@ -218,7 +218,7 @@ test('deflections are exaggerated 1 to 100 times, the outline can go', () =>
 
 test('a free hub has a plot of its place, and small deflections are shown larger', () =>
   withPage(join(run('free_hub_satellite'), 'report.html'), {}, async (page) => {
-    assert.equal(await page.locator('.plot').count(), 7);
+    assert.equal(await page.locator('.plot').count(), 9);
     assert.equal(await page.locator('#film-times').textContent(), '\u00d7 10');
   }));
 
@@ -241,7 +241,7 @@ test('a run that ends at once has plots and no animation', () => {
   const options = ['run', model, '--integrator', 'rk4', '--quiet', '--out', out];
   assert.equal(spawnSync(process.env.SPOKE_PROGRAM, options).status, 3);
   return withPage(join(out, 'report.html'), {}, async (page) => {
-    assert.equal(await page.locator('.plot').count(), 6);
+    assert.equal(await page.locator('.plot').count(), 8);
     assert.equal(await page.locator('#film-play').count(), 0);
     const canvas = plotOf(page, 'Hub speed').locator('canvas').first();
     await canvas.click({ position: { x: 200, y: 60 } });
