@@ -33,6 +33,7 @@ Simulation::Simulation(const Scenario& scenario, const SimulationOptions& option
     : core_(std::make_unique<SimulationCore>(scenario, options, loads)) {
   SimulationLog::log_built(scenario, options.formulation, size(), planned_steps(), step_size(),
                            executor_name(), threads());
+  core_->log.log_warnings(scenario, step_size(), core_->seen);
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -62,7 +63,7 @@ const graph::StepGraph& Simulation::run_graph() const { return core_->runner->ru
 
 LinearProperties Simulation::linear_properties() const {
   const FrequencyRange range = calc_frequency_range(core_->scenario.rotor);
-  return {range.lowest, range.highest, calc_rk4_largest_step(range)};
+  return {range.lowest, range.highest, calc_rk4_largest_step(range, core_->scenario.rotor.damping)};
 }
 
 std::string_view Simulation::executor_name() const { return core_->runner->executor_name(); }

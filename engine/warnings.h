@@ -10,6 +10,7 @@ namespace spoke {
 enum class WarningKind {
   linear_range,   ///< a body bends beyond the range of linear elasticity in its frame
   energy_growth,  ///< the energy has grown beyond the work done
+  speed_jump,     ///< the drive changes the speed within less than a few steps
 };
 
 /// What a simulation has come across that does not end it, but makes its results doubtful.

@@ -5,7 +5,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <vector>
 
 #include "models/system/beam_elements.h"
@@ -78,6 +80,30 @@ double find_frequency(const Rotor& rotor, int count) {
   return 0.5 * (low + high);
 }
 
+using Complex = std::complex<double>;
+
+/// Roots of a damped vibration [1/s].
+std::array<Complex, 2> find_roots(double frequency, const Damping& damping) {
+  const double square = frequency * frequency;
+  const Complex half = 0.5 * (damping.mass_factor + damping.stiffness_factor * square);
+  const Complex larger = -half - std::sqrt(half * half - square);  // no cancellation
+  return {larger, square / larger};
+}
+
+/// The largest step at which rk4 is stable for a root with a negative real part, by bisection [s].
+double find_rk4_limit(Complex root) {
+  const auto is_stable = [root](double step) {
+    const Complex z = step * root;
+    return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))) <= 1.0;
+  };
+  double low = 0.0, high = 4.0 / std::abs(root);  // rk4 is stable nowhere so far from 0
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (is_stable(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 }  // namespace
 
 int count_frequencies_below(const Rotor& rotor, double frequency) {
@@ -118,8 +144,14 @@ double calc_first_frequency(const Blade& blade) {
   return find_frequency(rotor, 1);
 }
 
-double calc_rk4_largest_step(const FrequencyRange& range) {
-  return 2.0 * std::sqrt(2.0) / range.highest;
+double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping) {
+  if (damping.mass_factor == 0.0 && damping.stiffness_factor == 0.0)
+    return 2.0 * std::sqrt(2.0) / range.highest;
+  double largest = HUGE_VAL;
+  for (const double frequency : {range.lowest, range.highest})
+    for (const Complex root : find_roots(frequency, damping))
+      largest = std::min(largest, find_rk4_limit(root));
+  return largest;
 }
 
 }  // namespace spoke

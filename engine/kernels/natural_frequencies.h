@@ -25,7 +25,9 @@ double calc_first_frequency(const Blade& blade);
 /// included.
 int count_frequencies_below(const Rotor& rotor, double frequency);
 
-/// Largest step at which rk4 is stable for undamped vibrations: 2 sqrt(2) / highest frequency [s].
-double calc_rk4_largest_step(const FrequencyRange& range);
+/// Largest step at which rk4 is stable for the vibrations of the range [s]: undamped 2 sqrt(2) /
+/// highest frequency; damped, the largest h for which |R(h s)| <= 1, R(z) = 1 + z + z^2/2 + z^3/6 +
+/// z^4/24, at both roots of s^2 + (mass_factor + stiffness_factor w^2) s + w^2 = 0 for both ends w.
+double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping);
 
 }  // namespace spoke

@@ -104,16 +104,6 @@ void add_warnings(report::Page& page, const Simulation& simulation,
   }
   for (const Warning& warning : simulation.warnings())
     page.add_note(warning.text + ".", report::Tone::warning);
-  const double relative = relative_residual(simulation, statistics);
-  if (relative > kNotableResidual) {
-    const bool is_rk4 = simulation.scenario().integration.method == IntegrationMethod::rk4;
-    page.add_note(
-        fmt::format("The energy residual reaches {} % of the largest kinetic energy: the step of "
-                    "{} s is large for this motion{}.",
-                    report::figure(100.0 * relative, 2), number(simulation.step_size()),
-                    is_rk4 ? "" : ", or the spectral radius low"),
-        report::Tone::warning);
-  }
 }
 
 int count_elements(const Simulation& simulation) {

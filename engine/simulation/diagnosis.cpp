@@ -200,12 +200,19 @@ std::string blame_rk4(const Scenario& scenario, const StepContext& context) {
   const auto* rk4 = std::get_if<Rk4>(&context.integrator.method);
   if (!rk4) return {};
   const FrequencyRange range = calc_frequency_range(scenario.rotor);
-  const double limit = calc_rk4_largest_step(range);
+  const Damping& damping = scenario.rotor.damping;
+  const double limit = calc_rk4_largest_step(range, damping);
   if (rk4->step <= limit) return {};
   std::ostringstream text;
   text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
-       << " s (2 sqrt(2) by the highest natural frequency, " << range.highest
-       << " rad/s): take a smaller integration.step, or generalized_alpha";
+       << " s (";
+  if (damping.stiffness_factor == 0.0 && damping.mass_factor == 0.0)
+    text << "2 sqrt(2) by the highest natural frequency, " << range.highest << " rad/s";
+  else
+    text << "the highest natural frequency is " << range.highest << " rad/s, its damping ratio by "
+         << "[damping] "
+         << 0.5 * (damping.mass_factor / range.highest + damping.stiffness_factor * range.highest);
+  text << "): take a smaller integration.step, or generalized_alpha";
   return text.str();
 }
 

@@ -28,18 +28,19 @@ struct Observations {
   };
   Deflection first_deflection, largest_deflection;
 
-  /// Of steps whose energies are known.
+  /// Of steps whose energies are known: the energy that start and work explain, which is the
+  /// energy less its residual. What comes from nowhere thus does not hide itself.
   struct Energy {
     double step = 0.0;     ///< the last one
-    double last = 0.0;     ///< energy there [J]
-    double largest = 0.0;  ///< energy [J]
-    double change = 0.0;   ///< largest change of the energy within a step [J]
+    double last = 0.0;     ///< explained energy there [J]
+    double largest = 0.0;  ///< [J]
+    double change = 0.0;   ///< largest change within a step [J]
   };
   Energy energy;
   /// When the energy has first grown beyond its limit.
   struct Growth {
     double step = -1.0;                   ///< -1: it has not
-    double residual = 0.0, energy = 0.0;  ///< [J]; energy: the largest up to then
+    double residual = 0.0, energy = 0.0;  ///< [J]; energy: the largest explained up to then
     double largest_residual = 0.0, largest_step = -1.0;
   };
   Growth growth;
@@ -54,11 +55,22 @@ void observe_step(double step, const StepRecord& record, Observations& seen);
 /// Takes the energy at the start [J].
 void observe_start(double energy, Observations& seen);
 
+/// What growth of the energy is accepted.
+struct GrowthLimit {
+  double share = 0.0;       ///< of the largest explained energy; 0: any growth is accepted
+  double resolution = 0.0;  ///< see calc_energy_resolution() [J]
+};
+
+/// Strain energy that a scenario's tolerance leaves open: of a change of every coordinate by so
+/// much [J].
+double calc_energy_resolution(const Scenario& scenario);
+
 /// Takes the energies of a step. Whether this is the first at which they have grown: by more than
-/// `limit` (0: any growth is accepted) of the largest energy so far, and more than twice what the
-/// energy has changed by within any one step. That is what the quadrature of the work may be wrong
-/// by, most of all where a motion begins.
-bool observe_energy(double step, const EnergyBalance& balance, double limit, Observations& seen);
+/// the limit allows, and more than ten times what the explained energy has changed by within any
+/// one step. That is what the quadrature of the work may be wrong by, most of all where a motion
+/// begins.
+bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit& limit,
+                    Observations& seen);
 
 /// Bodies into which a blade of `bodies` bodies is to be cut for a deflection of `ratio` of the
 /// length of a body to come down to `limit`. Under a given curvature the ratio goes with the length

@@ -69,6 +69,7 @@ SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& c
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   sensors.start(context.system, context.data);
   observe_start(sensors.initial_energy(), seen);
+  energy_resolution = calc_energy_resolution(scenario);
   complete_step(0, {});
 }
 
@@ -294,7 +295,7 @@ void SimulationCore::complete_step(std::int64_t step, const StepObserver& observ
   if (!observe && !stops_on_growth()) return;
   const std::vector<double>& values = sensors.measure(context.system, work, step, context.data);
   const bool has_grown = observe_energy(static_cast<double>(step), sensors.balance(),
-                                        scenario.limits.energy_growth, seen);
+                                        {scenario.limits.energy_growth, energy_resolution}, seen);
   if (has_grown) log_news();
   if (observe) observe(static_cast<double>(step) * step_size, values);
   if (has_grown && stops_on_growth()) throw EnergyHasGrown();

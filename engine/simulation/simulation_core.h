@@ -60,6 +60,7 @@ class SimulationCore {
   std::int64_t evaluations = 0;
   WorkDone work;
   Observations seen;
+  double energy_resolution = 0.0;  ///< [J]
   SimulationLog log;
   Sensors sensors;
   /// Sensors are measured when first read after a step.

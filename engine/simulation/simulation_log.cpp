@@ -52,12 +52,13 @@ void SimulationLog::log_choice(const Scenario& scenario, int choices,
 
 void SimulationLog::log_warnings(const Scenario& scenario, double step_size,
                                  const Observations& seen) {
-  const bool was_logged[] = {has_logged_deflection_, has_logged_growth_};
-  has_logged_deflection_ = has_logged_deflection_ || seen.first_deflection.step >= 0.0;
-  has_logged_growth_ = has_logged_growth_ || seen.growth.step >= 0.0;
+  const auto was_logged = is_logged_;
+  is_logged(WarningKind::linear_range) |= seen.first_deflection.step >= 0.0;
+  is_logged(WarningKind::energy_growth) |= seen.growth.step >= 0.0;
+  is_logged(WarningKind::speed_jump) = true;  // known from the start
   if (!is_heard(LogLevel::warning)) return;
   for (const Warning& warning : make_warnings(scenario, step_size, seen))
-    if (!was_logged[warning.kind == WarningKind::energy_growth])
+    if (!was_logged[static_cast<std::size_t>(warning.kind)])
       log(LogLevel::warning, begin(scenario) + warning.text);
 }
 

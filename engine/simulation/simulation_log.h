@@ -2,6 +2,7 @@
 
 // What a simulation logs to the logger of the program that embeds it (engine/support/log.h).
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -32,15 +33,18 @@ class SimulationLog {
 
   /// Whether there is something to warn of that has not been logged.
   bool has_warnings(const Observations& seen) const {
-    return (seen.first_deflection.step >= 0.0 && !has_logged_deflection_) ||
-           (seen.growth.step >= 0.0 && !has_logged_growth_);
+    return (seen.first_deflection.step >= 0.0 && !is_logged(WarningKind::linear_range)) ||
+           (seen.growth.step >= 0.0 && !is_logged(WarningKind::energy_growth));
   }
   /// Logs it, in the words of Simulation::warnings().
   void log_warnings(const Scenario& scenario, double step_size, const Observations& seen);
 
  private:
+  bool is_logged(WarningKind kind) const { return is_logged_[static_cast<std::size_t>(kind)]; }
+  bool& is_logged(WarningKind kind) { return is_logged_[static_cast<std::size_t>(kind)]; }
+
   int logged_choices_ = 0;
-  bool has_logged_deflection_ = false, has_logged_growth_ = false;
+  std::array<bool, 3> is_logged_{};  ///< by kind of warning
 };
 
 }  // namespace spoke

@@ -218,6 +218,8 @@ void check_scenario(const Scenario& scenario) {
   check_numbers("gravity.acceleration", rotor.gravity, kGravity);
   check("gravity.ramp", rotor.gravity_ramp, kRamp);
   check_fields("damping", rotor.damping);
+  const std::string damping_fault = find_mass_factor_fault(rotor.damping, rotor.blades);
+  if (!damping_fault.empty()) fail("damping.mass_factor", damping_fault);
   check_all_loads(rotor);
   check_fields("integration", scenario.integration);
   const std::string fault = find_step_fault(scenario.integration);

@@ -62,6 +62,16 @@ std::string find_station_fault(std::size_t count) {
          " stations and point masses on all blades, expected at most " + std::to_string(most);
 }
 
+std::string find_mass_factor_fault(const Damping& damping, const std::vector<Blade>& blades) {
+  const bool is_cut = std::any_of(blades.begin(), blades.end(),
+                                  [](const Blade& blade) { return blade.bodies > 1; });
+  if (damping.mass_factor == 0.0 || !is_cut) return {};
+  return "damps motion relative to each body's own frame, next to none of a blade of several "
+         "bodies; "
+         "expected 0, or bodies = 1: stiffness_factor damps any number of bodies alike, [[drag]] "
+         "relative to the hub the motion in the hub's frame";
+}
+
 std::string find_element_fault(const std::vector<Blade>& blades) {
   constexpr std::int64_t most_elements = 20'000'000;
   std::int64_t elements = 0;

@@ -188,6 +188,8 @@ std::string find_station_fault(std::size_t count);
 /// How many a blade has.
 std::size_t count_stations(const Blade& blade);
 std::string find_element_fault(const std::vector<Blade>& blades);
+/// Of damping.mass_factor, if it is fine by itself.
+std::string find_mass_factor_fault(const Damping& damping, const std::vector<Blade>& blades);
 /// Of as many points as count_points() has found in all.
 std::string find_point_fault(std::size_t points);
 

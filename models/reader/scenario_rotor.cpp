@@ -183,8 +183,10 @@ Rotor read_rotor(const TomlSection& root) {
     rotor.gravity = Position::Map(acceleration.data());
   }
   rotor.gravity_ramp = gravity.number("ramp", kRamp, rotor.gravity_ramp);
-  visit_fields(rotor.damping,
-               FieldReader{root.section("damping", {"mass_factor", "stiffness_factor"})});
+  const TomlSection damping = root.section("damping", {"mass_factor", "stiffness_factor"});
+  visit_fields(rotor.damping, FieldReader{damping});
+  const std::string fault = find_mass_factor_fault(rotor.damping, rotor.blades);
+  if (!fault.empty()) damping.fail("mass_factor", fault);
   read_loads(root, rotor);
   return rotor;
 }

@@ -52,15 +52,16 @@ TEST_CASE("the memory that check tells is what the model takes, in proportion to
   REQUIRE(run_spoke({"check", shipped("wu_haug_rotor")}, folder).status == 0);
   const double program = most_memory_of_children();
   // Each larger than those before it.
-  for (const auto& [count, bodies] : {std::pair<std::string, std::string>{"1500", "4"},
-                                      {"1", "12000"},
-                                      {"3000", "4"},
-                                      {"1", "24000"}}) {
-    CAPTURE(count);
-    CAPTURE(bodies);
-    const Ended ended = run_spoke({"check", shipped("wu_haug_rotor"), "--set",
-                                   "blade.count=" + count, "--set", "blade.bodies=" + bodies},
-                                  folder);
+  struct Size {
+    std::string count, bodies;
+  };
+  for (const Size& blades : {Size{"1500", "4"}, {"1", "12000"}, {"3000", "4"}, {"1", "24000"}}) {
+    CAPTURE(blades.count);
+    CAPTURE(blades.bodies);
+    const Ended ended =
+        run_spoke({"check", shipped("wu_haug_rotor"), "--set", "blade.count=" + blades.count,
+                   "--set", "blade.bodies=" + blades.bodies},
+                  folder);
     REQUIRE(ended.status == 0);
     const std::string label = "memory          about ";
     const double told = std::stod(ended.out.substr(ended.out.find(label) + label.size()));

@@ -31,7 +31,7 @@ Scenario make_scenario(IntegrationMethod method, bool has_free_hub) {
   rotor.blades[1].reference_frame = ReferenceFrame::chord;
   rotor.blades[2].geometric_stiffening = false;
   rotor.gravity = Position{0.0, -9.81};
-  rotor.damping = {0.05, 1e-5};
+  rotor.damping = {0.0, 1e-5};
   rotor.hub.inertia = 2.0;
   if (has_free_hub) {
     rotor.hub.support = HubSupport::free;

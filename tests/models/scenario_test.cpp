@@ -137,7 +137,7 @@ TEST_CASE("hub and gravity and damping and integration and limits and output are
   const Scenario scenario =
       parse("title = 'T'\n[hub]\nsupport = 'free'\nradius = 0.5\nmass = 3\ninertia = 2\n" + kHub +
             kBlade +
-            "[gravity]\nacceleration = [0, -9.81]\n[damping]\nmass_factor = 0.1\n"
+            "bodies = 1\n[gravity]\nacceleration = [0, -9.81]\n[damping]\nmass_factor = 0.1\n"
             "stiffness_factor = 0.002\n[integration]\nmethod = 'rk4'\nstep = 1e-4\nduration = 2\n"
             "spectral_radius = 1\ntolerance = 1e-8\niterations = 2\nmax_iterations = 9\n"
             "[limits]\ndeflection = 0\nenergy_growth = 2\non_energy_growth = 'stop'\n"

@@ -5,6 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "engine/simulation.h"
+#include "models/error.h"
 #include "tests/approx.h"
 #include "tests/engine/lagrangian.h"
 #include "tests/engine/rotors.h"
@@ -43,7 +45,7 @@ TEST_CASE("the largest stable step of rk4 depends on the element length") {
        {Reference{1, 0.000346}, Reference{2, 0.0001659}, Reference{4, 8.207e-05},
         Reference{8, 4.093e-05}, Reference{16, 1.394e-05}}) {
     const Rotor rotor = make_rotor(wu_haug_blade(4, elements), 3);
-    CHECK(calc_rk4_largest_step(calc_frequency_range(rotor)) == approx(step).epsilon(1e-3));
+    CHECK(calc_rk4_largest_step(calc_frequency_range(rotor), {}) == approx(step).epsilon(1e-3));
   }
 }
 
@@ -81,5 +83,31 @@ TEST_CASE("frequencies of free and torque-driven hubs are those of the linearise
     const FrequencyRange range = calc_frequency_range(rotor);
     CHECK(range.lowest == approx(std::sqrt(squares[rigid])).epsilon(1e-6));
     CHECK(range.highest == approx(std::sqrt(squares[squares.size() - 1])).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("rk4 with damping is stable up to the limit that is told, and not beyond") {
+  for (const double factor : {1e-6, 2e-5, 1e-3}) {
+    Scenario scenario;
+    scenario.rotor = make_rotor(wu_haug_blade(2, 3), 1);
+    scenario.rotor.hub.drive = SpinUp{0.0, 1.0};
+    scenario.rotor.gravity = Position{-9.81, -9.81};
+    scenario.rotor.damping.stiffness_factor = factor;
+    scenario.integration.method = IntegrationMethod::rk4;
+    scenario.limits.energy_growth = 0.0;
+    const double limit =
+        calc_rk4_largest_step(calc_frequency_range(scenario.rotor), scenario.rotor.damping);
+    CAPTURE(factor);
+    for (const double share : {0.97, 1.03}) {
+      CAPTURE(share);
+      scenario.integration.step = share * limit;
+      scenario.integration.duration = 2000.0 * scenario.integration.step;
+      Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+      const auto run = [&] { simulation.run_until(scenario.integration.duration); };
+      if (share < 1.0)
+        CHECK_NOTHROW(run());
+      else
+        CHECK_THROWS_AS(run(), DivergenceError);
+    }
   }
 }

@@ -97,11 +97,24 @@ TEST_CASE("rk4 above its stability limit is named with that limit") {
   Scenario scenario = spin_up_scenario(wu_haug_blade(4, 4), 0.005);
   scenario.integration.method = IntegrationMethod::rk4;
   const FrequencyRange range = calc_frequency_range(scenario.rotor);
-  const std::string limit = number(calc_rk4_largest_step(range));
+  const std::string limit = number(calc_rk4_largest_step(range, {}));
   const std::string highest = number(range.highest);
   check_parts(diverge(scenario),
               {"diverged at t = ", "step ", "blade 1 / body ", " of node ", " / recovery\"",
                "the step of 0.005 s is above", limit.c_str(), highest.c_str()});
+}
+
+TEST_CASE("rk4 above its stability limit by damping is named with it") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(4, 4), 0.005);
+  scenario.integration.method = IntegrationMethod::rk4;
+  scenario.rotor.damping.stiffness_factor = 1e-3;
+  const FrequencyRange range = calc_frequency_range(scenario.rotor);
+  const double limit = calc_rk4_largest_step(range, scenario.rotor.damping);
+  CHECK(limit < 0.1 * calc_rk4_largest_step(range, {}));
+  scenario.integration.step = 1.5 * limit;
+  check_parts(diverge(scenario),
+              {"stability limit of rk4", number(limit).c_str(), "its damping ratio by [damping] ",
+               number(0.5e-3 * range.highest).c_str()});
 }
 
 TEST_CASE("a linear body above its first natural frequency is named with both speeds") {

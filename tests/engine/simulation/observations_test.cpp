@@ -229,19 +229,21 @@ TEST_CASE("a saved state whose observations name no body of the model is refused
   simulation.restore(saved);
 }
 
-TEST_CASE("growth of the energy is judged by its largest value and its change within a step") {
+TEST_CASE("growth of the energy is judged by what is explained, and its change within a step") {
+  constexpr GrowthLimit kPercent{0.01, 0.0};
   Observations seen;
   observe_start(100.0, seen);
-  CHECK_FALSE(observe_energy(1, {100.0, 0.9}, 0.01, seen));
-  CHECK_FALSE(observe_energy(2, {100.0, -50.0}, 0.01, seen));  // numerical damping
-  CHECK_FALSE(observe_energy(3, {103.0, 3.9}, 0.01, seen));
-  CHECK_FALSE(observe_energy(4, {103.0, 50.0}, 0.0, seen));
-  CHECK_FALSE(observe_energy(8, {90.0, 7.0}, 0.01, seen));
-  CHECK(observe_energy(9, {90.0, 7.1}, 0.01, seen));
-  CHECK_FALSE(observe_energy(10, {90.0, 8.0}, 0.01, seen));  // once
+  CHECK_FALSE(observe_energy(1, {100.9, 0.9}, kPercent, seen));
+  CHECK_FALSE(observe_energy(2, {50.0, -50.0}, kPercent, seen));  // numerical damping
+  CHECK_FALSE(observe_energy(3, {106.9, 3.9}, kPercent, seen));   // 3 more are explained
+  CHECK_FALSE(observe_energy(4, {153.0, 50.0}, {}, seen));
+  CHECK_FALSE(observe_energy(8, {121.0, 31.0}, kPercent, seen));
+  CHECK_FALSE(observe_energy(8, {121.1, 31.1}, {0.01, 0.1}, seen));
+  CHECK(observe_energy(9, {121.1, 31.1}, kPercent, seen));
+  CHECK_FALSE(observe_energy(10, {122.0, 32.0}, kPercent, seen));  // once
   CHECK(seen.growth.step == 9.0);
   CHECK(seen.growth.energy == 103.0);
-  CHECK(seen.growth.largest_residual == 8.0);
+  CHECK(seen.growth.largest_residual == 32.0);
 }
 
 TEST_CASE("sound simulations grow no energy, from rest, under gravity and from a running start") {
@@ -291,4 +293,39 @@ TEST_CASE("growing energy is warned of, or stops the run in the step it appears 
   Simulation timed(scenario, {Formulation::structured, ExecutorKind::serial, 1});
   CHECK_THROWS_WITH_AS(measure_nodes(timed, timed.planned_steps()), stopped.divergence.c_str(),
                        DivergenceError);
+}
+
+TEST_CASE("energy that comes from nowhere does not raise its own limit") {
+  Observations seen;
+  observe_start(1.0, seen);
+  CHECK_FALSE(observe_energy(1.0, {1.1, 0.0}, {0.01, 0.0}, seen));
+  // All at once, and much more than there was.
+  CHECK(observe_energy(2.0, {1e6, 1e6 - 1.2}, {0.01, 0.0}, seen));
+  CHECK(seen.growth.energy == approx(1.2));
+}
+
+TEST_CASE("a drive that changes the speed within less than four steps is warned of") {
+  const auto warning_of = [](const Drive& drive) -> std::string {
+    Scenario scenario;
+    scenario.rotor = make_rotor(wu_haug_blade(1, 2), 1);
+    scenario.rotor.hub.drive = drive;
+    scenario.integration.step = 0.005;
+    scenario.integration.duration = 4.0;
+    const Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+    const std::vector<Warning> warnings = simulation.warnings();
+    if (warnings.empty()) return {};
+    CHECK(warnings.size() == 1);
+    CHECK(warnings[0].kind == WarningKind::speed_jump);
+    return warnings[0].text;
+  };
+  CHECK(contains(warning_of(SpinUp{4.0, 1e-9}),
+                 "at t = 0 s the drive changes the speed by 4 rad/s within 1e-09 s"));
+  CHECK(contains(warning_of(SpinUpHoldSpinDown{4.0, 1.0, 1.0, 0.01}),
+                 "at t = 2 s the drive changes the speed by -4 rad/s within 0.01 s"));
+  CHECK(contains(warning_of(SpeedTable{Curve({0.0, 1.0, 1.001}, {0.0, 0.0, 3.0})}),
+                 "at t = 1 s the drive changes the speed by 3 rad/s within 0.001"));
+  CHECK(warning_of(SpinUp{4.0, 0.02}).empty());
+  CHECK(warning_of(SpinUp{0.0, 1e-9}).empty());
+  CHECK(warning_of(SpinUpHoldSpinDown{4.0, 1.0, 5.0, 0.01}).empty());  // after the end
+  CHECK(warning_of(SpeedTable{Curve({0.0, 1.0, 2.0}, {0.0, 0.0, 3.0})}).empty());
 }

@@ -128,6 +128,13 @@ TEST_CASE("hub, drive, gravity and damping in code are checked as those of a fil
        "gravity.acceleration.2: is nan, expected a finite number (m/s^2)"},
       {[](Scenario& s) { s.rotor.damping.mass_factor = -1.0; },
        "damping.mass_factor: is -1, expected a number of 0 or more (1/s)"},
+      {[](Scenario& s) {
+         s.rotor.damping.mass_factor = 0.1;
+         s.rotor.blades[0].bodies = 2;
+       },
+       "damping.mass_factor: damps motion relative to each body's own frame, next to none of a "
+       "blade of several bodies; expected 0, or bodies = 1: stiffness_factor damps any number of "
+       "bodies alike, [[drag]] relative to the hub the motion in the hub's frame"},
   });
 }
 

@@ -307,6 +307,10 @@ TEST_CASE("bad loads and gravity are refused") {
        "f.toml:23:16: gravity.acceleration: is 9.81, expected an array of 2 numbers (m/s^2)"},
       {"[damping]\nmass_factor = -1\n",
        "f.toml:23:15: damping.mass_factor: is -1, expected a number of 0 or more (1/s)"},
+      {"[damping]\nmass_factor = 0.1\n",
+       "f.toml:23:15: damping.mass_factor: damps motion relative to each body's own frame, next to "
+       "none of a blade of several bodies; expected 0, or bodies = 1: stiffness_factor damps any "
+       "number of bodies alike, [[drag]] relative to the hub the motion in the hub's frame"},
   });
 }
 
