@@ -75,9 +75,10 @@ TEST_CASE("a turning blade lags at the frequency of a rotating beam") {
   struct Published {
     double speed, flap;
   };
-  for (const auto& [speed, flap] :
+  for (const Published& published :
        {Published{0.0, 3.5160}, Published{2.0, 4.1373}, Published{6.0, 7.3604}}) {
-    const double lag = std::sqrt(flap * flap - speed * speed);
+    const double speed = published.speed;
+    const double lag = std::sqrt(published.flap * published.flap - speed * speed);
     const Blade blade = wu_haug_blade(4, 4);
     const double unit =
         std::sqrt(blade.youngs_modulus * blade.second_moment / (blade.density * blade.area)) /
