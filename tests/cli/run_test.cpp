@@ -145,11 +145,13 @@ TEST_CASE("-v logs to stderr and leaves stdout alone") {
 }
 
 TEST_CASE("scenarios with odd names have results in a folder of their own") {
-  for (const auto& [file, name] : {std::pair<std::string, std::string>{"...toml", "scenario"},
-                                   {"-x.toml", "-x"},
-                                   {"--y.toml", "--y"},
-                                   {" .toml", " "},
-                                   {"a b;c.toml", "a b;c"}}) {
+  const std::vector<std::pair<std::string, std::string>> names{{"...toml", "scenario"},
+                                                               {"-x.toml", "-x"},
+                                                               {"--y.toml", "--y"},
+                                                               {" .toml", " "},
+                                                               {"a b;c.toml", "a b;c"}};
+  for (const auto& names_of_one : names) {
+    const std::string &file = names_of_one.first, &name = names_of_one.second;
     CAPTURE(file);
     const WorkFolder folder;
     folder.write(file, read_file(shipped("wu_haug_rotor")));
