@@ -1,4 +1,5 @@
-// The nodes of a pass: what each reads, writes and calls. The picture below shows their order.
+// The order of a pass, and its nodes between motion_nodes.h and closing_nodes.h: what each reads,
+// writes and calls.
 
 #include "engine/step/step_graph_builder.h"
 
@@ -10,11 +11,9 @@
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
-#include "engine/kernels/readings.h"
-#include "engine/kernels/samples.h"
-#include "engine/kernels/section_balance.h"
+#include "engine/step/closing_nodes.h"
+#include "engine/step/motion_nodes.h"
 #include "engine/step/pass_integration.h"
-#include "engine/step/step_parts.h"
 
 // One pass of one blade of two bodies (structured and subsystem formulations), where the whole
 // motion of the hub is prescribed:
@@ -46,152 +45,10 @@
 namespace spoke {
 namespace {
 
-using graph::NodeLabel;
 using graph::PartId;
 using graph::reads;
 using graph::StepGraphBuilder;
 using graph::writes;
-using PartList = std::vector<PartId>;
-
-/// What adds nodes, and the pass they belong to.
-struct Assembly {
-  StepContext& c;
-  const StepParts& parts;
-  StepGraphBuilder& builder;
-  int pass = -1;
-
-  const SubsystemParts& blade(int i) const { return parts.subsystems[i]; }
-  NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
-    return {stage, subsystem, body, pass};
-  }
-};
-
-/// The body of a node that has nothing to do while its progress is halted.
-template <class Body>
-auto unless_halted(const StepProgress& progress, Body body) {
-  return [&progress, body]() noexcept {
-    if (!progress.is_halted) body();
-  };
-}
-
-void add_hub_motion(const Assembly& g) {
-  StepContext& c = g.c;
-  const StepParts& parts = g.parts;
-  g.builder.add_node(
-      g.label("hub motion"), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
-      writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
-      unless_halted(c.data.progress[0],
-                    [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
-}
-
-void add_prescribed_hub_motion(const Assembly& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const SubsystemData& data = g.c.data.subsystems[i];
-  const StepContext& c = g.c;
-  PrescribedHub& prescribed = g.c.data.subsystems[i].prescribed;
-  g.builder.add_node(
-      g.label("hub motion", i), reads(blade.progress, blade.hub_state), writes(blade.hub_state),
-      unless_halted(*data.progress, [&c, &prescribed, &progress = *data.progress]() noexcept {
-        if (is_at_new_time(c.integrator.method, progress.control))
-          prescribed = calc_prescribed_motion(c.system, progress.control.time);
-      }));
-}
-
-void add_coordinates(const Assembly& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const PartList coordinates = blade.all(&BodyParts::coordinates);
-  const PartList history = blade.all(&BodyParts::history);
-  const Method& method = g.c.integrator.method;
-  SubsystemData& data = g.c.data.subsystems[i];
-  g.builder.add_node(
-      g.label("coordinates", i),
-      reads(blade.progress, coordinates, history, blade.all(&BodyParts::accelerations)),
-      writes(coordinates, history),
-      unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
-}
-
-/// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle
-/// only, which a clamped frame has none of.
-PartList chain_coordinates(const Assembly& g, int i) {
-  PartList list = g.blade(i).all(&BodyParts::coordinates);
-  const FlexibleBody& tip = *g.c.system.subsystems[i].bodies.back().body;
-  if (tip.inboard.coordinate[kRotation] < 0) list.pop_back();
-  return list;
-}
-
-void add_position(const Assembly& g, int i) {
-  const Subsystem& subsystem = g.c.system.subsystems[i];
-  SubsystemData& data = g.c.data.subsystems[i];
-  g.builder.add_node(g.label("position", i), reads(g.blade(i).progress, chain_coordinates(g, i)),
-                     writes(g.blade(i).rotations),
-                     unless_halted(*data.progress, [&subsystem, &data]() noexcept {
-                       calc_rotations(subsystem, data);
-                     }));
-}
-
-/// Twists of the bodies; their poses only where drag depends on them.
-void add_velocity(const Assembly& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const Subsystem& subsystem = g.c.system.subsystems[i];
-  SubsystemData& data = g.c.data.subsystems[i];
-  PartList outputs{blade.twists};
-  if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
-  g.builder.add_node(
-      g.label("velocity", i),
-      reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),
-      writes(outputs), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
-        calc_velocities(subsystem, data);
-        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
-      }));
-}
-
-/// What the places of a load's markers depend on: on each of its blades the bodies up to the
-/// outermost marker's own.
-PartList load_inputs(const Assembly& g, const LoadData& load) {
-  const SubsystemParts& first = g.blade(load.blades.front());
-  PartList inputs{first.progress, first.hub_state};
-  for (const int i : load.blades) {
-    const SubsystemParts& blade = g.blade(i);
-    int last = 0;
-    for (const PlacedMarker& marker : load.markers)
-      if (marker.blade == i) last = std::max(last, marker.body);
-    inputs.push_back(blade.rotations);
-    inputs.push_back(blade.twists);
-    for (int j = 0; j <= last; ++j)
-      inputs.push_back(blade.bodies[static_cast<std::size_t>(j)].coordinates);
-  }
-  return inputs;
-}
-
-/// Those whose first blade this is. A load between blades is a node of no blade.
-void add_loads_of_user(const Assembly& g, int i) {
-  const StepContext& c = g.c;
-  SubsystemData& data = g.c.data.subsystems[i];
-  for (std::size_t k = 0; k < data.loads.size(); ++k) {
-    LoadData& load = data.loads[k];
-    const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
-    g.builder.add_node(
-        label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
-        unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
-          evaluate_load(progress.control.time, c.system, c.data, load);
-        }));
-  }
-}
-
-/// The loads of the user's that act on a body.
-PartList loads_on(const Assembly& g, int i, int j) {
-  PartList list;
-  if (g.c.data.subsystems[i].bodies[j].applied.empty()) return list;  // spares a look at all blades
-  for (std::size_t first = 0; first < g.parts.subsystems.size(); ++first) {
-    const std::vector<LoadData>& loads = g.c.data.subsystems[first].loads;
-    for (std::size_t k = 0; k < loads.size(); ++k)
-      if (std::any_of(
-              loads[k].markers.begin(), loads[k].markers.end(),
-              [i, j](const PlacedMarker& marker) { return marker.blade == i && marker.body == j; }))
-        list.push_back(g.parts.subsystems[first].loads[k]);
-  }
-  return list;
-}
 
 /// What a body's terms read: only what its options make them depend on.
 PartList terms_inputs(const Assembly& g, int i, int j) {
@@ -282,12 +139,6 @@ void add_effective(const Assembly& g, int i) {
   else
     add(subsystem::calc_effective_inertia, g.c.work.subsystem[i],
         writes(blade.effective, blade.workspace));
-}
-
-/// Whether a pass ends with the correction of a free coordinate of the hub.
-bool corrects_hub(const Assembly& g) {
-  return std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method) &&
-         !is_prescribed(g.c.system.hub);
 }
 
 /// What handing the hub's acceleration to the integrator reads.
@@ -429,106 +280,6 @@ void add_recovery(const Assembly& g, int i, int j) {
       });
   }
 }
-
-void add_finish(const Assembly& g) {
-  StepContext& c = g.c;
-  const StepParts& parts = g.parts;
-  const bool is_corrected = corrects_hub(g);
-  PartList outputs{parts.progress, parts.records};
-  if (is_corrected) outputs.push_back(parts.hub_state);
-  g.builder.add_node(g.label("finish"),
-                     reads(outputs, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
-                           parts.hub_solution, parts.hub_state, parts.hub_coordinates),
-                     writes(outputs), [&c, is_corrected]() noexcept {
-                       StepProgress& progress = c.data.progress[0];
-                       if (progress.is_halted) {
-                         progress.completed = StepProgress::kNone;
-                         return;
-                       }
-                       finish_system(c.system, c.integrator, c.data);
-                       // For the sensors: the last correction has moved the hub once more.
-                       if (is_corrected && progress.completed >= 0)
-                         c.data.hub = calc_hub_state(c.data.hub_coordinates);
-                     });
-}
-
-void add_subsystem_finish(const Assembly& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const Integrator& integrator = g.c.integrator;
-  const Window& window = g.c.data.window;
-  SubsystemData& data = g.c.data.subsystems[i];
-  g.builder.add_node(
-      g.label("finish", i),
-      reads(blade.progress, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
-            blade.effective, blade.hub_state, blade.records),
-      writes(blade.progress, blade.records), [&integrator, &window, &data]() noexcept {
-        if (data.progress->is_halted)
-          data.progress->completed = StepProgress::kNone;
-        else
-          finish_subsystem(integrator, window, data);
-      });
-}
-
-/// What keeping the loads of the joints reads.
-PartList joint_load_inputs(const Assembly& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  PartList inputs{blade.wrenches, blade.rotations};
-  if (!g.c.system.subsystems[i].bodies.front().centrifugal_stiffness) return inputs;
-  inputs.push_back(blade.hub_acceleration);
-  for (const PartId terms : blade.all(&BodyParts::terms)) inputs.push_back(terms);
-  return inputs;
-}
-
-/// What the scenario's sensors read beyond the places, twists and loads of joints of the blade.
-PartList reading_inputs(const Assembly& g, int i) {
-  PartList inputs;
-  const std::vector<Reading>& readings = g.c.data.subsystems[i].readings;
-  const auto add = [&inputs](const PartList& list) {
-    inputs.insert(inputs.end(), list.begin(), list.end());
-  };
-  for (const Reading& reading : readings) {
-    const bool is_root = reading.body == 0 && reading.section.x == 0.0;
-    const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
-    const bool is_accelerated = is_load || reading.quantity == SensorQuantity::acceleration;
-    const bool feels_hub = is_load || reading.frame == SensorFrame::inertial;
-    if (is_load) add(loads_on(g, i, reading.body));
-    if (!is_accelerated) continue;
-    for (int j = 0; j <= reading.body; ++j)
-      inputs.push_back(g.blade(i).bodies[static_cast<std::size_t>(j)].accelerations);
-    if (feels_hub && g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
-  }
-  return inputs;
-}
-
-/// What the sensors show, if the pass has completed a step that is observed.
-void add_sensors(const Assembly& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const StepContext& c = g.c;
-  StepData& table = g.c.data;
-  SubsystemData& data = table.subsystems[i];
-  const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
-  PartList outputs{blade.poses, blade.samples, blade.joint_loads};
-  if (!data.readings.empty()) outputs.push_back(blade.readings);
-  const PartList inputs{blade.rotations, blade.twists};
-  if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
-  g.builder.add_node(g.label("sensors", i),
-                     reads(blade.progress, blade.all(&BodyParts::coordinates), blade.hub_state,
-                           inputs, joint_load_inputs(g, i), reading_inputs(g, i), outputs),
-                     writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
-                       const std::int64_t step = data.progress->completed;
-                       if (step < 0) return;
-                       const auto index = static_cast<std::size_t>(i);
-                       const Subsystem& subsystem = c.system.subsystems[index];
-                       keep_joint_loads(subsystem, data);
-                       if (!table.window.observed) return;
-                       if (is_corrected) update_kinematics(subsystem, data);
-                       of_step(data.samples, step) = calc_sample(c.system, index, data);
-                       if (!data.readings.empty())
-                         calc_readings(c.system, index, step,
-                                       static_cast<double>(step) * step_size(c.integrator), table);
-                     });
-}
-
 void add_motion(const Assembly& g, int i) {
   if (!g.c.data.is_coupled) add_prescribed_hub_motion(g, i);
   add_coordinates(g, i);

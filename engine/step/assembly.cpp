@@ -1,0 +1,32 @@
+// Lists that several nodes declare.
+
+#include "engine/step/assembly.h"
+
+#include <algorithm>
+
+#include "engine/kernels/hub_motion.h"
+
+namespace spoke {
+
+using graph::PartId;
+
+PartList loads_on(const Assembly& g, int i, int j) {
+  PartList list;
+  if (g.c.data.subsystems[i].bodies[j].applied.empty()) return list;  // spares a look at all blades
+  for (std::size_t first = 0; first < g.parts.subsystems.size(); ++first) {
+    const std::vector<LoadData>& loads = g.c.data.subsystems[first].loads;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      if (std::any_of(
+              loads[k].markers.begin(), loads[k].markers.end(),
+              [i, j](const PlacedMarker& marker) { return marker.blade == i && marker.body == j; }))
+        list.push_back(g.parts.subsystems[first].loads[k]);
+  }
+  return list;
+}
+
+bool corrects_hub(const Assembly& g) {
+  return std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method) &&
+         !is_prescribed(g.c.system.hub);
+}
+
+}  // namespace spoke

@@ -1,0 +1,41 @@
+#pragma once
+
+// What the sources that add the nodes of a pass share.
+
+#include <vector>
+
+#include "engine/step/step_context.h"
+#include "engine/step/step_parts.h"
+#include "graph/step_graph.h"
+
+namespace spoke {
+
+using PartList = std::vector<graph::PartId>;
+
+/// What adds nodes, and the pass they belong to.
+struct Assembly {
+  StepContext& c;
+  const StepParts& parts;
+  graph::StepGraphBuilder& builder;
+  int pass = -1;
+
+  const SubsystemParts& blade(int i) const { return parts.subsystems[i]; }
+  graph::NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
+    return {stage, subsystem, body, pass};
+  }
+};
+
+/// The body of a node that has nothing to do while its progress is halted.
+template <class Body>
+auto unless_halted(const StepProgress& progress, Body body) {
+  return [&progress, body]() noexcept {
+    if (!progress.is_halted) body();
+  };
+}
+
+/// The loads of the user's that act on body `j` of blade `i`.
+PartList loads_on(const Assembly& g, int i, int j);
+/// Whether a pass ends with the correction of a free coordinate of the hub.
+bool corrects_hub(const Assembly& g);
+
+}  // namespace spoke

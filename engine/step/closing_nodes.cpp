@@ -1,0 +1,119 @@
+// What these nodes read, write and call.
+
+#include "engine/step/closing_nodes.h"
+
+#include "engine/kernels/hub_solve.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/readings.h"
+#include "engine/kernels/samples.h"
+#include "engine/kernels/section_balance.h"
+#include "engine/step/pass_integration.h"
+
+namespace spoke {
+namespace {
+
+using graph::PartId;
+using graph::reads;
+using graph::writes;
+
+/// What keeping the loads of the joints reads.
+PartList joint_load_inputs(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  PartList inputs{blade.wrenches, blade.rotations};
+  if (!g.c.system.subsystems[i].bodies.front().centrifugal_stiffness) return inputs;
+  inputs.push_back(blade.hub_acceleration);
+  for (const PartId terms : blade.all(&BodyParts::terms)) inputs.push_back(terms);
+  return inputs;
+}
+
+/// What the scenario's sensors read beyond the places, twists and loads of joints of the blade.
+PartList reading_inputs(const Assembly& g, int i) {
+  PartList inputs;
+  const std::vector<Reading>& readings = g.c.data.subsystems[i].readings;
+  const auto add = [&inputs](const PartList& list) {
+    inputs.insert(inputs.end(), list.begin(), list.end());
+  };
+  for (const Reading& reading : readings) {
+    const bool is_root = reading.body == 0 && reading.section.x == 0.0;
+    const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
+    const bool is_accelerated = is_load || reading.quantity == SensorQuantity::acceleration;
+    const bool feels_hub = is_load || reading.frame == SensorFrame::inertial;
+    if (is_load) add(loads_on(g, i, reading.body));
+    if (!is_accelerated) continue;
+    for (int j = 0; j <= reading.body; ++j)
+      inputs.push_back(g.blade(i).bodies[static_cast<std::size_t>(j)].accelerations);
+    if (feels_hub && g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
+  }
+  return inputs;
+}
+
+}  // namespace
+
+void add_finish(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  const bool is_corrected = corrects_hub(g);
+  PartList outputs{parts.progress, parts.records};
+  if (is_corrected) outputs.push_back(parts.hub_state);
+  g.builder.add_node(g.label("finish"),
+                     reads(outputs, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
+                           parts.hub_solution, parts.hub_state, parts.hub_coordinates),
+                     writes(outputs), [&c, is_corrected]() noexcept {
+                       StepProgress& progress = c.data.progress[0];
+                       if (progress.is_halted) {
+                         progress.completed = StepProgress::kNone;
+                         return;
+                       }
+                       finish_system(c.system, c.integrator, c.data);
+                       // For the sensors: the last correction has moved the hub once more.
+                       if (is_corrected && progress.completed >= 0)
+                         c.data.hub = calc_hub_state(c.data.hub_coordinates);
+                     });
+}
+
+void add_subsystem_finish(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const Integrator& integrator = g.c.integrator;
+  const Window& window = g.c.data.window;
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(
+      g.label("finish", i),
+      reads(blade.progress, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
+            blade.effective, blade.hub_state, blade.records),
+      writes(blade.progress, blade.records), [&integrator, &window, &data]() noexcept {
+        if (data.progress->is_halted)
+          data.progress->completed = StepProgress::kNone;
+        else
+          finish_subsystem(integrator, window, data);
+      });
+}
+
+void add_sensors(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const StepContext& c = g.c;
+  StepData& table = g.c.data;
+  SubsystemData& data = table.subsystems[i];
+  const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
+  PartList outputs{blade.poses, blade.samples, blade.joint_loads};
+  if (!data.readings.empty()) outputs.push_back(blade.readings);
+  const PartList inputs{blade.rotations, blade.twists};
+  if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
+  g.builder.add_node(g.label("sensors", i),
+                     reads(blade.progress, blade.all(&BodyParts::coordinates), blade.hub_state,
+                           inputs, joint_load_inputs(g, i), reading_inputs(g, i), outputs),
+                     writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
+                       const std::int64_t step = data.progress->completed;
+                       if (step < 0) return;
+                       const auto index = static_cast<std::size_t>(i);
+                       const Subsystem& subsystem = c.system.subsystems[index];
+                       keep_joint_loads(subsystem, data);
+                       if (!table.window.observed) return;
+                       if (is_corrected) update_kinematics(subsystem, data);
+                       of_step(data.samples, step) = calc_sample(c.system, index, data);
+                       if (!data.readings.empty())
+                         calc_readings(c.system, index, step,
+                                       static_cast<double>(step) * step_size(c.integrator), table);
+                     });
+}
+
+}  // namespace spoke

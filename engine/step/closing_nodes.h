@@ -1,0 +1,16 @@
+#pragma once
+
+// The nodes with which a pass ends: what the integrator makes of it, and the sensors.
+
+#include "engine/step/assembly.h"
+
+namespace spoke {
+
+/// Ends the pass of the system.
+void add_finish(const Assembly& g);
+/// Ends the pass of blade `i`, with its own progress.
+void add_subsystem_finish(const Assembly& g, int i);
+/// What the sensors show of blade `i`, if the pass has completed a step that is observed.
+void add_sensors(const Assembly& g, int i);
+
+}  // namespace spoke

@@ -1,0 +1,123 @@
+// What these nodes read, write and call.
+
+#include "engine/step/motion_nodes.h"
+
+#include <algorithm>
+
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/step/pass_integration.h"
+
+namespace spoke {
+namespace {
+
+using graph::NodeLabel;
+using graph::reads;
+using graph::writes;
+
+/// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle
+/// only, which a clamped frame has none of.
+PartList chain_coordinates(const Assembly& g, int i) {
+  PartList list = g.blade(i).all(&BodyParts::coordinates);
+  const FlexibleBody& tip = *g.c.system.subsystems[i].bodies.back().body;
+  if (tip.inboard.coordinate[kRotation] < 0) list.pop_back();
+  return list;
+}
+
+/// What the places of a load's markers depend on: on each of its blades the bodies up to the
+/// outermost marker's own.
+PartList load_inputs(const Assembly& g, const LoadData& load) {
+  const SubsystemParts& first = g.blade(load.blades.front());
+  PartList inputs{first.progress, first.hub_state};
+  for (const int i : load.blades) {
+    const SubsystemParts& blade = g.blade(i);
+    int last = 0;
+    for (const PlacedMarker& marker : load.markers)
+      if (marker.blade == i) last = std::max(last, marker.body);
+    inputs.push_back(blade.rotations);
+    inputs.push_back(blade.twists);
+    for (int j = 0; j <= last; ++j)
+      inputs.push_back(blade.bodies[static_cast<std::size_t>(j)].coordinates);
+  }
+  return inputs;
+}
+
+}  // namespace
+
+void add_hub_motion(const Assembly& g) {
+  StepContext& c = g.c;
+  const StepParts& parts = g.parts;
+  g.builder.add_node(
+      g.label("hub motion"), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
+      writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
+      unless_halted(c.data.progress[0],
+                    [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
+}
+
+void add_prescribed_hub_motion(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const SubsystemData& data = g.c.data.subsystems[i];
+  const StepContext& c = g.c;
+  PrescribedHub& prescribed = g.c.data.subsystems[i].prescribed;
+  g.builder.add_node(
+      g.label("hub motion", i), reads(blade.progress, blade.hub_state), writes(blade.hub_state),
+      unless_halted(*data.progress, [&c, &prescribed, &progress = *data.progress]() noexcept {
+        if (is_at_new_time(c.integrator.method, progress.control))
+          prescribed = calc_prescribed_motion(c.system, progress.control.time);
+      }));
+}
+
+void add_coordinates(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const PartList coordinates = blade.all(&BodyParts::coordinates);
+  const PartList history = blade.all(&BodyParts::history);
+  const Method& method = g.c.integrator.method;
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(
+      g.label("coordinates", i),
+      reads(blade.progress, coordinates, history, blade.all(&BodyParts::accelerations)),
+      writes(coordinates, history),
+      unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
+}
+
+void add_position(const Assembly& g, int i) {
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  g.builder.add_node(g.label("position", i), reads(g.blade(i).progress, chain_coordinates(g, i)),
+                     writes(g.blade(i).rotations),
+                     unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+                       calc_rotations(subsystem, data);
+                     }));
+}
+
+void add_velocity(const Assembly& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const Subsystem& subsystem = g.c.system.subsystems[i];
+  SubsystemData& data = g.c.data.subsystems[i];
+  PartList outputs{blade.twists};
+  if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
+  g.builder.add_node(
+      g.label("velocity", i),
+      reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),
+      writes(outputs), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+        calc_velocities(subsystem, data);
+        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
+      }));
+}
+
+void add_loads_of_user(const Assembly& g, int i) {
+  const StepContext& c = g.c;
+  SubsystemData& data = g.c.data.subsystems[i];
+  for (std::size_t k = 0; k < data.loads.size(); ++k) {
+    LoadData& load = data.loads[k];
+    const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
+    g.builder.add_node(
+        label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
+        unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
+          evaluate_load(progress.control.time, c.system, c.data, load);
+        }));
+  }
+}
+
+}  // namespace spoke
