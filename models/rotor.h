@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "models/blade_choice.h"
 #include "models/drive.h"
 #include "models/vectors.h"
 
@@ -88,33 +89,9 @@ enum class LoadFrame {
   section,   ///< follows the loaded cross section
 };
 
-/// The blades that a load acts on: all, or one by its number. Numbers count from 1, as in files and
-/// in the names of sensors. Whole numbers do not convert: an index, from 0, is no number.
-class LoadedBlades {
- public:
-  /// Every blade of the rotor.
-  static constexpr LoadedBlades all() { return LoadedBlades(true, 0); }
-  /// Blade `number`, from 1: rotor.blades[number - 1].
-  static constexpr LoadedBlades number(int number) { return LoadedBlades(false, number); }
-
-  constexpr bool is_all() const { return is_all_; }  ///< whether every blade is loaded
-  /// From 1; 0 if all blades are loaded.
-  constexpr int number() const { return number_; }
-  /// Whether rotor.blades[index] is loaded.
-  constexpr bool holds(std::size_t index) const {
-    return is_all_ || static_cast<std::size_t>(number_) == index + 1;
-  }
-
- private:
-  constexpr LoadedBlades(bool is_all, int number) : is_all_(is_all), number_(number) {}
-
-  bool is_all_;
-  int number_;
-};
-
 /// A force and a moment at a point of a blade, scaled by a function of time.
 struct PointLoad {
-  LoadedBlades blade = LoadedBlades::all();  ///< on which it acts
+  BladeChoice blade = BladeChoice::all();  ///< on which it acts
   /// Distance from the blade's root [m], anywhere on the blade; none: the tip of each blade loaded.
   std::optional<double> position = std::nullopt;
   LoadFrame frame = LoadFrame::hub;  ///< in which the force is resolved
@@ -126,14 +103,14 @@ struct PointLoad {
 
 /// A force and a moment per length of a blade, between two stations, scaled by a function of time.
 struct DistributedLoad {
-  LoadedBlades blade = LoadedBlades::all();  ///< on which it acts
-  double from = 0.0;                         ///< its inner end, distance from the root [m]
-  std::optional<double> to = std::nullopt;   ///< its outer end [m]; none: the tip
-  LoadFrame frame = LoadFrame::hub;          ///< in which the force is resolved
-  Position force_per_length{0.0, 0.0};       ///< [N/m]
-  double moment_per_length = 0.0;            ///< about z [N]
-  double ramp = 0.0;                         ///< as in PointLoad [s]
-  Curve factor{1.0};                         ///< dimensionless function of time
+  BladeChoice blade = BladeChoice::all();   ///< on which it acts
+  double from = 0.0;                        ///< its inner end, distance from the root [m]
+  std::optional<double> to = std::nullopt;  ///< its outer end [m]; none: the tip
+  LoadFrame frame = LoadFrame::hub;         ///< in which the force is resolved
+  Position force_per_length{0.0, 0.0};      ///< [N/m]
+  double moment_per_length = 0.0;           ///< about z [N]
+  double ramp = 0.0;                        ///< as in PointLoad [s]
+  Curve factor{1.0};                        ///< dimensionless function of time
 };
 
 /// The frame in which drag rests.
@@ -146,7 +123,7 @@ enum class DragFrame {
 /// section relative to the frame, the force is -(linear + quadratic |u|) u, on the blade alone. It
 /// has no moment.
 struct Drag {
-  LoadedBlades blade = LoadedBlades::all();  ///< on which it acts
+  BladeChoice blade = BladeChoice::all();  ///< on which it acts
   DragFrame relative_to = DragFrame::inertial;
   /// Of the point, distance from the root [m]; none: the tip of each blade loaded.
   std::optional<double> position = std::nullopt;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/blade_choice.h"
 #include "spoke/export.h"
 
 namespace spoke {
@@ -36,8 +37,8 @@ enum class SensorFrame {
 /// One sensor, on one blade or on every blade.
 struct Sensor {
   SensorQuantity quantity = SensorQuantity::displacement;  ///< what it measures
-  std::string name;                  ///< in the names of its columns; empty: the quantity's
-  int blade = -1;                    ///< index from 0; -1: every blade
+  std::string name;  ///< in the names of its columns; empty: the quantity's
+  BladeChoice blade = BladeChoice::all();
   std::optional<double> position;    ///< from the blade's root [m]; empty: the tip
   int joint = 0;                     ///< of a joint's reaction: index from 0, at the root
   std::optional<SensorFrame> frame;  ///< empty: the quantity's usual one, see frame_of()

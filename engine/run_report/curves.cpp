@@ -47,13 +47,14 @@ void add_plots_of_sensors(const Simulation& simulation, std::vector<Plot>& plots
       const std::string unit(component.unit);
       if (!is_of_blade(sensor.quantity)) {
         plots.push_back({name + end, unit, {{name + end, simulation.sensor_index(name + end)}}});
-      } else if (sensor.blade < 0) {
+      } else if (sensor.blade.is_all()) {
         plots.push_back(plot_of_blades(simulation, name + end, unit, "." + name + end));
       } else {
-        plots.push_back({name + end,
-                         unit,
-                         {{"blade " + std::to_string(sensor.blade + 1),
-                           simulation.sensor_index(prefix_of(sensor, sensor.blade) + end)}}});
+        plots.push_back(
+            {name + end,
+             unit,
+             {{"blade " + std::to_string(sensor.blade.number()),
+               simulation.sensor_index(prefix_of(sensor, sensor.blade.number() - 1) + end)}}});
       }
     }
   }

@@ -14,8 +14,8 @@ struct BladeRange {
 };
 
 BladeRange blades_of(const Sensor& sensor, std::size_t blades) {
-  if (sensor.blade < 0 || !is_of_blade(sensor.quantity)) return {0, blades};
-  const auto first = static_cast<std::size_t>(sensor.blade);
+  if (sensor.blade.is_all() || !is_of_blade(sensor.quantity)) return {0, blades};
+  const auto first = static_cast<std::size_t>(sensor.blade.number()) - 1;
   return {first, first + 1};
 }
 

@@ -94,13 +94,13 @@ void check_blades(const std::vector<Blade>& blades) {
   if (!fault.empty()) fail("blades", fault);
 }
 
-void check_blade(const std::string& path, LoadedBlades loaded, const std::vector<Blade>& blades) {
+void check_blade(const std::string& path, BladeChoice loaded, const std::vector<Blade>& blades) {
   if (!loaded.is_all())
     check(path + ".blade", loaded.number(), Count{1, static_cast<int>(blades.size())});
 }
 
 void check_position(const std::string& path, const std::optional<double>& position,
-                    LoadedBlades loaded, const std::vector<Blade>& blades) {
+                    BladeChoice loaded, const std::vector<Blade>& blades) {
   if (position) check(path + ".position", *position, place_on(shortest_loaded(loaded, blades)));
 }
 

@@ -89,7 +89,7 @@ std::string find_point_fault(std::size_t points) {
          std::to_string(most_points);
 }
 
-const Blade& shortest_loaded(LoadedBlades loaded, const std::vector<Blade>& blades) {
+const Blade& shortest_loaded(BladeChoice loaded, const std::vector<Blade>& blades) {
   assert(!blades.empty() && loaded.number() <= static_cast<int>(blades.size()));
   if (!loaded.is_all()) return blades[static_cast<std::size_t>(loaded.number() - 1)];
   return *std::min_element(blades.begin(), blades.end(),
@@ -104,7 +104,7 @@ Quantity end_on(const Blade& blade, double from) {
   return {"m, beyond from, up to the blade's tip", from, blade.length, false};
 }
 
-std::size_t count_points(LoadedBlades loaded, bool is_distributed, const Curve& factor,
+std::size_t count_points(BladeChoice loaded, bool is_distributed, const Curve& factor,
                          const std::vector<Blade>& blades) {
   const std::size_t times = factor.times().size();
   std::size_t points = 0;

@@ -195,7 +195,7 @@ std::string find_point_fault(std::size_t points);
 
 /// The blade on which the place of a load is limited most: its own, or the shortest. Precondition:
 /// the blade exists.
-const Blade& shortest_loaded(LoadedBlades loaded, const std::vector<Blade>& blades);
+const Blade& shortest_loaded(BladeChoice loaded, const std::vector<Blade>& blades);
 /// Where on this blade a load may act.
 Quantity place_on(const Blade& blade);
 /// What the outer end of a load between two places must be; of an inner end that is fine by itself.
@@ -207,7 +207,7 @@ inline bool is_distributed(const Drag& drag) {
 /// The points that a load keeps, on every blade that it acts on: of a load at a point as many as
 /// its curve has, of one between two places four for each element of the blade, and those of the
 /// curve.
-std::size_t count_points(LoadedBlades loaded, bool is_distributed, const Curve& factor,
+std::size_t count_points(BladeChoice loaded, bool is_distributed, const Curve& factor,
                          const std::vector<Blade>& blades);
 
 }  // namespace spoke

@@ -89,7 +89,7 @@ Json to_json(const Blade& blade) {
   return json;
 }
 
-Json to_json(LoadedBlades blade) { return blade.is_all() ? Json("all") : Json(blade.number()); }
+Json to_json(BladeChoice blade) { return blade.is_all() ? Json("all") : Json(blade.number()); }
 
 /// A ramp of 0 is left out: of scenarios without ramps nothing is written that was not before there
 /// were any, and checkpoints of them go on.
@@ -160,7 +160,7 @@ Json to_json(const Sensor& sensor) {
   Json json = {{"name", sensor.name.empty() ? name_of(sensor.quantity) : sensor.name},
                {"quantity", name_of(sensor.quantity)}};
   if (is_of_blade(sensor.quantity))
-    json["blade"] = sensor.blade < 0 ? Json("all") : Json(sensor.blade + 1);
+    json["blade"] = sensor.blade.is_all() ? Json("all") : Json(sensor.blade.number());
   if (has_position(sensor.quantity) && sensor.position) json["position"] = *sensor.position;
   if (sensor.quantity == SensorQuantity::joint_reaction) json["joint"] = sensor.joint + 1;
   if (frames_of(sensor.quantity).size() > 1) json["frame"] = name_of(frame_of(sensor));

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "models/reader/blade_choice_reader.h"
 #include "models/reader/curve_reader.h"
 #include "models/reader/field_reader.h"
 #include "models/scenario.h"
@@ -21,15 +22,6 @@ TomlSection::Keys with_common_keys(TomlSection::Keys keys) {
   return keys;
 }
 
-LoadedBlades read_blade(const TomlSection& section, const Blades& blades) {
-  if (!section.has("blade")) return LoadedBlades::all();
-  if (section.is_text("blade")) {
-    section.choice("blade", {"all"});
-    return LoadedBlades::all();
-  }
-  return LoadedBlades::number(section.integer("blade", {1, static_cast<int>(blades.size())}));
-}
-
 Curve read_factor(const TomlSection& section) {
   if (!section.has("time") && !section.has("factor")) return Curve(1.0);
   return read_curve(section, "time", kTime, "factor", kFactor);
@@ -41,7 +33,7 @@ Position read_vector(const TomlSection& section, std::string_view key, const Qua
   return Position::Map(values.data());
 }
 
-std::optional<double> read_position(const TomlSection& section, LoadedBlades loaded,
+std::optional<double> read_position(const TomlSection& section, BladeChoice loaded,
                                     const Blades& blades) {
   if (!section.has("position")) return std::nullopt;
   return section.number("position", place_on(shortest_loaded(loaded, blades)));
@@ -80,7 +72,7 @@ PointLoad read_load(const TomlSection& section, const Blades& blades) {
     section.fail("", "has neither force nor moment, expected force = [x, y] or moment = M");
   }
   PointLoad load;
-  load.blade = read_blade(section, blades);
+  load.blade = read_blade(section, blades.size());
   load.frame = section.choice("frame", {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section},
                               load.frame);
   load.force = read_vector(section, "force", kForce);
@@ -103,7 +95,7 @@ void add_load(const TomlSection& section, const Blades& blades, PointLoad load,
     return;
   }
   for (std::size_t i = 0; i < blades.size(); ++i) {
-    load.blade = LoadedBlades::number(static_cast<int>(i) + 1);
+    load.blade = BladeChoice::number(static_cast<int>(i) + 1);
     load.position = blades[i].length;
     loads.push_back(load);
   }
@@ -116,7 +108,7 @@ DistributedLoad read_distributed_load(const TomlSection& section, const Blades& 
                  "force_per_length = [x, y] or moment_per_length = M");
   }
   DistributedLoad load;
-  load.blade = read_blade(section, blades);
+  load.blade = read_blade(section, blades.size());
   read_ends(section, blades, load);
   load.frame = section.choice("frame", {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section},
                               load.frame);
@@ -143,7 +135,7 @@ Drag read_drag(const TomlSection& section, const Blades& blades) {
   require_use(section, "from", "linear_per_length", "quadratic_per_length");
   require_use(section, "to", "linear_per_length", "quadratic_per_length");
   Drag drag;
-  drag.blade = read_blade(section, blades);
+  drag.blade = read_blade(section, blades.size());
   drag.relative_to =
       section.choice("relative_to", {DragFrame::inertial, DragFrame::hub}, drag.relative_to);
   drag.position = read_position(section, drag.blade, blades);

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "models/reader/blade_choice_reader.h"
 #include "models/reader/scenario_fields.h"
 #include "spoke/error.h"
 
@@ -32,7 +33,8 @@ constexpr const char* kNameExpected = "letters, digits, \"_\", \"-\" and \".\", 
 /// The least of a property of the blades that a sensor is on.
 template <class Value>
 Value least_of(const Sensor& sensor, const std::vector<Blade>& blades, Value Blade::*member) {
-  if (sensor.blade >= 0) return blades[static_cast<std::size_t>(sensor.blade)].*member;
+  if (!sensor.blade.is_all())
+    return blades[static_cast<std::size_t>(sensor.blade.number() - 1)].*member;
   Value least = blades.front().*member;
   for (const Blade& blade : blades) least = std::min(least, blade.*member);
   return least;
@@ -61,8 +63,8 @@ class Columns {
 
   /// Adds the columns of a sensor. What is wrong with them, or nothing.
   std::string add(const Sensor& sensor, std::size_t blades) {
-    const bool is_everywhere = is_of_blade(sensor.quantity) && sensor.blade < 0;
-    const int first = is_everywhere ? 0 : std::max(sensor.blade, 0);
+    const bool is_everywhere = is_of_blade(sensor.quantity) && sensor.blade.is_all();
+    const int first = sensor.blade.is_all() ? 0 : sensor.blade.number() - 1;
     const int end = is_everywhere ? static_cast<int>(blades) : first + 1;
     const auto components = components_of(sensor.quantity);
     count_ += static_cast<std::size_t>(end - first) * components.size();
@@ -111,15 +113,6 @@ void require_fitting(const TomlSection& section, std::string_view key, bool fits
                         "\", expected only with quantity " + join_names(fitting));
 }
 
-int read_blade(const TomlSection& section, std::size_t blades) {
-  if (!section.has("blade")) return -1;
-  if (section.is_text("blade")) {
-    section.choice("blade", {"all"});
-    return -1;
-  }
-  return section.integer("blade", {1, static_cast<int>(blades)}) - 1;
-}
-
 SensorFrame read_frame(const TomlSection& section, SensorQuantity quantity) {
   const auto frames = frames_of(quantity);
   if (!section.has("frame")) return frames.front();
@@ -155,10 +148,11 @@ Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades)
 }
 
 void check_sensor(const std::string& path, const Sensor& sensor, const std::vector<Blade>& blades) {
-  const int last = static_cast<int>(blades.size()) - 1;
-  if (sensor.blade < -1 || sensor.blade > last)
-    fail(path + ".blade", "is index " + std::to_string(sensor.blade) + ", expected 0 to " +
-                              std::to_string(last) + ", or -1 for every blade");
+  const auto last = static_cast<int>(blades.size());
+  const int number = sensor.blade.number();
+  if (!sensor.blade.is_all() && (number < 1 || number > last))
+    fail(path + ".blade", "is " + std::to_string(number) + ", expected a whole number from 1 to " +
+                              std::to_string(last));
   if (!sensor.name.empty() && !is_name(sensor.name))
     fail(path + ".name", "is \"" + sensor.name + "\", expected " + kNameExpected);
   const auto frames = frames_of(sensor.quantity);

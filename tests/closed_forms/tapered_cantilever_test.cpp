@@ -155,7 +155,7 @@ TEST_CASE("a simulation of a tapered cantilever comes to rest where the closed f
   scenario.rotor.hub.drive = SpeedTable{Curve(0.0)};
   scenario.rotor.damping.stiffness_factor = 0.3;
   PointLoad load;
-  load.blade = LoadedBlades::number(1);
+  load.blade = BladeChoice::number(1);
   load.position = kLength;
   load.force = Position{0.0, 1e-3};
   load.factor = Curve({0.0, 1.0}, {0.0, 1.0});

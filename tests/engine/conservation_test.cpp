@@ -156,7 +156,7 @@ TEST_CASE("the energy residual falls at the order of the scheme with torque, dam
   rotor.damping = {0.1, 1e-4};
   rotor.gravity = Position{0.3, -1.0};
   PointLoad load;
-  load.blade = LoadedBlades::number(1);
+  load.blade = BladeChoice::number(1);
   load.position = 2.0;
   load.force = Position{0.0, 0.05};
   load.moment = 0.02;

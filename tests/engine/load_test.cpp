@@ -56,7 +56,7 @@ TEST_CASE("a load equal to a scenario's point load moves the rotor as that does"
   for_each_kind([](const Scenario& scenario, Formulation formulation) {
     Scenario with_load = scenario;
     PointLoad point;
-    point.blade = LoadedBlades::number(2);
+    point.blade = BladeChoice::number(2);
     point.position = 1.43;  // within an element of the second body
     point.frame = LoadFrame::inertial;
     point.force = {0.3, -0.5};

@@ -41,7 +41,8 @@ Scenario make_scenario(IntegrationMethod method, bool has_free_hub) {
   scenario.integration.method = method;
   if (method == IntegrationMethod::rk4) scenario.integration.step = 5e-5;
   scenario.integration.duration = kSteps * scenario.integration.step;
-  Sensor sensor{SensorQuantity::acceleration, "end", -1, {}, 0, SensorFrame::inertial};
+  Sensor sensor{SensorQuantity::acceleration, "end", BladeChoice::all(), {}, 0,
+                SensorFrame::inertial};
   scenario.sensors.push_back(sensor);
   sensor.quantity = SensorQuantity::section_force;
   sensor.name = "inside";

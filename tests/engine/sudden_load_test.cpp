@@ -35,7 +35,7 @@ Scenario cantilever(int bodies, double radius, double step) {
 
 PointLoad tip_moment(double moment) {
   PointLoad load;
-  load.blade = LoadedBlades::number(1);
+  load.blade = BladeChoice::number(1);
   load.position = 5.0;
   load.moment = moment;
   return load;

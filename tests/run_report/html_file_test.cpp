@@ -77,7 +77,7 @@ TEST_CASE("roots and the scenario's own sensors have plots") {
   scenario.sensors[0].name = "mid";
   scenario.sensors[0].position = 3.0;
   scenario.sensors[1].quantity = SensorQuantity::kinetic_energy;
-  scenario.sensors[1].blade = 1;
+  scenario.sensors[1].blade = BladeChoice::number(2);
   scenario.sensors[2].quantity = SensorQuantity::momentum;
   const Simulation simulation(scenario, test_options());
   const auto plots = make_plots(simulation);

@@ -151,7 +151,7 @@ TEST_CASE("point loads do the work of their force and moment where they are aske
       const LoadedRotor loaded(5, [&](Rotor& rotor) {
         distance = share * rotor.blades[0].length;
         PointLoad load;
-        load.blade = LoadedBlades::number(1);
+        load.blade = BladeChoice::number(1);
         if (share < 1.0) load.position = distance;  // else the tip
         load.frame = frame;
         load.force = {3.0, -2.0};
@@ -171,7 +171,7 @@ TEST_CASE("a load per length does the work of its pieces, also of parts of eleme
       from = 0.13 * rotor.blades[0].length;
       to = 0.71 * rotor.blades[0].length;
       DistributedLoad load;
-      load.blade = LoadedBlades::number(1);
+      load.blade = BladeChoice::number(1);
       load.from = from;
       load.to = to;
       load.frame = frame;
@@ -197,7 +197,7 @@ TEST_CASE("drag is opposite to the velocity, linear and quadratic, at a point an
         from = 0.2 * rotor.blades[0].length;
         to = 0.93 * rotor.blades[0].length;
         Drag drag;
-        drag.blade = LoadedBlades::number(1);
+        drag.blade = BladeChoice::number(1);
         drag.relative_to = frame;
         drag.position = position;
         drag.from = from;

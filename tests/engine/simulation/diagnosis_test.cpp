@@ -84,7 +84,7 @@ std::string number(double value) {
 
 PointLoad tip_load(int blade, Curve factor) {
   PointLoad load;
-  load.blade = LoadedBlades::number(blade + 1);
+  load.blade = BladeChoice::number(blade + 1);
   load.position = 8.0;
   load.force = {0.0, 1.0};
   load.factor = std::move(factor);

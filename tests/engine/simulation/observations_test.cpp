@@ -28,7 +28,7 @@ Scenario bending_scenario(double force) {
   scenario.rotor = make_rotor(wu_haug_blade(2, 3), 2);
   scenario.rotor.hub.drive = SpinUp{0.0, 1.0};
   PointLoad load;
-  load.blade = LoadedBlades::number(2);
+  load.blade = BladeChoice::number(2);
   load.position = 8.0;
   load.force = {0.0, force};
   load.factor = Curve({0.0, 4.0}, {0.0, 1.0});

@@ -100,8 +100,8 @@ TEST_CASE("sensors that are none are refused when they are filled in code") {
     return "accepted";
   };
   CHECK(message_of([](Sensor&) {}) == "accepted");
-  CHECK(message_of([](Sensor& s) { s.blade = 2; }) ==
-        "sensor.1.blade: is index 2, expected 0 to 1, or -1 for every blade");
+  CHECK(message_of([](Sensor& s) { s.blade = BladeChoice::number(3); }) ==
+        "sensor.1.blade: is 3, expected a whole number from 1 to 2");
   CHECK(message_of([](Sensor& s) { s.position = 2.5; }) ==
         "sensor.1.position: is 2.5, expected a number from 0 to 2 (m, from root to tip of the "
         "blade)");

@@ -204,7 +204,7 @@ TEST_CASE("momentum changes as the forces on hub and blades say") {
       rotor.gravity = Position{1.0, -9.81};
       rotor.blades[1].length = 1.6;
       PointLoad load;
-      load.blade = LoadedBlades::number(2);
+      load.blade = BladeChoice::number(2);
       load.position = 0.8;
       load.moment = 0.05;
       rotor.loads.push_back(load);
@@ -237,7 +237,7 @@ TEST_CASE("angular momentum changes by the moments of drive, roots and loads") {
     Rotor& rotor = scenario.rotor;
     rotor.hub.drive = SpinUp{6.0, 0.1};
     PointLoad load;
-    load.blade = LoadedBlades::number(2);
+    load.blade = BladeChoice::number(2);
     load.position = 2.0;
     load.moment = 0.05;
     rotor.loads.push_back(load);

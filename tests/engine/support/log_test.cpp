@@ -60,7 +60,7 @@ Scenario bending_scenario() {
   scenario.name = "bent";
   scenario.rotor.hub.drive = SpinUp{0.0, 1.0};
   scenario.rotor.loads.push_back(
-      {.blade = LoadedBlades::number(2), .position = 8.0, .force = {0.0, 6.0}});
+      {.blade = BladeChoice::number(2), .position = 8.0, .force = {0.0, 6.0}});
   scenario.integration.duration = 2.0;
   return scenario;
 }

@@ -33,7 +33,7 @@ Scenario make_scenario() {
   scenario.rotor.blades[1].length = 6.0;
   scenario.rotor.hub.drive = SpinUp{4.0, 15.0};
   scenario.rotor.loads.push_back(
-      {.blade = LoadedBlades::number(2), .position = 6.0, .force = {0.0, 1.0}});
+      {.blade = BladeChoice::number(2), .position = 6.0, .force = {0.0, 1.0}});
   scenario.integration.duration = 20.0;
   return scenario;
 }
@@ -60,7 +60,7 @@ Blade& second(Scenario& s) { return s.rotor.blades[1]; }
 
 TEST_CASE("a sound scenario passes") {
   CHECK(message_after([](Scenario&) {}) == "no error");
-  CHECK(message_after([](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::all(); }) ==
+  CHECK(message_after([](Scenario& s) { s.rotor.loads[0].blade = BladeChoice::all(); }) ==
         "no error");
 }
 
@@ -140,18 +140,18 @@ TEST_CASE("hub, drive, gravity and damping in code are checked as those of a fil
 
 TEST_CASE("loads in code are checked as those of a file") {
   // An index, from 0, is no number of a blade, from 1.
-  static_assert(!std::is_constructible_v<LoadedBlades, int>);
+  static_assert(!std::is_constructible_v<BladeChoice, int>);
   check_cases({
-      {[](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::number(3); },
+      {[](Scenario& s) { s.rotor.loads[0].blade = BladeChoice::number(3); },
        "load.1.blade: is 3, expected a whole number from 1 to 2"},
-      {[](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::number(0); },
+      {[](Scenario& s) { s.rotor.loads[0].blade = BladeChoice::number(0); },
        "load.1.blade: is 0, expected a whole number from 1 to 2"},
-      {[](Scenario& s) { s.rotor.loads[0].blade = LoadedBlades::number(-1); },
+      {[](Scenario& s) { s.rotor.loads[0].blade = BladeChoice::number(-1); },
        "load.1.blade: is -1, expected a whole number from 1 to 2"},
       {[](Scenario& s) { s.rotor.loads[0].position = 6.5; },
        "load.1.position: is 6.5, expected a number from 0 to 6 (m, from root to tip of the blade)"},
       {[](Scenario& s) {
-         s.rotor.loads[0].blade = LoadedBlades::all();
+         s.rotor.loads[0].blade = BladeChoice::all();
          s.rotor.loads[0].position = 7.0;
        },
        "load.1.position: is 7, expected a number from 0 to 6 (m, from root to tip of the blade)"},
@@ -169,7 +169,7 @@ TEST_CASE("loads in code are checked as those of a file") {
          std::vector<double> times(1'000'001);
          for (std::size_t k = 0; k < times.size(); ++k) times[k] = static_cast<double>(k);
          s.rotor.loads[0].position = 0.0;
-         s.rotor.loads[0].blade = LoadedBlades::all();
+         s.rotor.loads[0].blade = BladeChoice::all();
          s.rotor.loads[0].factor = Curve(times, times);
        },
        "load.1: makes 2000002 points (loads x blades x times) with those before it, expected at "
@@ -184,7 +184,7 @@ TEST_CASE(
        "gravity.ramp: is -1, expected a number of 0 or more (s)"},
       {[](Scenario& s) { s.rotor.loads[0].ramp = kNan; },
        "load.1.ramp: is nan, expected a finite number (s)"},
-      {[](Scenario& s) { s.rotor.distributed_loads.push_back({.blade = LoadedBlades::number(3)}); },
+      {[](Scenario& s) { s.rotor.distributed_loads.push_back({.blade = BladeChoice::number(3)}); },
        "distributed_load.1.blade: is 3, expected a whole number from 1 to 2"},
       {[](Scenario& s) { s.rotor.distributed_loads.push_back({.from = 6.0}); },
        "distributed_load.1.from: is 6, expected less than the blade's length, 6 (m)"},

@@ -62,11 +62,11 @@ frame = "inertial"
   const Sensor& velocity = scenario.sensors[0];
   CHECK(velocity.quantity == SensorQuantity::velocity);
   CHECK(velocity.name == "velocity");
-  CHECK(velocity.blade == -1);
+  CHECK(velocity.blade.is_all());
   CHECK(!velocity.position);
   CHECK(frame_of(velocity) == SensorFrame::hub);
   const Sensor& force = scenario.sensors[1];
-  CHECK(force.blade == 1);
+  CHECK(force.blade.number() == 2);
   CHECK(force.position == 3.0);
   CHECK(frame_of(force) == SensorFrame::section);
   CHECK(prefix_of(force, 1) == "blade2.mid-span");
@@ -80,7 +80,7 @@ TEST_CASE("keys of sensors can be overridden, and stand in the JSON of the scena
                                   "sensor.2={quantity=\"momentum\", name=\"whole\"}"});
   REQUIRE(scenario.sensors.size() == 2);
   CHECK(scenario.sensors[0].position == 2.5);
-  CHECK(scenario.sensors[0].blade == 0);
+  CHECK(scenario.sensors[0].blade.number() == 1);
   const std::string json = scenario.to_json();
   CHECK(json.find(R"("name": "displacement",
       "quantity": "displacement",
