@@ -58,7 +58,7 @@ void add_hub(const System& system, const StepData& data, Work& work) {
   const Hub& hub = system.hub;
   work.matrix.topLeftCorner<d, d>() =
       Twist(hub.mass, hub.mass, hub.inertia - centrifugal_inertia).asDiagonal();
-  work.right.head<d>() = calc_hub_force(system, data);
+  work.right.head<d>() = calc_hub_force(data.hub_solution);
   work.right[kRotation] += 2.0 * data.hub.twist[kRotation] * centrifugal_rate;
   const Twist given = calc_prescribed_acceleration(system, data.progress[0].control.time,
                                                    data.hub.R, data.hub_coordinates.a[kRotation]);
@@ -106,6 +106,7 @@ void allocate(const System& system, const StepData& data,
 void solve(const System& system, StepData& data, Work& work) noexcept {
   work.matrix.setZero();
   work.right.setZero();
+  set_applied(system, data);
   add_hub(system, data, work);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     const SubsystemData& subsystem = data.subsystems[i];
@@ -123,7 +124,6 @@ void solve(const System& system, StepData& data, Work& work) noexcept {
 
   HubSolution& solution = data.hub_solution;
   solution.acceleration = work.solution.head<d>();
-  set_applied(system, data);
   solution.reaction.setZero();
   int row = work.first_hub_multiplier;
   for (int c = 0; c < d; ++c)

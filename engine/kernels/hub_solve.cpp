@@ -25,10 +25,9 @@ void set_applied(const System& system, StepData& data) noexcept {
   data.hub_solution.load = calc_hub_load(system, t, data.hub);
 }
 
-Twist calc_hub_force(const System& system, const StepData& data) noexcept {
-  const double t = data.progress[0].control.time;
-  Twist force = calc_hub_load(system, t, data.hub);
-  force[kRotation] += calc_torque(system.hub.drive, t, data.hub.twist[kRotation]);
+Twist calc_hub_force(const HubSolution& applied) noexcept {
+  Twist force = applied.load;
+  force[kRotation] += applied.applied_torque;
   return force;
 }
 
@@ -38,7 +37,7 @@ HubEquation sum_hub_equation(const System& system, const StepData& data) noexcep
   // qf').
   HubEquation sum;
   sum.mass = Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();
-  sum.force = calc_hub_force(system, data);
+  sum.force = calc_hub_force(data.hub_solution);
   for (const SubsystemData& subsystem : data.subsystems) {
     const EffectiveInertia& effective = subsystem.effective;
     sum.mass += effective.mass;
@@ -50,6 +49,7 @@ HubEquation sum_hub_equation(const System& system, const StepData& data) noexcep
 }
 
 void solve_hub(const System& system, StepData& data) noexcept {
+  set_applied(system, data);
   const HubEquation equation = sum_hub_equation(system, data);
   const Twist given = calc_prescribed_acceleration(system, data.progress[0].control.time,
                                                    data.hub.R, data.hub_coordinates.a[kRotation]);
@@ -70,7 +70,6 @@ void solve_hub(const System& system, StepData& data) noexcept {
   solution.reaction = equation.mass * solution.acceleration - equation.force;
   for (int c = 0; c < kTwist; ++c)
     if (!is_prescribed(system.hub, c)) solution.reaction[c] = 0.0;
-  set_applied(system, data);
 }
 
 Twist calc_reaction(const SubsystemData& subsystem) noexcept {

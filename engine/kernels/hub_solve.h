@@ -19,10 +19,11 @@ Twist calc_hub_load(const System& system, double t, const HubState& hub) noexcep
 /// Sets in the solution what the drive and the loads apply to the hub.
 void set_applied(const System& system, StepData& data) noexcept;
 
-/// The same together: Q_0 of (P 9).
-Twist calc_hub_force(const System& system, const StepData& data) noexcept;
+/// Both together: Q_0 of (P 9).
+Twist calc_hub_force(const HubSolution& applied) noexcept;
 
-/// Effective inertia of the hub with all subsystems and its right-hand side, hub frame.
+/// Effective inertia of the hub with all subsystems and its right-hand side, hub frame. What is
+/// applied to the hub must have been set.
 struct HubEquation {
   TwistMatrix mass;
   Twist force;

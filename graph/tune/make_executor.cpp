@@ -15,8 +15,6 @@
 #include "graph/execute/openmp_runtime.h"
 #endif
 
-// Which executor each kind is.
-
 namespace spoke::graph {
 namespace {
 
