@@ -38,6 +38,8 @@ struct FlexibleBody {
   std::vector<Position> nodes;   ///< undeformed places in B, the first at its origin [m]
   std::vector<double> stations;  ///< of the nodes on the beam [m]
   std::vector<BeamElement> beam;
+  bool is_straight = false;  ///< the axes of all elements are those of B
+  bool is_damped = false;    ///< D is not zero
   /// Nodes at which joints hold the body: first node 0 (the inboard handle), then others,
   /// ascending.
   std::vector<int> handles;
