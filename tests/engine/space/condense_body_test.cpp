@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 
 #include "engine/space/dense_body.h"
 #include "tests/engine/space/bodies.h"
@@ -83,7 +84,8 @@ TEST_CASE("condensing a body and recovering it solves its full equations") {
           CAPTURE(elements);
           CAPTURE(implicit);
           const auto test = make_random_body(options, elements, frame, random);
-          check_agreement(*test, implicit, random, 1e-12);
+          // Of the relative precision, a part that grows as E^3 is lost, as with a full matrix.
+          check_agreement(*test, implicit, random, 3e-13 + 1.5e-14 * std::pow(elements, 3));
         }
 }
 
