@@ -52,6 +52,11 @@ Angular logarithm(const Quaternion& Q) {
   return sign * 2.0 * std::atan2(sine, sign * Q.w) / sine * Q.v;
 }
 
+Quaternion turn(const Quaternion& Q, const Angular& D, TurnFrame frame) {
+  const Quaternion by = make_quaternion(D);
+  return frame == TurnFrame::child ? Q * by : by * Q;
+}
+
 Quaternion calc_rate(const Quaternion& Q, const Angular& w) { return Q * Quaternion{0.0, 0.5 * w}; }
 
 Quaternion calc_rate(const Angular& w, const Quaternion& Q) { return Quaternion{0.0, 0.5 * w} * Q; }

@@ -34,6 +34,13 @@ Quaternion make_quaternion(const Angular& theta);
 /// The rotation vector of a unit quaternion, of angle 0 <= t <= pi. (Q and -Q are one rotation.)
 Angular logarithm(const Quaternion& Q);
 
+/// Where the angular velocity of B in A, and a rotation vector that turns B, are resolved: in the
+/// child B, or in the parent A.
+enum class TurnFrame { child, parent };
+
+/// Q turned by the rotation vector D: Q exp(D~) in the child's frame, exp(D~) Q in the parent's.
+Quaternion turn(const Quaternion& Q, const Angular& D, TurnFrame frame);
+
 /// Q' = 1/2 Q (0, w), w the angular velocity of B in A, resolved in B.
 Quaternion calc_rate(const Quaternion& Q, const Angular& w);
 

@@ -17,8 +17,8 @@ struct Space {
   static constexpr int kAngular = space::kAngular;
   static constexpr int kTwist = space::kTwist;
   static constexpr int kRotation = space::kRotation;  ///< the first rotational component
-  /// Whether joints may have coordinates of their own; those of the plane are rigid.
-  static constexpr bool kHasJointCoordinates = true;
+  /// Coordinates that a joint may have; those of the plane are rigid.
+  static constexpr int kMostJointCoordinates = kTwist;
 
   using Position = space::Position;
   using Angular = space::Angular;

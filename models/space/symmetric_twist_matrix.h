@@ -54,6 +54,23 @@ inline SymmetricTwistMatrix translate(const Position& p, const SymmetricTwistMat
           a.rr + cross_columns(p, a.rt.transpose()) + cross_columns(p, rt.transpose()).transpose()};
 }
 
+/// X A X^T with X = [1, p~; 0, 1]: a compliance at a bracket, referred to the point from which p
+/// leads there. The inverse of what translate() makes of the inverse.
+inline SymmetricTwistMatrix refer(const Position& p, const SymmetricTwistMatrix& a) {
+  const Matrix3 once = cross_columns(p, a.rt);
+  const Matrix3 rt = a.rt + cross_columns(p, a.rr).transpose();
+  return {a.tt + cross_columns(p, rt) + once.transpose(), rt, a.rr};
+}
+
+/// A - factor y y^T.
+inline SymmetricTwistMatrix subtract_square(const SymmetricTwistMatrix& a, const Twist& y,
+                                            double factor) {
+  const Twist scaled = factor * y;
+  return {a.tt - linear(scaled) * linear(y).transpose(),
+          a.rt - angular(scaled) * linear(y).transpose(),
+          a.rr - angular(scaled) * angular(y).transpose()};
+}
+
 /// Inverse of a symmetric matrix of three by its cofactors, of which it reads the lower triangle.
 /// Not finite if it is singular.
 inline Matrix3 invert_symmetric(const Matrix3& a) {

@@ -85,10 +85,20 @@ space::Twist translate(const Eigen::MatrixBase<P>& p, const Eigen::MatrixBase<F>
   return felt;
 }
 
+/// X a with X = [1, p~; 0, 1] = T^-1: the acceleration of a bracket, referred to the point from
+/// which p leads there. Linear: without what the rotation of p adds.
+template <ColumnOf<space::kPosition> P, ColumnOf<space::kTwist> A>
+space::Twist refer(const Eigen::MatrixBase<P>& p, const Eigen::MatrixBase<A>& a) {
+  space::Twist referred = a;
+  linear(referred) += cross(p, angular(referred));
+  return referred;
+}
+
 namespace space {
 using spoke::angular;
 using spoke::cross;
 using spoke::linear;
+using spoke::refer;
 using spoke::translate;
 }  // namespace space
 
