@@ -8,10 +8,43 @@ namespace spoke {
 
 FlexLayout make_layout(const FlexibleBody& body) { return {body.axial(), body.bending()}; }
 
+namespace {
+
+/// Where a handle's coordinates stand in flex vectors.
 std::array<int, kTwist> find_places(const FlexLayout& layout, const Handle& handle) {
   std::array<int, kTwist> places{};
   for (std::size_t c = 0; c < places.size(); ++c) places[c] = layout.offset(handle.coordinate[c]);
   return places;
+}
+
+/// From one flex vector to the next, both with the zeros before and behind.
+std::size_t stride_of(const FlexLayout& layout) {
+  return static_cast<std::size_t>(layout.stride());
+}
+
+}  // namespace
+
+std::size_t count_fields(const FlexibleBody& body) { return 2 * stride_of(make_layout(body)); }
+
+void place_fields(const FlexibleBody& body, double* memory, PlanarFields& fields) {
+  const FlexLayout layout = make_layout(body);
+  fields.inboard_at = find_places(layout, body.inboard);
+  fields.outboard_at = find_places(layout, body.outboard);
+  fields.c_theta = memory;
+  fields.Q_f = memory + stride_of(layout);
+}
+
+std::size_t count_condensed(const FlexibleBody& body) {
+  const FlexLayout layout = make_layout(body);
+  return 2 * stride_of(layout) + FlexLayout::kPad +
+         2 * static_cast<std::size_t>(layout.scratch_size());
+}
+
+void place_condensed(const FlexibleBody& body, double* memory, PlanarCondensed& condensed) {
+  const FlexLayout layout = make_layout(body);
+  condensed.W_theta = memory;
+  condensed.z = memory + stride_of(layout);
+  condensed.scratch = reinterpret_cast<Double2*>(memory + 2 * stride_of(layout) + FlexLayout::kPad);
 }
 
 void set_extent(const FlexLayout& layout, CoordinateBlock& block) {

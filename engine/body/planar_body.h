@@ -16,13 +16,12 @@ namespace spoke {
 /// Terms of a body's equations of motion that its state determines (docs/formulation.md, section
 /// 2), all in the body frame. The flex vectors c_theta and Q_f belong to them.
 struct PlanarTerms {
-  Position S;                  ///< first moment S0 + S qf [kg m]
-  double rotary_inertia;       ///< M_ww [kg m^2]
-  Twist Q;                     ///< right-hand side of translation and rotation [N, N m]
-  double centrifugal_inertia;  ///< qf^T KG qf [kg m^2]
-  double centrifugal_rate;     ///< qf^T KG qf' [kg m^2/s]
-  double load_power;           ///< of applied loads [W]
-  double dissipation;          ///< qf'^T D qf' [W]
+  Position S;             ///< first moment S0 + S qf [kg m]
+  double rotary_inertia;  ///< M_ww [kg m^2]
+  Twist Q;                ///< right-hand side of translation and rotation [N, N m]
+  PlanarHubStiffening stiffening;
+  double load_power;   ///< of applied loads [W]
+  double dissipation;  ///< qf'^T D qf' [W]
 };
 
 /// X_o of a straight beam, [xx 0 xr; 0 yy yr; 0 ry rr]: axial and bending response decouple.
@@ -46,29 +45,49 @@ struct TwoPort {
   Twist free_i, free_o;  ///< accelerations of the handles without joint forces
 };
 
+/// Wrenches on a body's two handles, in its frame: inboard, these are the multipliers of (P 8).
+struct PlanarWrenches {
+  Twist inboard;
+  Twist outboard;
+};
+
+/// A planar body's own in the table.
+struct PlanarFields {
+  // Offsets of the handles' coordinates (u, v, psi) in flex vectors; of those that the reference
+  // frame fixes, one into the padding, which is zero.
+  std::array<int, kTwist> inboard_at{};
+  std::array<int, kTwist> outboard_at{};
+  double* c_theta = nullptr;  ///< M_fw = c0 + G^T qf (flex vector)
+  double* Q_f = nullptr;      ///< right-hand side of the deformation (flex vector)
+};
+
+/// What the formulation `structured` keeps of a planar body.
+struct PlanarCondensed {
+  TwoPort port;
+  double* W_theta = nullptr;   ///< response to an angular acceleration (flex vector)
+  double* z = nullptr;         ///< response to Q_f (flex vector)
+  Double2* scratch = nullptr;  ///< of the solves
+};
+
 template <>
 struct BodyTypes<Plane> {
   using Layout = FlexLayout;
   using Block = ElasticBlock;
   using Section = spoke::Section;
-  /// Offsets of the coordinates (u, v, psi) in flex vectors; of those that the reference frame
-  /// fixes, one into the padding, which is zero.
-  using Handle = std::array<int, kTwist>;
   using Terms = PlanarTerms;
-  using Port = TwoPort;
-  static constexpr int kCouplings = 1;
+  using Fields = PlanarFields;
+  using Condensed = PlanarCondensed;
+  using HandleWrenches = PlanarWrenches;
 };
-
-/// The moment about the hub by which geometric stiffening resists, at hub speed w0: 2 w0 qf^T KG
-/// qf', `rate` [N m].
-inline double calc_centrifugal_moment(double /*inertia*/, double rate, double w0) {
-  return 2.0 * w0 * rate;
-}
 
 FlexLayout make_layout(const FlexibleBody& body);
 
-/// Where a handle's coordinates stand in flex vectors.
-std::array<int, kTwist> find_places(const FlexLayout& layout, const Handle& handle);
+/// Doubles that a body's own fields take, and that its condensation takes.
+std::size_t count_fields(const FlexibleBody& body);
+std::size_t count_condensed(const FlexibleBody& body);
+/// Places them in so much memory, which is zero and aligned to 16 bytes.
+void place_fields(const FlexibleBody& body, double* memory, PlanarFields& fields);
+void place_condensed(const FlexibleBody& body, double* memory, PlanarCondensed& condensed);
 
 /// Sets which places of flex vectors hold coordinates.
 void set_extent(const FlexLayout& layout, CoordinateBlock& block);

@@ -29,7 +29,7 @@ void add_joint(const SubsystemData<World>& subsystem, int i, int j, Work& work) 
   child_block = -child_block;
   if (j == 0) return;
   const BodyData<World>& parent = subsystem.bodies[j - 1];
-  const auto back = subsystem.rotations[j].inverse();
+  const auto back = subsystem.joints[j].R.inverse();
   const int m = dense_size(*parent.model->body);
   auto parent_block = work.matrix.block(row, work.first[i][j - 1], d, m);
   calc_outboard_jacobian(parent, parent_block);
@@ -39,32 +39,28 @@ void add_joint(const SubsystemData<World>& subsystem, int i, int j, Work& work) 
 
 /// The hub's part of the root joint's rows.
 template <class World>
-void add_root_joint(const Subsystem<World>& subsystem, const HubState<World>& hub,
-                    const RotationOf<World>& R_HB, int row, Work& work) {
+void add_root_joint(const Subsystem<World>& subsystem, const SubsystemData<World>& data, int row,
+                    Work& work) {
   constexpr int d = World::kTwist;
-  for (int c = 0; c < d; ++c) {
-    const HubState<World> at_rest{hub.p, hub.R, TwistOf<World>::Zero()};
+  auto joint = make_root_joint(subsystem, data);
+  const TwistOf<World> none = TwistOf<World>::Zero();
+  work.right.segment<d>(row) -= calc_root_acceleration<World>(joint, none);
+  joint.bias = none;
+  for (int c = 0; c < d; ++c)
     work.matrix.block<d, 1>(row, c) =
-        calc_root_acceleration(subsystem, at_rest, TwistOf<World>(TwistOf<World>::Unit(c)), R_HB);
-  }
-  work.right.segment<d>(row) -=
-      calc_root_acceleration(subsystem, hub, TwistOf<World>(TwistOf<World>::Zero()), R_HB);
+        calc_root_acceleration<World>(joint, TwistOf<World>(TwistOf<World>::Unit(c)));
 }
 
 template <class World>
 void add_hub(const System<World>& system, const StepData<World>& data, Work& work) {
   constexpr int d = World::kTwist;
-  typename World::RotaryInertia centrifugal_inertia{}, centrifugal_rate{};
+  typename World::HubStiffening stiffening;
   for (const SubsystemData<World>& subsystem : data.subsystems)
-    for (const BodyData<World>& body : subsystem.bodies) {
-      centrifugal_inertia += body.terms.centrifugal_inertia;
-      centrifugal_rate += body.terms.centrifugal_rate;
-    }
+    for (const BodyData<World>& body : subsystem.bodies) stiffening += body.terms.stiffening;
   TwistMatrixOf<World> mass = calc_hub_mass(system.hub);
-  rotary(mass) -= centrifugal_inertia;
-  TwistOf<World> force = calc_hub_force(data.hub_solution);
-  angular(force) +=
-      calc_centrifugal_moment(centrifugal_inertia, centrifugal_rate, angular(data.hub.twist));
+  rotary(mass) -= stiffening.inertia;
+  TwistOf<World> force = calc_hub_force(system.hub, data.hub, data.hub_solution);
+  angular(force) += calc_stiffening_moment(stiffening, angular(data.hub.twist));
   work.matrix.topLeftCorner<d, d>() = mass;
   work.right.head<d>() = force;
   const TwistOf<World> given = calc_prescribed_acceleration(
@@ -126,8 +122,7 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
                work.first[i][j], work);
       add_joint(subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }
-    add_root_joint(system.subsystems[i], data.hub, subsystem.rotations[0], work.first_joint[i][0],
-                   work);
+    add_root_joint(system.subsystems[i], subsystem, work.first_joint[i][0], work);
   }
   copy_lower_to_upper(work);
   work.factor.compute(work.matrix);
@@ -150,7 +145,7 @@ void recover_wrenches(int subsystem, const Work& work, SubsystemData<World>& dat
     data.wrenches[j].outboard.setZero();
     if (j + 1 < rows.size())
       data.wrenches[j].outboard =
-          -(data.rotations[j + 1] * TwistOf<World>(work.solution.segment<d>(rows[j + 1])));
+          -(data.joints[j + 1].R * TwistOf<World>(work.solution.segment<d>(rows[j + 1])));
   }
 }
 

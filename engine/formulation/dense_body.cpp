@@ -38,7 +38,7 @@ void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic
   auto C = mass.topRightCorner(kTwist, nf);
   C.row(0) << body.S_axial.head(body.axial()).transpose(), Eigen::RowVectorXd::Zero(body.bending());
   C.row(1) << Eigen::RowVectorXd::Zero(body.axial()), body.S_bending.transpose();
-  C.row(2) << axial(data.c_theta[0], data).transpose(), bending(data.c_theta[0], data).transpose();
+  C.row(2) << axial(data.c_theta, data).transpose(), bending(data.c_theta, data).transpose();
   mass.bottomLeftCorner(nf, kTwist) = C.transpose();
   mass.bottomRightCorner(nf, nf) = elastic;
 }

@@ -57,7 +57,7 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
 
 /// Accelerations of a body, (P 7).
 template <class World>
-void recover_body(const HandleWrenches<World>& wrenches, const BodyWork<World>& work,
-                  BodyData<World>& data, double* a) noexcept;
+void recover_body(const typename BodyTypes<World>::HandleWrenches& wrenches,
+                  const BodyWork<World>& work, BodyData<World>& data, double* a) noexcept;
 
 }  // namespace spoke::subsystem

@@ -57,7 +57,7 @@ double estimate_constants(const System<World>& system, Formulation formulation) 
   std::set<BodyKey<World>> kinds;
   double numbers = 0.0;
   for (const Subsystem<World>& subsystem : system.subsystems)
-    for (const ChainBody<World>& member : subsystem.bodies) {
+    for (const TreeBody<World>& member : subsystem.bodies) {
       if (!kinds.insert(member.body.get()).second) continue;
       const double nf = member.body->coordinates();
       numbers += 44.0 * nf + (formulation == Formulation::structured ? 0.0 : 2.0 * nf * nf);
@@ -105,7 +105,7 @@ double estimate_memory(const System<World>& system, Formulation formulation) {
   double unknowns = 2.0 * World::kTwist;
   for (const Subsystem<World>& subsystem : system.subsystems) {
     const double joints = World::kTwist * static_cast<double>(subsystem.bodies.size());
-    for (const ChainBody<World>& member : subsystem.bodies) {
+    for (const TreeBody<World>& member : subsystem.bodies) {
       const double nf = member.body->coordinates();
       unknowns += 2.0 * World::kTwist + nf;
       bytes += 190.0 * nf + 3100.0;

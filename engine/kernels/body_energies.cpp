@@ -58,7 +58,7 @@ void add_axial(const FlexibleBody& body, const FlexParts& q, const FlexParts& qd
 }
 
 template <bool kIsStiffened>
-void add_bending(const ChainBody<Plane>& member, const double* v, const double* vd,
+void add_bending(const TreeBody<Plane>& member, const double* v, const double* vd,
                  EnergySums& sums) {
   EnergySums sum = sums;
   const FlexibleBody& body = *member.body;

@@ -70,7 +70,7 @@ PartSums calc_axial_rows(const FlexibleBody& body, double w, const FlexParts& q,
 
 /// Bending rows of the same; with geometric stiffening Q_f -= w0^2 KG qf.
 template <bool kIsClamped, bool kIsStiffened>
-PartSums calc_bending_rows(const ChainBody<Plane>& member, const BodyMotion& motion,
+PartSums calc_bending_rows(const TreeBody<Plane>& member, const BodyMotion& motion,
                            const FlexParts& q, const FlexParts& qd, const double* q_elastic,
                            double* c_theta, double* Q) {
   const FlexibleBody& body = *member.body;
@@ -113,7 +113,7 @@ PartSums calc_bending_rows(const ChainBody<Plane>& member, const BodyMotion& mot
           total(centrifugal_rate)};
 }
 
-auto choose_bending_rows(const ChainBody<Plane>& member) {
+auto choose_bending_rows(const TreeBody<Plane>& member) {
   const bool is_stiffened = member.stiffening.centrifugal != nullptr;
   if (member.body->reference_frame == ReferenceFrame::clamped)
     return is_stiffened ? calc_bending_rows<true, true> : calc_bending_rows<true, false>;
@@ -150,15 +150,15 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping,
 
   const auto calc_bending = choose_bending_rows(*data.model);
   const PartSums bending =
-      calc_bending(*data.model, motion, q, qd, q_elastic.v, data.c_theta[0] + layout.v(), Q_v);
+      calc_bending(*data.model, motion, q, qd, q_elastic.v, data.c_theta + layout.v(), Q_v);
   const PartSums axial =
-      calc_axial_rows(body, w, q, qd, q_elastic.u, data.c_theta[0] + layout.u(), Q_u);
+      calc_axial_rows(body, w, q, qd, q_elastic.u, data.c_theta + layout.u(), Q_u);
 
   PlanarTerms& terms = data.terms;
   terms.S = body.S0 + Position{axial.S, bending.S};
   terms.rotary_inertia = body.I0 + axial.inertia + bending.inertia;
-  terms.centrifugal_inertia = bending.centrifugal_inertia;
-  terms.centrifugal_rate = bending.centrifugal_rate;
+  terms.stiffening.inertia = bending.centrifugal_inertia;
+  terms.stiffening.rate = bending.centrifugal_rate;
   // Q_t = w^2 (S0 + S qf) - 2 w B S qf',  Q_w = -2 w (d0 + Mff qf) . qf'
   const Position S_rate{axial.S_rate, bending.S_rate};
   const Position Q_t = w * w * terms.S - 2.0 * w * quarter_turn(S_rate);

@@ -33,28 +33,11 @@ PrescribedHub<World> calc_prescribed_motion(const System<World>& system, double 
 }
 
 template <class World>
-TwistOf<World> calc_bracket_bias(const Subsystem<World>& subsystem, const HubState<World>& hub) {
-  TwistOf<World> bias = TwistOf<World>::Zero();
-  linear(bias) = centripetal(angular(hub.twist), subsystem.root.p);
-  return bias;
-}
-
-template <class World>
-TwistOf<World> calc_root_acceleration(const Subsystem<World>& subsystem, const HubState<World>& hub,
-                                      const TwistOf<World>& hub_acceleration,
-                                      const RotationOf<World>& R_HB) {
-  // T Y'' + [w0 x (w0 x p); 0] with T = [I, B p; 0, 1]: the acceleration of the bracket, hub frame.
-  const auto& p = subsystem.root.p;
-  TwistOf<World> bracket = hub_acceleration;
-  linear(bracket) += cross(angular(hub_acceleration), p) + centripetal(angular(hub.twist), p);
-  return R_HB.inverse() * bracket;
-}
-
-template <class World>
 TwistOf<World> calc_inertial_acceleration(const System<World>& system, double t,
                                           const HubState<World>& hub,
                                           const HubSolution<World>& solution) {
-  TwistOf<World> inertial = hub.R * solution.acceleration;
+  TwistOf<World> inertial = solution.acceleration;
+  linear(inertial) = hub.R * PositionOf<World>(linear(solution.acceleration));
   linear(inertial) += system.gravity_at(t);
   for (int c = 0; c < World::kPosition; ++c)
     if (is_prescribed(system.hub, c)) inertial[c] = 0.0;
@@ -68,9 +51,6 @@ bool is_prescribed(const System<World>& system) {
   return true;
 }
 
-template Twist calc_bracket_bias(const Subsystem<Plane>&, const HubState<Plane>&);
-template Twist calc_root_acceleration(const Subsystem<Plane>&, const HubState<Plane>&, const Twist&,
-                                      const Rotation&);
 template Twist calc_inertial_acceleration(const System<Plane>&, double, const HubState<Plane>&,
                                           const HubSolution<Plane>&);
 template Twist calc_prescribed_acceleration(const System<Plane>&, double, const Rotation&, double);

@@ -7,16 +7,30 @@
 
 namespace spoke {
 
-/// Acceleration of a subsystem's root bracket where the hub's is zero, hub frame.
-template <class World>
-TwistOf<World> calc_bracket_bias(const Subsystem<World>& subsystem, const HubState<World>& hub);
+/// The joint of a planar subsystem at the hub: its bracket stands at p in the hub frame, to which R
+/// leads from the first body, and has the acceleration `bias` where the hub's is zero.
+struct PlanarRootJoint {
+  Rotation R;
+  Position p;
+  Twist bias;
+};
+inline PlanarRootJoint make_root_joint(const Subsystem<Plane>& subsystem,
+                                       const SubsystemData<Plane>& data) {
+  Twist bias = Twist::Zero();
+  linear(bias) = centripetal(angular(data.hub->twist), subsystem.root.p);
+  return {data.joints[0].R, subsystem.root.p, bias};
+}
 
-/// Acceleration of a subsystem's root bracket, less gravity, resolved in its first body's frame,
-/// from which R_HB leads to the hub frame.
-template <class World>
-TwistOf<World> calc_root_acceleration(const Subsystem<World>& subsystem, const HubState<World>& hub,
-                                      const TwistOf<World>& hub_acceleration,
-                                      const RotationOf<World>& R_HB);
+/// Acceleration of a subsystem's root bracket, less gravity, resolved in its first body's frame.
+template <class World, class RootJoint>
+TwistOf<World> calc_root_acceleration(const RootJoint& joint,
+                                      const TwistOf<World>& hub_acceleration) {
+  // T Y'' + b with T = [I, B p; 0, 1], in the hub frame.
+  TwistOf<World> bracket = hub_acceleration;
+  linear(bracket) += cross(angular(hub_acceleration), joint.p) + linear(joint.bias);
+  angular(bracket) += angular(joint.bias);
+  return joint.R.inverse() * bracket;
+}
 
 /// The acceleration of the hub in the inertial frame from its solution (a - g, hub frame) at time
 /// t [s].

@@ -31,9 +31,11 @@ void set_applied(const System<World>& system, StepData<World>& data) noexcept {
 }
 
 template <class World>
-TwistOf<World> calc_hub_force(const HubSolution<World>& applied) noexcept {
+TwistOf<World> calc_hub_force(const typename World::Hub& hub, const HubState<World>& state,
+                              const HubSolution<World>& applied) noexcept {
   TwistOf<World> force = applied.load;
   force[World::kAxial] += applied.applied_torque;
+  add_gyroscopic_force(hub, state.twist, force);
   return force;
 }
 
@@ -43,14 +45,13 @@ HubEquation<World> sum_hub_equation(const System<World>& system,
   // (1) M_0 + sum M^C - centrifugal inertia, and Q_0 + sum Q^C + centrifugal moment.
   HubEquation<World> sum;
   sum.mass = calc_hub_mass(system.hub);
-  sum.force = calc_hub_force(data.hub_solution);
+  sum.force = calc_hub_force(system.hub, data.hub, data.hub_solution);
   for (const SubsystemData<World>& subsystem : data.subsystems) {
     const EffectiveInertia<World>& effective = subsystem.effective;
     sum.mass += effective.mass;
     sum.force += effective.force;
-    rotary(sum.mass) -= effective.centrifugal_inertia;
-    angular(sum.force) += calc_centrifugal_moment(
-        effective.centrifugal_inertia, effective.centrifugal_rate, angular(data.hub.twist));
+    rotary(sum.mass) -= effective.stiffening.inertia;
+    angular(sum.force) += calc_stiffening_moment(effective.stiffening, angular(data.hub.twist));
   }
   return sum;
 }
@@ -85,16 +86,15 @@ TwistOf<World> calc_reaction(const SubsystemData<World>& subsystem) noexcept {
   const EffectiveInertia<World>& effective = subsystem.effective;
   const TwistOf<World>& a = *subsystem.hub_acceleration;
   TwistOf<World> reaction = effective.mass * a - effective.force;
-  angular(reaction) -=
-      effective.centrifugal_inertia * angular(a) +
-      calc_centrifugal_moment(effective.centrifugal_inertia, effective.centrifugal_rate,
-                              angular(subsystem.hub->twist));
+  angular(reaction) -= effective.stiffening.inertia * angular(a) +
+                       calc_stiffening_moment(effective.stiffening, angular(subsystem.hub->twist));
   return reaction;
 }
 
 template Twist calc_hub_load(const System<Plane>&, double, const HubState<Plane>&) noexcept;
 template void set_applied(const System<Plane>&, StepData<Plane>&) noexcept;
-template Twist calc_hub_force(const HubSolution<Plane>&) noexcept;
+template Twist calc_hub_force(const Hub&, const HubState<Plane>&,
+                              const HubSolution<Plane>&) noexcept;
 template HubEquation<Plane> sum_hub_equation(const System<Plane>&, const StepData<Plane>&) noexcept;
 template void solve_hub(const System<Plane>&, StepData<Plane>&) noexcept;
 template Twist calc_reaction(const SubsystemData<Plane>&) noexcept;

@@ -23,9 +23,10 @@ TwistOf<World> calc_hub_load(const System<World>& system, double t,
 template <class World>
 void set_applied(const System<World>& system, StepData<World>& data) noexcept;
 
-/// Both together: Q_0 of (P 9).
+/// Both together, and what the hub's own inertia does: Q_0 of (P 9).
 template <class World>
-TwistOf<World> calc_hub_force(const HubSolution<World>& applied) noexcept;
+TwistOf<World> calc_hub_force(const typename World::Hub& hub, const HubState<World>& state,
+                              const HubSolution<World>& applied) noexcept;
 
 /// Effective inertia of the hub with all subsystems and its right-hand side, hub frame. What is
 /// applied to the hub must have been set.
@@ -38,15 +39,12 @@ template <class World>
 HubEquation<World> sum_hub_equation(const System<World>& system,
                                     const StepData<World>& data) noexcept;
 
-/// Sums the terms of geometric stiffening over the bodies, for the hub's equation.
+/// The terms of geometric stiffening of the hub's equation, summed over the bodies.
 template <class World>
-void sum_centrifugal(const ArenaVector<BodyData<World>>& bodies,
-                     EffectiveInertia<World>& effective) noexcept {
-  effective.centrifugal_inertia = effective.centrifugal_rate = {};
-  for (const BodyData<World>& body : bodies) {
-    effective.centrifugal_inertia += body.terms.centrifugal_inertia;
-    effective.centrifugal_rate += body.terms.centrifugal_rate;
-  }
+typename World::HubStiffening sum_stiffening(const ArenaVector<BodyData<World>>& bodies) noexcept {
+  typename World::HubStiffening sum;
+  for (const BodyData<World>& body : bodies) sum += body.terms.stiffening;
+  return sum;
 }
 
 /// Share of one subsystem in the hub's reaction of (P 9): M^C Y'' - Q^C less the centrifugal terms,

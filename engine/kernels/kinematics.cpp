@@ -10,7 +10,7 @@ void calc_rotations(const Subsystem<World>& subsystem, SubsystemData<World>& dat
   RotationOf<World> bracket = subsystem.root.R;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData<World>& member = data.bodies[j];
-    data.rotations[j] = bracket * calc_inboard_rotation(member).inverse();
+    data.joints[j].R = bracket * calc_inboard_rotation(member).inverse();
     if (j + 1 < data.bodies.size()) bracket = calc_outboard_rotation(member);
   }
 }
@@ -23,7 +23,7 @@ void calc_poses(const Subsystem<World>& subsystem, const SubsystemData<World>& d
   PositionOf<World> bracket = subsystem.root.p;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     poses[j].p = parent.p + parent.R * bracket;
-    poses[j].R = parent.R * data.rotations[j];
+    poses[j].R = parent.R * data.joints[j].R;
     parent = poses[j];
     bracket = calc_outboard_position(data.bodies[j]);
   }
@@ -31,8 +31,8 @@ void calc_poses(const Subsystem<World>& subsystem, const SubsystemData<World>& d
 
 template <class World>
 RotationOf<World> calc_rotation_to_hub(const SubsystemData<World>& data, int body) noexcept {
-  RotationOf<World> R = data.rotations[0];
-  for (int j = 1; j <= body; ++j) R = R * data.rotations[static_cast<std::size_t>(j)];
+  RotationOf<World> R = data.joints[0].R;
+  for (int j = 1; j <= body; ++j) R = R * data.joints[static_cast<std::size_t>(j)].R;
   return R;
 }
 
@@ -43,7 +43,7 @@ void calc_velocities(const Subsystem<World>& subsystem, SubsystemData<World>& da
   linear(bracket) += cross(angular(data.hub->twist), subsystem.root.p);
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData<World>& member = data.bodies[j];
-    TwistOf<World> twist = data.rotations[j].inverse() * bracket;
+    TwistOf<World> twist = data.joints[j].R.inverse() * bracket;
     if (turns_inboard(*member.model->body)) angular(twist) -= calc_inboard_rate(member);
     data.twists[j] = twist;
     if (j + 1 == data.bodies.size()) break;

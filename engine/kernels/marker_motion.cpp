@@ -15,10 +15,10 @@ Eigen::Matrix3d in_space(const Rotation& R) {
 
 Pose calc_pose_in_hub(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
                       int body) noexcept {
-  Pose pose{subsystem.root.p, data.rotations[0]};
+  Pose pose{subsystem.root.p, data.joints[0].R};
   for (int j = 1; j <= body; ++j) {
     pose.p += pose.R * calc_outboard_position(data.bodies[j - 1]);
-    pose.R = pose.R * data.rotations[j];
+    pose.R = pose.R * data.joints[j].R;
   }
   return pose;
 }

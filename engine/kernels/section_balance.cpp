@@ -90,13 +90,13 @@ Twist calc_hub_acceleration(const System<Plane>& system, std::size_t i, const St
 void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data) noexcept {
   for (std::size_t j = 0; j < data.bodies.size(); ++j)
     data.joint_loads[j] = data.wrenches[j].inboard;
-  const Rotation to_blade = subsystem.root.R.inverse() * data.rotations[0];
+  const Rotation to_blade = subsystem.root.R.inverse() * data.joints[0].R;
   data.root_load = Twist::Zero() - to_blade * data.joint_loads[0];  // never -0
   if (!subsystem.bodies.front().stiffening.centrifugal) return;
   double inertia = 0.0, rate = 0.0;
   for (const BodyData<Plane>& body : data.bodies) {
-    inertia += body.terms.centrifugal_inertia;
-    rate += body.terms.centrifugal_rate;
+    inertia += body.terms.stiffening.inertia;
+    rate += body.terms.stiffening.rate;
   }
   data.root_load[kRotation] +=
       inertia * (*data.hub_acceleration)[kRotation] + 2.0 * data.hub->twist[kRotation] * rate;
@@ -129,7 +129,7 @@ Twist calc_section_load(const System<Plane>& system, std::size_t i, const StepDa
   force += applied.head<kPosition>();
   moment += applied[kRotation];
   if (const auto next = static_cast<std::size_t>(body) + 1; next < blade.bodies.size()) {
-    const Twist joint = -(blade.rotations[next] * blade.joint_loads[next]);
+    const Twist joint = -(blade.joints[next].R * blade.joint_loads[next]);
     const Position f = joint.head<kPosition>();
     force += f;
     moment += joint[kRotation] + cross(calc_outboard_position(member) - at, f);

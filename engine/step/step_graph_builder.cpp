@@ -54,7 +54,7 @@ using graph::writes;
 template <class World>
 PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
-  const ChainBody<World>& member = g.c.system.subsystems[i].bodies[j];
+  const TreeBody<World>& member = g.c.system.subsystems[i].bodies[j];
   PartList inputs{blade.progress, blade.bodies[j].coordinates, blade.twists};
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method))
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
@@ -145,7 +145,7 @@ void add_effective(const Assembly<World>& g, int i) {
   };
   if (g.c.formulation == Formulation::structured)
     add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
-        writes(blade.effective, blade.joints()));
+        writes(blade.effective, blade.workspace, blade.joints()));
   else
     add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
         writes(blade.effective, blade.workspace));

@@ -30,21 +30,33 @@ std::span<std::byte> memory_of(Matrix& matrix) {
   return bytes_of(*matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
+Memory memory_of_terms(BodyData<Plane>& body) {
+  Memory memory{bytes_of(body.terms)};
+  add_flex(memory, body.c_theta, body.layout);
+  add_flex(memory, body.Q_f, body.layout);
+  return memory;
+}
+
+Memory memory_of_inverse(PlanarCondensed& body, const FlexLayout& layout) {
+  Memory memory{bytes_of(body.port)};
+  add_flex(memory, body.W_theta, layout);
+  add_flex(memory, body.z, layout);
+  return memory;
+}
+
+Memory memory_of_workspace(PlanarCondensed& body, const FlexLayout& layout) {
+  return {bytes_of(*body.scratch, static_cast<std::size_t>(layout.scratch_size()))};
+}
+
 template <class World>
 void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::string& name,
                        StepGraphBuilder& builder, BodyParts& parts) {
   if (context.formulation == Formulation::structured) {
     structured::BodyWork<World>& work = context.work.structured[i].bodies[j];
     const auto& layout = context.data.subsystems[i].bodies[j].layout;
-    Memory inverse{bytes_of(work.port)};
-    for (double* W : work.W_theta) add_flex(inverse, W, layout);
-    add_flex(inverse, work.z, layout);
-    parts.inverse = builder.add_part(name + "inverse", inverse);
-    parts.workspace = builder.add_part(
-        name + "workspace",
-        {bytes_of(*work.scratch, static_cast<std::size_t>(layout.scratch_size()))});
-    const bool is_tip = j + 1 == static_cast<int>(context.work.structured[i].bodies.size());
-    if (!is_tip) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
+    parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(work, layout));
+    parts.workspace = builder.add_part(name + "workspace", memory_of_workspace(work, layout));
+    if (j > 0) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
   } else if (context.formulation == Formulation::subsystem) {
     subsystem::BodyWork<World>& work = context.work.subsystem[i].bodies[j];
     parts.inverse = builder.add_part(
@@ -61,19 +73,17 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
   CoordinateBlock& block = data.coordinates;
   const std::string name =
       "blade " + std::to_string(i + 1) + " / body " + std::to_string(j + 1) + " / ";
-  Memory coordinates, history, accelerations{bytes_of(data.X)}, terms{bytes_of(data.terms)};
+  Memory coordinates, history, accelerations{bytes_of(data.X)};
   add_flex(coordinates, block.q, data.layout);
   add_flex(coordinates, block.v, data.layout);
   add_flex(accelerations, block.a, data.layout);
   for (double* h : block.history)
     if (h) add_flex(history, h, data.layout);
-  for (double* coupling : data.c_theta) add_flex(terms, coupling, data.layout);
-  add_flex(terms, data.Q_f, data.layout);
   BodyParts parts;
   parts.coordinates = builder.add_part(name + "coordinates", coordinates);
   parts.history = builder.add_part(name + "history", history);
   parts.accelerations = builder.add_part(name + "accelerations", accelerations);
-  parts.terms = builder.add_part(name + "terms", terms);
+  parts.terms = builder.add_part(name + "terms", memory_of_terms(data));
   parts.report = builder.add_part(name + "report",
                                   {bytes_of(data.report.change), bytes_of(data.report.deflection),
                                    bytes_of(data.report.failed)});
@@ -88,7 +98,7 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   const std::string name = "blade " + std::to_string(i + 1) + " / ";
   const std::size_t count = data.bodies.size();
   SubsystemParts parts;
-  parts.rotations = builder.add_part(name + "rotations", {bytes_of(data.rotations[0], count)});
+  parts.rotations = builder.add_part(name + "rotations", {bytes_of(data.joints[0], count)});
   parts.twists = builder.add_part(name + "twists", {bytes_of(data.twists[0], count)});
   parts.poses = builder.add_part(name + "poses", {bytes_of(data.poses[0], count)});
   if (!data.drag_poses.empty())
@@ -109,7 +119,12 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
       parts.workspace =
           builder.add_part(name + "workspace", {memory_of(context.work.subsystem[i].D)});
     } else {
-      effective.push_back(bytes_of(context.work.structured[i].root));
+      structured::SubsystemWork<World>& work = context.work.structured[i];
+      effective.push_back(bytes_of(work.root));
+      Memory branches;
+      for (structured::BodyWork<World>& body : work.bodies)
+        branches.push_back(bytes_of(body.branch));
+      parts.workspace = builder.add_part(name + "workspace", branches);
     }
     parts.effective = builder.add_part(name + "effective inertia", effective);
   }
@@ -157,7 +172,7 @@ std::vector<PartId> SubsystemParts::all(PartId BodyParts::*member) const {
 
 std::vector<PartId> SubsystemParts::joints() const {
   std::vector<PartId> list = all(&BodyParts::joint);
-  list.pop_back();  // the tip has none
+  list.erase(list.begin());  // that of the hub is none between bodies
   return list;
 }
 

@@ -24,13 +24,10 @@ struct BodyReport {
 
 /// One body's share of the table.
 template <class World>
-struct BodyData {
+struct BodyData : BodyTypes<World>::Fields {
   using Types = BodyTypes<World>;
 
-  const ChainBody<World>* model = nullptr;
-  // Where the coordinates of the handles stand in flex vectors.
-  typename Types::Handle inboard_at{};
-  typename Types::Handle outboard_at{};
+  const TreeBody<World>* model = nullptr;
   std::array<const typename Types::Block*, 2> blocks{};  ///< explicit, implicit
   typename Types::Layout layout;
   double linear_range = std::numeric_limits<double>::infinity();  ///< of deflections [m]
@@ -43,9 +40,6 @@ struct BodyData {
   const double* v_elastic = nullptr;  ///< velocities in the damping force (flex vector)
 
   typename Types::Terms terms;
-  /// M_fw: how an angular acceleration of the frame acts on the deformation (flex vectors).
-  std::array<double*, Types::kCouplings> c_theta{};
-  double* Q_f = nullptr;      ///< right-hand side of the deformation (flex vector)
   double* a_found = nullptr;  ///< accelerations that the pass finds (flex vector); rk4: `a` itself
   TwistOf<World> X;           ///< frame acceleration, body frame, less gravity
   BodyReport report;

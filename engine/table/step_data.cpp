@@ -13,8 +13,6 @@ template <class World>
 void lay_out(double range, BodyData<World>& data) {
   const typename World::FlexibleBody& body = *data.model->body;
   data.layout = make_layout(body);
-  data.inboard_at = find_places(data.layout, body.inboard);
-  data.outboard_at = find_places(data.layout, body.outboard);
   data.linear_range = range * body.length;
   data.surely_linear = calc_surely_linear(body, data.linear_range);
   set_extent(data.layout, data.coordinates);
@@ -23,22 +21,22 @@ void lay_out(double range, BodyData<World>& data) {
 template <class World>
 void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
               SubsystemData<World>& data) {
+  const auto none = TwistOf<World>::Zero();
   const std::size_t count = subsystem.bodies.size();
-  constexpr int kFlexVectors = 5 + BodyTypes<World>::kCouplings;  // q, v, a, c_theta, Q_f, a_found
+  const int flex_vectors = 4 + options.history;  // q, v, a, a_found
   Arena& arena = *data.arena;
   data.bodies = ArenaVector<BodyData<World>>(count, arena);
-  data.rotations = ArenaVector<RotationOf<World>>(count, arena);
+  data.joints = ArenaVector<typename World::JointMotion>(count, arena);
   data.poses = ArenaVector<PoseOf<World>>(count, arena);
-  data.twists = ArenaVector<Twist>(count, TwistOf<World>::Zero(), arena);
-  data.joint_loads = ArenaVector<Twist>(count, TwistOf<World>::Zero(), arena);
-  data.wrenches = ArenaVector<HandleWrenches<World>>(
-      count, {TwistOf<World>::Zero(), TwistOf<World>::Zero()}, arena);
+  data.twists = ArenaVector<TwistOf<World>>(count, none, arena);
+  data.joint_loads = ArenaVector<TwistOf<World>>(count, none, arena);
+  data.wrenches = ArenaVector<typename BodyTypes<World>::HandleWrenches>(count, arena);
   std::size_t total = BodyTypes<World>::Layout::kPad;
   for (std::size_t j = 0; j < count; ++j) {
     data.bodies[j].model = &subsystem.bodies[j];
     lay_out(options.linear_range, data.bodies[j]);
-    total +=
-        static_cast<std::size_t>(data.bodies[j].layout.stride() * (kFlexVectors + options.history));
+    total += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
+             count_fields(*subsystem.bodies[j].body);
   }
   data.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = data.storage.data();
@@ -47,10 +45,10 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     body.coordinates.q = take();
     body.coordinates.v = take();
     body.coordinates.a = take();
-    for (double*& coupling : body.c_theta) coupling = take();
-    body.Q_f = take();
     body.a_found = take();
     for (int k = 0; k < options.history; ++k) body.coordinates.history[k] = take();
+    place_fields(*body.model->body, std::exchange(next, next + count_fields(*body.model->body)),
+                 body);
     body.X.setZero();
     body.report = {};
   }
@@ -74,7 +72,7 @@ std::vector<PlacedLoad<World, Load>> place(const std::vector<Load>& loads,
 
 /// Whether drag on a body depends on where it is in the hub's frame.
 template <class World>
-bool has_drag_in_hub(const ChainBody<World>& member) {
+bool has_drag_in_hub(const TreeBody<World>& member) {
   return std::any_of(member.drags.begin(), member.drags.end(), [](const BodyDrag<World>& drag) {
     return drag.relative_to == DragFrame::hub;
   });
@@ -118,7 +116,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
       body.loads = place(body.model->loads, body);
       body.drags = place(body.model->drags, body);
     }
-    const std::vector<ChainBody<World>>& bodies = system.subsystems[i].bodies;
+    const std::vector<TreeBody<World>>& bodies = system.subsystems[i].bodies;
     if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub<World>))
       subsystem.drag_poses = ArenaVector<PoseOf<World>>(bodies.size(), *subsystem.arena);
     follow_progress(i, data, subsystem);

@@ -16,29 +16,12 @@
 
 namespace spoke {
 
-/// Elimination of the joint outboard of a body: its wrench on the body is
-/// f = Pi (rhs - P_oi F), F the wrench on the body's inboard handle.
-template <class World>
-struct JointElimination {
-  typename World::SymmetricTwistMatrix Pi;
-  TwistOf<World> rhs;
-};
-
 /// A subsystem as the hub feels it, (P 10), in the hub frame.
 template <class World>
 struct EffectiveInertia {
-  TwistMatrixOf<World> mass;  ///< M^C
-  TwistOf<World> force;       ///< Q^C
-  // Of geometric stiffening, summed over the bodies.
-  typename World::RotaryInertia centrifugal_inertia;
-  typename World::RotaryInertia centrifugal_rate;
-};
-
-/// Wrenches on a body's two handles, in its frame: inboard, these are the multipliers of (P 8).
-template <class World>
-struct HandleWrenches {
-  TwistOf<World> inboard;
-  TwistOf<World> outboard;
+  TwistMatrixOf<World> mass;                 ///< M^C
+  TwistOf<World> force;                      ///< Q^C
+  typename World::HubStiffening stiffening;  ///< summed over the bodies
 };
 
 /// Hub motion at the evaluated state.
@@ -98,13 +81,15 @@ struct SystemRecord : ReactionRecord<World> {
 /// One subsystem's share of the table; vectors by body, root to tip.
 template <class World>
 struct alignas(kInterferenceSize) SubsystemData {
+  using Types = BodyTypes<World>;
   Arena* arena = nullptr;  ///< of its arrays
   ArenaVector<BodyData<World>> bodies;
-  /// R_PB: from the body frame to the parent's body frame (of the first body: to the hub frame).
-  ArenaVector<RotationOf<World>> rotations;
+  /// From the parent's frame (that of the hub, where the hub carries the body) to the body's: R is
+  /// R_PB.
+  ArenaVector<typename World::JointMotion> joints;
   ArenaVector<Twist> twists;  ///< of the body frames, in the body frames
   EffectiveInertia<World> effective;
-  ArenaVector<HandleWrenches<World>> wrenches;
+  ArenaVector<typename Types::HandleWrenches> wrenches;
   ArenaVector<Pose> poses;             ///< in the hub frame; for sensors, no part of a step
   ArenaVector<Pose> drag_poses;        ///< the same during a step; none unless drag depends on them
   ArenaVector<double> storage;         ///< of all flex vectors

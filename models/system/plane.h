@@ -157,6 +157,28 @@ struct Pose {
   Rotation R;                     ///< R_AB
 };
 
+/// Rotates the frame of a body against its parent's.
+struct PlanarJointMotion {
+  Rotation R;  ///< R_PB
+};
+
+/// What geometric stiffening adds to the hub's equation.
+struct PlanarHubStiffening {
+  double inertia = 0.0;  ///< qf^T KG qf, off its rotary inertia [kg m^2]
+  double rate = 0.0;     ///< qf^T KG qf' [kg m^2/s]
+
+  PlanarHubStiffening& operator+=(const PlanarHubStiffening& other) {
+    inertia += other.inertia;
+    rate += other.rate;
+    return *this;
+  }
+};
+/// The moment on the hub that takes its place on the right-hand side, 2 w0 qf^T KG qf', and the
+/// angular momentum that it takes.
+inline double calc_stiffening_moment(const PlanarHubStiffening& s, double w0) {
+  return 2.0 * w0 * s.rate;
+}
+
 struct FlexibleBody;
 struct PlanarStiffening;
 struct Hub;
@@ -169,8 +191,7 @@ struct Plane {
   /// Components of a twist about z: the axis of an axle.
   static constexpr int kAxial = kRotation;
   using Position = spoke::Position;
-  using Angular = double;        ///< angular velocity, moment
-  using RotaryInertia = double;  ///< angular momentum per angular velocity
+  using Angular = double;  ///< angular velocity, moment
   using Twist = spoke::Twist;
   using TwistMatrix = spoke::TwistMatrix;
   using SymmetricTwistMatrix = spoke::SymmetricTwistMatrix;
@@ -181,6 +202,10 @@ struct Plane {
   using HubLoad = spoke::HubLoad;
   using FlexibleBody = spoke::FlexibleBody;
   using Stiffening = PlanarStiffening;
+  using HubStiffening = PlanarHubStiffening;
+  using JointMotion = PlanarJointMotion;
+  /// Joints of the plane are rigid.
+  static constexpr int kMostJointCoordinates = 0;
 };
 
 }  // namespace spoke

@@ -76,7 +76,9 @@ Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogu
   subsystem.length = blade.length;
   for (int j = 0; j < blade.bodies; ++j) {
     const BeamProperties beam = is_uniform(blade) ? first : make_beam_properties(blade, j);
-    ChainBody<Plane> member;
+    TreeBody<Plane> member;
+    member.parent = j - 1;
+    if (j + 1 < blade.bodies) member.children = {j + 1};
     member.body = catalogue.body(beam);
     if (blade.geometric_stiffening) {
       const double distance = hub.radius + j * beam.length;

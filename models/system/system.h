@@ -23,21 +23,27 @@ struct PlanarStiffening {
   explicit operator bool() const { return centrifugal != nullptr; }
 };
 
-/// A body in its chain.
+/// A body in its tree.
 template <class World>
-struct ChainBody {
+struct TreeBody {
+  /// Index of the body that carries it, less than its own; -1: the hub.
+  int parent = -1;
+  /// At which handle of that body it hangs, from 1: 0 is the inboard one.
+  int handle = 1;
+  /// Indices of the bodies that it carries, by handle: one at each, from handle 1.
+  std::vector<int> children;
   std::shared_ptr<const typename World::FlexibleBody> body;
   typename World::Stiffening stiffening;
   std::vector<BodyLoad<World>> loads;
   std::vector<BodyDrag<World>> drags;
 };
 
-/// A chain of bodies, root to tip.
+/// A tree of bodies on the hub, which parents lead; in the plane a chain, root to tip.
 template <class World>
 struct Subsystem {
   PoseOf<World> root;   ///< pose of the root bracket in the hub frame
   double length = 0.0;  ///< undeformed, root to tip [m]
-  std::vector<ChainBody<World>> bodies;
+  std::vector<TreeBody<World>> bodies;
 };
 
 template <class World>
@@ -61,7 +67,7 @@ struct System {
   int deformation_count() const {
     int count = 0;
     for (const Subsystem<World>& s : subsystems)
-      for (const ChainBody<World>& member : s.bodies) count += member.body->coordinates();
+      for (const TreeBody<World>& member : s.bodies) count += member.body->coordinates();
     return count;
   }
 };
@@ -73,6 +79,9 @@ bool is_prescribed(const Hub& hub, int c);
 inline TwistMatrix calc_hub_mass(const Hub& hub) {
   return Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();
 }
+/// The forces of the hub's own inertia at zero acceleration; in the plane its mass centre is on its
+/// axis, and there are none.
+inline void add_gyroscopic_force(const Hub&, const Twist&, Twist&) {}
 /// Of the hub alone, about its axis [kg m^2].
 inline double axial_inertia(const Hub& hub) { return hub.inertia; }
 /// The moment of a load besides that of its force [N m].

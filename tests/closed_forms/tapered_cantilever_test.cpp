@@ -249,7 +249,7 @@ TEST_CASE("bodies share constants if and only if they are equal") {
   const auto distinct = [](const Rotor& rotor) {
     std::vector<const FlexibleBody*> bodies;
     for (const Subsystem<Plane>& subsystem : make_system(rotor).subsystems)
-      for (const ChainBody<Plane>& member : subsystem.bodies) bodies.push_back(member.body.get());
+      for (const TreeBody<Plane>& member : subsystem.bodies) bodies.push_back(member.body.get());
     std::sort(bodies.begin(), bodies.end());
     return std::unique(bodies.begin(), bodies.end()) - bodies.begin();
   };
@@ -301,7 +301,7 @@ TEST_CASE("a boundary between sections within an element is integrated exactly")
     sections.bending_stiffness.push_back(at(blade.sections.bending_stiffness, x));
   }
   const System<Plane> a = make_system(rotor_of(blade)), b = make_system(rotor_of(finer));
-  const ChainBody<Plane>&x = a.subsystems[0].bodies[0], &y = b.subsystems[0].bodies[0];
+  const TreeBody<Plane>&x = a.subsystems[0].bodies[0], &y = b.subsystems[0].bodies[0];
   const auto near = [](const Eigen::MatrixXd& one, const Eigen::MatrixXd& other) {
     return (one - other).lpNorm<Eigen::Infinity>() <= 1e-12 * one.lpNorm<Eigen::Infinity>();
   };

@@ -214,7 +214,7 @@ double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorX
   for_each_body(
       system_, y, v.data(), [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
         const Subsystem<Plane>& subsystem = system_.subsystems[i];
-        const ChainBody<Plane>& member = subsystem.bodies[j];
+        const TreeBody<Plane>& member = subsystem.bodies[j];
         const Blade* blade = blades_.empty() ? nullptr : &blades_[i];
         const Matter matter = matter_of(subsystem, static_cast<std::size_t>(j), blade);
         const auto of_particle = [&](const Point& at, double side) {

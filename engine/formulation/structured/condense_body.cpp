@@ -30,7 +30,7 @@ PartProducts sum_part(const double* S, const double* c, const double* W, const d
 void calc_handle_maps(const ElasticBlock& block, const BodyData<Plane>& data,
                       const BodyWork<Plane>& work, HandleMap& X_o, Twist& x_i) {
   const Position s = calc_outboard_position(data);
-  const double* W_theta = work.W_theta[0];
+  const double* W_theta = work.W_theta;
   const int u = data.layout.u() + block.axial_coordinate;
   X_o.xx = 1.0 - block.W_x[block.axial_coordinate];
   X_o.xr = -s.y() - W_theta[u];
@@ -111,8 +111,8 @@ void condense_body(const BodyData<Plane>& data, double speed, bool implicit,
   const ElasticBlock& block = *data.blocks[implicit];
   const int u = data.layout.u();
   const int v = data.layout.v();
-  const double* c = data.c_theta[0];
-  double* W = work.W_theta[0];
+  const double* c = data.c_theta;
+  double* W = work.W_theta;
   // (1) W_w = Mhat^-1 c and z = Mhat^-1 Q_f, in one sweep over the factors of each part. W_x and
   // W_y are constants of the block.
   solve_together({&block.axial, c + u, data.Q_f + u, W + u, work.z + u},

@@ -11,7 +11,7 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
   constexpr int d = World::kTwist;
   // (P 8): lambda = D^-1 (Phi_Y Y'' + Phi M^-1 Q - gamma). F(child) = lambda, f(parent) = -R_PB
   // lambda.
-  const TwistOf<World> root = data.rotations[0].inverse() *
+  const TwistOf<World> root = data.joints[0].R.inverse() *
                               TwistOf<World>(root_jacobian(subsystem) * *data.hub_acceleration);
   const Eigen::MatrixXd& solution = work.solution;
   Eigen::VectorXd& multipliers = work.multipliers;
@@ -23,13 +23,13 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
     data.wrenches[j].outboard.setZero();
     if (j + 1 < count)
       data.wrenches[j].outboard =
-          -(data.rotations[j + 1] * TwistOf<World>(multipliers.segment<d>(d * (k + 1))));
+          -(data.joints[j + 1].R * TwistOf<World>(multipliers.segment<d>(d * (k + 1))));
   }
 }
 
 template <class World>
-void recover_body(const HandleWrenches<World>& wrenches, const BodyWork<World>& work,
-                  BodyData<World>& data, double* a) noexcept {
+void recover_body(const typename BodyTypes<World>::HandleWrenches& wrenches,
+                  const BodyWork<World>& work, BodyData<World>& data, double* a) noexcept {
   constexpr int d = World::kTwist;
   // (P 7): q'' = M^-1 (Q - Phi^T lambda) = M^-1 Q + M^-1 J_i^T F + M^-1 J_o^T f.
   const Eigen::MatrixXd& columns = work.inverse_columns;
@@ -47,7 +47,7 @@ void recover_body(const HandleWrenches<World>& wrenches, const BodyWork<World>& 
 
 template void recover_wrenches(const Subsystem<Plane>&, SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
-template void recover_body(const HandleWrenches<Plane>&, const BodyWork<Plane>&, BodyData<Plane>&,
+template void recover_body(const PlanarWrenches&, const BodyWork<Plane>&, BodyData<Plane>&,
                            double*) noexcept;
 
 }  // namespace spoke::subsystem
