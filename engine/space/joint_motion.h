@@ -27,10 +27,9 @@ struct JointState {
 using JointColumns = Eigen::Matrix<double, kTwist, Joint::kMost, Eigen::DontAlign>;
 
 /// The child's frame moves as
-///   R (twist of the child) = X^-1 (twist of the handle) + columns (q', rates of driven ones)
-///   R (X of the child) = X^-1 (acceleration of the handle) + columns q'' + bias,   X^-1 = [1, -p~;
-///   0, 1]
-/// with what is in the parent's frame on the right-hand side.
+///   R (twist of the child) = T (twist of the handle) + columns (q', rates of driven ones)
+///   R (X of the child) = T (acceleration of the handle) + columns q'' + bias
+/// with T = [1, -p~; 0, 1], and what belongs to the handle in the parent's frame.
 struct JointMotion {
   Rotation R;            ///< from the child's frame to the parent's
   Position p;            ///< from the handle to the child's origin, in the parent's frame [m]

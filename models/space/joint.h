@@ -60,7 +60,8 @@ struct Joint {
   }
 };
 
-/// A joint of at most Joint::kMost components of velocity, and one spherical primitive.
+/// A joint of at most Joint::kMost components of velocity and one spherical primitive. No
+/// coordinate may be a combination of others, as a fourth rotation about one point is.
 Joint make_joint(const Pose& offset, std::span<const JointPrimitive> primitives);
 
 }  // namespace spoke::space

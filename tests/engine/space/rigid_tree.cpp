@@ -60,7 +60,7 @@ RigidTree::RigidTree(const TreeHub& hub_model, const std::vector<TreeBody>& body
     : hub(hub_model),
       models(body_models),
       gravity(g),
-      hub_coordinates(kTwist, kPosition),
+      hub_coordinates(kTwist, hub.prescribed[3] ? -1 : kPosition),
       hub_mass_(calc_mass(hub.body)) {
   for (const TreeBody& model : models) bodies.emplace_back(model);
 }
