@@ -17,43 +17,54 @@
 namespace spoke::structured {
 
 /// What the structured path keeps per body besides BodyData.
+template <class World>
 struct BodyWork {
-  TwoPort port;
-  JointElimination joint;      ///< of the outboard joint; unused at the tip
-  double* W_theta = nullptr;   ///< response to an angular acceleration (flex vector)
+  using Types = BodyTypes<World>;
+
+  typename Types::Port port;
+  JointElimination<World> joint;  ///< of the outboard joint; unused at the tip
+  /// Response to an angular acceleration (flex vectors).
+  std::array<double*, Types::kCouplings> W_theta{};
   double* z = nullptr;         ///< response to Q_f (flex vector)
   Double2* scratch = nullptr;  ///< of the solves
 };
 
 /// How the root wrench of a subsystem follows from its root's acceleration (body frame).
+template <class World>
 struct RootInertia {
-  SymmetricTwistMatrix mass;  ///< Lambda^-1: wrench on the root handle per its acceleration
-  Twist free;                 ///< acceleration of the root handle without wrench
+  /// Lambda^-1: wrench on the root handle per its acceleration.
+  typename World::SymmetricTwistMatrix mass;
+  TwistOf<World> free;  ///< acceleration of the root handle without wrench
 };
 
 /// Per subsystem.
+template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
-  ArenaVector<BodyWork> bodies;
-  RootInertia root;
+  ArenaVector<BodyWork<World>> bodies;
+  RootInertia<World> root;
   ArenaVector<double> storage;   ///< of all flex vectors
-  ArenaVector<Double2> scratch;  ///< 3E pairs per body
+  ArenaVector<Double2> scratch;  ///< of the solves
 };
 
-void allocate(const SubsystemData& data, SubsystemWork& work);
+template <class World>
+void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work);
 
 /// Solves for W_theta and z and condenses a body to its two-port.
-void condense_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept;
+void condense_body(const BodyData<Plane>& data, double speed, bool implicit,
+                   BodyWork<Plane>& work) noexcept;
 
 /// Effective mass and force (P 10): eliminates the joints of a chain from tip to root.
-void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
-                            SubsystemWork& work) noexcept;
+template <class World>
+void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
+                            SubsystemWork<World>& work) noexcept;
 
 /// Joint wrenches from root to tip (P 8), from the hub's acceleration.
-void recover_wrenches(const Subsystem& subsystem, const SubsystemWork& work,
-                      SubsystemData& data) noexcept;
+template <class World>
+void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept;
 
 /// Accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool implicit,
-                  BodyData& data, double* a) noexcept;
+void recover_body(const HandleWrenches<Plane>& wrenches, const BodyWork<Plane>& work, bool implicit,
+                  BodyData<Plane>& data, double* a) noexcept;
 
 }  // namespace spoke::structured

@@ -11,27 +11,47 @@ namespace spoke {
 /// with the acceleration of prescribed components given and their reaction unknown, those of free
 /// components unknown. Uniform gravity acts on all bodies as an acceleration of the frame, so the
 /// translational unknown is a - g throughout the system. Subsystems are summed in their order.
-void solve_hub(const System& system, StepData& data) noexcept;
+template <class World>
+void solve_hub(const System<World>& system, StepData<World>& data) noexcept;
 
 /// What the loads on the hub do to it at time t [s], about its axis, hub frame [N, N m].
-Twist calc_hub_load(const System& system, double t, const HubState& hub) noexcept;
+template <class World>
+TwistOf<World> calc_hub_load(const System<World>& system, double t,
+                             const HubState<World>& hub) noexcept;
 
 /// Sets in the solution what the drive and the loads apply to the hub.
-void set_applied(const System& system, StepData& data) noexcept;
+template <class World>
+void set_applied(const System<World>& system, StepData<World>& data) noexcept;
 
 /// Both together: Q_0 of (P 9).
-Twist calc_hub_force(const HubSolution& applied) noexcept;
+template <class World>
+TwistOf<World> calc_hub_force(const HubSolution<World>& applied) noexcept;
 
 /// Effective inertia of the hub with all subsystems and its right-hand side, hub frame. What is
 /// applied to the hub must have been set.
+template <class World>
 struct HubEquation {
-  TwistMatrix mass;
-  Twist force;
+  TwistMatrixOf<World> mass;
+  TwistOf<World> force;
 };
-HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept;
+template <class World>
+HubEquation<World> sum_hub_equation(const System<World>& system,
+                                    const StepData<World>& data) noexcept;
+
+/// Sums the terms of geometric stiffening over the bodies, for the hub's equation.
+template <class World>
+void sum_centrifugal(const ArenaVector<BodyData<World>>& bodies,
+                     EffectiveInertia<World>& effective) noexcept {
+  effective.centrifugal_inertia = effective.centrifugal_rate = {};
+  for (const BodyData<World>& body : bodies) {
+    effective.centrifugal_inertia += body.terms.centrifugal_inertia;
+    effective.centrifugal_rate += body.terms.centrifugal_rate;
+  }
+}
 
 /// Share of one subsystem in the hub's reaction of (P 9): M^C Y'' - Q^C less the centrifugal terms,
 /// at the acceleration that the subsystem has felt; hub frame.
-Twist calc_reaction(const SubsystemData& subsystem) noexcept;
+template <class World>
+TwistOf<World> calc_reaction(const SubsystemData<World>& subsystem) noexcept;
 
 }  // namespace spoke

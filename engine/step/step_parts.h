@@ -51,6 +51,7 @@ struct StepParts {
 };
 
 /// Adds the context's table to the builder.
-StepParts add_parts(StepContext& context, graph::StepGraphBuilder& builder);
+template <class World>
+StepParts add_parts(SystemContext<World>& context, graph::StepGraphBuilder& builder);
 
 }  // namespace spoke

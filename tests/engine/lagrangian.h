@@ -21,7 +21,7 @@ struct SectionMotion {
 class Lagrangian {
  public:
   /// `blades`: of which the system was made, if they are not uniform. Must outlive this.
-  explicit Lagrangian(const System& system, std::span<const Blade> blades = {})
+  explicit Lagrangian(const System<Plane>& system, std::span<const Blade> blades = {})
       : system_(system), blades_(blades) {}
 
   int size() const { return kTwist + system_.deformation_count(); }
@@ -43,13 +43,13 @@ class Lagrangian {
                         double x) const;
 
  private:
-  const System& system_;
+  const System<Plane>& system_;
   std::span<const Blade> blades_;
 };
 
 /// y, v and a of a context's state.
-Eigen::VectorXd independent_coordinates(const StepContext& context);
-Eigen::VectorXd independent_velocities(const StepContext& context);
-Eigen::VectorXd independent_accelerations(const StepContext& context);
+Eigen::VectorXd independent_coordinates(const SystemContext<Plane>& context);
+Eigen::VectorXd independent_velocities(const SystemContext<Plane>& context);
+Eigen::VectorXd independent_accelerations(const SystemContext<Plane>& context);
 
 }  // namespace spoke::test

@@ -3,26 +3,29 @@
 // section 4.1, "condensing a blade".
 
 #include "engine/formulation/structured.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
 
 namespace spoke::structured {
 
-void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
-                            SubsystemWork& work) noexcept {
+template <class World>
+void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
+                            SubsystemWork<World>& work) noexcept {
   const std::size_t count = work.bodies.size();
   // (1) Tip: Lam = P_ii, be = a_i.
-  SymmetricTwistMatrix Lambda =
-      work.bodies[count - 1].port.P_ii;             // compliance of what hangs at a joint
-  Twist free = work.bodies[count - 1].port.free_i;  // its acceleration without wrench
+  typename World::SymmetricTwistMatrix Lambda =
+      work.bodies[count - 1].port.P_ii;                      // compliance of what hangs at a joint
+  TwistOf<World> free = work.bodies[count - 1].port.free_i;  // its acceleration without wrench
   // (2) Body j carries what hangs at its outboard joint (' of the child), R = R_PB of the child:
   //   Pi = (P_oo + R Lam' R^T)^-1,   rhs = R be' - a_o
   //   Lam = P_ii - P_io Pi P_io^T,   be = a_i + P_io Pi rhs
   for (std::size_t j = count - 1; j-- > 0;) {
-    const TwoPort& port = work.bodies[j].port;
-    JointElimination& joint = work.bodies[j].joint;
-    const Rotation& R = data.rotations[j + 1];
-    const SymmetricTwistMatrix Pi = invert(port.P_oo + rotate(R, Lambda));
-    const Twist rhs = R * free - port.free_o;
-    const Twist f = Pi * rhs;  // the joint's wrench if F = 0
+    const typename BodyTypes<World>::Port& port = work.bodies[j].port;
+    JointElimination<World>& joint = work.bodies[j].joint;
+    const auto& R = data.rotations[j + 1];
+    const typename World::SymmetricTwistMatrix Pi = invert(port.P_oo + rotate(R, Lambda));
+    const TwistOf<World> rhs = R * free - port.free_o;
+    const TwistOf<World> f = Pi * rhs;  // the joint's wrench if F = 0
     Lambda = eliminate(port.P_ii, port.P_io, Pi);
     free = port.free_i + port.P_io.lazyProduct(f);
     joint.Pi = Pi;
@@ -32,21 +35,19 @@ void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
   // (3) Root: M^C = T^T R Lam^-1 R^T T and Q^C = T^T R Lam^-1 R^T (R be - [-w0^2 p; 0]), with the
   // bracket's acceleration T Y'' + [-w0^2 p; 0] in the hub frame. R leads there from the first
   // body's.
-  EffectiveInertia& effective = data.effective;
+  EffectiveInertia<World>& effective = data.effective;
   work.root = {invert(Lambda), free};
-  const Rotation& R = data.rotations[0];
-  const Position& p = subsystem.root.p;
-  const SymmetricTwistMatrix mass = rotate(R, work.root.mass);
-  const double ww = data.hub->twist[kRotation] * data.hub->twist[kRotation];
-  const Twist bias(-ww * p.x(), -ww * p.y(), 0.0);
+  const auto& R = data.rotations[0];
+  const auto& p = subsystem.root.p;
+  const typename World::SymmetricTwistMatrix mass = rotate(R, work.root.mass);
   effective.mass = translate(p, mass).matrix();
-  effective.force = translate(p, mass * Twist(R * free - bias));
+  effective.force =
+      translate(p, mass * TwistOf<World>(R * free - calc_bracket_bias(subsystem, *data.hub)));
   // (4) The terms of geometric stiffening, for the hub's equation: qf^T KG qf and qf^T KG qf'.
-  effective.centrifugal_inertia = effective.centrifugal_rate = 0.0;
-  for (const BodyData& body : data.bodies) {
-    effective.centrifugal_inertia += body.terms.centrifugal_inertia;
-    effective.centrifugal_rate += body.terms.centrifugal_rate;
-  }
+  sum_centrifugal(data.bodies, effective);
 }
+
+template void calc_effective_inertia(const Subsystem<Plane>&, SubsystemData<Plane>&,
+                                     SubsystemWork<Plane>&) noexcept;
 
 }  // namespace spoke::structured

@@ -13,28 +13,32 @@ Twist multiply_transposed(const HandleMap& X, const Twist& f) {
 
 }  // namespace
 
-void recover_wrenches(const Subsystem& subsystem, const SubsystemWork& work,
-                      SubsystemData& data) noexcept {
+template <class World>
+void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept {
   // (1) At the root F = Lam^-1 (R_PB^T (T Y'' + [-w0^2 p; 0]) - be).
-  const Twist root =
+  const TwistOf<World> root =
       calc_root_acceleration(subsystem, *data.hub, *data.hub_acceleration, data.rotations[0]);
-  Twist F = work.root.mass * (root - work.root.free);
+  TwistOf<World> F = work.root.mass * (root - work.root.free);
   // (2) From body to body f = Pi (rhs - P_io^T F) and F(child) = -R_PB^T f; at the tip f = 0.
   const std::size_t count = work.bodies.size();
   for (std::size_t j = 0; j < count; ++j) {
-    HandleWrenches& wrenches = data.wrenches[j];
+    HandleWrenches<World>& wrenches = data.wrenches[j];
     wrenches.inboard = F;
     wrenches.outboard.setZero();
     if (j + 1 == count) break;
-    const BodyWork& body = work.bodies[j];
+    const BodyWork<World>& body = work.bodies[j];
     wrenches.outboard =
-        body.joint.Pi * Twist(body.joint.rhs - body.port.P_io.transpose().lazyProduct(F));
+        body.joint.Pi * TwistOf<World>(body.joint.rhs - body.port.P_io.transpose().lazyProduct(F));
     F = -(data.rotations[j + 1].inverse() * wrenches.outboard);
   }
 }
 
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool implicit,
-                  BodyData& data, double* a) noexcept {
+template void recover_wrenches(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
+                               SubsystemData<Plane>&) noexcept;
+
+void recover_body(const HandleWrenches<Plane>& wrenches, const BodyWork<Plane>& work, bool implicit,
+                  BodyData<Plane>& data, double* a) noexcept {
   // (3) X = S_R^-1 (p + X_i^T F + X_o^T f).
   const FlexibleBody& body = *data.model->body;
   const ElasticBlock& block = *data.blocks[implicit];
@@ -54,7 +58,7 @@ void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool imp
   const double f_0 = wrench_of(block.columns[0]);
   const double f_1 = wrench_of(block.columns[1]);
   const int u = data.layout.u();
-  const double *W = work.W_theta + u, *z = work.z + u;
+  const double *W = work.W_theta[0] + u, *z = work.z + u;
   const double *W_x = block.W_x.data(), *Z = block.Z_axial.data();
   double* a_u = a + u;
   const double X_x = X[0], X_y = X[1];
@@ -63,7 +67,7 @@ void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool imp
                       f_x * load_aligned(Z + i),
                   a_u + i);
   const int v = data.layout.v();
-  W = work.W_theta + v;
+  W = work.W_theta[0] + v;
   z = work.z + v;
   const double* W_y = block.W_y.data();
   const double *Z_0 = block.columns[0].Z.data(), *Z_1 = block.columns[1].Z.data();
