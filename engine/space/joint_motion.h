@@ -27,10 +27,9 @@ struct JointState {
 using JointColumns = Eigen::Matrix<double, kTwist, Joint::kMost, Eigen::DontAlign>;
 
 /// The child's frame moves as
-///   R (twist of the child) = X^-1 (twist of the handle) + columns (q', rates of driven ones)
-///   R (X of the child) = X^-1 (acceleration of the handle) + columns q'' + bias,   X^-1 = [1, -p~;
-///   0, 1]
-/// with what is in the parent's frame on the right-hand side.
+///   R (twist of the child) = T (twist of the handle) + columns (q', rates of driven ones)
+///   R (X of the child) = T (acceleration of the handle) + columns q'' + bias
+/// with T = [1, -p~; 0, 1], and what belongs to the handle in the parent's frame.
 struct JointMotion {
   Rotation R;            ///< from the child's frame to the parent's
   Position p;            ///< from the handle to the child's origin, in the parent's frame [m]
@@ -47,6 +46,10 @@ void calc_joint_motion(const Joint& joint, const JointState& state, const Rotati
 /// The same of a child whose inboard section is turned against its frame by the motion `section`:
 /// so far the motion is that of the section, from here on that of the frame.
 void leave_section(const RotationVectorMotion& section, JointMotion& motion, Twist& child) noexcept;
+
+/// The acceleration of the child, in its frame, from that of the handle, in the parent's, both less
+/// gravity, if the joint's coordinates have none: R^T (T (acceleration) + bias).
+Twist calc_carried_acceleration(const JointMotion& motion, const Twist& handle) noexcept;
 
 /// The orientation of a spherical primitive.
 Quaternion calc_orientation(const Joint& joint, const JointPrimitive& spherical,

@@ -8,7 +8,8 @@
 //   rk4:               the four numbers of exp(D~) are integrated, P' = 1/2 P (0, w) or 1/2 (0, w)
 //   P,
 //                      and brought back to unit length in every stage
-// Everything else of a block, correct() and restarts too, is as of any other.
+// Everything else of a block, correct() and restarts too, is as of any other. The angle about an
+// axle is no such orientation: it is a plain coordinate.
 
 #include "engine/integrator/method.h"
 #include "models/space/quaternion.h"

@@ -37,11 +37,12 @@ TEST_CASE("prescribed components of a hub are as given, and have the reaction") 
   const TwistMatrix matrix = random_inertia(random).matrix();
   const HubEquation equation{matrix, random_twist(random)};
   const Rotation R = random_rotation(random);
-  const Position gravity{0.0, 0.0, -9.81};
+  const Position gravity{0.0, 0.0, -9.81}, acceleration = random_vector(random);
+  const Angular alpha{0.0, 0.0, 0.5};
   for (int kind = 0; kind < 64; ++kind) {
     Prescribed prescribed{};
     for (int c = 0; c < kTwist; ++c) prescribed[static_cast<std::size_t>(c)] = (kind >> c) & 1;
-    const Twist given = calc_given(prescribed, R, gravity, 0.5);
+    const Twist given = calc_given(prescribed, R, gravity, Position::Zero(), alpha);
     const HubAcceleration solution = solve_hub(equation, prescribed, given);
     CHECK((matrix * solution.acceleration - equation.force - solution.reaction).norm() < 1e-10);
     for (int c = 0; c < kTwist; ++c) {
@@ -53,9 +54,14 @@ TEST_CASE("prescribed components of a hub are as given, and have the reaction") 
   }
   Prescribed all;
   all.fill(true);
-  const Twist at_rest = calc_given(all, R, gravity, 0.5);
-  CHECK((R * Position(linear(at_rest)) + gravity).norm() < 1e-14);  // at rest in space
-  CHECK((angular(at_rest) - Angular(0.0, 0.0, 0.5)).norm() == 0.0);
+  const Twist moved = calc_given(all, R, gravity, acceleration, alpha);
+  CHECK((R * Position(linear(moved)) + gravity - acceleration).norm() < 1e-14);
+  CHECK((angular(moved) - alpha).norm() == 0.0);
+  // Free coordinates take what prescribed ones are given.
+  const Twist taken = calc_coordinate_accelerations({}, R, gravity, moved);
+  CHECK((linear(taken) - acceleration).norm() < 1e-14);
+  CHECK((angular(taken) - alpha).norm() == 0.0);
+  CHECK(calc_coordinate_accelerations(all, R, gravity, moved).norm() == 0.0);
 }
 
 TEST_CASE("a hub whose inertia stiffening takes away is reported") {

@@ -104,3 +104,30 @@ TEST_CASE("a linear spring of an implicit step stands at the predicted coordinat
   calc_joint_forces(joint, state, {c, c_rate}, &a, nullptr, forces);
   CHECK(std::abs(forces.tau[0] - (-3.0 * (qp - 0.1) - 0.5 * vp)) < 1e-14);
 }
+
+TEST_CASE("a stop takes over smoothly, and is a spring beyond its width") {
+  JointPrimitive stopped;
+  stopped.stop = {-0.5, 1.0, 8.0, 2.0, 0.25};
+  const Joint joint = make_joint({}, std::span(&stopped, 1));
+  const double v = 0.7;
+  const auto forces_at = [&](double q) {
+    const JointState state{&q, &v, nullptr, nullptr};
+    const double a = 0.0;
+    JointForces forces;
+    calc_joint_forces(joint, state, {1.0, 0.0}, &a, nullptr, forces);
+    return std::array<double, 3>{forces.tau[0], forces.share[0], calc_dissipation(joint, state)};
+  };
+  const auto expect = [&](double q, double spring, double share) {
+    CAPTURE(q);
+    const auto [force, stiffness, dissipation] = forces_at(q);
+    CHECK(std::abs(force - (spring - 2.0 * share * v)) < 1e-14);
+    CHECK(std::abs(stiffness - 8.0 * share) < 1e-14);
+    CHECK(std::abs(dissipation - 2.0 * share * v * v) < 1e-14);
+  };
+  expect(0.3, 0.0, 0.0);
+  expect(1.0, 0.0, 0.0);
+  expect(1.125, -8.0 * 0.125 * 0.125 / 0.5, 0.5);
+  expect(1.25, -8.0 * 0.125, 1.0);
+  expect(2.0, -8.0 * 0.875, 1.0);
+  expect(-1.5, 8.0 * 0.875, 1.0);
+}

@@ -165,6 +165,6 @@ TEST_CASE("the energy of a tree grows by what hub, drives, motors and loads do")
       const double last_power = tree.calc_power(tree.eliminate());
       const double work = h / 3.0 * (power + 4.0 * middle_power + last_power);
       CHECK(std::abs(middle_energy - energy) > 1e-6);
-      CHECK(std::abs(tree.calc_energy() - energy - work) < 1e-9);
+      CHECK(std::abs(tree.calc_energy() - energy - work) < 1e-12);
     }
 }

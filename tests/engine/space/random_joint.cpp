@@ -7,7 +7,9 @@
 namespace spoke::space::testing {
 namespace {
 
-JointPrimitive make_random_primitive(char letter, std::mt19937& random) {
+/// The axis of the `at`th primitive leans away from that of the one before, so that no angle within
+/// a radian locks three rotations.
+JointPrimitive make_random_primitive(char letter, int at, std::mt19937& random) {
   using Kind = JointPrimitive::Kind;
   JointPrimitive primitive;
   switch (letter) {
@@ -23,7 +25,8 @@ JointPrimitive make_random_primitive(char letter, std::mt19937& random) {
       primitive.kind = Kind::spherical;
   }
   const bool is_lower = std::islower(static_cast<unsigned char>(letter)) != 0;
-  primitive.axis = random_axis(random);
+  primitive.axis =
+      (Position(Position::Unit(at % kPosition)) + 0.3 * random_vector(random)).normalized();
   primitive.stiffness = 2.0 + random_number(random);
   primitive.damping = 0.2 + 0.1 * random_number(random);
   if (primitive.kind == Kind::spherical) {
@@ -31,6 +34,9 @@ JointPrimitive make_random_primitive(char letter, std::mt19937& random) {
   } else {
     primitive.is_driven = is_lower;
     primitive.rest = random_number(random);
+    primitive.stop = {-0.3 + 0.2 * random_number(random), 0.3 + 0.2 * random_number(random),
+                      4.0 + random_number(random), 0.3 + 0.1 * random_number(random),
+                      0.3 + 0.2 * random_number(random)};
   }
   return primitive;
 }
@@ -40,7 +46,7 @@ JointPrimitive make_random_primitive(char letter, std::mt19937& random) {
 Joint make_random_joint(const char* kind, std::mt19937& random) {
   std::vector<JointPrimitive> primitives;
   for (const char* letter = kind; *letter; ++letter)
-    primitives.push_back(make_random_primitive(*letter, random));
+    primitives.push_back(make_random_primitive(*letter, static_cast<int>(letter - kind), random));
   const Position p = random_vector(random);
   return make_joint({p, random_rotation(random)}, primitives);
 }

@@ -29,7 +29,8 @@ TreeBody make_random_tree_body(const char* joint, bool is_conservative, std::mt1
   body.body = make_random_body(random);
   body.joint = make_random_joint(joint, random);
   if (is_conservative) {
-    for (JointPrimitive& primitive : body.joint.primitives) primitive.damping = 0.0;
+    for (JointPrimitive& primitive : body.joint.primitives)
+      primitive.damping = primitive.stop.stiffness = primitive.stop.damping = 0.0;
     return body;
   }
   body.load = random_twist(random);

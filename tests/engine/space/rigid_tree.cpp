@@ -60,7 +60,7 @@ RigidTree::RigidTree(const TreeHub& hub_model, const std::vector<TreeBody>& body
     : hub(hub_model),
       models(body_models),
       gravity(g),
-      hub_coordinates(kTwist, kPosition),
+      hub_coordinates(kTwist, hub.prescribed[3] ? -1 : kPosition),
       hub_mass_(calc_mass(hub.body)) {
   for (const TreeBody& model : models) bodies.emplace_back(model);
 }
@@ -87,16 +87,9 @@ std::size_t RigidTree::child_of(std::size_t j, int o) const {
                                   models.begin());
 }
 
-Rotation RigidTree::hub_rotation() const {
-  const std::vector<double>& q = hub_coordinates.q;
-  return make_rotation(hub_coordinates.orientation.reference *
-                       make_quaternion(Angular(q[3], q[4], q[5])));
-}
-
-Twist RigidTree::hub_twist() const {
-  const std::vector<double>& v = hub_coordinates.v;
-  return make_twist(hub_rotation().inverse() * Position(v[0], v[1], v[2]),
-                    Angular(v[3], v[4], v[5]));
+HubState RigidTree::hub_state() const {
+  return calc_hub_state(hub_coordinates.q.data(), hub_coordinates.v.data(),
+                        hub_coordinates.orientation.reference);
 }
 
 void RigidTree::impose(double t) {
@@ -112,8 +105,8 @@ void RigidTree::impose(double t) {
 
 void RigidTree::update(double t, const ImplicitShares& shares) {
   impose(t);
-  const std::vector<double>& x = hub_coordinates.q;
-  const Pose hub_pose{{x[0], x[1], x[2]}, hub_rotation()};
+  const HubState at_hub = hub_state();
+  const Pose hub_pose{at_hub.p, at_hub.R};
   for (std::size_t j = 0; j < bodies.size(); ++j) {
     const TreeBody& model = models[j];
     BodyState& body = bodies[j];
@@ -122,7 +115,7 @@ void RigidTree::update(double t, const ImplicitShares& shares) {
     const Pose& from = is_root ? hub_pose : parent->pose;
     const Position s = is_root ? Position(Position::Zero())
                                : parent->port.handles[static_cast<std::size_t>(model.handle)];
-    const Twist handle = refer(-s, is_root ? hub_twist() : parent->twist);
+    const Twist handle = refer(-s, is_root ? at_hub.twist : parent->twist);
     calc_joint_motion(model.joint, joint_state(j), Rotation{}, handle, body.motion, body.twist);
     calc_joint_forces(model.joint, joint_state(j), shares, body.coordinates.a.data(),
                       model.motor.data(), body.forces);
@@ -133,11 +126,12 @@ void RigidTree::update(double t, const ImplicitShares& shares) {
 
 HubEquation RigidTree::sum_hub(std::span<const tree::HubShare<Space>> shares) const {
   const Twist torque = make_twist(Position::Zero(), {0.0, 0.0, hub.torque});
-  return sum_hub_equation(hub_mass_, hub_twist(), torque, {}, shares);
+  return sum_hub_equation(hub_mass_, hub_state().twist, torque, {}, shares);
 }
 
 Twist RigidTree::hub_given() const {
-  return calc_given(hub.prescribed, hub_rotation(), gravity, drive_acceleration_);
+  return calc_given(hub.prescribed, hub_state().R, gravity, Position::Zero(),
+                    {0.0, 0.0, drive_acceleration_});
 }
 
 TreeAccelerations RigidTree::eliminate() const {
@@ -166,10 +160,8 @@ TreeAccelerations RigidTree::eliminate() const {
   found.wrenches.resize(count);
   found.joints.resize(count);
   for (std::size_t j = 0; j < count; ++j) {
-    const JointMotion& motion = bodies[j].motion;
     if (models[j].parent < 0) {
-      const Twist root =
-          motion.R.inverse() * Twist(refer(-motion.p, found.hub.acceleration) + motion.bias);
+      const Twist root = calc_carried_acceleration(bodies[j].motion, found.hub.acceleration);
       found.wrenches[j] =
           tree::recover_root(joint_terms(j), roots[j], root, found.joints[j].data());
     }
@@ -186,21 +178,10 @@ TreeAccelerations RigidTree::eliminate() const {
   return found;
 }
 
-std::array<double, kTwist> RigidTree::calc_hub_coordinate_accelerations(
-    const TreeAccelerations& found) const {
-  const Twist& Y = found.hub.acceleration;
-  std::array<double, kTwist> a{};
-  const Position in_space = hub_rotation() * Position(linear(Y)) + gravity;
-  for (int c = 0; c < kTwist; ++c)
-    if (!hub.prescribed[static_cast<std::size_t>(c)])
-      a[static_cast<std::size_t>(c)] = c < kPosition ? in_space[c] : Y[c];
-  return a;
-}
-
 double RigidTree::calc_energy() const {
-  const Position place(hub_coordinates.q[0], hub_coordinates.q[1], hub_coordinates.q[2]);
-  double sum = calc_kinetic_energy(hub_mass_, hub_twist()) -
-               hub.body.mass * gravity.dot(place + hub_rotation() * hub.body.centre);
+  const HubState at_hub = hub_state();
+  double sum = calc_kinetic_energy(hub_mass_, at_hub.twist) -
+               hub.body.mass * gravity.dot(at_hub.p + at_hub.R * hub.body.centre);
   for (std::size_t j = 0; j < bodies.size(); ++j) {
     const RigidBody& body = models[j].body;
     const BodyState& state = bodies[j];
@@ -215,14 +196,14 @@ Twist RigidTree::calc_momentum() const {
   const auto in_space = [](const Pose& pose, const Twist& momentum) {
     return translate(pose.p, pose.R * momentum);
   };
-  const std::vector<double>& q = hub_coordinates.q;
-  Twist sum = in_space({{q[0], q[1], q[2]}, hub_rotation()}, hub_mass_ * hub_twist());
+  const HubState at_hub = hub_state();
+  Twist sum = in_space({at_hub.p, at_hub.R}, hub_mass_ * at_hub.twist);
   for (const BodyState& body : bodies) sum += in_space(body.pose, body.port.mass * body.twist);
   return sum;
 }
 
 double RigidTree::calc_power(const TreeAccelerations& found) const {
-  const Twist twist = hub_twist();
+  const Twist twist = hub_state().twist;
   double sum = found.hub.reaction.dot(twist) + hub.torque * twist[5];
   for (std::size_t j = 0; j < bodies.size(); ++j) {
     const Joint& joint = models[j].joint;

@@ -111,14 +111,12 @@ class RigidTree {
 
  private:
   bool is_hub_integrated() const;
-  std::array<double, kTwist> calc_hub_coordinate_accelerations(const TreeAccelerations&) const;
   void impose(double t);
   JointState joint_state(std::size_t j) const;
   JointTerms joint_terms(std::size_t j) const;
   /// Index of the body at handle `o` of body j.
   std::size_t child_of(std::size_t j, int o) const;
-  Rotation hub_rotation() const;
-  Twist hub_twist() const;
+  HubState hub_state() const;
   HubEquation sum_hub(std::span<const tree::HubShare<Space>> shares) const;
   Twist hub_given() const;
 
@@ -129,7 +127,8 @@ class RigidTree {
 template <class Take>
 void RigidTree::hand_out(const TreeAccelerations& found, Take&& take) {
   if (is_hub_integrated()) {
-    const auto a = calc_hub_coordinate_accelerations(found);
+    const Twist a = calc_coordinate_accelerations(hub.prescribed, hub_state().R, gravity,
+                                                  found.hub.acceleration);
     take(hub_coordinates, a.data());
   }
   for (std::size_t j = 0; j < bodies.size(); ++j)

@@ -16,7 +16,6 @@ using namespace spoke::test;
 namespace {
 
 struct PlanarWorld {
-  static constexpr int kTwist = spoke::kTwist;
   static constexpr int kMostJointCoordinates = 0;
   using Twist = spoke::Twist;
   using TwistMatrix = spoke::TwistMatrix;
