@@ -42,9 +42,12 @@ BodyWork place(const FlexibleBody& body, Places& places) {
   work.rows = places.take(kNodeRows * nodes);
   work.half = places.take(kNodeRows * nodes);
   work.handles = places.take_objects<HandleMotion>(handles);
-  work.ports.X = places.take_objects<TwistMatrix>(handles);
-  work.ports.P = places.take_objects<TwistMatrix>(handles * (handles + 1) / 2);
-  work.ports.free = places.take_objects<Twist>(handles);
+  work.condensed.X = places.take_objects<TwistMatrix>(handles);
+  work.port.handles = static_cast<int>(handles);
+  work.port.diagonal = places.take_objects<SymmetricTwistMatrix>(handles);
+  work.port.pairs = places.take_objects<TwistMatrix>(
+      static_cast<std::size_t>(tree::MultiPort<Space>::count_pairs(work.port.handles)));
+  work.port.free = places.take_objects<Twist>(handles);
   work.slots = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
   work.momenta = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
   work.force = places.take(kTwist * nodes);

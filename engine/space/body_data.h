@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/space/elastic_block.h"
+#include "engine/space/handle_motion.h"
 #include "models/space/space.h"
 
 namespace spoke::space {
@@ -61,24 +62,11 @@ struct BodyTerms {
   double dissipation = 0.0;  ///< q'^T D q' [W]
 };
 
-/// A handle at the state: place, orientation and how they move. J = [1, -s~, E_u; 0, 1, H E_th]
-/// takes (X; q'') to its acceleration, which at zero X and q'' is `bias`.
-struct HandleMotion {
-  Position s = Position::Zero();  ///< [m]
-  Rotation R;                     ///< from the handle's axes to B: exp(th~)
-  Matrix3 H = Matrix3::Identity();
-  Twist velocity = Twist::Zero();  ///< relative to B [m/s, rad/s]
-  Twist bias = Twist::Zero();      ///< b [m/s^2, rad/s^2]
-};
-
-/// What a body shows its neighbours: accelerations of its handles by the wrenches on them,
-/// a_a = sum_b P_ab f_b + a_a. Arrays by handle, the inboard one first.
-struct BodyPorts {
+/// What condensing a body finds besides its multi-port.
+struct Condensed {
   SymmetricTwistMatrix S_inverse;  ///< inverse of S_R = M_RR - C Mhat^-1 C^T
   Twist p = Twist::Zero();         ///< Q_R - C z [N, N m]
-  TwistMatrix* X = nullptr;        ///< X_h: handle's acceleration by X, deformation following
-  TwistMatrix* P = nullptr;        ///< P_ab for a <= b, by pair_index()
-  Twist* free = nullptr;           ///< a_h: accelerations without wrenches
+  TwistMatrix* X = nullptr;        ///< X_h by handle: its acceleration by X, deformation following
 };
 
 /// A slot and its rate, side by side: x, y, z, x', y', z'.
@@ -91,9 +79,10 @@ struct BodyWork {
   /// By node six rows of four: rows of C_w^T (x, y, z), and of the right-hand side Q_f. Rows of
   /// coordinates that the frame fixes are meaningless until condensed, and then zero.
   double* rows = nullptr;
-  double* half = nullptr;  ///< L^-1 of the rows, likewise
-  HandleMotion* handles = nullptr;
-  BodyPorts ports;
+  double* half = nullptr;           ///< L^-1 of the rows, likewise
+  HandleMotion* handles = nullptr;  ///< as set by calc_handles()
+  Condensed condensed;
+  tree::MultiPort<Space> port;
   // Within one kernel only.
   double* slots = nullptr;    ///< by node four slots, each with its rate, and then by element one
   double* momenta = nullptr;  ///< mu = m rho and mu', likewise

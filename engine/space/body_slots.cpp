@@ -50,42 +50,69 @@ void set_slots(const FlexibleBody& body, const double* q, const double* v, doubl
   }
 }
 
+/// Which slots of a node a slot's momentum depends on: all, or those of its kind.
+struct Partners {
+  int begin, end;
+
+  template <bool kIsDecoupled>
+  static constexpr Partners of(int slot) {
+    if (!kIsDecoupled) return {0, kNodeSlots};
+    return slot < 2 ? Partners{0, 2} : Partners{slot, slot + 1};
+  }
+};
+
 /// Adds one row of a block of masses, `stride` apart, times the slots of a node.
 [[gnu::always_inline]] inline void add_row(const double* m, int stride, const double* slots,
-                                           Double6& sum) {
-  for (int j = 0; j < kNodeSlots; ++j) sum.add(m[stride * j], slots + kSlot * j);
+                                           Partners partners, Double6& sum) {
+  for (int j = partners.begin; j < partners.end; ++j) sum.add(m[stride * j], slots + kSlot * j);
 }
 
 /// Momenta of the slots of node k.
+template <bool kIsDecoupled>
 void calc_node_momenta(const FlexibleBody& body, int k, const double* slots, double* momenta) {
   constexpr int kNode = kNodeSlots * kSlot;
   const auto node = static_cast<std::size_t>(k);
   const double* x = slots + kNode * k;
   const SlotMasses& m = body.slots;
+  const bool has_next = k<body.elements, has_before = k> 0;
   for (int i = 0; i < kNodeSlots; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const Partners partners = Partners::of<kIsDecoupled>(i);
+    const bool is_stretched = !kIsDecoupled || i < 2;
     Double6 sum;
-    add_row(&m.own[node][static_cast<std::size_t>(kNodeSlots * i)], 1, x, sum);
-    if (k < body.elements) {
-      add_row(&m.next[node][static_cast<std::size_t>(kNodeSlots * i)], 1, x + kNode, sum);
-      sum.add(m.stretch[node][static_cast<std::size_t>(i)], slots + stretch_place(body, k));
+    add_row(m.own[node].data() + kNodeSlots * i, 1, x, partners, sum);
+    if (has_next) {
+      add_row(m.next[node].data() + kNodeSlots * i, 1, x + kNode, partners, sum);
+      if (is_stretched) sum.add(m.stretch[node][row], slots + stretch_place(body, k));
     }
-    if (k > 0) {
-      add_row(&m.next[node - 1][static_cast<std::size_t>(i)], kNodeSlots, x - kNode, sum);
-      sum.add(m.stretch[node - 1][static_cast<std::size_t>(kNodeSlots + i)],
-              slots + stretch_place(body, k - 1));
+    if (has_before) {
+      add_row(m.next[node - 1].data() + i, kNodeSlots, x - kNode, partners, sum);
+      if (is_stretched)
+        sum.add(m.stretch[node - 1][kNodeSlots + row], slots + stretch_place(body, k - 1));
     }
     sum.store_to(momenta + kNode * k + kSlot * i);
   }
 }
 
+template <bool kIsDecoupled>
 void calc_stretch_momentum(const FlexibleBody& body, int e, const double* slots, double* momenta) {
   const auto element = static_cast<std::size_t>(e);
   const double* m = body.slots.stretch[element].data();
   const double* x = slots + kNodeSlots * kSlot * e;
+  const Partners partners = Partners::of<kIsDecoupled>(0);
   Double6 sum;
-  for (int j = 0; j < kElementSlots; ++j) sum.add(m[j], x + kSlot * j);
+  add_row(m, 1, x, partners, sum);
+  add_row(m + kNodeSlots, 1, x + kNodeSlots * kSlot, partners, sum);
   sum.add(body.slots.stretch_own[element], slots + stretch_place(body, e));
   sum.store_to(momenta + stretch_place(body, e));
+}
+
+template <bool kIsDecoupled>
+void calc_momenta(const FlexibleBody& body, const double* slots, double* momenta) {
+  for (int k = 0; k < body.node_count(); ++k)
+    calc_node_momenta<kIsDecoupled>(body, k, slots, momenta);
+  for (int e = 0; e < body.elements; ++e)
+    calc_stretch_momentum<kIsDecoupled>(body, e, slots, momenta);
 }
 
 /// Sums rho (mu, mu')^T over slots that lie one after another: J and G side by side.
@@ -117,8 +144,10 @@ struct OuterProducts {
 SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
                     const BodyWork& work) noexcept {
   set_slots(body, q, v, work.slots);
-  for (int k = 0; k < body.node_count(); ++k) calc_node_momenta(body, k, work.slots, work.momenta);
-  for (int e = 0; e < body.elements; ++e) calc_stretch_momentum(body, e, work.slots, work.momenta);
+  if (body.slots.is_decoupled)
+    calc_momenta<true>(body, work.slots, work.momenta);
+  else
+    calc_momenta<false>(body, work.slots, work.momenta);
   OuterProducts products;
   products.add(work.slots, work.momenta, kNodeSlots * body.node_count() + body.elements);
   SlotSums sums;

@@ -108,10 +108,17 @@ PairSums add_propeller(const std::array<double, 3>& K, double factor, const Plan
   return {inner * q.torsion[0] + outer * q.torsion[1], inner * v.torsion[0] + outer * v.torsion[1]};
 }
 
-/// F += sum over ab of f_ab e_a e_b^T, for ab = 22, 23 and 32, 33.
-void add_tensor(const Matrix3& e, double f22, double f23, double f33, Matrix3& F) {
-  const Position e2 = e.col(1), e3 = e.col(2);
-  F += e2 * (f22 * e2 + f23 * e3).transpose() + e3 * (f23 * e2 + f33 * e3).transpose();
+/// F += sum over ab of f_ab e_a e_b^T, for ab = 22, 23 and 32, 33; `f`: 22, 23, 33.
+void add_tensor(const BeamElement& element, bool is_straight, const Position& f, Matrix3& F) {
+  if (is_straight) {
+    F(1, 1) += f[0];
+    F(1, 2) += f[1];
+    F(2, 1) += f[1];
+    F(2, 2) += f[2];
+    return;
+  }
+  const Position e2 = element.axes.col(1), e3 = element.axes.col(2);
+  F += e2 * (f[0] * e2 + f[1] * e3).transpose() + e3 * (f[1] * e2 + f[2] * e3).transpose();
 }
 
 /// The propeller terms of an element: (w x e_a).(w x e_b) P_ab, a, b = 2, 3.
@@ -123,8 +130,8 @@ void add_propellers(const BeamElement& element, bool is_straight, const Position
   const PairSums p22 = add_propeller(K[0], w[0] * w[0] + w[2] * w[2], q, v, f);
   const PairSums p23 = add_propeller(K[1], -2.0 * w[1] * w[2], q, v, f);
   const PairSums p33 = add_propeller(K[2], w[0] * w[0] + w[1] * w[1], q, v, f);
-  add_tensor(element.axes, p22.value, p23.value, p33.value, sums.value.propeller);
-  add_tensor(element.axes, p22.rate, p23.rate, p33.rate, sums.rate.propeller);
+  add_tensor(element, is_straight, {p22.value, p23.value, p33.value}, sums.value.propeller);
+  add_tensor(element, is_straight, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
 }
 
 }  // namespace

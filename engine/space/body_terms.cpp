@@ -194,26 +194,7 @@ BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const 
   terms.Q = make_twist(-cross(w, cross(w, sums.S) + 2.0 * sums.S_rate),
                        -cross(w, terms.Theta.lazyProduct(w)) -
                            2.0 * (sums.G.trace() * w - sums.G.transpose().lazyProduct(w)));
-  for (std::size_t h = 0; h < body.handles.size(); ++h)
-    work.handles[h] = calc_handle(body, body.handles[h], w, x.q, x.v);
   return terms;
-}
-
-HandleMotion calc_handle(const FlexibleBody& body, int node, const Angular& w, const double* q,
-                         const double* v) noexcept {
-  const double *u = q + kTwist * node, *u_rate = v + kTwist * node;
-  const Position velocity(u_rate[0], u_rate[1], u_rate[2]);
-  const RotationVectorMotion turn =
-      calc_rotation_vector_motion({u[3], u[4], u[5]}, {u_rate[3], u_rate[4], u_rate[5]});
-  HandleMotion handle;
-  handle.s = body.nodes[static_cast<std::size_t>(node)] + Position(u[0], u[1], u[2]);
-  handle.R = turn.R;
-  handle.H = turn.H;
-  handle.velocity = make_twist(velocity, turn.velocity);
-  // [w x (w x s) + 2 w x u'; w x (H th') + H' th']
-  handle.bias = make_twist(cross(w, cross(w, handle.s) + 2.0 * velocity),
-                           cross(w, turn.velocity) + turn.convective);
-  return handle;
 }
 
 }  // namespace spoke::space

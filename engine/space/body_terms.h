@@ -9,12 +9,8 @@ namespace spoke::space {
 
 /// Calculates the state-dependent mass terms and the right-hand side of a body, without loads: the
 /// terms, and the rows C_w^T and Q_f of `work`. Elastic and damping forces are taken at q_elastic
-/// and v_elastic. Then the handles.
+/// and v_elastic.
 BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
                           const Damping& damping, const BodyWork& work) noexcept;
-
-/// Place, orientation and motion of the handle at a node, from coordinates and velocities by node.
-HandleMotion calc_handle(const FlexibleBody& body, int node, const Angular& w, const double* q,
-                         const double* v) noexcept;
 
 }  // namespace spoke::space

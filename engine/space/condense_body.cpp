@@ -107,7 +107,7 @@ Matrix turn_rows(const Matrix3& H, const Matrix& m) {
 
 /// (3) X_h = J_h - E_h W and b_h + E_h z of one handle.
 void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
-                     const BodyWork& work, TwistMatrix& X, Twist& free) {
+                     const Angular& w, const BodyWork& work) {
   Lanes response[kTwist]{};
   calc_handle_response(body, block, h, work, response);
   const HandleMotion& handle = work.handles[h];
@@ -118,35 +118,52 @@ void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::s
     EW.row(i).tail<3>() << response[i][0], response[i][1], response[i][2];
     z[i] = response[i][3];
   }
-  X = -turn_rows(handle.H, EW);
+  TwistMatrix& X = work.condensed.X[h];
+  X = -turn_rows(handle.turn.H, EW);
   X.diagonal().array() += 1.0;
   X.topRightCorner<3, 3>() -= skew(handle.s);
-  free = handle.bias + turn_rows(handle.H, z);
+  work.port.free[h] = handle.bias(w) + turn_rows(handle.turn.H, z);
 }
 
-/// (3) P_ab = diag(1, H_a) Z_ab diag(1, H_b^T) + X_a S_R^-1 X_b^T.
-void calc_compliances(const FlexibleBody& body, const ElasticBlock& block, const BodyWork& work) {
-  const BodyPorts& ports = work.ports;
-  const int n = static_cast<int>(body.handles.size());
-  const TwistMatrix S_inverse = ports.S_inverse.matrix();
-  for (int a = 0; a < n; ++a) {
-    const bool is_fixed = block.Z[static_cast<std::size_t>(a)].empty();
-    const TwistMatrix X_S = is_fixed ? S_inverse : ports.X[a].lazyProduct(S_inverse);
-    for (int b = a; b < n; ++b) {
-      const auto ab = static_cast<std::size_t>(pair_index(a, b, n));
-      TwistMatrix& P = ports.P[ab];
-      P = is_fixed && b == a ? S_inverse : X_S.lazyProduct(ports.X[b].transpose());
-      if (is_fixed) continue;
-      const TwistMatrix Z = turn_rows(work.handles[a].H, block.Z_ab[ab]);
-      P.leftCols<3>() += Z.leftCols<3>();
-      P.rightCols<3>() += Z.rightCols<3>().lazyProduct(work.handles[b].H.transpose());
+/// diag(1, H) A diag(1, H^T).
+SymmetricTwistMatrix turn_handle(const Matrix3& H, const SymmetricTwistMatrix& A) {
+  const Matrix3 half = H.lazyProduct(A.rr);
+  return {A.tt, H.lazyProduct(A.rt), half.lazyProduct(H.transpose())};
+}
+
+/// A B^T, of which the result is known to be symmetric.
+SymmetricTwistMatrix symmetric_product(const TwistMatrix& A, const TwistMatrix& B) {
+  const auto top = B.topRows<3>().transpose(), bottom = B.bottomRows<3>().transpose();
+  return {A.topRows<3>().lazyProduct(top), A.bottomRows<3>().lazyProduct(top),
+          A.bottomRows<3>().lazyProduct(bottom)};
+}
+
+/// (3) P_ab = diag(1, H_a) Z_ab diag(1, H_b^T) + X_a S_R^-1 X_b^T for all handles a < b, and of b
+/// with itself.
+void calc_compliances(const ElasticBlock& block, std::size_t b, const BodyWork& work) {
+  const TwistMatrix& X_b = work.condensed.X[b];
+  const Matrix3& H_b = work.handles[b].turn.H;
+  const TwistMatrix S_X = work.condensed.S_inverse.matrix().lazyProduct(X_b.transpose());
+  for (std::size_t a = 0; a < b; ++a) {
+    const int pair = tree::MultiPort<Space>::count_pairs(static_cast<int>(b)) + static_cast<int>(a);
+    TwistMatrix& P = work.port.pairs[pair];
+    if (block.Z[a].empty()) {
+      P = S_X;
+      continue;
     }
+    P = work.condensed.X[a].lazyProduct(S_X);
+    const TwistMatrix Z =
+        turn_rows(work.handles[a].turn.H, block.Z_pairs[static_cast<std::size_t>(pair)]);
+    P.leftCols<3>() += Z.leftCols<3>();
+    P.rightCols<3>() += Z.rightCols<3>().lazyProduct(H_b.transpose());
   }
+  work.port.diagonal[b] =
+      turn_handle(H_b, block.Z_diagonal[b]) + symmetric_product(X_b, S_X.transpose());
 }
 
 }  // namespace
 
-void condense_body(const BodyModel& model, const BodyTerms& terms, bool implicit,
+void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
                    BodyWork& work) noexcept {
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
@@ -157,20 +174,20 @@ void condense_body(const BodyModel& model, const BodyTerms& terms, bool implicit
   S_R.tt = body.mass * Matrix3::Identity() - block.C_W;
   S_R.rt = skew(terms.S) - products.columns(products.t).transpose();
   S_R.rr = terms.Theta - products.columns(products.w);
-  BodyPorts& ports = work.ports;
-  ports.S_inverse = invert(S_R);
-  ports.p = terms.Q - make_twist(products.last(products.t), products.last(products.w));
-  const Twist X_free = ports.S_inverse * ports.p;
+  work.condensed.S_inverse = invert(S_R);
+  work.condensed.p = terms.Q - make_twist(products.last(products.t), products.last(products.w));
+  const Twist X_free = work.condensed.S_inverse * work.condensed.p;
   for (std::size_t h = 0; h < body.handles.size(); ++h) {
-    if (block.Z[h].empty()) {  // the frame's own handle
-      ports.X[h].setIdentity();
-      ports.free[h] = X_free;
+    if (block.Z[h].empty()) {  // the frame's own handle: X_h = 1
+      work.condensed.X[h].setIdentity();
+      work.port.free[h] = X_free;
+      work.port.diagonal[h] = work.condensed.S_inverse;
       continue;
     }
-    calc_handle_map(body, block, h, work, ports.X[h], ports.free[h]);
-    ports.free[h] += ports.X[h].lazyProduct(X_free);
+    calc_handle_map(body, block, h, w, work);
+    work.port.free[h] += work.condensed.X[h].lazyProduct(X_free);
+    calc_compliances(block, h, work);
   }
-  calc_compliances(body, block, work);
 }
 
 namespace {
@@ -214,20 +231,20 @@ Twist recover_body(const BodyModel& model, const Twist* wrenches, bool implicit,
                    const BodyWork& work, double* a) noexcept {
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
-  const BodyPorts& ports = work.ports;
-  Twist force = ports.p;
+  const Condensed& condensed = work.condensed;
+  Twist force = condensed.p;
   for (std::size_t h = 0; h < body.handles.size(); ++h)
     if (block.Z[h].empty())
       force += wrenches[h];
     else
-      force += ports.X[h].transpose().lazyProduct(wrenches[h]);
-  const Twist X = ports.S_inverse * force;
+      force += condensed.X[h].transpose().lazyProduct(wrenches[h]);
+  const Twist X = condensed.S_inverse * force;
   double* x = work.nodal[0];
   combine_halves(body, block, X, work, x);
   for (std::size_t h = 0; h < body.handles.size(); ++h) {
     if (block.Z[h].empty()) continue;
     Twist f = wrenches[h];
-    angular(f) = work.handles[h].H.transpose().lazyProduct(angular(wrenches[h]));
+    angular(f) = work.handles[h].turn.H.transpose().lazyProduct(angular(wrenches[h]));
     add_wrench(body, block, h, f, x);
   }
   solve_back(body, block, x);

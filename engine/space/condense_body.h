@@ -13,9 +13,9 @@
 
 namespace spoke::space {
 
-/// Condenses a body to its ports. Reads the rows and handles of `work`, which its terms have set
-/// and loads may have added to; sets `half` and the ports.
-void condense_body(const BodyModel& model, const BodyTerms& terms, bool implicit,
+/// Condenses a body that turns at w to its multi-port. Reads the handles of `work`, and the rows,
+/// which its terms have set and loads may have added to; sets `half`, `condensed` and `port`.
+void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
                    BodyWork& work) noexcept;
 
 /// Acceleration of the frame X, and of the deformation into the flex vector `a`, from the wrenches

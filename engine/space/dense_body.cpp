@@ -72,7 +72,7 @@ void calc_handle_jacobian(const FlexibleBody& body, int handle, const BodyWork& 
     if (c < kRotation)
       J(c, kTwist + coordinate) = 1.0;
     else
-      J.block<3, 1>(kRotation, kTwist + coordinate) = motion.H.col(c - kRotation);
+      J.block<3, 1>(kRotation, kTwist + coordinate) = motion.turn.H.col(c - kRotation);
   }
 }
 

@@ -94,8 +94,10 @@ ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& fa
                                     : std::vector<double>(first, z.data() + z.size()));
     block.Z_W.push_back(Z.back().transpose() * W_t);
   }
-  for (std::size_t a = 0; a < Z.size(); ++a)
-    for (std::size_t b = a; b < Z.size(); ++b) block.Z_ab.push_back(Z[a].transpose() * Z[b]);
+  for (std::size_t b = 0; b < Z.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) block.Z_pairs.push_back(Z[a].transpose() * Z[b]);
+    block.Z_diagonal.push_back(SymmetricTwistMatrix::from_matrix(Z[b].transpose() * Z[b]));
+  }
   return block;
 }
 

@@ -5,7 +5,9 @@
 
 #include <vector>
 
+#include "engine/tree/multi_port.h"
 #include "models/space/flexible_body.h"
+#include "models/space/space.h"
 
 namespace spoke::space {
 
@@ -32,8 +34,9 @@ struct ElasticBlock {
   /// if the frame fixes all of them.
   std::vector<std::vector<double>> Z;
   std::vector<NodeMomentum> Z_W;  ///< by handle: E Mhat^-1 C_t^T
-  /// E_a Mhat^-1 E_b^T for handles a <= b, (0, 0), (0, 1), ... (1, 1), ...
-  std::vector<TwistMatrix> Z_ab;
+  // E_a Mhat^-1 E_b^T, in the order of MultiPort.
+  std::vector<SymmetricTwistMatrix> Z_diagonal;
+  std::vector<TwistMatrix> Z_pairs;
 
   const double* inverse_of(int node) const { return &inverse[at(node)]; }
   const double* below_of(int node) const { return &below[at(node)]; }
@@ -43,8 +46,5 @@ struct ElasticBlock {
 };
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
-
-/// Index of a pair of handles a <= b among n.
-inline int pair_index(int a, int b, int n) { return a * n - a * (a - 1) / 2 + (b - a); }
 
 }  // namespace spoke::space

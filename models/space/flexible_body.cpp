@@ -96,6 +96,21 @@ void add_slots(const BeamElement& element, int e, SlotMasses& slots) {
   slots.stretch_own[k] = tangents.dot(element.mass * tangents);
 }
 
+/// Whether two slots of nodes are of one kind: places and x axes, y axes, or z axes.
+bool is_one_kind(std::size_t a, std::size_t b) { return (a < 2 && b < 2) || a == b; }
+
+bool find_decoupled(const SlotMasses& slots) {
+  for (const auto* blocks : {&slots.own, &slots.next})
+    for (const SlotMasses::NodeBlock& block : *blocks)
+      for (std::size_t i = 0; i < kNodeSlots; ++i)
+        for (std::size_t j = 0; j < kNodeSlots; ++j)
+          if (!is_one_kind(i, j) && block[kNodeSlots * i + j] != 0.0) return false;
+  for (const auto& row : slots.stretch)
+    for (std::size_t j = 0; j < kElementSlots; ++j)
+      if (!is_one_kind(0, j % kNodeSlots) && row[j] != 0.0) return false;
+  return true;
+}
+
 /// A body of the right sizes, its sums still zero.
 FlexibleBody make_empty_body(int elements) {
   FlexibleBody body;
@@ -141,6 +156,7 @@ FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
     add_inertia(element, e, body);
     add_slots(element, e, body.slots);
   }
+  body.slots.is_decoupled = find_decoupled(body.slots);
   return body;
 }
 

@@ -26,6 +26,9 @@ struct SlotMasses {
   /// Row of an element's stretch: with the slots of its inner and of its outer node.
   std::vector<std::array<double, kElementSlots>> stretch;
   std::vector<double> stretch_own;
+  /// The places and x axes, the y axes and the z axes do not meet: the body is straight, and its
+  /// sections are symmetric about the y and z axes of B.
+  bool is_decoupled = false;
 };
 
 /// C_t of a node: how its coordinates' accelerations count in the body's momentum (transposed).

@@ -41,7 +41,10 @@ struct TestBody {
     q_elastic = q;
     v_elastic = v;
   }
-  void calc_terms() { terms = calc_body_terms(model, state(), motion, damping, work); }
+  void calc_terms() {
+    calc_handles(body, q.data(), v.data(), work.handles);
+    terms = calc_body_terms(model, state(), motion, damping, work);
+  }
   /// Q_f at the state.
   Eigen::VectorXd deformation_force();
 };

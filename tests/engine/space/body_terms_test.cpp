@@ -190,7 +190,7 @@ TEST_CASE("a handle's Jacobian and bias give its acceleration, by differences of
       test->calc_terms();
       const HandleMotion& handle = test->work.handles[h];
       const Position v0_t = v0 + t * (linear(X) - cross(w, v0));
-      Twist twist = handle.velocity;
+      Twist twist = handle.twist();
       linear(twist) += v0_t + cross(test->motion.w, handle.s);
       angular(twist) += test->motion.w;
       return twist;
@@ -206,15 +206,15 @@ TEST_CASE("a handle's Jacobian and bias give its acceleration, by differences of
     calc_handle_jacobian(test->body, static_cast<int>(h), test->work, J);
     Eigen::VectorXd accelerations(dense_size(test->body));
     accelerations << X, a;
-    const Twist found = J * accelerations + test->work.handles[h].bias;
+    const Twist found = J * accelerations + test->work.handles[h].bias(w);
     CHECK((found - expected).norm() < 1e-8 * expected.norm());
     // The rate of the orientation is w + H th'.
-    const Matrix3 R = test->work.handles[h].R.axes;
-    const Angular turning = test->work.handles[h].velocity.tail<3>();
+    const Matrix3 R = test->work.handles[h].turn.R.axes;
+    const Angular turning = test->work.handles[h].turn.velocity;
     twist_at(step);
-    const Matrix3 after = test->work.handles[h].R.axes;
+    const Matrix3 after = test->work.handles[h].turn.R.axes;
     twist_at(-step);
-    const Matrix3 rate = (after - test->work.handles[h].R.axes) / (2.0 * step);
+    const Matrix3 rate = (after - test->work.handles[h].turn.R.axes) / (2.0 * step);
     CHECK((rate - skew(turning) * R).norm() < 1e-4);
     twist_at(0.0);
   }

@@ -37,7 +37,7 @@ const std::vector<BeamOptions> kStraightAndBent{{false, false, true}, {true, tru
 void check_agreement(TestBody& test, bool implicit, std::mt19937& random, double tolerance) {
   test.calc_terms();
   const Dense dense(test, implicit ? kImplicit : kExplicit);
-  condense_body(test.model, test.terms, implicit, test.work);
+  condense_body(test.model, test.terms, test.motion.w, implicit, test.work);
   const int n = static_cast<int>(test.body.handles.size());
   std::vector<Twist> wrenches;
   Eigen::VectorXd right = dense.force;
@@ -60,14 +60,16 @@ void check_agreement(TestBody& test, bool implicit, std::mt19937& random, double
   // The ports: accelerations of the handles by the wrenches on them.
   for (int h = 0; h < n; ++h) {
     const auto& J = dense.J[static_cast<std::size_t>(h)];
-    const Twist acceleration = J * expected + test.work.handles[h].bias;
-    Twist found = test.work.ports.free[h];
+    const Twist acceleration = J * expected + test.work.handles[h].bias(test.motion.w);
+    Twist found = test.work.port.free[h];
     for (int b = 0; b < n; ++b) {
       const Twist& f = wrenches[static_cast<std::size_t>(b)];
-      if (h <= b)
-        found += test.work.ports.P[pair_index(h, b, n)] * f;
+      if (b == h)
+        found += test.work.port.diagonal[h] * f;
+      else if (h < b)
+        found += test.work.port.between(h, b) * f;
       else
-        found += test.work.ports.P[pair_index(b, h, n)].transpose() * f;
+        found += test.work.port.between(b, h).transpose() * f;
     }
     CHECK((found - acceleration).norm() < tolerance * scale);
   }
@@ -94,7 +96,7 @@ TEST_CASE("a kernel's work depends on nothing that was in its memory before") {
   const auto test = make_random_body({true, true, true}, 3, ReferenceFrame::clamped, random);
   const auto run = [&] {
     test->calc_terms();
-    condense_body(test->model, test->terms, false, test->work);
+    condense_body(test->model, test->terms, test->motion.w, false, test->work);
     const std::vector<Twist> wrenches(test->body.handles.size(), Twist::Ones());
     Eigen::VectorXd a(test->body.coordinates());
     recover_body(test->model, wrenches.data(), false, test->work, a.data());
