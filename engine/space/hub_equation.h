@@ -1,0 +1,58 @@
+#pragma once
+
+// The hub in space, in its own frame H: the equation of motion (P 9) in the unknowns
+// Y'' = (R_0^T (r'' - g), w0'), whose components are prescribed or free one by one. The frame of a
+// hub on an axle has its z axis along it: x, y, z, rx, ry are prescribed by the axle, rz by the
+// drive.
+
+#include <array>
+#include <span>
+
+#include "engine/tree/joint_elimination.h"
+#include "models/space/space.h"
+
+namespace spoke::space {
+
+/// Which components of the hub's twist are prescribed: x, y, z, rx, ry, rz.
+using Prescribed = std::array<bool, kTwist>;
+
+/// Terms of geometric stiffening in the hub's equation, of the hub at w0:
+/// the kinetic energy has - 1/2 w0^T Lambda w0.
+struct HubStiffening {
+  Matrix3 inertia = Matrix3::Zero();  ///< Lambda, symmetric [kg m^2]
+  Matrix3 rate = Matrix3::Zero();     ///< Lambda' [kg m^2/s]
+};
+
+/// The hub with all that hangs on it: mass Y'' = force + reaction.
+struct HubEquation {
+  TwistMatrix mass;
+  Twist force;
+};
+
+/// Sums the equation, in the order of the subsystems. `mass`: of the hub alone, about its origin;
+/// `twist`: of the hub; `applied`: the wrench of motor and loads; all in H.
+HubEquation sum_hub_equation(const SymmetricTwistMatrix& mass, const Twist& twist,
+                             const Twist& applied, const HubStiffening& stiffening,
+                             std::span<const tree::HubShare<Space>> subsystems) noexcept;
+
+/// What solving the hub's equation yields.
+struct HubAcceleration {
+  Twist acceleration;  ///< Y'', less gravity
+  Twist reaction;      ///< of support and drive on the hub, in prescribed components
+  /// Least pivot of a free component by its diagonal entry, 1 if none is free. If it is not
+  /// positive, stiffening has taken the mass its definiteness, and no acceleration is to be
+  /// trusted.
+  double least_pivot;
+};
+
+/// Solves for the free components; `given` holds the others, of Y''.
+HubAcceleration solve_hub(const HubEquation& equation, const Prescribed& prescribed,
+                          const Twist& given) noexcept;
+
+/// Y'' of prescribed components, at rest in space but for the drive's angular acceleration about z
+/// [rad/s^2]; of the others zero. R takes components in H to the inertial frame, that of `gravity`.
+/// The translation of a hub is prescribed as a whole or not at all.
+Twist calc_given(const Prescribed& prescribed, const Rotation& R, const Position& gravity,
+                 double drive) noexcept;
+
+}  // namespace spoke::space

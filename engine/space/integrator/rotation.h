@@ -1,0 +1,37 @@
+#pragma once
+
+// Integration of an orientation: of a free hub, of a spherical joint. Its velocity is an angular
+// velocity w, whose integral is no orientation. So three places of a block of coordinates hold the
+// rotation vector D by which it has turned since the step's start, Q = Q_n exp(D~) in the child's
+// frame or exp(D~) Q_n in the parent's. When a step begins, D is folded into Q_n and is zero again.
+//   generalized_alpha: D' = w, to the method's order two; D is a coordinate like others
+//   rk4:               D' = H^-1 w, exactly
+// Everything else of a block, correct() and restarts too, is as of any other.
+
+#include "engine/integrator/method.h"
+#include "models/space/quaternion.h"
+
+namespace spoke::space {
+
+/// A block of coordinates among which is an orientation: at `at`, `at + 1`, `at + 2` stand D in q,
+/// w in v, w' in a.
+struct RotationBlock {
+  CoordinateBlock* block = nullptr;
+  int at = 0;
+  Quaternion* reference = nullptr;  ///< Q_n
+  TurnFrame frame = TurnFrame::child;
+};
+
+/// The orientation Q.
+Quaternion calc_orientation(const RotationBlock& rotation) noexcept;
+
+/// Sets D to zero, and leaves the orientation as it is.
+void fold(const RotationBlock& rotation) noexcept;
+
+/// rk4: sets the whole block for `stage`, see advance() of engine/integrator/rk4.h.
+void advance(const Rk4& method, int stage, const RotationBlock& rotation) noexcept;
+
+/// generalized_alpha: predicts the whole block.
+void predict(const GeneralizedAlpha& method, const RotationBlock& rotation) noexcept;
+
+}  // namespace spoke::space

@@ -1,0 +1,61 @@
+// Terms, condensation and recovery of a rigid body.
+
+#include "engine/space/rigid_body_terms.h"
+
+#include <algorithm>
+
+namespace spoke::space {
+namespace {
+
+/// J_a A J_b^T with J_a = [1, -a~; 0, 1].
+TwistMatrix calc_between(const Position& a, const SymmetricTwistMatrix& A, const Position& b) {
+  TwistMatrix m = A.matrix();
+  for (int c = 0; c < kTwist; ++c) m.col(c) = refer(-a, m.col(c));
+  for (int r = 0; r < kTwist; ++r) m.row(r) = refer(-b, m.row(r).transpose()).transpose();
+  return m;
+}
+
+}  // namespace
+
+RigidPort::RigidPort(const RigidBody& body)
+    : mass(calc_mass(body)), inverse(invert(mass)), handles{Position::Zero()} {
+  handles.insert(handles.end(), body.outboard.begin(), body.outboard.end());
+  for (std::size_t b = 0; b < handles.size(); ++b) {
+    diagonal.push_back(refer(-handles[b], inverse));
+    for (std::size_t a = 0; a < b; ++a)
+      pairs.push_back(calc_between(handles[a], inverse, handles[b]));
+  }
+}
+
+Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist) noexcept {
+  // M (0, w) = (w x S, Theta w).
+  const Angular w = angular(twist);
+  const Twist momentum = mass * make_twist(Position::Zero(), w);
+  return -make_twist(cross(w, linear(momentum)), cross(w, angular(momentum)));
+}
+
+void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
+              const tree::MultiPort<Space>& port) noexcept {
+  std::copy(body.diagonal.begin(), body.diagonal.end(), port.diagonal);
+  std::copy(body.pairs.begin(), body.pairs.end(), port.pairs);
+  const Twist X = body.inverse * Q;
+  const Angular w = angular(twist);
+  for (std::size_t h = 0; h < body.handles.size(); ++h) {
+    const Position& s = body.handles[h];
+    port.free[h] = refer(-s, X);
+    linear(port.free[h]) += cross(w, cross(w, s));
+  }
+}
+
+Twist recover_frame(const RigidPort& body, const Twist& Q,
+                    std::span<const Twist> wrenches) noexcept {
+  Twist sum = Q;
+  for (std::size_t h = 0; h < wrenches.size(); ++h) sum += translate(body.handles[h], wrenches[h]);
+  return body.inverse * sum;
+}
+
+double calc_kinetic_energy(const SymmetricTwistMatrix& mass, const Twist& twist) noexcept {
+  return 0.5 * twist.dot(mass * twist);
+}
+
+}  // namespace spoke::space

@@ -1,0 +1,40 @@
+#pragma once
+
+// A rigid body as a body of a tree: M_RR X = Q + sum of J_h^T f_h over its handles, with
+// J_h = [1, -s~; 0, 1] of a handle at s. X is the acceleration of the frame, the origin's less
+// gravity, in the frame.
+
+#include <span>
+
+#include "engine/tree/multi_port.h"
+#include "models/space/rigid_body.h"
+
+namespace spoke::space {
+
+/// What of a rigid body's multi-port never changes: P_ab = J_a M_RR^-1 J_b^T.
+struct RigidPort {
+  explicit RigidPort(const RigidBody& body);
+
+  SymmetricTwistMatrix mass;                   ///< M_RR
+  SymmetricTwistMatrix inverse;                ///< M_RR^-1
+  std::vector<Position> handles;               ///< places in the frame, the first at its origin [m]
+  std::vector<SymmetricTwistMatrix> diagonal;  ///< as in MultiPort
+  std::vector<TwistMatrix> pairs;              ///< as in MultiPort
+};
+
+/// Right-hand side at the twist of the frame, in the frame, without loads:
+/// Q = [-w x (w x S); -w x (Theta w)].
+Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist) noexcept;
+
+/// Sets the multi-port for the right-hand side Q with all loads.
+void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
+              const tree::MultiPort<Space>& port) noexcept;
+
+/// The acceleration X of the frame, from the wrenches on the handles.
+Twist recover_frame(const RigidPort& body, const Twist& Q,
+                    std::span<const Twist> wrenches) noexcept;
+
+/// Kinetic energy [J].
+double calc_kinetic_energy(const SymmetricTwistMatrix& mass, const Twist& twist) noexcept;
+
+}  // namespace spoke::space

@@ -1,0 +1,53 @@
+#pragma once
+
+// Joints of space, as constant data: a place, and a sequence of simple freedoms.
+
+#include <array>
+#include <span>
+
+#include "models/space/quaternion.h"
+
+namespace spoke::space {
+
+/// One freedom of a joint: a rotation about an axis, a displacement along one, or any rotation.
+struct JointPrimitive {
+  enum class Kind { revolute, prismatic, spherical };
+
+  Kind kind = Kind::revolute;
+  /// Its motion is prescribed, and it has no coordinate; not of a spherical one.
+  bool is_driven = false;
+  Position axis = Position::UnitX();  ///< unit vector, in the frame that those before have reached
+  /// Of a spherical one, in which frame its velocity w_J is resolved. Where the child spins about
+  /// its axis of symmetry, w_J is smooth in the parent's.
+  TurnFrame frame = TurnFrame::child;
+  double stiffness = 0.0;  ///< [N m/rad, N/m]; of a spherical one, towards no rotation
+  double damping = 0.0;    ///< [N m s/rad, N s/m]
+  double rest = 0.0;       ///< coordinate at which the spring is relaxed [rad, m]; not spherical
+
+  /// Components of its velocity.
+  int components() const { return kind == Kind::spherical ? kAngular : 1; }
+};
+
+/// A joint leads from a frame on the parent to the child's frame: by a constant offset, then by its
+/// primitives in their order. Their coordinates are numbered in this order; a joint without is
+/// rigid.
+struct Joint {
+  /// Components of velocity, free and driven ones together.
+  static constexpr int kMost = kTwist;
+
+  Pose offset;  ///< in the frame on the parent
+  std::array<JointPrimitive, kMost> primitives{};
+  int primitive_count = 0;
+  int coordinates = 0;    ///< n, components that are free
+  int driven = 0;         ///< components that are driven
+  int spherical_at = -1;  ///< first coordinate of its spherical primitive; -1: there is none
+
+  std::span<const JointPrimitive> sequence() const {
+    return {primitives.data(), static_cast<std::size_t>(primitive_count)};
+  }
+};
+
+/// A joint of at most Joint::kMost components of velocity, and one spherical primitive.
+Joint make_joint(const Pose& offset, std::span<const JointPrimitive> primitives);
+
+}  // namespace spoke::space

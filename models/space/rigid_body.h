@@ -1,0 +1,23 @@
+#pragma once
+
+// A rigid body in space, as constant data.
+
+#include <vector>
+
+#include "models/space/space.h"
+
+namespace spoke::space {
+
+/// In its frame, whose origin is its inboard handle. The inertia must be positive definite: a point
+/// mass, or a rod that does not resist spin, is no body, but an addition to one.
+struct RigidBody {
+  double mass = 0.0;                   ///< [kg]
+  Position centre = Position::Zero();  ///< of mass [m]
+  Matrix3 inertia = Matrix3::Zero();   ///< about the centre of mass [kg m^2]
+  std::vector<Position> outboard;      ///< handles at which children hang [m]
+};
+
+/// M_RR = [m 1, -S~; S~, Theta], S = m c, Theta about the frame's origin.
+SymmetricTwistMatrix calc_mass(const RigidBody& body);
+
+}  // namespace spoke::space
