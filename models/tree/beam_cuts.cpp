@@ -65,7 +65,6 @@ double resolution_of(const Beam& beam) { return kSlack * beam.length; }
 std::vector<std::vector<double>> cut_beam(const Beam& beam, const std::vector<double>& joints,
                                           const std::vector<double>& places) {
   std::vector<double> all = places;
-  for (const PointMass& point : beam.point_masses) all.push_back(point.position);
   std::sort(all.begin(), all.end());
   const std::vector<double> ends = cut_bodies(beam, joints);
   std::vector<std::vector<double>> bodies;

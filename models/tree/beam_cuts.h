@@ -9,7 +9,7 @@
 namespace spoke::spatial {
 
 /// The stations of the nodes of each body of a beam, from root to tip. `joints` part the beam, at
-/// ascending stations within it; at `places`, and at its point masses, there are nodes.
+/// ascending stations within it; at `places` there are nodes.
 std::vector<std::vector<double>> cut_beam(const Beam& beam, const std::vector<double>& joints,
                                           const std::vector<double>& places);
 

@@ -5,12 +5,17 @@
 #include <cmath>
 #include <map>
 
-#include "models/tree/beam_axis.h"
+#include "models/space/reference_curve.h"
+#include "models/space/rotation_vector.h"
 #include "models/tree/beam_cuts.h"
 #include "models/tree/tree.h"
 
 namespace spoke::spatial {
 namespace {
+
+Tensor rotation_of(const Vector& rotation_vector) {
+  return space::exponential(rotation_vector).axes;
+}
 
 /// A place where something is joined to: of the hub, a rigid body, or a node.
 struct Handle {
@@ -42,24 +47,12 @@ struct BeamRoot {
   Joint joint;          ///< of its first body, if no joint of `inner` is at the root
 };
 
-/// Puts each point mass on the first body that has a node there.
-void place_masses(const Beam& beam, std::size_t first_body, Tree& tree) {
-  for (const PointMass& point : beam.point_masses)
-    for (std::size_t i = first_body; i < tree.bodies.size(); ++i) {
-      auto& body = std::get<FlexibleBody>(tree.bodies[i].shape);
-      const auto node = find_node(body, point.position, resolution_of(beam));
-      if (!node) continue;
-      body.masses.push_back({*node, point});
-      break;
-    }
-}
-
 /// Adds the bodies of a beam; `inner` joints part it, `places` need nodes.
 void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamRoot& root,
               const std::vector<BladeJoint>& inner, const std::vector<double>& places) {
   std::vector<double> cuts;
   for (const BladeJoint& joint : inner) cuts.push_back(joint.station);
-  const std::size_t index = tree.beams.size(), first_body = tree.bodies.size();
+  const std::size_t index = tree.beams.size();
   tree.beams.push_back(beam);
   const std::vector<std::vector<double>> all_nodes = cut_beam(beam, cuts, places);
   Handle parent = root.parent;
@@ -73,12 +66,10 @@ void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamR
     const std::string label = all_nodes.size() == 1 ? name
                                                     : name + (name.empty() ? "body " : " / body ") +
                                                           std::to_string(i + 1);
-    const int body =
-        add_body(tree, label, FlexibleBody{index, nodes, {}}, parent, placement, joint);
+    const int body = add_body(tree, label, FlexibleBody{index, nodes}, parent, placement, joint);
     parent = {body, nodes.size() - 1};
     placement = {};
   }
-  place_masses(beam, first_body, tree);
 }
 
 Tree build_tree(const Blade& blade, const Hub& hub, std::size_t number) {
@@ -172,7 +163,10 @@ class SubsystemBuilder {
 }  // namespace
 
 Placement rotor_placement(const Hub& hub) {
-  return {Vector::Zero(), smallest_rotation(Vector::UnitZ(), hub.axis)};
+  const Vector axis = hub.axis.normalized();
+  // Of all half turns that take z to -z: the one about x.
+  if (axis.z() < -1.0 + 1e-14) return {Vector::Zero(), Vector(1.0, -1.0, -1.0).asDiagonal()};
+  return {Vector::Zero(), space::smallest_rotation(Vector::UnitZ(), axis).axes};
 }
 
 std::vector<Tree> build_trees(const Model& model) {

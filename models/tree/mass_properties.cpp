@@ -2,11 +2,7 @@
 
 #include "models/tree/mass_properties.h"
 
-#include <algorithm>
 #include <array>
-
-#include "models/tree/beam_axis.h"
-#include "models/tree/section_mass.h"
 
 namespace spoke::spatial {
 namespace {
@@ -22,22 +18,13 @@ constexpr std::array<double, 6> kPlaces{-0.932469514203152, -0.661209386466265, 
 constexpr std::array<double, 6> kWeights{0.171324492379170, 0.360761573048139, 0.467913934572691,
                                          0.467913934572691, 0.360761573048139, 0.171324492379170};
 
-/// Of a slice, by its length along x.
-MassProperties calc_slice(const SectionMass& section, const BeamAxis& axis, double x) {
-  const Tensor R = axis.axes(x);
-  const Vector p = axis.place(x), first = R * section.first_moment;
-  MassProperties slice;
-  slice.mass = section.mass;
-  slice.first_moment = section.mass * p + first;
-  // About the origin: the slice's own about p, and the terms of p and the first moment.
-  const Tensor mixed = p * first.transpose() + first * p.transpose();
-  slice.inertia = R * section.inertia * R.transpose() + section.mass * point_inertia(p) +
-                  mixed.trace() * Tensor::Identity() - mixed;
-  const double stretch = axis.stretch(x);
-  slice.mass *= stretch;
-  slice.first_moment *= stretch;
-  slice.inertia *= stretch;
-  return slice;
+/// Of moments about a point of the beam, in section axes there.
+MassProperties place(const space::MassMoments& moments, const space::SectionAt& at) {
+  MassProperties own;
+  own.mass = moments.mass;
+  own.first_moment = moments.first;
+  own.inertia = moments.second.trace() * Tensor::Identity() - moments.second;
+  return own.seen_from_outside({at.p, at.axes.axes});
 }
 
 }  // namespace
@@ -64,22 +51,23 @@ MassProperties make_mass_properties(double mass, const Vector& center, const Ten
   return {mass, mass * center, inertia + mass * point_inertia(center)};
 }
 
-MassProperties calc_mass_properties(const Beam& beam, double from, double to) {
-  const BeamAxis axis(beam.sections);
-  const SectionMasses masses(beam.sections);
-  const std::vector<double>& station = beam.sections.station;
+MassProperties calc_mass_properties(const space::Beam& beam, double from, double to) {
+  const std::vector<double> breaks = beam.breaks(from, to);
   MassProperties total;
-  for (std::size_t i = 1; i < station.size(); ++i) {
-    const double begin = std::max(from, station[i - 1]), end = std::min(to, station[i]);
-    if (end <= begin) continue;
-    const double half = 0.5 * (end - begin);
+  for (std::size_t i = 1; i < breaks.size(); ++i) {
+    const double half = 0.5 * (breaks[i] - breaks[i - 1]);
     for (std::size_t k = 0; k < kPlaces.size(); ++k) {
-      const double x = begin + half * (1.0 + kPlaces[k]);
-      MassProperties slice = calc_slice(masses.at(x), axis, x);
-      const double weight = half * kWeights[k];
+      const double x = breaks[i - 1] + half * (1.0 + kPlaces[k]);
+      const space::SectionAt at = beam.geometry(x);
+      const MassProperties slice = place(beam.section(x).mass, at);
+      const double weight = half * kWeights[k] * at.tangent.norm();
       total += {weight * slice.mass, weight * slice.first_moment, weight * slice.inertia};
     }
   }
+  const bool is_root = from <= beam.station.front();
+  for (const space::PointMass& point : beam.masses)
+    if (point.station <= to && (point.station > from || is_root))
+      total += place(point.moments, beam.geometry(point.station));
   return total;
 }
 

@@ -2,6 +2,7 @@
 
 // Mass, first moment and inertia of bodies, and their sums.
 
+#include "models/space/beam.h"
 #include "models/spatial_model.h"
 
 namespace spoke::spatial {
@@ -31,7 +32,8 @@ struct MassProperties {
 /// Of a body with this inertia about its centre of mass.
 MassProperties make_mass_properties(double mass, const Vector& center, const Tensor& inertia);
 
-/// Of the part of a beam between two stations, without point masses, in the beam's frame.
-MassProperties calc_mass_properties(const Beam& beam, double from, double to);
+/// Of the part of a beam between two stations, in the beam's frame; point masses at the outer one
+/// belong to it, and at the root.
+MassProperties calc_mass_properties(const space::Beam& beam, double from, double to);
 
 }  // namespace spoke::spatial

@@ -2,7 +2,7 @@
 
 #include "models/tree/tree.h"
 
-#include "models/tree/beam_axis.h"
+#include "models/tree/space_beam.h"
 
 namespace spoke::spatial {
 namespace {
@@ -11,9 +11,8 @@ namespace {
 Placement placement_of(const Tree& tree, const TreeBody& body, std::size_t node) {
   const auto* flexible = std::get_if<FlexibleBody>(&body.shape);
   if (flexible == nullptr) return {};
-  const BeamAxis axis(tree.beams[flexible->beam].sections);
-  return {axis.place(flexible->nodes[node]) - axis.place(flexible->nodes.front()),
-          Tensor::Identity()};
+  const space::ReferenceCurve axis = make_space_beam(tree.beams[flexible->beam], 0.0).curve;
+  return {axis.at(flexible->nodes[node]) - axis.at(flexible->nodes.front()), Tensor::Identity()};
 }
 
 }  // namespace
@@ -37,15 +36,10 @@ MassProperties calc_mass_properties(const Tree& tree, const TreeBody& body) {
   if (const auto* rigid = std::get_if<RigidBody>(&body.shape))
     return make_mass_properties(rigid->mass, rigid->center, rigid->inertia);
   const auto& flexible = std::get<FlexibleBody>(body.shape);
-  const Beam& beam = tree.beams[flexible.beam];
-  const Vector origin = BeamAxis(beam.sections).place(flexible.nodes.front());
-  MassProperties total = calc_mass_properties(beam, flexible.nodes.front(), flexible.nodes.back())
-                             .seen_from_outside({-origin, Tensor::Identity()});
-  for (const NodeMass& mass : flexible.masses)
-    total += make_mass_properties(mass.point.mass,
-                                  placement_of(tree, body, mass.node).position + mass.point.offset,
-                                  mass.point.inertia);
-  return total;
+  const space::Beam beam = make_space_beam(tree.beams[flexible.beam], 0.0);
+  const double from = flexible.nodes.front(), to = flexible.nodes.back();
+  return calc_mass_properties(beam, from, to)
+      .seen_from_outside({-beam.curve.at(from), Tensor::Identity()});
 }
 
 MassProperties calc_mass_properties(const Tree& tree) {

@@ -12,18 +12,13 @@
 
 namespace spoke::spatial {
 
-/// A point mass at a node of a flexible body.
-struct NodeMass {
-  std::size_t node = 0;  ///< from 0 at the inboard end
-  PointMass point{};     ///< its offset and inertia are in the beam's axes
-};
-
-/// A part of a beam that is one flexible body. Its frame has the beam's axes and its origin on the
-/// undeformed axis at the first node; node k has the same axes and its origin on the axis there.
+/// A part of a beam that is one flexible body. Point masses of the beam belong to the part that
+/// holds their station, at a boundary to the inner one. Its frame has the beam's axes and its
+/// origin on the undeformed axis at the first node; node k has the same axes and its origin on the
+/// axis there.
 struct FlexibleBody {
-  std::size_t beam = 0;            ///< which beam of the tree it is of
-  std::vector<double> nodes{};     ///< stations of its nodes on the beam, ascending [m]; 2 or more
-  std::vector<NodeMass> masses{};  ///< that it carries
+  std::size_t beam = 0;         ///< which beam of the tree it is of
+  std::vector<double> nodes{};  ///< stations of its nodes on the beam, ascending [m]; 2 or more
 };
 
 /// A body of a tree, and the joint that carries it.
@@ -49,8 +44,8 @@ struct Tree {
 ///
 /// A blade's joints part it, and each part is cut into equally long bodies, none longer than
 /// length/bodies; likewise a beam of a subsystem. A body has as many equally long elements as the
-/// beam says, unless point masses or children within it need nodes: then as many, or one between
-/// two of these at least, as equal as that allows.
+/// beam says, unless children within it need nodes: then as many, or one between two of these at
+/// least, as equal as that allows.
 std::vector<Tree> build_trees(const Model& model);
 
 /// The frame of blades in the hub's: z along its axis.

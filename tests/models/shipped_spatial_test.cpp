@@ -10,7 +10,6 @@
 #include <string>
 
 #include "models/scenario.h"
-#include "models/tree/beam_axis.h"
 #include "models/tree/tree.h"
 
 using doctest::Approx;

@@ -43,9 +43,3 @@ TEST_CASE("places within a body are nodes, and the number of elements stays if i
   CHECK(cut_beam(beam_of(8.0, 2, 1), {}, {4.0}) == Nodes{{0, 4}, {4, 8}});
   CHECK(cut_beam(beam_of(8.0, 1, 3), {}, {0.001, 7.999}) == Nodes{{0, 0.001, 7.999, 8}});
 }
-
-TEST_CASE("point masses are at nodes") {
-  Beam beam = beam_of(8.0, 1, 2);
-  beam.point_masses.push_back({2.0, 1.0});
-  CHECK(cut_beam(beam, {}, {}) == Nodes{{0, 2, 8}});
-}

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "models/tree/beam_axis.h"
+#include "models/space/reference_curve.h"
 #include "models/tree/tree.h"
 #include "tests/models/reader/spatial_texts.h"
 
@@ -65,7 +65,8 @@ TEST_CASE("blades stand around the hub's axis") {
   const MassProperties upright = calc_mass_properties(model.hub, build_trees(model));
   model.hub.inertia = 3.0 * Tensor::Identity();
   model.hub.axis = Vector(1.0, -2.0, 0.5);
-  const Tensor turn = smallest_rotation(Vector::UnitZ(), model.hub.axis);
+  const Tensor turn =
+      spoke::space::smallest_rotation(Vector::UnitZ(), model.hub.axis.normalized()).axes;
   Model straight = model;
   straight.hub.axis = Vector::UnitZ();
   check_equal(calc_mass_properties(model.hub, build_trees(model)),
@@ -90,9 +91,9 @@ TEST_CASE("a bent blade goes on where the body before it ends") {
   Blade& blade = model.blades[0];
   blade.beam.sections.prebend = {0.0, 0.3, 1.2};
   const std::vector<Placement> placements = calc_placements(build_trees(model)[0]);
-  const BeamAxis axis(blade.beam.sections);
+  const spoke::space::ReferenceCurve axis({{0.0, 0.0, 0.0}, {3.0, 0.0, 0.3}, {8.0, 0.0, 1.2}});
   const Vector root(0.1, 0.0, 0.0);
-  CHECK(placements[2].position.isApprox(root + axis.place(0.5), 1e-13));
+  CHECK(placements[2].position.isApprox(root + axis.at(0.5), 1e-13));
   CHECK(placements[2].rotation.isApprox(Tensor::Identity(), 1e-15));
 }
 
@@ -106,18 +107,22 @@ TEST_CASE("a joint's offset and orientation move and turn what is outboard") {
   CHECK(placements[2].position.isApprox(Vector(0.4, 0.3, 0.0), 1e-14));  // 0.2 m outboard
 }
 
-TEST_CASE("point masses are on the first body that has a node there") {
+TEST_CASE("a point mass counts once, where two bodies meet too") {
   Model model = read(kBladeText);
-  model.blades[0].beam.point_masses = {{0.5, 2.0}, {8.0, 1.0}, {1.0, 3.0}};
-  const Tree tree = build_trees(model)[0];
-  REQUIRE(flexible(tree.bodies[1]).masses.size() == 1);
-  CHECK(flexible(tree.bodies[1]).masses[0].node == 4);
-  REQUIRE(flexible(tree.bodies[2]).masses.size() == 1);
-  const NodeMass& inner = flexible(tree.bodies[2]).masses[0];
-  CHECK(flexible(tree.bodies[2]).nodes[inner.node] == 1.0);
-  REQUIRE(flexible(tree.bodies[5]).masses.size() == 1);
-  const double bare = calc_mass_properties(build_trees(model)[1]).mass;
-  CHECK(calc_mass_properties(tree).mass == Approx(bare + 6.0));
+  model.blades[0].beam.point_masses = {{0.0, 4.0}, {0.5, 2.0}, {8.0, 1.0}, {1.0, 3.0}};
+  const Tree tree = build_trees(model)[0], bare = build_trees(model)[1];
+  CHECK(calc_mass_properties(tree).mass == Approx(calc_mass_properties(bare).mass + 10.0));
+  const double inner[] = {4.0, 2.0, 3.0, 0.0, 0.0, 1.0};
+  for (std::size_t i = 0; i < 6; ++i)
+    CHECK(calc_mass_properties(tree, tree.bodies[i]).mass ==
+          Approx(calc_mass_properties(bare, bare.bodies[i]).mass + inner[i]));
+}
+
+TEST_CASE("a hub whose axis points down carries its blades upside down") {
+  Model model = read(kBladeText);
+  model.hub.axis = Vector(0.0, 0.0, -2.0);
+  const Tensor rotation = rotor_placement(model.hub).rotation;
+  CHECK(rotation.isApprox(Vector(1.0, -1.0, -1.0).asDiagonal().toDenseMatrix(), 1e-15));
 }
 
 TEST_CASE("a subsystem's bodies stand behind their parents, in whatever order they are named") {
