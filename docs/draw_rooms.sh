@@ -22,12 +22,16 @@ graph/tune/	auto
 graph/viewer/	the page of a trace
 models/reader/	scenario files
 models/system/	constants of bodies
+models/space/	rotations, joints in space
 engine/support/	memory, vectors, log
 engine/body/	elastic blocks of a body
+engine/tree/	elimination of joints
 engine/table/	all that changes in a step
+engine/space/	kernels of spatial bodies
 engine/kernels/	terms of bodies and hub
 engine/formulation/	(P 7) to (P 11)
 engine/integrator/	rk4, generalized_alpha
+engine/space/integrator/	orientations in steps
 engine/step/	the nodes and their graph
 engine/run/	steps, windows, recording
 engine/simulation/	behind Simulation

@@ -85,11 +85,4 @@ HubAcceleration solve_hub(const HubEquation& equation, const Prescribed& prescri
   return solution;
 }
 
-Twist calc_given(const Prescribed& prescribed, const Rotation& R, const Position& gravity,
-                 double drive) noexcept {
-  Twist given = make_twist(R.inverse() * Position(-gravity), {0.0, 0.0, drive});
-  for_each(prescribed, false, [&](int c) { given[c] = 0.0; });
-  return given;
-}
-
 }  // namespace spoke::space

@@ -5,16 +5,13 @@
 // hub on an axle has its z axis along it: x, y, z, rx, ry are prescribed by the axle, rz by the
 // drive.
 
-#include <array>
 #include <span>
 
+#include "engine/space/hub_motion.h"
 #include "engine/tree/joint_elimination.h"
 #include "models/space/space.h"
 
 namespace spoke::space {
-
-/// Which components of the hub's twist are prescribed: x, y, z, rx, ry, rz.
-using Prescribed = std::array<bool, kTwist>;
 
 /// Terms of geometric stiffening in the hub's equation, of the hub at w0:
 /// the kinetic energy has - 1/2 w0^T Lambda w0.
@@ -48,11 +45,5 @@ struct HubAcceleration {
 /// Solves for the free components; `given` holds the others, of Y''.
 HubAcceleration solve_hub(const HubEquation& equation, const Prescribed& prescribed,
                           const Twist& given) noexcept;
-
-/// Y'' of prescribed components, at rest in space but for the drive's angular acceleration about z
-/// [rad/s^2]; of the others zero. R takes components in H to the inertial frame, that of `gravity`.
-/// The translation of a hub is prescribed as a whole or not at all.
-Twist calc_given(const Prescribed& prescribed, const Rotation& R, const Position& gravity,
-                 double drive) noexcept;
 
 }  // namespace spoke::space

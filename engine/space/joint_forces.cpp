@@ -1,6 +1,9 @@
-// Forces and energies of the springs and dampers in a joint.
+// Forces and energies of the springs, dampers and stops in a joint.
 
 #include "engine/space/joint_forces.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace spoke::space {
 namespace {
@@ -16,13 +19,29 @@ void for_free(const Joint& joint, Visit&& visit) {
   }
 }
 
-/// Deflection of the spring in its components; the gradient of half its square is itself, along the
-/// velocity of either frame, because a rotation does not turn its own vector.
+/// Deflection of the spring in the components of the velocity. A rotation does not turn its own
+/// vector, so that of a spherical spring is the gradient of half its square in either frame.
 Angular calc_deflection(const Joint& joint, const JointPrimitive& primitive,
                         const JointState& state, int at) {
   if (primitive.kind == JointPrimitive::Kind::spherical)
     return logarithm(calc_orientation(joint, primitive, state));
   return {state.q[at] - primitive.rest, 0.0, 0.0};
+}
+
+/// A stop at one coordinate.
+struct StopState {
+  double force = 0.0;  ///< of its spring
+  double energy = 0.0;
+  double share = 0.0;  ///< of stiffness and damping that act: 0 within the bounds, at most 1
+};
+
+StopState calc_stop(const JointStop& stop, double q) {
+  const double above = q - stop.upper, below = stop.lower - q;
+  const double d = std::max(above, below), w = stop.width;
+  if (d <= 0.0) return {};
+  const double inward = above > 0.0 ? -stop.stiffness : stop.stiffness;
+  if (d < w) return {inward * d * d / (2.0 * w), stop.stiffness * d * d * d / (6.0 * w), d / w};
+  return {inward * (d - 0.5 * w), stop.stiffness * (0.5 * d * (d - w) + w * w / 6.0), 1.0};
 }
 
 }  // namespace
@@ -32,14 +51,18 @@ void calc_joint_forces(const Joint& joint, const JointState& state, const Implic
   forces = {};
   const bool is_implicit = shares.stiffness != 0.0 || shares.damping != 0.0;
   for_free(joint, [&](const JointPrimitive& primitive, int at) {
-    const Angular deflection = primitive.stiffness == 0.0
-                                   ? Angular(Angular::Zero())
-                                   : calc_deflection(joint, primitive, state, at);
-    const double share =
-        shares.stiffness * primitive.stiffness + shares.damping * primitive.damping;
+    const bool has_spring = primitive.stiffness != 0.0;
+    const Angular deflection =
+        has_spring ? calc_deflection(joint, primitive, state, at) : Angular(Angular::Zero());
+    const StopState stop = primitive.kind == JointPrimitive::Kind::spherical
+                               ? StopState{}
+                               : calc_stop(primitive.stop, state.q[at]);
+    const double stiffness = primitive.stiffness + stop.share * primitive.stop.stiffness;
+    const double damping = primitive.damping + stop.share * primitive.stop.damping;
+    const double share = shares.stiffness * stiffness + shares.damping * damping;
     for (int c = 0; c < primitive.components(); ++c) {
       const auto k = static_cast<std::size_t>(at + c);
-      forces.tau[k] = -primitive.stiffness * deflection[c] - primitive.damping * state.v[k];
+      forces.tau[k] = stop.force - primitive.stiffness * deflection[c] - damping * state.v[k];
       if (motor) forces.tau[k] += motor[k];
       if (!is_implicit) continue;
       forces.tau[k] += share * a[k];
@@ -52,6 +75,8 @@ double calc_spring_energy(const Joint& joint, const JointState& state) noexcept 
   double sum = 0.0;
   for_free(joint, [&](const JointPrimitive& primitive, int at) {
     sum += 0.5 * primitive.stiffness * calc_deflection(joint, primitive, state, at).squaredNorm();
+    if (primitive.kind != JointPrimitive::Kind::spherical)
+      sum += calc_stop(primitive.stop, state.q[at]).energy;
   });
   return sum;
 }
@@ -59,8 +84,11 @@ double calc_spring_energy(const Joint& joint, const JointState& state) noexcept 
 double calc_dissipation(const Joint& joint, const JointState& state) noexcept {
   double sum = 0.0;
   for_free(joint, [&](const JointPrimitive& primitive, int at) {
+    double damping = primitive.damping;
+    if (primitive.kind != JointPrimitive::Kind::spherical)
+      damping += calc_stop(primitive.stop, state.q[at]).share * primitive.stop.damping;
     for (int c = 0; c < primitive.components(); ++c)
-      sum += primitive.damping * state.v[at + c] * state.v[at + c];
+      sum += damping * state.v[at + c] * state.v[at + c];
   });
   return sum;
 }

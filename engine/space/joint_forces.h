@@ -1,6 +1,6 @@
 #pragma once
 
-// Springs, dampers and motors of joints.
+// Springs, dampers, stops and motors of joints.
 
 #include "engine/space/joint_motion.h"
 
@@ -20,17 +20,18 @@ struct JointForces {
   std::array<double, Joint::kMost> share{};  ///< c stiffness + c' damping [kg m^2, kg]
 };
 
-/// Sets the forces -k (q - rest) - d v + motor, linearised about the accelerations `a` that the
-/// coordinates have by now: tau = force + share a. Where an iteration has converged, the forces are
-/// those of its coordinates exactly, also of a spherical spring. `motor`: n forces [N m, N], or
-/// null; `a`: n accelerations, not used (and may be null) if the shares are zero.
+/// Sets the forces -k (q - rest) - d v + (stop) + motor, linearised about the accelerations `a`
+/// that the coordinates have by now: tau = force + share a. Where an iteration has converged, the
+/// forces are those of its coordinates exactly, also of stops and of a spherical spring, which are
+/// not linear. `motor`: n forces [N m, N], or null; `a`: n accelerations, not used (and may be
+/// null) if the shares are zero.
 void calc_joint_forces(const Joint& joint, const JointState& state, const ImplicitShares& shares,
                        const double* a, const double* motor, JointForces& forces) noexcept;
 
-/// Potential energy of the springs of a joint [J].
+/// Potential energy of the springs and stops of a joint [J].
 double calc_spring_energy(const Joint& joint, const JointState& state) noexcept;
 
-/// Power that the dampers of a joint take [W].
+/// Power that the dampers of a joint and of its stops take [W].
 double calc_dissipation(const Joint& joint, const JointState& state) noexcept;
 
 }  // namespace spoke::space

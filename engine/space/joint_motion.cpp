@@ -117,6 +117,10 @@ void leave_section(const RotationVectorMotion& section, JointMotion& motion,
   angular(child) -= section.velocity;
 }
 
+Twist calc_carried_acceleration(const JointMotion& motion, const Twist& handle) noexcept {
+  return motion.R.inverse() * Twist(refer(-motion.p, handle) + motion.bias);
+}
+
 Quaternion calc_orientation(const Joint& joint, const JointPrimitive& spherical,
                             const JointState& state) noexcept {
   const double* q = state.q + joint.spherical_at;

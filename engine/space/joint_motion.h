@@ -48,6 +48,10 @@ void calc_joint_motion(const Joint& joint, const JointState& state, const Rotati
 /// so far the motion is that of the section, from here on that of the frame.
 void leave_section(const RotationVectorMotion& section, JointMotion& motion, Twist& child) noexcept;
 
+/// The acceleration of the child, in its frame, from that of the handle, in the parent's, both less
+/// gravity, if the joint's coordinates have none: R^T (T (acceleration) + bias).
+Twist calc_carried_acceleration(const JointMotion& motion, const Twist& handle) noexcept;
+
 /// The orientation of a spherical primitive.
 Quaternion calc_orientation(const Joint& joint, const JointPrimitive& spherical,
                             const JointState& state) noexcept;

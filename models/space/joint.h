@@ -3,11 +3,23 @@
 // Joints of space, as constant data: a place, and a sequence of simple freedoms.
 
 #include <array>
+#include <limits>
 #include <span>
 
 #include "models/space/quaternion.h"
 
 namespace spoke::space {
+
+/// What keeps a coordinate of a joint within bounds, smoothly. A distance d beyond a bound, the
+/// force towards it is stiffness d^2/(2 width) up to d = width, stiffness (d - width/2) from there
+/// on. The damper acts as the stiffness does, in the share d/width up to d = width, then whole.
+struct JointStop {
+  double lower = -std::numeric_limits<double>::infinity();  ///< [rad, m]
+  double upper = std::numeric_limits<double>::infinity();   ///< [rad, m]
+  double stiffness = 0.0;                                   ///< [N m/rad, N/m]
+  double damping = 0.0;                                     ///< [N m s/rad, N s/m]
+  double width = 0.0;                                       ///< [rad, m]
+};
 
 /// One freedom of a joint: a rotation about an axis, a displacement along one, or any rotation.
 struct JointPrimitive {
@@ -23,6 +35,7 @@ struct JointPrimitive {
   double stiffness = 0.0;  ///< [N m/rad, N/m]; of a spherical one, towards no rotation
   double damping = 0.0;    ///< [N m s/rad, N s/m]
   double rest = 0.0;       ///< coordinate at which the spring is relaxed [rad, m]; not spherical
+  JointStop stop;          ///< not of a spherical one
 
   /// Components of its velocity.
   int components() const { return kind == Kind::spherical ? kAngular : 1; }

@@ -7,10 +7,7 @@
 
 namespace spoke::space {
 
-Quaternion normalize(const Quaternion& Q) {
-  const double scale = 1.0 / std::sqrt(Q.squared_norm());
-  return {scale * Q.w, scale * Q.v};
-}
+Quaternion normalize(const Quaternion& Q) { return 1.0 / std::sqrt(Q.squared_norm()) * Q; }
 
 Rotation make_rotation(const Quaternion& Q) {
   Matrix3 m = 2.0 * (Q.v * Q.v.transpose() + skew(Q.w * Q.v));

@@ -15,9 +15,14 @@ struct Quaternion {
   Quaternion operator*(const Quaternion& b) const {
     return {w * b.w - v.dot(b.v), w * b.v + b.w * v + cross(v, b.v)};
   }
+  Quaternion operator+(const Quaternion& b) const { return {w + b.w, v + b.v}; }
   Quaternion conjugate() const { return {w, -v}; }
   double squared_norm() const { return w * w + v.squaredNorm(); }
 };
+
+inline Quaternion operator*(double factor, const Quaternion& Q) {
+  return {factor * Q.w, factor * Q.v};
+}
 
 /// Of unit length.
 Quaternion normalize(const Quaternion& Q);
@@ -31,7 +36,8 @@ Quaternion make_quaternion(const Rotation& R);
 /// The unit quaternion of the rotation vector `theta`.
 Quaternion make_quaternion(const Angular& theta);
 
-/// The rotation vector of a unit quaternion, of angle 0 <= t <= pi. (Q and -Q are one rotation.)
+/// The rotation vector of a quaternion, which need not be of unit length, of angle 0 <= t <= pi. (Q
+/// and -Q are one rotation.)
 Angular logarithm(const Quaternion& Q);
 
 /// Where the angular velocity of B in A, and a rotation vector that turns B, are resolved: in the

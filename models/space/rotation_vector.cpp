@@ -79,12 +79,6 @@ Matrix3 calc_tangent(const Angular& theta) {
   return calc_polynomial(k.c, k.d, theta);
 }
 
-Matrix3 calc_inverse_tangent(const Angular& theta) {
-  // 1 - theta~/2 + (1 - s/(2 c)) / t^2 theta~^2, where 1 - s/(2 c) = -t^2 c_rate/(2 c).
-  const RotationCoefficients k = calc_rotation_coefficients(theta.squaredNorm());
-  return calc_polynomial(-0.5, -0.5 * k.c_rate / k.c, theta);
-}
-
 RotationVectorMotion calc_rotation_vector_motion(const Angular& theta, const Angular& rate) {
   const RotationCoefficients k = calc_rotation_coefficients(theta.squaredNorm());
   const Matrix3 H = calc_polynomial(k.c, k.d, theta);

@@ -25,9 +25,6 @@ Rotation exponential(const Angular& theta);
 /// H(theta).
 Matrix3 calc_tangent(const Angular& theta);
 
-/// H(theta)^-1, for angles below 2 pi: theta' = H^-1 w of an angular velocity w resolved in A.
-Matrix3 calc_inverse_tangent(const Angular& theta);
-
 /// What a rotation vector and its rate [rad/s] make of an orientation R_AB. The angular
 /// acceleration of B in A is H theta'' + convective.
 struct RotationVectorMotion {

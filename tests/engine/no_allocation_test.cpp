@@ -11,7 +11,12 @@
 #include <vector>
 
 #include "engine/simulation.h"
+#include "engine/space/hub_equation.h"
+#include "engine/space/joint_terms.h"
+#include "engine/tree/joint_recovery.h"
 #include "tests/engine/rotors.h"
+#include "tests/engine/space/random_joint.h"
+#include "tests/models/space/random_space.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -205,4 +210,55 @@ TEST_CASE("a step on the flow graph allocates nothing once its pools are filled"
   for (int n = 0; n < 500; ++n) simulation.step();
   // oneTBB grows a pool now and then, when a task ends on another thread; a step does not.
   CHECK(allocations.load() - before < 50);
+}
+
+namespace {
+
+/// All that an evaluation does to one joint of a body with three handles, and to the hub.
+void evaluate_joint(const space::Joint& model, std::mt19937& random) {
+  using namespace spoke::space;
+  using namespace spoke::space::testing;
+  const std::array<double, space::Joint::kMost> q{0.1, 0.2, 0.3}, v{0.4, 0.5, 0.6};
+  const std::array<PrescribedMotion, space::Joint::kMost> driven{};
+  const Quaternion reference;
+  const JointState state{q.data(), v.data(), &reference, driven.data()};
+  JointMotion motion;
+  JointForces forces;
+  space::Twist twist;
+  calc_joint_motion(model, state, space::Rotation{}, random_twist(random), motion, twist);
+  calc_joint_forces(model, state, {}, nullptr, nullptr, forces);
+  const JointTerms joint(model, motion, forces);
+
+  std::array<space::SymmetricTwistMatrix, 3> diagonal;
+  diagonal.fill(random_inertia(random));
+  std::array<space::TwistMatrix, 3> pairs;
+  pairs.fill(random_matrix(random));
+  std::array<space::Twist, 3> free, f;
+  free.fill(random_twist(random));
+  f.fill(random_twist(random));
+  const tree::MultiPort<Space> port{3, diagonal.data(), pairs.data(), free.data()};
+  const tree::Branch<Space> branch{random_inertia(random), random_twist(random)};
+  tree::JointElimination<Space> elimination;
+  tree::RootElimination<Space> root;
+  std::array<double, space::Joint::kMost> a{};
+  eliminate_child(2, joint, branch, port, elimination);
+  const tree::HubShare<Space> share = eliminate_root(joint, branch, root);
+  const HubEquation equation =
+      sum_hub_equation(random_inertia(random), twist, space::Twist::Zero(), {}, {&share, 1});
+  const HubAcceleration hub = solve_hub(equation, {}, space::Twist::Zero());
+  recover_root(joint, root, calc_carried_acceleration(motion, hub.acceleration), a.data());
+  recover_child(2, joint, port, elimination, f.data(), a.data());
+}
+
+}  // namespace
+
+TEST_CASE("joints of trees in space are eliminated and recovered without allocation") {
+  std::mt19937 random(1);
+  for (const char* kind : space::testing::kJointKinds) {
+    CAPTURE(std::string(kind));
+    const space::Joint joint = space::testing::make_random_joint(kind, random);
+    const long before = allocations.load();
+    evaluate_joint(joint, random);
+    CHECK(allocations.load() == before);
+  }
 }

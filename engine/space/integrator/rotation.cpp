@@ -2,53 +2,47 @@
 
 #include "engine/space/integrator/rotation.h"
 
-#include "models/space/rotation_vector.h"
-
 namespace spoke::space {
 namespace {
 
 Angular read(const double* values, int at) { return {values[at], values[at + 1], values[at + 2]}; }
 
-void add(const Angular& share, double* values, int at) {
-  for (int c = 0; c < kAngular; ++c) values[at + c] += share[c];
+void write(const Angular& from, double* values, int at) {
+  for (int c = 0; c < kAngular; ++c) values[at + c] = from[c];
 }
 
-/// D' - w at the present stage. H belongs to velocities in the parent's frame, H^T = H(-D) to those
-/// in the child's.
-Angular calc_excess_rate(const RotationBlock& rotation) {
-  const Angular D = read(rotation.block->q, rotation.at);
+/// P' of P = exp(D~) at the present stage.
+Quaternion calc_relative_rate(const RotationBlock& rotation) {
+  const Quaternion P = make_quaternion(read(rotation.block->q, rotation.at));
   const Angular w = read(rotation.block->v, rotation.at);
-  const Angular turned = rotation.frame == TurnFrame::child ? Angular(-D) : D;
-  return calc_inverse_tangent(turned) * w - w;
+  return rotation.frame == TurnFrame::child ? calc_rate(P, w) : calc_rate(w, P);
 }
 
 }  // namespace
 
 Quaternion calc_orientation(const RotationBlock& rotation) noexcept {
-  return turn(*rotation.reference, read(rotation.block->q, rotation.at), rotation.frame);
+  return turn(rotation.state->reference, read(rotation.block->q, rotation.at), rotation.frame);
 }
 
 void fold(const RotationBlock& rotation) noexcept {
-  *rotation.reference = normalize(calc_orientation(rotation));
-  for (int c = 0; c < kAngular; ++c) rotation.block->q[rotation.at + c] = 0.0;
+  rotation.state->reference = normalize(calc_orientation(rotation));
+  write(Angular::Zero(), rotation.block->q, rotation.at);
 }
 
 void advance(const Rk4& method, int stage, const RotationBlock& rotation) noexcept {
-  CoordinateBlock& block = *rotation.block;
-  if (stage == 1) {  // D = 0, where D' = w
-    fold(rotation);
-    return spoke::advance(method, stage, block);
-  }
-  const Angular excess = calc_excess_rate(rotation);
-  spoke::advance(method, stage, block);
-  // The stage before has the weight by which its rate enters the step's sum, and `span` times it
-  // the coordinate.
+  // `stage` follows the one in which the rate was found.
   const bool is_last = stage == 0;
-  const double weight = Rk4::weights[static_cast<std::size_t>(is_last ? Rk4::kStages : stage) - 1];
-  const double span =
-      method.step * (is_last ? weight : Rk4::nodes[static_cast<std::size_t>(stage)]);
-  add(weight * excess, block.history[Rk4::sum_q], rotation.at);
-  add(span * excess, block.q, rotation.at);
+  const auto found_in = static_cast<std::size_t>(is_last ? Rk4::kStages : stage) - 1;
+  Quaternion& sum = rotation.state->sum;
+  if (found_in == 0) {
+    fold(rotation);
+    sum = {0.0, Position::Zero()};
+  }
+  const Quaternion rate = calc_relative_rate(rotation);
+  sum = sum + Rk4::weights[found_in] * rate;
+  spoke::advance(method, stage, *rotation.block);
+  const Quaternion step = is_last ? sum : Rk4::nodes[static_cast<std::size_t>(stage)] * rate;
+  write(logarithm(Quaternion{} + method.step * step), rotation.block->q, rotation.at);
 }
 
 void predict(const GeneralizedAlpha& method, const RotationBlock& rotation) noexcept {

@@ -5,7 +5,9 @@
 // rotation vector D by which it has turned since the step's start, Q = Q_n exp(D~) in the child's
 // frame or exp(D~) Q_n in the parent's. When a step begins, D is folded into Q_n and is zero again.
 //   generalized_alpha: D' = w, to the method's order two; D is a coordinate like others
-//   rk4:               D' = H^-1 w, exactly
+//   rk4:               the four numbers of exp(D~) are integrated, P' = 1/2 P (0, w) or 1/2 (0, w)
+//   P,
+//                      and brought back to unit length in every stage
 // Everything else of a block, correct() and restarts too, is as of any other.
 
 #include "engine/integrator/method.h"
@@ -13,12 +15,18 @@
 
 namespace spoke::space {
 
+/// What belongs to an orientation besides its block.
+struct RotationState {
+  Quaternion reference;                   ///< Q_n
+  Quaternion sum{0.0, Position::Zero()};  ///< rk4: weighted rates of the stages
+};
+
 /// A block of coordinates among which is an orientation: at `at`, `at + 1`, `at + 2` stand D in q,
 /// w in v, w' in a.
 struct RotationBlock {
   CoordinateBlock* block = nullptr;
   int at = 0;
-  Quaternion* reference = nullptr;  ///< Q_n
+  RotationState* state = nullptr;
   TurnFrame frame = TurnFrame::child;
 };
 

@@ -64,16 +64,6 @@ TEST_CASE("the tangent map and its rate are derivatives of the exponential") {
   }
 }
 
-TEST_CASE("the inverse of the tangent map") {
-  std::mt19937 random(6);
-  for (const double angle : kAngles) {
-    CAPTURE(angle);
-    const Angular theta = angle * random_axis(random);
-    const Matrix3 product = calc_inverse_tangent(theta) * calc_tangent(theta);
-    CHECK((product - Matrix3::Identity()).cwiseAbs().maxCoeff() < 1e-14);
-  }
-}
-
 TEST_CASE("coefficients of a rotation are smooth where the series ends") {
   const RotationCoefficients below = calc_rotation_coefficients(1.0 - 1e-15);
   const RotationCoefficients above = calc_rotation_coefficients(1.0);
