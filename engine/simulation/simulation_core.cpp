@@ -34,6 +34,9 @@ Method make_method(const Integration& integration, double step) {
 
 const Scenario& checked(const Scenario& scenario) {
   check_scenario(scenario);
+  if (scenario.space)
+    throw InputError(
+        "world: is \"space\", which spoke check prints; expected \"plane\" to simulate");
   return scenario;
 }
 
