@@ -113,6 +113,13 @@ double Curve::derivative(double t) const {
   return cubic(k).derivative(t - times_[k]);
 }
 
+double Curve::second_derivative(double t) const {
+  if (std::isnan(t)) return t;
+  if (t < times_.front() || t >= times_.back()) return 0.0;
+  const std::size_t k = segment(t);
+  return cubic(k).second_derivative(t - times_[k]);
+}
+
 double Curve::integral(double t) const { return primitive(t) - primitive(0.0); }
 
 double Curve::primitive(double t) const {

@@ -29,6 +29,8 @@ class SPOKE_EXPORT Curve {
   double value(double t) const;
   /// At the first and the last point the one-sided derivative inside; 0 before and after.
   double derivative(double t) const;
+  /// Within the segment that holds t; 0 before and after the points.
+  double second_derivative(double t) const;
   /// Integral from 0 to t [unit of values * s].
   double integral(double t) const;
 
@@ -43,6 +45,7 @@ class SPOKE_EXPORT Curve {
     double a, b, c, d;
     double value(double x) const { return a + x * (b + x * (c + x * d)); }
     double derivative(double x) const { return b + x * (2.0 * c + x * 3.0 * d); }
+    double second_derivative(double x) const { return 2.0 * c + 6.0 * d * x; }
     double integral(double x) const {
       return x * (a + x * (b / 2.0 + x * (c / 3.0 + x * d / 4.0)));
     }

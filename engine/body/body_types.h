@@ -12,6 +12,9 @@ namespace spoke {
 ///   Fields          what else it has of its own in the table
 ///   Condensed       what the formulation `structured` keeps of it
 ///   HandleWrenches  wrenches on its handles
+///   JointMotion     motion of the joint that carries it; its member R is R_PB
+///   HubStiffening   what its geometric stiffening adds to the hub's equation
+///   Attitude        what the hub's orientation has besides its coordinates
 template <class World>
 struct BodyTypes;
 

@@ -13,6 +13,28 @@
 
 namespace spoke {
 
+/// Rotates the frame of a body against its parent's.
+struct PlanarJointMotion {
+  Rotation R;  ///< R_PB
+};
+
+/// What geometric stiffening adds to the hub's equation.
+struct PlanarHubStiffening {
+  double inertia = 0.0;  ///< qf^T KG qf, off its rotary inertia [kg m^2]
+  double rate = 0.0;     ///< qf^T KG qf' [kg m^2/s]
+
+  PlanarHubStiffening& operator+=(const PlanarHubStiffening& other) {
+    inertia += other.inertia;
+    rate += other.rate;
+    return *this;
+  }
+};
+/// The moment on the hub that takes its place on the right-hand side, 2 w0 qf^T KG qf', and the
+/// angular momentum that it takes.
+inline double calc_stiffening_moment(const PlanarHubStiffening& s, double w0) {
+  return 2.0 * w0 * s.rate;
+}
+
 /// Terms of a body's equations of motion that its state determines (docs/formulation.md, section
 /// 2), all in the body frame. The flex vectors c_theta and Q_f belong to them.
 struct PlanarTerms {
@@ -78,6 +100,9 @@ struct BodyTypes<Plane> {
   using Fields = PlanarFields;
   using Condensed = PlanarCondensed;
   using HandleWrenches = PlanarWrenches;
+  using JointMotion = PlanarJointMotion;
+  using HubStiffening = PlanarHubStiffening;
+  struct Attitude {};
 };
 
 FlexLayout make_layout(const FlexibleBody& body);

@@ -54,7 +54,7 @@ void add_root_joint(const Subsystem<World>& subsystem, const SubsystemData<World
 template <class World>
 void add_hub(const System<World>& system, const StepData<World>& data, Work& work) {
   constexpr int d = World::kTwist;
-  typename World::HubStiffening stiffening;
+  typename BodyTypes<World>::HubStiffening stiffening;
   for (const SubsystemData<World>& subsystem : data.subsystems)
     for (const BodyData<World>& body : subsystem.bodies) stiffening += body.terms.stiffening;
   TwistMatrixOf<World> mass = calc_hub_mass(system.hub);

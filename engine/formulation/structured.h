@@ -36,9 +36,11 @@ struct alignas(kInterferenceSize) SubsystemWork {
 template <class World>
 void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work);
 
-/// Solves for W_theta and z and condenses a body to its two-port.
-void condense_body(const BodyData<Plane>& data, double speed, bool implicit,
+/// Solves for W_theta and z and condenses a body to its multi-port; `twist`: of its frame.
+void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
                    BodyWork<Plane>& work) noexcept;
+void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
+                   BodyWork<Space>& work) noexcept;
 
 /// Effective mass and force (P 10): eliminates the joints of a tree from its tips to the root.
 template <class World>
@@ -51,7 +53,9 @@ void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<Wor
                       SubsystemData<World>& data) noexcept;
 
 /// Accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
-void recover_body(const PlanarWrenches& wrenches, const BodyWork<Plane>& work, bool implicit,
-                  BodyData<Plane>& data, double* a) noexcept;
+void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
+                  bool implicit, BodyData<Plane>& data, double* a) noexcept;
+void recover_body(const SubsystemData<Space>& subsystem, std::size_t j, const BodyWork<Space>& work,
+                  bool implicit, BodyData<Space>& data, double* a) noexcept;
 
 }  // namespace spoke::structured

@@ -42,7 +42,7 @@ void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& 
 
 /// Assembles and inverts one block of (P 11).
 template <class World>
-void invert_body(const BodyData<World>& data, const AngularOf<World>& speed, bool implicit,
+void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool implicit,
                  BodyWork<World>& work) noexcept;
 
 /// Effective mass and force, (P 10).

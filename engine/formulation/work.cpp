@@ -9,8 +9,13 @@
 namespace spoke {
 namespace {
 
+ElasticBlock make_block(const FlexibleBody& body, double mass_factor, double stiffness_factor) {
+  return make_elastic_block(body, mass_factor, stiffness_factor);
+}
+using space::make_block;
+
 template <class World>
-using BodyKey = const typename World::FlexibleBody*;
+using BodyKey = const typename World::Body*;
 
 /// Dense elastic blocks of all bodies, by subsystem and body, shared by bodies of one type.
 template <class World>
@@ -21,7 +26,7 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepDat
   for (const SubsystemData<World>& subsystem : data.subsystems) {
     blocks.emplace_back();
     for (const BodyData<World>& member : subsystem.bodies) {
-      const typename World::FlexibleBody& body = *member.model->body;
+      const typename World::Body& body = *member.model->body;
       subsystem::DenseBlocks& pair = made[&body];
       if (!pair[0]) {
         pair[0] = std::make_shared<Eigen::MatrixXd>(make_dense_elastic_block(body, 1.0, 0.0));
@@ -39,11 +44,11 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
                          FormulationWork<World>& work) {
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (BodyData<World>& member : subsystem.bodies) {
-      const typename World::FlexibleBody& body = *member.model->body;
+      const typename World::Body& body = *member.model->body;
       const auto [at, is_new] = work.blocks.try_emplace(&body);
       if (is_new) {
-        at->second[0] = make_elastic_block(body, 1.0, 0.0);
-        at->second[1] = make_elastic_block(body, implicit.mass_factor, implicit.stiffness_factor);
+        at->second[0] = make_block(body, 1.0, 0.0);
+        at->second[1] = make_block(body, implicit.mass_factor, implicit.stiffness_factor);
       }
       member.blocks = {&at->second[0], &at->second[1]};
     }
@@ -90,12 +95,14 @@ void allocate(const System<World>& system, Formulation formulation, const Elasti
       structured::allocate(data.subsystems[i], work.structured[i]);
     return;
   }
-  auto blocks = make_dense_blocks(data, implicit);
-  if (formulation == Formulation::augmented)
-    return augmented::allocate(system, data, std::move(blocks), work.augmented);
-  work.subsystem.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-    subsystem::allocate(data.subsystems[i], blocks[i], work.subsystem[i]);
+  if constexpr (kHasDenseFormulations<World>) {
+    auto blocks = make_dense_blocks(data, implicit);
+    if (formulation == Formulation::augmented)
+      return augmented::allocate(system, data, std::move(blocks), work.augmented);
+    work.subsystem.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      subsystem::allocate(data.subsystems[i], blocks[i], work.subsystem[i]);
+  }
 }
 
 template <class World>
@@ -124,6 +131,9 @@ double estimate_memory(const System<World>& system, Formulation formulation) {
 
 template void allocate(const System<Plane>&, Formulation, const ElasticShares&, StepData<Plane>&,
                        FormulationWork<Plane>&);
+template void allocate(const System<Space>&, Formulation, const ElasticShares&, StepData<Space>&,
+                       FormulationWork<Space>&);
 template double estimate_memory(const System<Plane>&, Formulation);
+template double estimate_memory(const System<Space>&, Formulation);
 
 }  // namespace spoke

@@ -12,6 +12,10 @@
 
 namespace spoke {
 
+/// Whether bodies of a world have the matrices of the paper's two dense formulations.
+template <class World>
+inline constexpr bool kHasDenseFormulations = World::kMostJointCoordinates == 0;
+
 /// Shares of Mff and K in the constant block Mhat of an implicit step; (1, 0) is the explicit one.
 struct ElasticShares {
   double mass_factor = 1.0;
@@ -25,8 +29,7 @@ struct FormulationWork {
   std::vector<subsystem::SubsystemWork<World>> subsystem;
   augmented::Work augmented;
   /// Constant blocks, shared by bodies of one type: explicit, implicit.
-  std::map<const typename World::FlexibleBody*, std::array<typename BodyTypes<World>::Block, 2>>
-      blocks;
+  std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
 };
 
 /// Makes the constants and allocates the work of one formulation for `data`.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/space/deformation_limits.h"
+
 namespace spoke {
 namespace {
 
@@ -49,6 +51,22 @@ LimitViolation find_limit_violation(const BodyData<Plane>& body) {
     if (std::abs(value) > limit && is_worst) worst = {k, value, limit};
   }
   return worst;
+}
+
+bool has_left_limits(const BodyData<Plane>& body) noexcept {
+  return find_limit_violation(body).coordinate >= 0;
+}
+
+bool has_left_limits(const BodyData<Space>& body) noexcept {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  return flexible && space::find_limit_violation(*flexible, body.coordinates.q).node >= 0;
+}
+
+double find_large_deflection(const BodyData<Space>& body) noexcept {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return 0.0;
+  const double largest = space::find_largest_deflection(*flexible, body.coordinates.q);
+  return largest * flexible->length() > body.linear_range ? largest : 0.0;
 }
 
 }  // namespace spoke

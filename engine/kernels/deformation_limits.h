@@ -11,6 +11,13 @@ namespace spoke {
 /// if it is within the linear range.
 double find_large_deflection(const BodyData<Plane>& body) noexcept;
 
+/// The same of a body in space; of a rigid one 0.
+double find_large_deflection(const BodyData<Space>& body) noexcept;
+
+/// Whether a coordinate is not finite or beyond its limit.
+bool has_left_limits(const BodyData<Plane>& body) noexcept;
+bool has_left_limits(const BodyData<Space>& body) noexcept;
+
 /// A deformation coordinate that has left its limits.
 struct LimitViolation {
   int coordinate = -1;  ///< in the order "axial, then bending"; -1: none has

@@ -8,7 +8,8 @@ template <class World>
 TwistOf<World> calc_prescribed_acceleration(const System<World>& system, double t,
                                             const RotationOf<World>& R, double alpha) {
   TwistOf<World> given = TwistOf<World>::Zero();
-  if (is_prescribed(system.hub, 0)) linear(given) = -(R.inverse() * system.gravity_at(t));
+  if (is_prescribed(system.hub, 0))
+    linear(given) = -(R.inverse() * PositionOf<World>(system.gravity_at(t)));
   if (is_prescribed(system.hub, World::kAxial)) given[World::kAxial] = alpha;
   return given;
 }
@@ -27,7 +28,7 @@ void impose_hub_motion(const System<World>& system, double t, CoordinateBlock& h
 template <class World>
 PrescribedHub<World> calc_prescribed_motion(const System<World>& system, double t) noexcept {
   const DriveMotion motion = calc_motion(system.hub.drive, t);
-  const auto R = RotationOf<World>::about_axis(motion.angle);
+  const RotationOf<World> R = rotation_of(system.hub, motion.angle);
   return {{PositionOf<World>::Zero(), R, TwistOf<World>::Unit(World::kAxial) * motion.speed},
           calc_prescribed_acceleration(system, t, R, motion.acceleration)};
 }
@@ -57,5 +58,12 @@ template Twist calc_prescribed_acceleration(const System<Plane>&, double, const 
 template void impose_hub_motion(const System<Plane>&, double, CoordinateBlock&) noexcept;
 template PrescribedHub<Plane> calc_prescribed_motion(const System<Plane>&, double) noexcept;
 template bool is_prescribed(const System<Plane>&);
+template space::Twist calc_inertial_acceleration(const System<Space>&, double,
+                                                 const HubState<Space>&, const HubSolution<Space>&);
+template space::Twist calc_prescribed_acceleration(const System<Space>&, double,
+                                                   const space::Rotation&, double);
+template void impose_hub_motion(const System<Space>&, double, CoordinateBlock&) noexcept;
+template PrescribedHub<Space> calc_prescribed_motion(const System<Space>&, double) noexcept;
+template bool is_prescribed(const System<Space>&);
 
 }  // namespace spoke

@@ -14,10 +14,9 @@ TwistOf<World> calc_hub_load(const System<World>& system, double t,
   TwistOf<World> sum = TwistOf<World>::Zero();
   for (const typename World::HubLoad& load : system.hub_loads) {
     const double factor = load.factor.value(t) * calc_rise(t, load.ramp);
-    const PositionOf<World> force = load.frame == LoadFrame::inertial
-                                        ? PositionOf<World>(hub.R.inverse() * load.force)
-                                        : load.force;
-    sum += factor * translate(load.position, make_wrench(force, moment_of(load)));
+    TwistOf<World> wrench = make_wrench(load.force, moment_of(load));
+    if (load.frame == LoadFrame::inertial) wrench = hub.R.inverse() * wrench;
+    sum += factor * translate(load.position, wrench);
   }
   return sum;
 }
@@ -98,5 +97,12 @@ template Twist calc_hub_force(const Hub&, const HubState<Plane>&,
 template HubEquation<Plane> sum_hub_equation(const System<Plane>&, const StepData<Plane>&) noexcept;
 template void solve_hub(const System<Plane>&, StepData<Plane>&) noexcept;
 template Twist calc_reaction(const SubsystemData<Plane>&) noexcept;
+template space::Twist calc_hub_load(const System<Space>&, double, const HubState<Space>&) noexcept;
+template void set_applied(const System<Space>&, StepData<Space>&) noexcept;
+template space::Twist calc_hub_force(const space::Hub&, const HubState<Space>&,
+                                     const HubSolution<Space>&) noexcept;
+template HubEquation<Space> sum_hub_equation(const System<Space>&, const StepData<Space>&) noexcept;
+template void solve_hub(const System<Space>&, StepData<Space>&) noexcept;
+template space::Twist calc_reaction(const SubsystemData<Space>&) noexcept;
 
 }  // namespace spoke

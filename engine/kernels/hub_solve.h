@@ -41,8 +41,9 @@ HubEquation<World> sum_hub_equation(const System<World>& system,
 
 /// The terms of geometric stiffening of the hub's equation, summed over the bodies.
 template <class World>
-typename World::HubStiffening sum_stiffening(const ArenaVector<BodyData<World>>& bodies) noexcept {
-  typename World::HubStiffening sum;
+typename BodyTypes<World>::HubStiffening sum_stiffening(
+    const ArenaVector<BodyData<World>>& bodies) noexcept {
+  typename BodyTypes<World>::HubStiffening sum;
   for (const BodyData<World>& body : bodies) sum += body.terms.stiffening;
   return sum;
 }

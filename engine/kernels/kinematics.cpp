@@ -52,12 +52,12 @@ void calc_velocities(const Subsystem<World>& subsystem, SubsystemData<World>& da
   }
 }
 
-template <class World>
-HubState<World> calc_hub_state(const CoordinateBlock& hub) {
-  HubState<World> state;
+HubState<Plane> calc_hub_state(const StepData<Plane>& data) {
+  const CoordinateBlock& hub = data.hub_coordinates;
+  HubState<Plane> state;
   state.p = {hub.q[0], hub.q[1]};
-  state.R = RotationOf<World>::from_angle(hub.q[World::kAxial]);
-  const TwistOf<World> inertial(hub.v[0], hub.v[1], hub.v[2]);
+  state.R = Rotation::from_angle(hub.q[kRotation]);
+  const Twist inertial(hub.v[0], hub.v[1], hub.v[2]);
   state.twist = state.R.inverse() * inertial;
   return state;
 }
@@ -67,6 +67,5 @@ template void calc_poses(const Subsystem<Plane>&, const SubsystemData<Plane>&,
                          ArenaVector<Pose>&) noexcept;
 template Rotation calc_rotation_to_hub(const SubsystemData<Plane>&, int) noexcept;
 template void calc_velocities(const Subsystem<Plane>&, SubsystemData<Plane>&) noexcept;
-template HubState<Plane> calc_hub_state(const CoordinateBlock&);
 
 }  // namespace spoke

@@ -28,7 +28,23 @@ template <class World>
 void calc_velocities(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept;
 
 /// Place, orientation and hub-frame twist of the hub from its coordinates.
-template <class World>
-HubState<World> calc_hub_state(const CoordinateBlock& hub);
+HubState<Plane> calc_hub_state(const StepData<Plane>& data);
+HubState<Space> calc_hub_state(const StepData<Space>& data);
+
+// In space the handles of the bodies are placed first; the motions of the joints, which depend on
+// velocities too, follow with the twists. What is prescribed of them must have been set.
+
+void calc_rotations(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept;
+void calc_poses(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                ArenaVector<space::Pose>& poses) noexcept;
+space::Rotation calc_rotation_to_hub(const Subsystem<Space>& subsystem,
+                                     const SubsystemData<Space>& data, int body) noexcept;
+void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept;
+
+/// Sets the prescribed motions of the joints at time t [s]; those of the plane have none.
+inline void prescribe_joints(const System<Plane>&, double, const Subsystem<Plane>&,
+                             SubsystemData<Plane>&) {}
+void prescribe_joints(const System<Space>& system, double t, const Subsystem<Space>& subsystem,
+                      SubsystemData<Space>& data) noexcept;
 
 }  // namespace spoke

@@ -38,7 +38,7 @@ Energies sum_energies(const System<Plane>& system, const SystemRecord<Plane>& re
 
 Energies calc_energies(const System<Plane>& system, StepData<Plane>& data) {
   const CoordinateBlock& hub = data.hub_coordinates;
-  if (data.is_coupled) data.hub = calc_hub_state<Plane>(hub);
+  if (data.is_coupled) data.hub = calc_hub_state(data);
   Energies energies = calc_hub_energies(system, Twist(hub.q[0], hub.q[1], hub.q[2]),
                                         Twist(hub.v[0], hub.v[1], hub.v[2]));
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {

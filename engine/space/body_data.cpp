@@ -34,6 +34,23 @@ class Places {
   std::size_t used_ = 0;
 };
 
+/// What any body has with so many handles.
+void place_port(std::size_t handles, Places& places, BodyWork& work) {
+  work.handles = places.take_objects<HandleMotion>(handles);
+  work.port.handles = static_cast<int>(handles);
+  work.port.diagonal = places.take_objects<SymmetricTwistMatrix>(handles);
+  work.port.pairs = places.take_objects<TwistMatrix>(
+      static_cast<std::size_t>(tree::MultiPort<Space>::count_pairs(work.port.handles)));
+  work.port.free = places.take_objects<Twist>(handles);
+  work.wrenches = places.take_objects<Twist>(handles);
+}
+
+BodyWork place(const RigidBody& body, Places& places) {
+  BodyWork work;
+  place_port(body.outboard.size() + 1, places, work);
+  return work;
+}
+
 BodyWork place(const FlexibleBody& body, Places& places) {
   const auto nodes = static_cast<std::size_t>(body.node_count());
   const auto elements = static_cast<std::size_t>(body.elements);
@@ -41,13 +58,8 @@ BodyWork place(const FlexibleBody& body, Places& places) {
   BodyWork work;
   work.rows = places.take(kNodeRows * nodes);
   work.half = places.take(kNodeRows * nodes);
-  work.handles = places.take_objects<HandleMotion>(handles);
+  place_port(handles, places, work);
   work.condensed.X = places.take_objects<TwistMatrix>(handles);
-  work.port.handles = static_cast<int>(handles);
-  work.port.diagonal = places.take_objects<SymmetricTwistMatrix>(handles);
-  work.port.pairs = places.take_objects<TwistMatrix>(
-      static_cast<std::size_t>(tree::MultiPort<Space>::count_pairs(work.port.handles)));
-  work.port.free = places.take_objects<Twist>(handles);
   work.slots = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
   work.momenta = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
   work.force = places.take(kTwist * nodes);
@@ -80,6 +92,17 @@ BodyWork place_work(const FlexibleBody& body, double* memory) {
   std::fill_n(work.rows, kNodeRows * body.node_count(), 0.0);
   std::fill_n(work.half, kNodeRows * body.node_count(), 0.0);
   return work;
+}
+
+std::size_t count_work(const RigidBody& body) {
+  Places places(nullptr);
+  place(body, places);
+  return places.used();
+}
+
+BodyWork place_work(const RigidBody& body, double* memory) {
+  Places places(memory);
+  return place(body, places);
 }
 
 void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcept {

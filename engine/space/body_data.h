@@ -8,19 +8,11 @@
 
 #include "engine/space/elastic_block.h"
 #include "engine/space/handle_motion.h"
+#include "models/space/rigid_body.h"
 #include "models/space/space.h"
+#include "models/space/tension_place.h"
 
 namespace spoke::space {
-
-/// Where a body stands in its tree, undeformed and with joint coordinates zero, seen from the hub:
-/// from this follows the tension that the hub's rotation and gravity put on it.
-struct TensionPlace {
-  Rotation R_HB;                                ///< from B to the hub frame H
-  Position origin = Position::Zero();           ///< of B, from the hub's centre [m]
-  Position outboard_moment = Position::Zero();  ///< first moment, about the hub's centre, of all
-                                                ///< that is outboard of the body [kg m]
-  double outboard_mass = 0.0;                   ///< [kg]
-};
 
 /// A body in its tree.
 struct BodyModel {
@@ -44,20 +36,30 @@ struct BodyMotion {
   Position gravity = Position::Zero();  ///< in H [m/s^2]; only for the tension, see TensionPlace
 };
 
-/// What a body's stiffening adds to the hub's equation, in H: to its inertia - Lambda, to the right
-/// Lambda' w0 + w0 x (Lambda w0), and to the moment g x gamma.
-struct HubShare {
-  Matrix3 Lambda = Matrix3::Zero();       ///< symmetric [kg m^2]
-  Matrix3 Lambda_rate = Matrix3::Zero();  ///< [kg m^2/s]
-  Position gamma = Position::Zero();      ///< [kg m]
+/// What a body's stiffening adds to the hub's equation, in H.
+struct HubStiffening {
+  Matrix3 inertia = Matrix3::Zero();   ///< Lambda, off the hub's inertia, symmetric [kg m^2]
+  Matrix3 rate = Matrix3::Zero();      ///< Lambda' [kg m^2/s]
+  Position moment = Position::Zero();  ///< g x gamma, of gravity's tension [N m]
+
+  HubStiffening& operator+=(const HubStiffening& other) {
+    inertia += other.inertia;
+    rate += other.rate;
+    moment += other.moment;
+    return *this;
+  }
 };
+/// The moment on the hub that takes its place on the right-hand side.
+inline Angular calc_stiffening_moment(const HubStiffening& s, const Angular& w0) {
+  return s.rate * w0 + cross(w0, Position(s.inertia.lazyProduct(w0))) + s.moment;
+}
 
 /// Mass terms and right-hand side of a body's frame.
 struct BodyTerms {
   Position S = Position::Zero();    ///< first moment [kg m]
   Matrix3 Theta = Matrix3::Zero();  ///< inertia about the origin [kg m^2]
   Twist Q = Twist::Zero();          ///< right-hand side of translation and rotation [N, N m]
-  HubShare hub;
+  HubStiffening stiffening;
   double load_power = 0.0;   ///< of applied loads [W]
   double dissipation = 0.0;  ///< q'^T D q' [W]
 };
@@ -83,6 +85,7 @@ struct BodyWork {
   HandleMotion* handles = nullptr;  ///< as set by calc_handles()
   Condensed condensed;
   tree::MultiPort<Space> port;
+  Twist* wrenches = nullptr;  ///< on the handles, of the joints
   // Within one kernel only.
   double* slots = nullptr;    ///< by node four slots, each with its rate, and then by element one
   double* momenta = nullptr;  ///< mu = m rho and mu', likewise
@@ -93,6 +96,10 @@ struct BodyWork {
 /// Doubles that a body's work takes, and the work in so much memory, aligned to 16 bytes.
 std::size_t count_work(const FlexibleBody& body);
 BodyWork place_work(const FlexibleBody& body, double* memory);
+
+/// The same of a rigid body, which has handles and a multi-port only.
+std::size_t count_work(const RigidBody& body);
+BodyWork place_work(const RigidBody& body, double* memory);
 
 /// A flex vector by node, six values each, with zeros where the frame fixes coordinates; and back.
 void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcept;

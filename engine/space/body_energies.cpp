@@ -53,10 +53,10 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
   energies.strain = strain_energy(body, q);
   if (!model.tension) return energies;
   std::fill_n(work.force, kTwist * body.node_count(), 0.0);
-  const HubShare share =
-      calc_hub_share(*model.tension, add_stiffening(model, motion, q, v, work.force));
-  energies.kinetic -= 0.5 * motion.hub_w.dot(share.Lambda.lazyProduct(motion.hub_w));
-  energies.tension = motion.gravity.dot(share.gamma);
+  const StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
+  const HubStiffening hub = calc_hub_stiffening(*model.tension, motion.gravity, stiffening);
+  energies.kinetic -= 0.5 * motion.hub_w.dot(hub.inertia.lazyProduct(motion.hub_w));
+  energies.tension = motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
   return energies;
 }
 

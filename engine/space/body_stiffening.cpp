@@ -191,13 +191,18 @@ Matrix3 turn(const Rotation& R, const Matrix3& tensor) {
 
 }  // namespace
 
-HubShare calc_hub_share(const TensionPlace& place, const StiffeningSums& sums) noexcept {
-  HubShare share;
-  share.Lambda = turn(place.R_HB, calc_inertia(place, sums.value));
-  share.Lambda_rate = turn(place.R_HB, 2.0 * calc_inertia(place, sums.rate));
+Position calc_tension_moment(const TensionPlace& place, const StiffeningSums& sums) noexcept {
   const double form = place.outboard_mass * sums.value.tension[0] + sums.value.tension[1];
-  share.gamma = 0.5 * form * place.R_HB.axes.col(0);
-  return share;
+  return 0.5 * form * place.R_HB.axes.col(0);
+}
+
+HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,
+                                  const StiffeningSums& sums) noexcept {
+  HubStiffening stiffening;
+  stiffening.inertia = turn(place.R_HB, calc_inertia(place, sums.value));
+  stiffening.rate = turn(place.R_HB, 2.0 * calc_inertia(place, sums.rate));
+  stiffening.moment = cross(gravity, calc_tension_moment(place, sums));
+  return stiffening;
 }
 
 }  // namespace spoke::space

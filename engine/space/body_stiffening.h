@@ -27,7 +27,11 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
 /// int (v'^2 + w'^2) ds, slopes against the elements' axes [m]. `q`: by node.
 double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept;
 
-/// What the hub feels of it.
-HubShare calc_hub_share(const TensionPlace& place, const StiffeningSums& sums) noexcept;
+/// What the hub feels of it; `gravity`: in H [m/s^2].
+HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,
+                                  const StiffeningSums& sums) noexcept;
+
+/// gamma: the energy of gravity's tension is g . gamma, in H [kg m].
+Position calc_tension_moment(const TensionPlace& place, const StiffeningSums& sums) noexcept;
 
 }  // namespace spoke::space

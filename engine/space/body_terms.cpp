@@ -183,7 +183,8 @@ BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const 
   if (damping.mass_factor != 0.0)
     terms.dissipation += add_mass_damping(body, damping.mass_factor, x.v_elastic, x.v, work.force);
   if (model.tension)
-    terms.hub = calc_hub_share(*model.tension, add_stiffening(model, motion, x.q, x.v, work.force));
+    terms.stiffening = calc_hub_stiffening(*model.tension, motion.gravity,
+                                           add_stiffening(model, motion, x.q, x.v, work.force));
 
   const SlotSums sums = calc_slots(body, x.q, x.v, work);
   calc_rows(body, motion.w, work);

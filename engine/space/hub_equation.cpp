@@ -55,7 +55,7 @@ HubEquation sum_hub_equation(const SymmetricTwistMatrix& mass, const Twist& twis
     force += subsystem.force;
   }
   sum.rr -= stiffening.inertia;
-  angular(force) += stiffening.rate * w + cross(w, Angular(stiffening.inertia.lazyProduct(w)));
+  angular(force) += calc_stiffening_moment(stiffening, w);
   return {sum.matrix(), force};
 }
 

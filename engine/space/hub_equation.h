@@ -7,18 +7,12 @@
 
 #include <span>
 
+#include "engine/space/body_data.h"
 #include "engine/space/hub_motion.h"
 #include "engine/tree/joint_elimination.h"
 #include "models/space/space.h"
 
 namespace spoke::space {
-
-/// Terms of geometric stiffening in the hub's equation, of the hub at w0:
-/// the kinetic energy has - 1/2 w0^T Lambda w0.
-struct HubStiffening {
-  Matrix3 inertia = Matrix3::Zero();  ///< Lambda, symmetric [kg m^2]
-  Matrix3 rate = Matrix3::Zero();     ///< Lambda' [kg m^2/s]
-};
 
 /// The hub with all that hangs on it: mass Y'' = force + reaction.
 struct HubEquation {

@@ -34,5 +34,7 @@ bool corrects_hub(const Assembly<World>& g) {
 
 template PartList loads_on(const Assembly<Plane>&, int, int);
 template bool corrects_hub(const Assembly<Plane>&);
+template PartList loads_on(const Assembly<Space>&, int, int);
+template bool corrects_hub(const Assembly<Space>&);
 
 }  // namespace spoke

@@ -7,6 +7,7 @@
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 #include "engine/kernels/section_balance.h"
+#include "engine/kernels/spatial_samples.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -21,21 +22,20 @@ template <class World>
 PartList joint_load_inputs(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   PartList inputs{blade.wrenches, blade.rotations};
-  if (!g.c.system.subsystems[i].bodies.front().stiffening.centrifugal) return inputs;
+  if (!g.c.system.subsystems[i].bodies.front().stiffening) return inputs;
   inputs.push_back(blade.hub_acceleration);
   for (const PartId terms : blade.all(&BodyParts::terms)) inputs.push_back(terms);
   return inputs;
 }
 
 /// What the scenario's sensors read beyond the places, twists and loads of joints of the blade.
-template <class World>
-PartList reading_inputs(const Assembly<World>& g, int i) {
+PartList reading_inputs(const Assembly<Plane>& g, int i) {
   PartList inputs;
-  const std::vector<Reading<World>>& readings = g.c.data.subsystems[i].readings;
+  const std::vector<Reading<Plane>>& readings = g.c.data.subsystems[i].readings;
   const auto add = [&inputs](const PartList& list) {
     inputs.insert(inputs.end(), list.begin(), list.end());
   };
-  for (const Reading<World>& reading : readings) {
+  for (const Reading<Plane>& reading : readings) {
     const bool is_root = reading.body == 0 && reading.section.x == 0.0;
     const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
     const bool is_accelerated = is_load || reading.quantity == SensorQuantity::acceleration;
@@ -48,6 +48,22 @@ PartList reading_inputs(const Assembly<World>& g, int i) {
   }
   return inputs;
 }
+
+/// In space the scenario has no sensors of its own, and kernels share the workspaces.
+PartList reading_inputs(const Assembly<Space>&, int) { return {}; }
+
+/// What calculating a sample writes besides it.
+PartList sample_outputs(const Assembly<Plane>&, int) { return {}; }
+PartList sample_outputs(const Assembly<Space>& g, int i) {
+  return g.blade(i).all(&BodyParts::workspace);
+}
+
+void keep_readings(const SystemContext<Plane>& c, std::size_t i, std::int64_t step,
+                   StepData<Plane>& table) {
+  if (!table.subsystems[i].readings.empty())
+    calc_readings(c.system, i, step, static_cast<double>(step) * step_size(c.integrator), table);
+}
+void keep_readings(const SystemContext<Space>&, std::size_t, std::int64_t, StepData<Space>&) {}
 
 }  // namespace
 
@@ -70,7 +86,7 @@ void add_finish(const Assembly<World>& g) {
                        finish_system(c.system, c.integrator, c.data);
                        // For the sensors: the last correction has moved the hub once more.
                        if (is_corrected && progress.completed >= 0)
-                         c.data.hub = calc_hub_state<World>(c.data.hub_coordinates);
+                         c.data.hub = calc_hub_state(c.data);
                      });
 }
 
@@ -101,6 +117,7 @@ void add_sensors(const Assembly<World>& g, int i) {
   const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
   PartList outputs{blade.poses, blade.samples, blade.joint_loads};
   if (!data.readings.empty()) outputs.push_back(blade.readings);
+  for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
   const PartList inputs{blade.rotations, blade.twists};
   if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
   g.builder.add_node(g.label("sensors", i),
@@ -115,14 +132,15 @@ void add_sensors(const Assembly<World>& g, int i) {
                        if (!table.window.observed) return;
                        if (is_corrected) update_kinematics(subsystem, data);
                        of_step(data.samples, step) = calc_sample(c.system, index, data);
-                       if (!data.readings.empty())
-                         calc_readings(c.system, index, step,
-                                       static_cast<double>(step) * step_size(c.integrator), table);
+                       keep_readings(c, index, step, table);
                      });
 }
 
 template void add_finish(const Assembly<Plane>&);
 template void add_subsystem_finish(const Assembly<Plane>&, int);
 template void add_sensors(const Assembly<Plane>&, int);
+template void add_finish(const Assembly<Space>&);
+template void add_subsystem_finish(const Assembly<Space>&, int);
+template void add_sensors(const Assembly<Space>&, int);
 
 }  // namespace spoke

@@ -21,20 +21,20 @@ using graph::writes;
 template <class World>
 PartList chain_coordinates(const Assembly<World>& g, int i) {
   PartList list = g.blade(i).all(&BodyParts::coordinates);
-  if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
+  if constexpr (!kSharesWorkspace<World>)
+    if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
   return list;
 }
 
 /// What the places of a load's markers depend on: on each of its blades the bodies up to the
 /// outermost marker's own.
-template <class World>
-PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
+PartList load_inputs(const Assembly<Plane>& g, const LoadData<Plane>& load) {
   const SubsystemParts& first = g.blade(load.blades.front());
   PartList inputs{first.progress, first.hub_state};
   for (const int i : load.blades) {
     const SubsystemParts& blade = g.blade(i);
     int last = 0;
-    for (const PlacedMarker<World>& marker : load.markers)
+    for (const PlacedMarker<Plane>& marker : load.markers)
       if (marker.blade == i) last = std::max(last, marker.body);
     inputs.push_back(blade.rotations);
     inputs.push_back(blade.twists);
@@ -99,25 +99,28 @@ void add_position(const Assembly<World>& g, int i) {
 template <class World>
 void add_velocity(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
-  const Subsystem<World>& subsystem = g.c.system.subsystems[i];
+  const System<World>& system = g.c.system;
+  const Subsystem<World>& subsystem = system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList outputs{blade.twists};
   if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
+  if constexpr (kSharesWorkspace<World>) outputs.push_back(blade.rotations);  // with the joints
   g.builder.add_node(
       g.label("velocity", i),
       reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),
-      writes(outputs), unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+      writes(outputs), unless_halted(*data.progress, [&system, &subsystem, &data]() noexcept {
+        prescribe_joints(system, data.progress->control.time, subsystem, data);
         calc_velocities(subsystem, data);
         if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
       }));
 }
 
-template <class World>
-void add_loads_of_user(const Assembly<World>& g, int i) {
-  const SystemContext<World>& c = g.c;
-  SubsystemData<World>& data = g.c.data.subsystems[i];
+template <>
+void add_loads_of_user(const Assembly<Plane>& g, int i) {
+  const SystemContext<Plane>& c = g.c;
+  SubsystemData<Plane>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < data.loads.size(); ++k) {
-    LoadData<World>& load = data.loads[k];
+    LoadData<Plane>& load = data.loads[k];
     const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
     g.builder.add_node(
         label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
@@ -127,11 +130,19 @@ void add_loads_of_user(const Assembly<World>& g, int i) {
   }
 }
 
+/// In space there are none yet that are functions: those are refused (Simulation).
+template <>
+void add_loads_of_user(const Assembly<Space>&, int) {}
+
 template void add_hub_motion(const Assembly<Plane>&);
 template void add_prescribed_hub_motion(const Assembly<Plane>&, int);
 template void add_coordinates(const Assembly<Plane>&, int);
 template void add_position(const Assembly<Plane>&, int);
 template void add_velocity(const Assembly<Plane>&, int);
-template void add_loads_of_user(const Assembly<Plane>&, int);
+template void add_hub_motion(const Assembly<Space>&);
+template void add_prescribed_hub_motion(const Assembly<Space>&, int);
+template void add_coordinates(const Assembly<Space>&, int);
+template void add_position(const Assembly<Space>&, int);
+template void add_velocity(const Assembly<Space>&, int);
 
 }  // namespace spoke

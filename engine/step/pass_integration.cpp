@@ -11,26 +11,44 @@
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
+#include "engine/space/integrator/rotation.h"
 
 namespace spoke {
 namespace {
 
-/// Sum of the squares of a body's coordinates.
-template <class World>
-double sum_squares(const BodyData<World>& body) {
-  const double* q = body.coordinates.q;
+/// Sum of the squares of a body's coordinates, which are even in number or followed by a zero.
+double sum_squares(const CoordinateBlock& coordinates) {
+  const double* q = coordinates.q;
   Double2 sum{};
-  body.coordinates.for_parts([&](int first, int n) {
+  coordinates.for_parts([&](int first, int n) {
     for (int i = first; i < first + n; i += 2) sum += load_aligned(q + i) * load_aligned(q + i);
   });
   return total(sum);
 }
 
+/// Length by which deformations are limited [m].
+double extent_of(const FlexibleBody& body) { return body.length; }
+double extent_of(const space::Body& body) { return body.extent(); }
+
 /// Whether a body surely is within its limits: one comparison, which NaN and infinity fail as well.
 template <class World>
 bool is_small(double squares, const BodyData<World>& body) {
-  const double limit = std::min(body.model->body->length, std::numbers::pi);
+  const double limit = std::min(extent_of(*body.model->body), std::numbers::pi);
   return squares <= limit * limit;
+}
+
+/// Hands the accelerations that a pass has found to the integrator.
+Correction take_accelerations(const Method& method, const PassControl& control, const double* found,
+                              CoordinateBlock& block) {
+  const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
+  if (!alpha) return {};  // of rk4 they are the block's own
+  if (control.stage == PassControl::kEvaluateOnly) {
+    block.for_parts([&](int first, int n) { std::copy_n(found + first, n, block.a + first); });
+    return {};
+  }
+  if (control.stage != PassControl::kRestart) return correct(*alpha, found, block);
+  complete_restart(*alpha, found, block);
+  return {};
 }
 
 template <class Vector>
@@ -42,6 +60,7 @@ template <class World>
 void add_reports(const SubsystemData<World>& subsystem, PassReport& sum) {
   for (const BodyData<World>& body : subsystem.bodies) {
     sum.power.applied += body.terms.load_power;
+    if constexpr (World::kMostJointCoordinates > 0) sum.power.applied += body.report.drive_power;
     sum.power.dissipation += body.terms.dissipation;
     sum.change = std::max(sum.change, body.report.change);
     sum.failed |= body.report.failed;
@@ -76,14 +95,62 @@ double work_on_hub(const System<World>& system, double speed_before, double spee
   return 0.5 * axial_inertia(system.hub) * (speed * speed - speed_before * speed_before);
 }
 
-/// Sets the hub's free coordinates; those that are prescribed follow.
-void begin_block(const Method& method, const PassControl& control, CoordinateBlock& block) {
+/// Begins a block with or without an orientation in it.
+void begin_coordinates(const Method& method, const PassControl& control,
+                       const space::RotationBlock& rotation) {
+  const bool has_rotation = rotation.at >= 0;
+  if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
+    if (control.stage != 0) return;
+    has_rotation ? predict(*alpha, rotation) : predict(*alpha, *rotation.block);
+  } else {
+    const Rk4& rk4 = std::get<Rk4>(method);
+    has_rotation ? advance(rk4, control.stage, rotation)
+                 : advance(rk4, control.stage, *rotation.block);
+  }
+}
+
+/// A joint's coordinates with the orientation of its spherical primitive, if it has one.
+space::RotationBlock rotation_block(BodyData<Space>& body) {
+  const space::Joint& joint = body.model->joint.joint;
+  auto frame = space::TurnFrame::child;
+  for (const space::JointPrimitive& primitive : joint.sequence())
+    if (primitive.kind == space::JointPrimitive::Kind::spherical) frame = primitive.frame;
+  return {&body.joint.coordinates, joint.spherical_at, body.joint.rotation, frame};
+}
+
+// Of the joints that carry the bodies; those of the plane have no coordinates.
+
+void begin_joint(const Method&, const PassControl&, BodyData<Plane>&) {}
+void begin_joint(const Method& method, const PassControl& control, BodyData<Space>& body) {
+  if (control.is_between_steps() || body.joint.coordinates.size == 0) return;
+  begin_coordinates(method, control, rotation_block(body));
+}
+
+double complete_joint(const Method&, const PassControl&, BodyData<Plane>&) { return 0.0; }
+double complete_joint(const Method& method, const PassControl& control, BodyData<Space>& body) {
+  CoordinateBlock& block = body.joint.coordinates;
+  if (block.size == 0) return 0.0;
+  return take_accelerations(method, control, body.joint.a_found, block).change;
+}
+
+// The hub's free coordinates; those that are prescribed follow.
+
+void begin_hub_coordinates(const Method& method, const PassControl& control,
+                           StepData<Plane>& data) {
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage == 0) predict(*alpha, block);
+    if (control.stage == 0) predict(*alpha, data.hub_coordinates);
   } else {
-    advance(std::get<Rk4>(method), control.stage, block);
+    advance(std::get<Rk4>(method), control.stage, data.hub_coordinates);
   }
+}
+
+/// A free hub has an orientation; the angle about an axle is a plain coordinate.
+void begin_hub_coordinates(const Method& method, const PassControl& control,
+                           StepData<Space>& data) {
+  if (control.is_between_steps()) return;
+  const int at = data.hub_is_free ? space::kPosition : -1;
+  begin_coordinates(method, control, {&data.hub_coordinates, at, &data.hub_attitude});
 }
 
 }  // namespace
@@ -94,11 +161,16 @@ void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcep
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
     if (control.stage != 0) return;
-    for (BodyData<World>& body : subsystem.bodies) predict(*alpha, body.coordinates);
+    for (BodyData<World>& body : subsystem.bodies) {
+      begin_joint(method, control, body);
+      predict(*alpha, body.coordinates);
+    }
     return;
   }
-  for (BodyData<World>& body : subsystem.bodies)
+  for (BodyData<World>& body : subsystem.bodies) {
+    begin_joint(method, control, body);
     advance(std::get<Rk4>(method), control.stage, body.coordinates);
+  }
 }
 
 bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
@@ -112,35 +184,21 @@ bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
 template <class World>
 void begin_hub(const System<World>& system, const Method& method, StepData<World>& data) noexcept {
   const PassControl& control = data.progress[0].control;
-  begin_block(method, control, data.hub_coordinates);
+  begin_hub_coordinates(method, control, data);
   impose_hub_motion(system, control.time, data.hub_coordinates);
-  data.hub = calc_hub_state<World>(data.hub_coordinates);
+  data.hub = calc_hub_state(data);
 }
 
 template <class World>
 void complete_body(const Method& method, const PassControl& control,
                    BodyData<World>& body) noexcept {
-  body.report.change = 0.0;
-  double squares = 0.0;
-  if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage == PassControl::kEvaluateOnly) {
-      body.coordinates.for_parts([&body](int first, int n) {
-        std::copy_n(body.a_found + first, n, body.coordinates.a + first);
-      });
-    } else if (control.stage == PassControl::kRestart) {
-      complete_restart(*alpha, body.a_found, body.coordinates);
-    } else {
-      const Correction correction = correct(*alpha, body.a_found, body.coordinates);
-      body.report.change = correction.change;
-      squares = correction.squares;
-    }
-  } else if (control.stage == 0) {
-    squares = sum_squares(body);
-  }
+  const Correction correction = take_accelerations(method, control, body.a_found, body.coordinates);
+  body.report.change = std::max(correction.change, complete_joint(method, control, body));
+  const bool is_rk4_step = std::holds_alternative<Rk4>(method) && control.stage == 0;
+  const double squares = is_rk4_step ? sum_squares(body.coordinates) : correction.squares;
   // Whatever is wrong with the deformation's accelerations is wrong with the frame's, too. Limits
   // are those of states: rk4's stages within a step are none.
-  const bool is_fine =
-      is_finite(body.X) && (is_small(squares, body) || find_limit_violation(body).coordinate < 0);
+  const bool is_fine = is_finite(body.X) && (is_small(squares, body) || !has_left_limits(body));
   body.report.failed = !is_fine;
   body.report.deflection = squares <= body.surely_linear ? 0.0 : find_large_deflection(body);
 }
@@ -237,7 +295,7 @@ void record_reactions(const System<World>& system, const Integrator& integrator,
     // Its own inertia takes what the subsystems leave of the drive's work.
     if (step > 0) record.step.work = work_on_hub(system, speed_before, hub.v[World::kAxial]);
     const RotationOf<World> R =
-        needs_rotation ? RotationOf<World>::about_axis(hub.q[World::kAxial]) : Rotation{};
+        needs_rotation ? rotation_of(system.hub, hub.q[World::kAxial]) : RotationOf<World>{};
     const TwistOf<World> a = calc_prescribed_acceleration(system, t, R, hub.a[World::kAxial]);
     record.reaction = calc_hub_mass(system.hub) * a -
                       calc_hub_load(system, t, HubState<World>{no_position, R, record.velocity});
@@ -261,5 +319,12 @@ template void complete_hub(const System<Plane>&, const Method&, StepData<Plane>&
 template void finish_subsystem(const Integrator&, const Window&, SubsystemData<Plane>&) noexcept;
 template void finish_system(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
 template void record_reactions(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
+template void begin_bodies(const Method&, SubsystemData<Space>&) noexcept;
+template void begin_hub(const System<Space>&, const Method&, StepData<Space>&) noexcept;
+template void complete_body(const Method&, const PassControl&, BodyData<Space>&) noexcept;
+template void complete_hub(const System<Space>&, const Method&, StepData<Space>&) noexcept;
+template void finish_subsystem(const Integrator&, const Window&, SubsystemData<Space>&) noexcept;
+template void finish_system(const System<Space>&, const Integrator&, StepData<Space>&) noexcept;
+template void record_reactions(const System<Space>&, const Integrator&, StepData<Space>&) noexcept;
 
 }  // namespace spoke

@@ -2,6 +2,8 @@
 
 #include "engine/step/step_context.h"
 
+#include <algorithm>
+
 #include "engine/kernels/hub_motion.h"
 
 namespace spoke {
@@ -14,6 +16,36 @@ ElasticShares implicit_shares(const Method& method, const Damping& damping) {
   if (!alpha) return {};
   return {1.0 + alpha->velocity_gain * damping.mass_factor,
           alpha->position_gain + alpha->velocity_gain * damping.stiffness_factor};
+}
+
+}  // namespace
+
+namespace {
+
+// Where the motion begins, besides the drive's.
+
+void set_start(const System<Plane>&, bool, StepData<Plane>&) {}
+
+void set_start(const TreeBody<Space>& model, bool is_explicit, BodyData<Space>& body) {
+  space::JointData& joint = body.joint;
+  const space::JointCourse& course = model.joint.course;
+  const int spherical = model.joint.joint.spherical_at;
+  if (is_explicit) joint.a_found = joint.coordinates.a;
+  std::copy(course.initial.begin(), course.initial.end(), joint.coordinates.q);
+  std::copy(course.initial_speed.begin(), course.initial_speed.end(), joint.coordinates.v);
+  if (spherical < 0) return;
+  double* theta = joint.coordinates.q + spherical;
+  joint.rotation->reference = space::make_quaternion(space::Angular(theta[0], theta[1], theta[2]));
+  std::fill_n(theta, space::kAngular, 0.0);
+}
+
+void set_start(const System<Space>& system, bool is_explicit, StepData<Space>& data) {
+  data.hub_attitude.reference = system.hub.orientation;
+  if (system.hub.support == HubSupport::free)
+    std::copy_n(system.hub.velocity.data(), space::kTwist, data.hub_coordinates.v);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
+      set_start(system.subsystems[i].bodies[j], is_explicit, data.subsystems[i].bodies[j]);
 }
 
 }  // namespace
@@ -37,9 +69,11 @@ void allocate(SystemContext<World>& context, int window_steps) {
   allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),
            data, context.work);
   data.hub_coordinates.v[World::kAxial] = calc_initial_speed(context.system.hub.drive);
+  set_start(context.system, !alpha, data);
   impose_hub_motion(context.system, 0.0, data.hub_coordinates);
 }
 
 template void allocate(SystemContext<Plane>&, int);
+template void allocate(SystemContext<Space>&, int);
 
 }  // namespace spoke

@@ -11,6 +11,7 @@
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/spatial_terms.h"
 #include "engine/step/closing_nodes.h"
 #include "engine/step/motion_nodes.h"
 #include "engine/step/pass_integration.h"
@@ -78,11 +79,10 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
 }
 
 /// Adds what acts on body `j` at the state in the table.
-template <class World>
-void add_forces(const System<World>& system, int j, SubsystemData<World>& blade) noexcept {
+void add_forces(const System<Plane>& system, int j, SubsystemData<Plane>& blade) noexcept {
   const double t = blade.progress->control.time;
-  const TwistOf<World>& twist = blade.twists[j];
-  BodyData<World>& body = blade.bodies[j];
+  const Twist& twist = blade.twists[j];
+  BodyData<Plane>& body = blade.bodies[j];
   if (!body.loads.empty()) add_loads(t, calc_rotation_to_hub(blade, j), blade.hub->R, twist, body);
   if (!body.drags.empty()) add_drags(t, j, blade);
   if (!body.applied.empty()) add_applied(twist, body);
@@ -92,48 +92,73 @@ void add_forces(const System<World>& system, int j, SubsystemData<World>& blade)
   }
 }
 
+// The terms of a body and of what acts on it, by world.
+
+void calc_mass_terms(const SystemContext<Plane>& c, int j, SubsystemData<Plane>& blade) noexcept {
+  calc_body_terms({angular(blade.twists[j]), angular(blade.hub->twist)}, c.system.damping,
+                  blade.bodies[j]);
+  add_forces(c.system, j, blade);
+}
+
+void calc_mass_terms(const SystemContext<Space>& c, int j, SubsystemData<Space>& blade) noexcept {
+  const PassControl& control = blade.progress->control;
+  space::ImplicitShares shares;
+  if (control.is_implicit) {
+    const auto& alpha = std::get<GeneralizedAlpha>(c.integrator.method);
+    shares = {alpha.position_gain, alpha.velocity_gain};
+  }
+  calc_terms(c.system, control.time, shares, j, blade);
+}
+
 template <class World>
 void add_mass(const Assembly<World>& g, int i, int j) {
+  const SystemContext<World>& c = g.c;
   SubsystemData<World>& blade = g.c.data.subsystems[i];
-  const System<World>& system = g.c.system;
-  g.builder.add_node(g.label("mass", i, j), reads(terms_inputs(g, i, j)),
-                     writes(g.blade(i).bodies[j].terms),
-                     unless_halted(*blade.progress, [&system, &blade, j]() noexcept {
-                       calc_body_terms({angular(blade.twists[j]), angular(blade.hub->twist)},
-                                       system.damping, blade.bodies[j]);
-                       add_forces(system, j, blade);
-                     }));
+  const BodyParts& parts = g.blade(i).bodies[j];
+  PartList outputs{parts.terms};
+  if constexpr (kSharesWorkspace<World>) outputs.push_back(parts.workspace);
+  g.builder.add_node(
+      g.label("mass", i, j), reads(terms_inputs(g, i, j)), writes(outputs),
+      unless_halted(*blade.progress, [&c, &blade, j]() noexcept { calc_mass_terms(c, j, blade); }));
 }
 
 template <class World>
 void add_inverse(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
   const BodyParts& parts = blade.bodies[j];
-  const auto inputs = reads(blade.progress, parts.coordinates, blade.twists, parts.terms);
-  const SubsystemData<World>& data = g.c.data.subsystems[i];
+  PartList inputs{blade.progress, parts.coordinates, blade.twists, parts.terms};
+  PartList outputs{parts.inverse};
+  if constexpr (kSharesWorkspace<World>) {
+    inputs.push_back(blade.rotations);
+    outputs.push_back(parts.port);
+  } else {
+    outputs.push_back(parts.workspace);
+  }
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto invert, auto& work) {
-    g.builder.add_node(g.label("inverse", i, j), inputs, writes(parts.inverse, parts.workspace),
+    g.builder.add_node(g.label("inverse", i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
-                         invert(data.bodies[j], angular(data.twists[j]),
-                                data.progress->control.is_implicit, work);
+                         invert(data.bodies[j], data.twists[j], data.progress->control.is_implicit,
+                                work);
                        }));
   };
   if (g.c.formulation == Formulation::structured)
-    add(
-        [](const BodyData<World>& body, const AngularOf<World>& speed, bool implicit,
+    return add(
+        [](BodyData<World>& body, const TwistOf<World>& twist, bool implicit,
            structured::BodyWork<World>& work) noexcept {
-          structured::condense_body(body, speed, implicit, work);
+          structured::condense_body(body, twist, implicit, work);
         },
         g.c.work.structured[i].bodies[j]);
-  else
+  if constexpr (kHasDenseFormulations<World>)
     add(subsystem::invert_body<World>, g.c.work.subsystem[i].bodies[j]);
 }
 
 template <class World>
 void add_effective(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
-  const auto inputs = reads(blade.progress, blade.all(&BodyParts::inverse),
-                            blade.all(&BodyParts::terms), blade.rotations, blade.hub_state);
+  const auto inputs =
+      reads(blade.progress, blade.all(&BodyParts::inverse), blade.all(&BodyParts::terms),
+            blade.rotations, blade.hub_state, blade.ports);
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
@@ -144,9 +169,9 @@ void add_effective(const Assembly<World>& g, int i) {
         }));
   };
   if (g.c.formulation == Formulation::structured)
-    add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
-        writes(blade.effective, blade.workspace, blade.joints()));
-  else
+    return add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
+               writes(blade.effective, blade.workspace, blade.joints(), blade.ports));
+  if constexpr (kHasDenseFormulations<World>)
     add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
         writes(blade.effective, blade.workspace));
 }
@@ -210,6 +235,22 @@ void add_augmented_solve(const Assembly<World>& g) {
       }));
 }
 
+/// Multi-ports that recovery needs, and in space terms: forces of joints are among them. The tips'
+/// ports are in the effective inertia already.
+template <class World>
+PartList inner_ports(const Assembly<World>& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  if constexpr (kSharesWorkspace<World>) {
+    PartList ports = blade.ports;
+    for (const PartId terms : blade.all(&BodyParts::terms)) ports.push_back(terms);
+    return ports;
+  } else {
+    PartList ports = blade.all(&BodyParts::inverse);
+    ports.pop_back();
+    return ports;
+  }
+}
+
 template <class World>
 void add_multipliers(const Assembly<World>& g, int i) {
   SystemContext<World>& c = g.c;
@@ -221,25 +262,26 @@ void add_multipliers(const Assembly<World>& g, int i) {
                        unless_halted(*data.progress, recover));
   };
   switch (c.formulation) {
-    case Formulation::structured: {
-      PartList ports = blade.all(&BodyParts::inverse);
-      ports.pop_back();  // the tip's two-port is in the effective inertia already
-      return add(reads(blade.progress, blade.effective, blade.joints(), ports, blade.rotations,
-                       blade.hub_state, blade.hub_acceleration),
+    case Formulation::structured:
+      return add(reads(blade.progress, blade.effective, blade.joints(), inner_ports(g, i),
+                       blade.rotations, blade.hub_state, blade.hub_acceleration),
                  [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
                    structured::recover_wrenches(subsystem, work, data);
                  });
-    }
     case Formulation::subsystem:
-      return add(reads(blade.progress, blade.effective, blade.rotations, blade.hub_acceleration),
-                 [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
-                   subsystem::recover_wrenches(subsystem, work, data);
-                 });
+      if constexpr (kHasDenseFormulations<World>)
+        add(reads(blade.progress, blade.effective, blade.rotations, blade.hub_acceleration),
+            [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
+              subsystem::recover_wrenches(subsystem, work, data);
+            });
+      return;
     case Formulation::augmented:
-      return add(reads(blade.progress, g.parts.augmented_solution, blade.rotations),
-                 [i, &data, &work = c.work.augmented]() noexcept {
-                   augmented::recover_wrenches(i, work, data);
-                 });
+      if constexpr (kHasDenseFormulations<World>)
+        add(reads(blade.progress, g.parts.augmented_solution, blade.rotations),
+            [i, &data, &work = c.work.augmented]() noexcept {
+              augmented::recover_wrenches(i, work, data);
+            });
+      return;
   }
 }
 
@@ -259,6 +301,10 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
   } else {
     inputs.push_back(blade.wrenches);
     inputs.push_back(body.inverse);
+  }
+  if constexpr (kSharesWorkspace<World>) {
+    for (const PartId part : {blade.rotations, body.terms}) inputs.push_back(part);
+    outputs.push_back(body.workspace);
   }
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
     inputs.push_back(body.history);
@@ -286,18 +332,21 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
     case Formulation::structured:
       return add(
           [&blade, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
-            structured::recover_body(blade.wrenches[j], work, blade.progress->control.is_implicit,
-                                     body, body.a_found);
+            structured::recover_body(blade, static_cast<std::size_t>(j), work,
+                                     blade.progress->control.is_implicit, body, body.a_found);
           });
     case Formulation::subsystem:
-      return add(
-          [&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
-            subsystem::recover_body(blade.wrenches[j], work, body, body.a_found);
-          });
+      if constexpr (kHasDenseFormulations<World>)
+        add([&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
+          subsystem::recover_body(blade.wrenches[j], work, body, body.a_found);
+        });
+      return;
     case Formulation::augmented:
-      return add([i, j, &work = c.work.augmented](BodyData<World>& body) noexcept {
-        augmented::recover_body(i, j, work, body, body.a_found);
-      });
+      if constexpr (kHasDenseFormulations<World>)
+        add([i, j, &work = c.work.augmented](BodyData<World>& body) noexcept {
+          augmented::recover_body(i, j, work, body, body.a_found);
+        });
+      return;
   }
 }
 template <class World>
@@ -331,10 +380,10 @@ void add_coupled_pass(const Assembly<World>& g, int blades) {
   for (int i = 0; i < blades; ++i) add_motion(g, i);
   for (int i = 0; i < blades; ++i) add_loads_of_user(g, i);  // which may be between blades
   for (int i = 0; i < blades; ++i) add_condensation(g, i);
-  if (g.c.formulation == Formulation::augmented)
-    add_augmented_solve(g);
-  else
+  if (g.c.formulation != Formulation::augmented)
     add_hub_solve(g);
+  else if constexpr (kHasDenseFormulations<World>)
+    add_augmented_solve(g);
   for (int i = 0; i < blades; ++i) add_recoveries(g, i);
   add_finish(g);
   for (int i = 0; i < blades; ++i) add_sensors(g, i);
@@ -377,5 +426,7 @@ graph::StepGraph SystemContext<World>::build_graph(int passes) {
 
 template graph::StepGraph build_step_graph(SystemContext<Plane>&, int);
 template graph::StepGraph SystemContext<Plane>::build_graph(int);
+template graph::StepGraph build_step_graph(SystemContext<Space>&, int);
+template graph::StepGraph SystemContext<Space>::build_graph(int);
 
 }  // namespace spoke

@@ -30,6 +30,98 @@ std::span<std::byte> memory_of(Matrix& matrix) {
   return bytes_of(*matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
+// What parts hold, by world.
+
+template <class T>
+std::span<std::byte> memory_of(T* first, std::size_t count) {
+  return bytes_of(*first, count);
+}
+
+void add_joint_coordinates(BodyData<Plane>&, Memory&, Memory&, Memory&) {}
+void add_joint_coordinates(BodyData<Space>& body, Memory& coordinates, Memory& history,
+                           Memory& accelerations) {
+  const CoordinateBlock& block = body.joint.coordinates;
+  if (block.size == 0) return;
+  const auto n = static_cast<std::size_t>(block.size);
+  coordinates.push_back(memory_of(block.q, n));
+  coordinates.push_back(memory_of(block.v, n));
+  coordinates.push_back(bytes_of(body.joint.rotation->reference));
+  accelerations.push_back(memory_of(block.a, n));
+  for (double* h : block.history)
+    if (h) history.push_back(memory_of(h, n));
+  history.push_back(bytes_of(body.joint.rotation->sum));
+}
+
+Memory memory_of_motions(SubsystemData<Plane>& data) {
+  return {bytes_of(data.joints[0], data.joints.size())};
+}
+Memory memory_of_motions(SubsystemData<Space>& data) {
+  Memory memory{bytes_of(data.joints[0], data.joints.size())};
+  for (BodyData<Space>& body : data.bodies) {
+    memory.push_back(
+        memory_of(body.work.handles, static_cast<std::size_t>(body.work.port.handles)));
+    const int driven = body.model->joint.joint.driven;
+    if (driven > 0)
+      memory.push_back(memory_of(body.joint.driven, static_cast<std::size_t>(driven)));
+  }
+  return memory;
+}
+
+Memory memory_of_wrenches(SubsystemData<Plane>& data) {
+  return {bytes_of(data.wrenches[0], data.wrenches.size())};
+}
+Memory memory_of_wrenches(SubsystemData<Space>& data) {
+  Memory memory{bytes_of(data.wrenches[0], data.wrenches.size())};
+  for (BodyData<Space>& body : data.bodies) {
+    memory.push_back(
+        memory_of(body.work.wrenches, static_cast<std::size_t>(body.work.port.handles)));
+    const CoordinateBlock& joint = body.joint.coordinates;
+    if (joint.size > 0 && body.joint.a_found != joint.a)
+      memory.push_back(memory_of(body.joint.a_found, static_cast<std::size_t>(joint.size)));
+  }
+  return memory;
+}
+
+Memory memory_of_terms(BodyData<Space>& body) {
+  Memory memory{bytes_of(body.terms), bytes_of(*body.joint.forces)};
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    memory.push_back(memory_of(
+        body.work.rows, static_cast<std::size_t>(space::kNodeRows * flexible->node_count())));
+  return memory;
+}
+
+Memory memory_of_inverse(BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  Memory memory{bytes_of(body.work.condensed.S_inverse), bytes_of(body.work.condensed.p)};
+  if (!flexible) return memory;
+  memory.push_back(memory_of(body.work.half,
+                             static_cast<std::size_t>(space::kNodeRows * flexible->node_count())));
+  memory.push_back(memory_of(body.work.condensed.X, flexible->handles.size()));
+  return memory;
+}
+
+Memory memory_of_port(BodyData<Space>& body) {
+  const tree::MultiPort<Space>& port = body.work.port;
+  const auto n = static_cast<std::size_t>(port.handles);
+  Memory memory{memory_of(port.diagonal, n), memory_of(port.free, n)};
+  const int pairs = tree::MultiPort<Space>::count_pairs(port.handles);
+  if (pairs > 0) memory.push_back(memory_of(port.pairs, static_cast<std::size_t>(pairs)));
+  return memory;
+}
+
+Memory memory_of_workspace(BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return {};
+  const auto nodes = static_cast<std::size_t>(flexible->node_count());
+  const std::size_t slots =
+      space::kSlot * (space::kNodeSlots * nodes + static_cast<std::size_t>(flexible->elements));
+  const space::BodyWork& work = body.work;
+  Memory memory{memory_of(work.slots, slots), memory_of(work.momenta, slots),
+                memory_of(work.force, space::kTwist * nodes)};
+  for (double* nodal : work.nodal) memory.push_back(memory_of(nodal, space::kTwist * nodes));
+  return memory;
+}
+
 Memory memory_of_terms(BodyData<Plane>& body) {
   Memory memory{bytes_of(body.terms)};
   add_flex(memory, body.c_theta, body.layout);
@@ -46,6 +138,17 @@ Memory memory_of_inverse(PlanarCondensed& body, const FlexLayout& layout) {
 
 Memory memory_of_workspace(PlanarCondensed& body, const FlexLayout& layout) {
   return {bytes_of(*body.scratch, static_cast<std::size_t>(layout.scratch_size()))};
+}
+
+void add_body_ports(SystemContext<Space>& context, int i, int j, const std::string& name,
+                    StepGraphBuilder& builder, BodyParts& parts) {
+  BodyData<Space>& body = context.data.subsystems[i].bodies[j];
+  parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(body));
+  parts.workspace = builder.add_part(name + "workspace", memory_of_workspace(body));
+  parts.port = builder.add_part(name + "port", memory_of_port(body));
+  if (j > 0)
+    parts.joint =
+        builder.add_part(name + "joint", {bytes_of(context.work.structured[i].bodies[j].joint)});
 }
 
 template <class World>
@@ -79,15 +182,19 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
   add_flex(accelerations, block.a, data.layout);
   for (double* h : block.history)
     if (h) add_flex(history, h, data.layout);
+  add_joint_coordinates(data, coordinates, history, accelerations);
   BodyParts parts;
   parts.coordinates = builder.add_part(name + "coordinates", coordinates);
   parts.history = builder.add_part(name + "history", history);
   parts.accelerations = builder.add_part(name + "accelerations", accelerations);
   parts.terms = builder.add_part(name + "terms", memory_of_terms(data));
-  parts.report = builder.add_part(name + "report",
-                                  {bytes_of(data.report.change), bytes_of(data.report.deflection),
-                                   bytes_of(data.report.failed)});
-  add_inverse_parts(context, i, j, name, builder, parts);
+  parts.report = builder.add_part(
+      name + "report", {bytes_of(data.report.change), bytes_of(data.report.deflection),
+                        bytes_of(data.report.drive_power), bytes_of(data.report.failed)});
+  if constexpr (kSharesWorkspace<World>)
+    add_body_ports(context, i, j, name, builder, parts);
+  else
+    add_inverse_parts(context, i, j, name, builder, parts);
   return parts;
 }
 
@@ -98,13 +205,13 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   const std::string name = "blade " + std::to_string(i + 1) + " / ";
   const std::size_t count = data.bodies.size();
   SubsystemParts parts;
-  parts.rotations = builder.add_part(name + "rotations", {bytes_of(data.joints[0], count)});
+  parts.rotations = builder.add_part(name + "rotations", memory_of_motions(data));
   parts.twists = builder.add_part(name + "twists", {bytes_of(data.twists[0], count)});
   parts.poses = builder.add_part(name + "poses", {bytes_of(data.poses[0], count)});
   if (!data.drag_poses.empty())
     parts.drag_poses =
         builder.add_part(name + "poses for drag", {bytes_of(data.drag_poses[0], count)});
-  parts.wrenches = builder.add_part(name + "wrenches", {bytes_of(data.wrenches[0], count)});
+  parts.wrenches = builder.add_part(name + "wrenches", memory_of_wrenches(data));
   parts.samples = add_ring(name + "samples", data.samples, builder);
   parts.joint_loads = builder.add_part(
       name + "joint loads", {bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)});
@@ -130,6 +237,7 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   }
   for (std::size_t j = 0; j < count; ++j)
     parts.bodies.push_back(add_body_parts(context, i, static_cast<int>(j), builder));
+  if constexpr (kSharesWorkspace<World>) parts.ports = parts.all(&BodyParts::port);
   for (LoadData<World>& load : data.loads)
     parts.loads.push_back(builder.add_part(name + "load " + std::to_string(parts.loads.size() + 1),
                                            {bytes_of(load.wrenches[0], load.wrenches.size())}));
@@ -196,10 +304,14 @@ StepParts add_parts(SystemContext<World>& context, StepGraphBuilder& builder) {
   Memory history;
   for (double* h : hub.history)
     if (h) history.push_back(bytes_of(*h, World::kTwist));
+  Memory coordinates{bytes_of(*hub.q, World::kTwist), bytes_of(*hub.v, World::kTwist),
+                     bytes_of(*hub.a, World::kTwist)};
+  if constexpr (kSharesWorkspace<World>) {
+    coordinates.push_back(bytes_of(data.hub_attitude.reference));
+    history.push_back(bytes_of(data.hub_attitude.sum));
+  }
   StepParts parts;
-  parts.hub_coordinates = builder.add_part(
-      "hub coordinates", {bytes_of(*hub.q, World::kTwist), bytes_of(*hub.v, World::kTwist),
-                          bytes_of(*hub.a, World::kTwist)});
+  parts.hub_coordinates = builder.add_part("hub coordinates", coordinates);
   parts.hub_history = builder.add_part("hub history", history);
   parts.records = add_ring("records", data.records, builder);
   if (context.formulation == Formulation::augmented)
@@ -212,5 +324,6 @@ StepParts add_parts(SystemContext<World>& context, StepGraphBuilder& builder) {
 }
 
 template StepParts add_parts(SystemContext<Plane>&, StepGraphBuilder&);
+template StepParts add_parts(SystemContext<Space>&, StepGraphBuilder&);
 
 }  // namespace spoke

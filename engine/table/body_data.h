@@ -9,6 +9,7 @@
 
 #include "engine/body/coordinate_block.h"
 #include "engine/body/planar_body.h"
+#include "engine/space/spatial_body.h"
 #include "engine/table/load_data.h"
 #include "engine/table/step_progress.h"
 #include "models/system/system.h"
@@ -17,9 +18,10 @@ namespace spoke {
 
 /// What a body's recovery reports to the end of the pass.
 struct BodyReport {
-  double change;      ///< largest change of a coordinate in this iteration [m, rad]
-  double deflection;  ///< by the body's length, if beyond the linear range; else 0
-  Flag failed;        ///< a coordinate is not finite or beyond its limit
+  double change;       ///< largest change of a coordinate in this iteration [m, rad]
+  double deflection;   ///< by the body's length, if beyond the linear range; else 0
+  double drive_power;  ///< of what drives the joint that carries it [W]; in the plane 0
+  Flag failed;         ///< a coordinate is not finite or beyond its limit
 };
 
 /// One body's share of the table.

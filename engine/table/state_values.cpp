@@ -6,6 +6,7 @@
 #include <cassert>
 #include <limits>
 #include <span>
+#include <type_traits>
 
 namespace spoke {
 namespace {
@@ -47,12 +48,33 @@ void for_each_value(SystemRecord<World>& record, Exchange&& exchange) {
   exchange_all(record.velocity);
 }
 
+template <class World>
+constexpr bool has_attitude = !std::is_empty_v<typename BodyTypes<World>::Attitude>;
+
+template <class Apply>
+void apply_to_block(const CoordinateBlock& block, Apply&& apply) {
+  const auto size = static_cast<std::size_t>(block.size);
+  for (double* vector : {block.q, block.v, block.a}) apply(std::span(vector, size));
+  for (double* vector : block.history)
+    if (vector) apply(std::span(vector, size));
+}
+
+template <class Apply>
+void apply_to_joint(BodyData<Plane>&, Apply&&) {}
+template <class Apply>
+void apply_to_joint(BodyData<Space>& body, Apply&& apply) {
+  if (body.joint.coordinates.size == 0) return;
+  apply_to_block(body.joint.coordinates, apply);
+  apply(doubles(*body.joint.rotation));
+}
+
 /// Calls `apply` with each range of doubles of the state but those of the record, which
 /// `apply_to_record` comes to in their place.
 template <class World, class Apply, class ApplyToRecord>
 void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& apply_to_record) {
   apply(doubles(data.hub_storage[0], data.hub_storage.size()));
   apply(doubles(data.hub));
+  if constexpr (has_attitude<World>) apply(doubles(data.hub_attitude));
   apply_to_record();
   for (StepProgress& progress : data.progress) apply(doubles(progress.power));
   for (SubsystemData<World>& subsystem : data.subsystems) {
@@ -60,11 +82,8 @@ void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& a
     apply(doubles(subsystem.root_load));
     apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
     for (BodyData<World>& body : subsystem.bodies) {
-      const CoordinateBlock& block = body.coordinates;
-      const auto size = static_cast<std::size_t>(block.size);
-      for (double* vector : {block.q, block.v, block.a}) apply(std::span(vector, size));
-      for (double* vector : block.history)
-        if (vector) apply(std::span(vector, size));
+      apply_to_joint(body, apply);
+      apply_to_block(body.coordinates, apply);
     }
   }
 }
@@ -113,21 +132,39 @@ std::vector<double> take_state_values(std::int64_t step, StepTable& data) {
   return values;
 }
 
+namespace {
+
+void hash_joint(const BodyData<Plane>&, std::uint64_t&) {}
+void hash_joint(const BodyData<Space>& body, std::uint64_t& value) {
+  const CoordinateBlock& block = body.joint.coordinates;
+  value = hash(value, block.q, block.size);
+  value = hash(value, block.v, block.size);
+}
+
+}  // namespace
+
 template <class World>
 std::uint64_t hash_state(const StepData<World>& data) {
   std::uint64_t value = 14695981039346656037u;
   value = hash(value, data.hub_coordinates.q, World::kTwist);
   value = hash(value, data.hub_coordinates.v, World::kTwist);
+  if constexpr (has_attitude<World>) value = hash(value, &data.hub_attitude.reference.w, 4);
   for (const SubsystemData<World>& subsystem : data.subsystems)
-    for (const BodyData<World>& body : subsystem.bodies)
+    for (const BodyData<World>& body : subsystem.bodies) {
+      hash_joint(body, value);
       for (const double* flex : {body.coordinates.q, body.coordinates.v})
         body.layout.for_parts([&](int first, int n) { value = hash(value, flex + first, n); });
+    }
   return value;
 }
 
 template void StepData<Plane>::take_state(std::int64_t, std::vector<double>&);
+template void StepData<Space>::take_state(std::int64_t, std::vector<double>&);
 template void StepData<Plane>::put_state(std::span<const double>, std::int64_t);
+template void StepData<Space>::put_state(std::span<const double>, std::int64_t);
 template std::size_t count_state_values(StepData<Plane>&);
+template std::size_t count_state_values(StepData<Space>&);
 template std::uint64_t hash_state(const StepData<Plane>&);
+template std::uint64_t hash_state(const StepData<Space>&);
 
 }  // namespace spoke

@@ -8,12 +8,48 @@
 namespace spoke {
 namespace {
 
+// A body's own fields, by world.
+
+std::size_t count_fields(const TreeBody<Plane>& model, int /*history*/) {
+  return count_fields(*model.body);
+}
+void place_fields(const TreeBody<Plane>& model, int /*history*/, double* memory,
+                  BodyData<Plane>& data) {
+  place_fields(*model.body, memory, data);
+}
+std::size_t count_fields(const TreeBody<Space>& model, int history) {
+  return space::count_fields(*model.body, model.joint.joint, history);
+}
+void place_fields(const TreeBody<Space>& model, int history, double* memory,
+                  BodyData<Space>& data) {
+  space::place_fields(*model.body, model.joint.joint, history, memory, data);
+}
+
+Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
+  Section section = make_section(*data.model->body, data.layout, point.element, point.s);
+  section.x = point.x;
+  return section;
+}
+space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& point) {
+  return space::make_section(*data.model->body, point.element, point.s);
+}
+
+/// Lengths by which deformations are measured [m].
+double extent_of(const FlexibleBody& body) { return body.length; }
+double extent_of(const space::Body& body) { return body.extent(); }
+
+/// Calls `apply` with the blocks of coordinates of the joint that carries a body.
+void for_joint_block(BodyData<Plane>&, const std::function<void(CoordinateBlock&)>&) {}
+void for_joint_block(BodyData<Space>& body, const std::function<void(CoordinateBlock&)>& apply) {
+  if (body.joint.coordinates.size > 0) apply(body.joint.coordinates);
+}
+
 /// Lays out the coordinates of a body.
 template <class World>
 void lay_out(double range, BodyData<World>& data) {
-  const typename World::FlexibleBody& body = *data.model->body;
+  const typename World::Body& body = *data.model->body;
   data.layout = make_layout(body);
-  data.linear_range = range * body.length;
+  data.linear_range = range * extent_of(body);
   data.surely_linear = calc_surely_linear(body, data.linear_range);
   set_extent(data.layout, data.coordinates);
 }
@@ -26,7 +62,7 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
   const int flex_vectors = 4 + options.history;  // q, v, a, a_found
   Arena& arena = *data.arena;
   data.bodies = ArenaVector<BodyData<World>>(count, arena);
-  data.joints = ArenaVector<typename World::JointMotion>(count, arena);
+  data.joints = ArenaVector<typename BodyTypes<World>::JointMotion>(count, arena);
   data.poses = ArenaVector<PoseOf<World>>(count, arena);
   data.twists = ArenaVector<TwistOf<World>>(count, none, arena);
   data.joint_loads = ArenaVector<TwistOf<World>>(count, none, arena);
@@ -36,7 +72,7 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     data.bodies[j].model = &subsystem.bodies[j];
     lay_out(options.linear_range, data.bodies[j]);
     total += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
-             count_fields(*subsystem.bodies[j].body);
+             count_fields(subsystem.bodies[j], options.history);
   }
   data.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = data.storage.data();
@@ -47,8 +83,8 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     body.coordinates.a = take();
     body.a_found = take();
     for (int k = 0; k < options.history; ++k) body.coordinates.history[k] = take();
-    place_fields(*body.model->body, std::exchange(next, next + count_fields(*body.model->body)),
-                 body);
+    place_fields(*body.model, options.history,
+                 std::exchange(next, next + count_fields(*body.model, options.history)), body);
     body.X.setZero();
     body.report = {};
   }
@@ -62,9 +98,7 @@ std::vector<PlacedLoad<World, Load>> place(const std::vector<Load>& loads,
   for (const Load& load : loads) {
     placed.push_back({&load, {}});
     for (const LoadPoint& point : load.points) {
-      auto section = make_section(*data.model->body, data.layout, point.element, point.s);
-      section.x = point.x;
-      placed.back().sections.push_back(section);
+      placed.back().sections.push_back(make_load_section(data, point));
     }
   }
   return placed;
@@ -100,6 +134,8 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
   hub.a = data.hub_storage[2].data();
   for (int k = 0; k < options.history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
   data.hub = {PositionOf<World>::Zero(), {}, TwistOf<World>::Zero()};
+  data.hub_attitude = {};
+  data.hub_is_free = system.hub.support == HubSupport::free;
   data.hub_solution = {TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(),
                        0.0};
   data.is_coupled = options.is_coupled;
@@ -141,7 +177,10 @@ template <class World>
 void StepData<World>::for_each_block(const std::function<void(CoordinateBlock&)>& apply) {
   apply(hub_coordinates);
   for (SubsystemData<World>& subsystem : subsystems)
-    for (BodyData<World>& body : subsystem.bodies) apply(body.coordinates);
+    for (BodyData<World>& body : subsystem.bodies) {
+      for_joint_block(body, apply);
+      apply(body.coordinates);
+    }
 }
 
 template <class World>
@@ -207,6 +246,8 @@ void StepData<World>::clear_load_failures() {
 }
 
 template void allocate(const System<Plane>&, const TableOptions&, StepData<Plane>&);
+template void allocate(const System<Space>&, const TableOptions&, StepData<Space>&);
 template class StepData<Plane>;
+template class StepData<Space>;
 
 }  // namespace spoke

@@ -19,9 +19,9 @@ namespace spoke {
 /// A subsystem as the hub feels it, (P 10), in the hub frame.
 template <class World>
 struct EffectiveInertia {
-  TwistMatrixOf<World> mass;                 ///< M^C
-  TwistOf<World> force;                      ///< Q^C
-  typename World::HubStiffening stiffening;  ///< summed over the bodies
+  TwistMatrixOf<World> mass;                            ///< M^C
+  TwistOf<World> force;                                 ///< Q^C
+  typename BodyTypes<World>::HubStiffening stiffening;  ///< summed over the bodies
 };
 
 /// Hub motion at the evaluated state.
@@ -86,19 +86,20 @@ struct alignas(kInterferenceSize) SubsystemData {
   ArenaVector<BodyData<World>> bodies;
   /// From the parent's frame (that of the hub, where the hub carries the body) to the body's: R is
   /// R_PB.
-  ArenaVector<typename World::JointMotion> joints;
-  ArenaVector<Twist> twists;  ///< of the body frames, in the body frames
+  ArenaVector<typename BodyTypes<World>::JointMotion> joints;
+  ArenaVector<TwistOf<World>> twists;  ///< of the body frames, in the body frames
   EffectiveInertia<World> effective;
   ArenaVector<typename Types::HandleWrenches> wrenches;
-  ArenaVector<Pose> poses;             ///< in the hub frame; for sensors, no part of a step
-  ArenaVector<Pose> drag_poses;        ///< the same during a step; none unless drag depends on them
+  ArenaVector<PoseOf<World>> poses;  ///< in the hub frame; for sensors, no part of a step
+  ArenaVector<PoseOf<World>>
+      drag_poses;                      ///< the same during a step; none unless drag depends on them
   ArenaVector<double> storage;         ///< of all flex vectors
   std::vector<LoadData<World>> loads;  ///< of the user's, whose first blade this is
 
   // What the subsystem's nodes follow: the system's if it is coupled, else its own.
   StepProgress* progress = nullptr;
   const HubState<World>* hub = nullptr;
-  const Twist* hub_acceleration = nullptr;  ///< hub frame, less gravity
+  const TwistOf<World>* hub_acceleration = nullptr;  ///< hub frame, less gravity
 
   PrescribedHub<World> prescribed;              ///< if not coupled
   ArenaVector<ReactionRecord<World>> records;   ///< ring by step, if not coupled
@@ -106,8 +107,9 @@ struct alignas(kInterferenceSize) SubsystemData {
 
   // At the end of the last step, by its last evaluation.
   TwistOf<World> root_load =
-      TwistOf<World>::Zero();      ///< what the blade does to the hub, in the blade's axes [N, N m]
-  ArenaVector<Twist> joint_loads;  ///< on the inboard handle of each body, body frames [N, N m]
+      TwistOf<World>::Zero();  ///< what the blade does to the hub, in the blade's axes [N, N m]
+  ArenaVector<TwistOf<World>>
+      joint_loads;  ///< on the inboard handle of each body, body frames [N, N m]
 
   // Sensors of the scenario's.
   std::vector<Reading<World>> readings;
@@ -132,7 +134,10 @@ class StepData final : public StepTable {
   HubState<World> hub;
   HubSolution<World> hub_solution;
   CoordinateBlock hub_coordinates;
-  std::array<TwistOf<World>, 7> hub_storage;   ///< of hub_coordinates
+  std::array<TwistOf<World>, 7> hub_storage;  ///< of hub_coordinates
+  /// What the hub's orientation has besides hub_coordinates; nothing in the plane.
+  typename BodyTypes<World>::Attitude hub_attitude;
+  bool hub_is_free = false;                    ///< moves in the world, on no axle
   std::vector<std::unique_ptr<Arena>> arenas;  ///< by subsystem; they outlive what lies in them
   std::vector<SubsystemData<World>> subsystems;
   std::vector<SystemRecord<World>> records;  ///< ring by step

@@ -1,8 +1,10 @@
 #pragma once
 
 // The world of space: what algorithms that are written once for plane and space take their sizes
-// and types from. The functions on these types have the names of the plane's
-// (models/system/plane.h) and are found by their arguments.
+// and types from (see models/system/plane.h). The functions on these types have the names of the
+// plane's (models/system/plane.h) and are found by their arguments.
+
+#include <optional>
 
 #include "models/space/quaternion.h"
 #include "models/space/rotation.h"
@@ -12,11 +14,22 @@
 
 namespace spoke {
 
+namespace space {
+struct Body;
+struct Hub;
+struct HubLoad;
+struct TensionPlace;
+struct TreeJoint;
+}  // namespace space
+
+/// Space, as a `World`: the types of what moves in it.
 struct Space {
   static constexpr int kPosition = space::kPosition;
   static constexpr int kAngular = space::kAngular;
   static constexpr int kTwist = space::kTwist;
   static constexpr int kRotation = space::kRotation;  ///< the first rotational component
+  /// Component of a twist about z: the axis of an axle.
+  static constexpr int kAxial = kTwist - 1;
   /// Coordinates that a joint may have; those of the plane are rigid.
   static constexpr int kMostJointCoordinates = kTwist;
 
@@ -27,6 +40,12 @@ struct Space {
   using Rotation = space::Rotation;
   using SymmetricTwistMatrix = space::SymmetricTwistMatrix;
   using Pose = space::Pose;
+
+  using Hub = space::Hub;
+  using HubLoad = space::HubLoad;
+  using Body = space::Body;
+  using Joint = space::TreeJoint;
+  using Stiffening = std::optional<space::TensionPlace>;
 };
 
 }  // namespace spoke

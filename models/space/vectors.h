@@ -76,6 +76,18 @@ inline auto linear(space::Twist& v) { return v.head<space::kPosition>(); }
 inline auto angular(const space::Twist& v) { return v.tail<space::kAngular>(); }
 inline auto angular(space::Twist& v) { return v.tail<space::kAngular>(); }
 
+/// w x (w x r): the acceleration of a point r away that an angular velocity w makes.
+template <ColumnOf<3> W, ColumnOf<3> R>
+space::Position centripetal(const Eigen::MatrixBase<W>& w, const Eigen::MatrixBase<R>& r) {
+  return cross(w, cross(w, r));
+}
+
+inline space::Twist make_wrench(const space::Position& force, const space::Angular& moment) {
+  return space::make_twist(force, moment);
+}
+/// The rotary part of a mass matrix.
+inline auto rotary(space::TwistMatrix& m) { return m.bottomRightCorner<3, 3>(); }
+
 /// T^T f with T = [1, -p~; 0, 1]: a wrench at a bracket, as felt at the point from which p leads
 /// there.
 template <ColumnOf<space::kPosition> P, ColumnOf<space::kTwist> F>

@@ -17,8 +17,6 @@ struct Rotation {
   double sine = 0.0;
 
   static Rotation from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
-  /// About the axis of an axle, z.
-  static Rotation about_axis(double angle) { return from_angle(angle); }
 
   Rotation inverse() const { return {cosine, -sine}; }
 
@@ -157,27 +155,8 @@ struct Pose {
   Rotation R;                     ///< R_AB
 };
 
-/// Rotates the frame of a body against its parent's.
-struct PlanarJointMotion {
-  Rotation R;  ///< R_PB
-};
-
-/// What geometric stiffening adds to the hub's equation.
-struct PlanarHubStiffening {
-  double inertia = 0.0;  ///< qf^T KG qf, off its rotary inertia [kg m^2]
-  double rate = 0.0;     ///< qf^T KG qf' [kg m^2/s]
-
-  PlanarHubStiffening& operator+=(const PlanarHubStiffening& other) {
-    inertia += other.inertia;
-    rate += other.rate;
-    return *this;
-  }
-};
-/// The moment on the hub that takes its place on the right-hand side, 2 w0 qf^T KG qf', and the
-/// angular momentum that it takes.
-inline double calc_stiffening_moment(const PlanarHubStiffening& s, double w0) {
-  return 2.0 * w0 * s.rate;
-}
+/// Joints of the plane are rigid, and connect a handle to the child's inboard one.
+struct PlanarJoint {};
 
 struct FlexibleBody;
 struct PlanarStiffening;
@@ -200,10 +179,9 @@ struct Plane {
 
   using Hub = spoke::Hub;
   using HubLoad = spoke::HubLoad;
-  using FlexibleBody = spoke::FlexibleBody;
+  using Body = spoke::FlexibleBody;
+  using Joint = PlanarJoint;
   using Stiffening = PlanarStiffening;
-  using HubStiffening = PlanarHubStiffening;
-  using JointMotion = PlanarJointMotion;
   /// Joints of the plane are rigid.
   static constexpr int kMostJointCoordinates = 0;
 };

@@ -32,7 +32,8 @@ struct TreeBody {
   int handle = 1;
   /// Indices of the bodies that it carries, by handle: one at each, from handle 1.
   std::vector<int> children;
-  std::shared_ptr<const typename World::FlexibleBody> body;
+  typename World::Joint joint;  ///< that carries it
+  std::shared_ptr<const typename World::Body> body;
   typename World::Stiffening stiffening;
   std::vector<BodyLoad<World>> loads;
   std::vector<BodyDrag<World>> drags;
@@ -43,6 +44,8 @@ template <class World>
 struct Subsystem {
   PoseOf<World> root;   ///< pose of the root bracket in the hub frame
   double length = 0.0;  ///< undeformed, root to tip [m]
+  /// In space the place of the undeformed tip, hub frame [m].
+  PositionOf<World> tip = PositionOf<World>::Zero();
   std::vector<TreeBody<World>> bodies;
 };
 
@@ -75,6 +78,8 @@ struct System {
 /// Whether component `c` of the hub's twist (x, y, rotation) is prescribed.
 bool is_prescribed(const Hub& hub, int c);
 
+/// Hub frame to inertial frame, at an angle of the drive [rad].
+inline Rotation rotation_of(const Hub&, double angle) { return Rotation::from_angle(angle); }
 /// M_0 of the hub alone, hub frame.
 inline TwistMatrix calc_hub_mass(const Hub& hub) {
   return Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();

@@ -194,7 +194,7 @@ TEST_CASE("a thruster changes momentum by its force, and angular momentum by its
     constexpr double step = 1e-4;
     Run run(rotor, Rk4{step}, step);
     const auto rate = [&] {
-      const HubState<Plane> hub = calc_hub_state<Plane>(run.context().data.hub_coordinates);
+      const HubState<Plane> hub = calc_hub_state(run.context().data);
       const Position p = hub.p + hub.R * thruster.position;
       const Rotation R = frame == LoadFrame::hub ? hub.R : Rotation{};
       return translate(p, R * Twist(0.4, 0.7, 0.05));

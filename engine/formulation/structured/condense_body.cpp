@@ -105,7 +105,7 @@ void add_inboard_rotation(const ElasticBlock& block, double bias, const Twist& X
 
 }  // namespace
 
-void condense_body(const BodyData<Plane>& data, double speed, bool implicit,
+void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
                    BodyWork<Plane>& work) noexcept {
   const FlexibleBody& body = *data.model->body;
   const ElasticBlock& block = *data.blocks[implicit];
@@ -138,7 +138,7 @@ void condense_body(const BodyData<Plane>& data, double speed, bool implicit,
   port.free_i = X_free;
   calc_handle_maps(block, data, work, port.X_o, port.x_i);
   calc_compliances(S_inverse, port.X_o, block.Z_oo, port);
-  port.free_o = multiply(port.X_o, X_free) + calc_outboard_bias(data, speed, work);
+  port.free_o = multiply(port.X_o, X_free) + calc_outboard_bias(data, twist[kRotation], work);
   if (body.reference_frame == ReferenceFrame::chord)
     add_inboard_rotation(block, work.z[data.inboard_at[kRotation]], X_free, port);
 }

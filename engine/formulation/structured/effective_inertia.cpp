@@ -2,7 +2,7 @@
 // joints is eliminated from the tips; only its first pivot reaches the hub. docs/formulation.md,
 // section 4.1, "condensing a blade".
 
-#include "engine/formulation/structured.h"
+#include "engine/formulation/structured/spatial_tree.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 
@@ -44,5 +44,7 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
 
 template void calc_effective_inertia(const Subsystem<Plane>&, SubsystemData<Plane>&,
                                      SubsystemWork<Plane>&) noexcept;
+template void calc_effective_inertia(const Subsystem<Space>&, SubsystemData<Space>&,
+                                     SubsystemWork<Space>&) noexcept;
 
 }  // namespace spoke::structured

@@ -1,7 +1,7 @@
 // Recovery, docs/formulation.md, section 4.1: the wrenches of the joints, the multipliers of (P 8),
 // from root to tip, then the accelerations of every body on its own, (P 7).
 
-#include "engine/formulation/structured.h"
+#include "engine/formulation/structured/spatial_tree.h"
 #include "engine/kernels/hub_motion.h"
 
 namespace spoke::structured {
@@ -46,9 +46,12 @@ void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<Wor
 
 template void recover_wrenches(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
+template void recover_wrenches(const Subsystem<Space>&, const SubsystemWork<Space>&,
+                               SubsystemData<Space>&) noexcept;
 
-void recover_body(const PlanarWrenches& wrenches, const BodyWork<Plane>& work, bool implicit,
-                  BodyData<Plane>& data, double* a) noexcept {
+void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
+                  bool implicit, BodyData<Plane>& data, double* a) noexcept {
+  const PlanarWrenches& wrenches = subsystem.wrenches[j];
   // (3) X = S_R^-1 (p + X_i^T F + X_o^T f).
   const FlexibleBody& body = *data.model->body;
   const ElasticBlock& block = *data.blocks[implicit];

@@ -15,11 +15,12 @@ void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work) {
   work.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = work.storage.data();
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    const typename World::FlexibleBody& body = *data.bodies[j].model->body;
+    const typename World::Body& body = *data.bodies[j].model->body;
     place_condensed(body, std::exchange(next, next + count_condensed(body)), work.bodies[j]);
   }
 }
 
 template void allocate(const SubsystemData<Plane>&, SubsystemWork<Plane>&);
+template void allocate(const SubsystemData<Space>&, SubsystemWork<Space>&);
 
 }  // namespace spoke::structured

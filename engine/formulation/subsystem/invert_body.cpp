@@ -35,7 +35,7 @@ void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& 
 }
 
 template <class World>
-void invert_body(const BodyData<World>& data, const AngularOf<World>& speed, bool implicit,
+void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool implicit,
                  BodyWork<World>& work) noexcept {
   constexpr int d = World::kTwist;
   // (1) M of (P 3), then its Cholesky factor in place.
@@ -45,7 +45,7 @@ void invert_body(const BodyData<World>& data, const AngularOf<World>& speed, boo
   Eigen::MatrixXd &J = work.jacobians, &columns = work.inverse_columns;
   calc_inboard_jacobian(data, J.topRows<d>());
   calc_outboard_jacobian(data, J.bottomRows<d>());
-  work.bias_out = calc_outboard_bias(data, speed);
+  work.bias_out = calc_outboard_bias(data, angular(twist));
   columns.leftCols<2 * d>() = J.transpose();
   calc_dense_force(data, columns.col(2 * d));
   // (3) M^-1 [J_i^T, J_o^T, Q], and [J_i; J_o] times that: the body's share of Phi M^-1 Phi^T and
@@ -56,6 +56,6 @@ void invert_body(const BodyData<World>& data, const AngularOf<World>& speed, boo
 
 template void allocate(const SubsystemData<Plane>&, const std::vector<DenseBlocks>&,
                        SubsystemWork<Plane>&);
-template void invert_body(const BodyData<Plane>&, const double&, bool, BodyWork<Plane>&) noexcept;
+template void invert_body(const BodyData<Plane>&, const Twist&, bool, BodyWork<Plane>&) noexcept;
 
 }  // namespace spoke::subsystem

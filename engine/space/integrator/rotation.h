@@ -12,24 +12,9 @@
 // axle is no such orientation: it is a plain coordinate.
 
 #include "engine/integrator/method.h"
-#include "models/space/quaternion.h"
+#include "engine/space/rotation_block.h"
 
 namespace spoke::space {
-
-/// What belongs to an orientation besides its block.
-struct RotationState {
-  Quaternion reference;                   ///< Q_n
-  Quaternion sum{0.0, Position::Zero()};  ///< rk4: weighted rates of the stages
-};
-
-/// A block of coordinates among which is an orientation: at `at`, `at + 1`, `at + 2` stand D in q,
-/// w in v, w' in a.
-struct RotationBlock {
-  CoordinateBlock* block = nullptr;
-  int at = 0;
-  RotationState* state = nullptr;
-  TurnFrame frame = TurnFrame::child;
-};
 
 /// The orientation Q.
 Quaternion calc_orientation(const RotationBlock& rotation) noexcept;

@@ -114,10 +114,10 @@ TEST_CASE("terms of a spatial body are those of the Boltzmann-Hamel equations, a
         const double scale = expected.lpNorm<Eigen::Infinity>();
         CHECK((found - expected.head(kTwist + nf)).lpNorm<Eigen::Infinity>() < 1e-9 * scale);
         // What the stiffening leaves to the hub.
-        const HubShare& hub = test->terms.hub;
+        const HubStiffening& hub = test->terms.stiffening;
         const Angular& w0 = motion.hub_w;
         const Position share =
-            -hub.Lambda * hub_a - hub.Lambda_rate * w0 - cross(w0, Position(hub.Lambda * w0));
+            -hub.inertia * hub_a - hub.rate * w0 - cross(w0, Position(hub.inertia * w0));
         CHECK((share - expected.tail<3>()).norm() < 1e-9 * scale);
       }
 }
@@ -136,9 +136,13 @@ TEST_CASE("energies of a spatial body are the sums over its slots and elements")
     CHECK(std::abs(energies.strain + energies.tension - potential) < 1e-13 * potential);
     CHECK(calc_strain_energy(test->body, test->q.data(), test->work) == energies.strain);
     CHECK((energies.S - test->terms.S).norm() == 0.0);
-    // The energy of gravity's tension is g . gamma.
-    CHECK(energies.tension ==
-          doctest::Approx(test->motion.gravity.dot(test->terms.hub.gamma)).epsilon(1e-12));
+    // Gravity's tension turns the hub as its energy falls, which is linear in gravity.
+    const Angular axis = Angular::Random().normalized();
+    BodyMotion turned = test->motion;
+    turned.gravity = -cross(axis, test->motion.gravity);
+    const double change =
+        calc_body_energies(test->model, test->state(), motion.twist, turned, test->work).tension;
+    CHECK(axis.dot(test->terms.stiffening.moment) == doctest::Approx(-change).epsilon(1e-12));
   }
 }
 

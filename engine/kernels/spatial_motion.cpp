@@ -1,0 +1,135 @@
+// Motion of a tree in space: handles, joints and frames, from the hub to the tips.
+
+#include <cmath>
+
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/spatial_terms.h"
+#include "engine/space/hub_motion.h"
+
+namespace spoke {
+namespace {
+
+using space::Angular;
+using space::HandleMotion;
+using space::PrescribedMotion;
+
+/// The handle of a tree that carries a body: its section's rotation and its twist, both in the
+/// frame of the parent.
+struct Carrier {
+  space::Rotation section;
+  space::Twist twist = space::Twist::Zero();
+};
+
+Carrier find_carrier(const TreeBody<Space>& body, const SubsystemData<Space>& data) {
+  if (body.parent < 0) return {{}, data.hub->twist};
+  const auto p = static_cast<std::size_t>(body.parent);
+  const HandleMotion& handle = data.bodies[p].work.handles[body.handle];
+  const space::Twist& v = data.twists[p];
+  Carrier carrier{handle.turn.R, v + handle.twist()};
+  linear(carrier.twist) += cross(angular(v), handle.s);
+  return carrier;
+}
+
+/// A rigid body's handles do not move against its frame.
+void place_rigid_handles(const space::RigidBody& body, HandleMotion* handles) {
+  handles[0] = {};
+  handles[0].turn.H.setIdentity();
+  for (std::size_t h = 0; h < body.outboard.size(); ++h) {
+    handles[h + 1] = handles[0];
+    handles[h + 1].s = body.outboard[h];
+  }
+}
+
+/// mean + cosine cos(psi) + sine sin(psi) of the azimuth psi.
+PrescribedMotion follow_azimuth(const spatial::AzimuthMotion& motion, double psi,
+                                const DriveMotion& hub) {
+  const double c = std::cos(psi), s = std::sin(psi);
+  const double swing = motion.cosine * c + motion.sine * s;
+  const double slope = motion.sine * c - motion.cosine * s;
+  return {motion.mean + swing, slope * hub.speed,
+          slope * hub.acceleration - swing * hub.speed * hub.speed};
+}
+
+/// Of a curve the rate is its derivative, and the acceleration the derivative of that: the curve's
+/// cubic pieces have a linear one.
+PrescribedMotion follow_table(const spatial::MotionTable& motion, double t) {
+  return {motion.value.value(t), motion.value.derivative(t), motion.value.second_derivative(t)};
+}
+
+PrescribedMotion prescribe(const spatial::Motion& motion, double t, double psi,
+                           const DriveMotion& hub) {
+  if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
+    return follow_table(*table, t);
+  if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion))
+    return follow_azimuth(*azimuth, psi, hub);
+  return {std::get<spatial::ProgramMotion>(motion).initial, 0.0, 0.0};
+}
+
+}  // namespace
+
+void prescribe_joints(const System<Space>& system, double t, const Subsystem<Space>& subsystem,
+                      SubsystemData<Space>& data) noexcept {
+  const bool has_drive = prescribes_motion(system.hub.drive);
+  const DriveMotion hub = has_drive ? calc_motion(system.hub.drive, t) : DriveMotion{};
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const space::JointCourse& course = subsystem.bodies[j].joint.course;
+    for (std::size_t c = 0; c < course.driven.size(); ++c)
+      data.bodies[j].joint.driven[c] =
+          prescribe(course.driven[c], t, hub.angle + course.azimuth, hub);
+  }
+}
+
+void calc_rotations(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    BodyData<Space>& body = data.bodies[j];
+    const space::Body& model = *subsystem.bodies[j].body;
+    if (const space::FlexibleBody* flexible = model.flexible())
+      calc_handles(*flexible, body.coordinates.q, body.coordinates.v, body.work.handles);
+    else
+      place_rigid_handles(*model.rigid(), body.work.handles);
+  }
+}
+
+void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const TreeBody<Space>& model = subsystem.bodies[j];
+    const Carrier carrier = find_carrier(model, data);
+    calc_joint_motion(model.joint.joint, joint_state_of(data.bodies[j]), carrier.section,
+                      carrier.twist, data.joints[j], data.twists[j]);
+    const space::FlexibleBody* flexible = model.body->flexible();
+    if (flexible && flexible->reference_frame == ReferenceFrame::chord)
+      leave_section(data.bodies[j].work.handles[0].turn, data.joints[j], data.twists[j]);
+  }
+}
+
+void calc_poses(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                ArenaVector<space::Pose>& poses) noexcept {
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const TreeBody<Space>& model = subsystem.bodies[j];
+    const space::JointMotion& joint = data.joints[j];
+    if (model.parent < 0) {
+      poses[j] = {joint.p, joint.R};
+      continue;
+    }
+    const auto p = static_cast<std::size_t>(model.parent);
+    const space::Position s = data.bodies[p].work.handles[model.handle].s;
+    poses[j] = {poses[p].p + poses[p].R * space::Position(s + joint.p), poses[p].R * joint.R};
+  }
+}
+
+space::Rotation calc_rotation_to_hub(const Subsystem<Space>& subsystem,
+                                     const SubsystemData<Space>& data, int body) noexcept {
+  space::Rotation R = data.joints[static_cast<std::size_t>(body)].R;
+  for (int j = subsystem.bodies[static_cast<std::size_t>(body)].parent; j >= 0;
+       j = subsystem.bodies[static_cast<std::size_t>(j)].parent)
+    R = data.joints[static_cast<std::size_t>(j)].R * R;
+  return R;
+}
+
+HubState<Space> calc_hub_state(const StepData<Space>& data) {
+  const CoordinateBlock& hub = data.hub_coordinates;
+  const space::HubState state = space::calc_hub_state(hub.q, hub.v, data.hub_attitude.reference);
+  return {state.p, state.R, state.twist};
+}
+
+}  // namespace spoke

@@ -1,0 +1,94 @@
+// Tip, energies and loads of a tree in space at the state in the table.
+
+#include "engine/kernels/spatial_samples.h"
+
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/spatial_terms.h"
+#include "engine/space/body_energies.h"
+
+namespace spoke {
+namespace {
+
+/// Place of the outermost point of a body in its frame, deformed, less the foreshortening [m].
+space::Position find_tip(const BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return body.model->body->rigid()->centre;
+  space::Position tip = flexible->nodes.back();
+  for (int c = 0; c < space::kPosition; ++c) {
+    const int k = flexible->coordinate(flexible->elements, c);
+    if (k >= 0) tip[c] += body.coordinates.q[k];
+  }
+  return tip;
+}
+
+double shorten(const BodyData<Space>& body) {
+  if (!body.model->body->flexible()) return 0.0;
+  return calc_foreshortening(body_model_of(body), body.coordinates.q, body.work);
+}
+
+/// Displacement of the tip from its undeformed place, hub frame [m].
+space::Position calc_tip(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data) {
+  const std::size_t last = data.bodies.size() - 1;
+  space::Position tip =
+      data.poses[last].p + data.poses[last].R * find_tip(data.bodies[last]) - subsystem.tip;
+  // Of bodies with geometric stiffening the energies account for this, not the coordinates.
+  for (int j = static_cast<int>(last); j >= 0; j = subsystem.bodies[j].parent) {
+    const auto k = static_cast<std::size_t>(j);
+    tip -= data.poses[k].R * space::Position(shorten(data.bodies[k]), 0.0, 0.0);
+  }
+  return tip;
+}
+
+/// Energies of a body, and its first moment in its frame.
+space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemData<Space>& data,
+                                  std::size_t j) {
+  const BodyData<Space>& body = data.bodies[j];
+  const space::Twist& twist = data.twists[j];
+  const HubState<Space>& hub = *data.hub;
+  if (const space::RigidBody* rigid = body.model->body->rigid())
+    return {calc_kinetic_energy(calc_mass(*rigid), twist), 0.0, 0.0, rigid->mass * rigid->centre};
+  const space::BodyMotion motion{angular(twist), angular(hub.twist),
+                                 hub.R.inverse() * space::Position(system.gravity)};
+  return calc_body_energies(body_model_of(body), body_state_of(body), twist, motion, body.work);
+}
+
+double mass_of(const space::Body& body) {
+  return body.flexible() ? body.flexible()->mass : body.rigid()->mass;
+}
+
+}  // namespace
+
+SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
+                                   SubsystemData<Space>& data) noexcept {
+  const Subsystem<Space>& subsystem = system.subsystems[i];
+  calc_poses(subsystem, data, data.poses);
+  SubsystemSample<Space> sample;
+  sample.tip = calc_tip(subsystem, data);
+  sample.root = data.root_load;
+  const HubState<Space>& hub = *data.hub;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const BodyData<Space>& body = data.bodies[j];
+    const space::BodyEnergies energies = calc_energies(system, data, j);
+    sample.kinetic += energies.kinetic;
+    sample.strain += energies.strain + energies.tension +
+                     calc_spring_energy(body.model->joint.joint, joint_state_of(body));
+    if (system.gravity_ramp > 0.0) continue;
+    const double mass = mass_of(*body.model->body);
+    const space::Position moment = mass * data.poses[j].p + data.poses[j].R * energies.S;
+    sample.gravity += system.gravity.dot(mass * hub.p + hub.R * moment);
+  }
+  return sample;
+}
+
+void update_kinematics(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
+  calc_rotations(subsystem, data);
+  calc_velocities(subsystem, data);
+}
+
+void keep_joint_loads(const Subsystem<Space>&, SubsystemData<Space>& data) noexcept {
+  for (std::size_t j = 0; j < data.bodies.size(); ++j)
+    data.joint_loads[j] = data.wrenches[j].inboard;
+  data.root_load = -(data.joints[0].R * data.wrenches[0].inboard);
+}
+
+}  // namespace spoke

@@ -1,0 +1,20 @@
+#pragma once
+
+// The terms of a body of a tree in space, and of the joint that carries it.
+
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// What the kernels of a flexible body read (engine/space/body_data.h). Precondition: it is one.
+space::BodyModel body_model_of(const BodyData<Space>& body);
+space::BodyState body_state_of(const BodyData<Space>& body);
+space::JointState joint_state_of(const BodyData<Space>& body);
+
+/// Calculates the terms of body `j` at the state in the table, (P 3) in space, and the forces of
+/// its joint at time t [s]. `shares`: those of stiffness and damping that an implicit pass leaves
+/// to the unknown accelerations. Without loads.
+void calc_terms(const System<Space>& system, double t, const space::ImplicitShares& shares, int j,
+                SubsystemData<Space>& data) noexcept;
+
+}  // namespace spoke

@@ -1,0 +1,245 @@
+// Trees of a description, as trees of bodies with their constants.
+
+#include "models/system/spatial_system.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "models/error.h"
+#include "models/tree/mass_properties.h"
+#include "models/tree/space_beam.h"
+#include "models/tree/tree.h"
+
+namespace spoke {
+namespace {
+
+using spatial::Placement;
+
+space::Pose pose_of(const Placement& placement) {
+  return {placement.position, {placement.rotation}};
+}
+
+/// The hub's frame H, whose z axis is that of the drive, to that of the description.
+space::Rotation axis_rotation(const spatial::Hub& hub) {
+  return {spatial::rotor_placement(hub).rotation};
+}
+
+space::Hub make_hub(const spatial::Hub& hub) {
+  const space::Rotation to_axis = axis_rotation(hub).inverse();
+  space::RigidBody body;
+  body.mass = hub.mass;
+  body.centre = to_axis * space::Position(hub.center);
+  body.inertia = to_axis.axes * hub.inertia * to_axis.axes.transpose();
+  space::Hub made;
+  made.support = hub.support;
+  made.drive = hub.drive;
+  made.orientation = make_quaternion(to_axis.inverse());
+  made.inertia = calc_mass(body);
+  made.mass = hub.mass;
+  made.velocity = space::make_twist(hub.velocity, to_axis * space::Position(hub.angular_velocity));
+  return made;
+}
+
+space::HubLoad make_hub_load(const spatial::HubLoad& load, const space::Rotation& to_axis) {
+  const bool is_inertial = load.frame == spatial::LoadFrame::inertial;
+  const space::Rotation R = is_inertial ? space::Rotation{} : to_axis;
+  return {to_axis * space::Position(load.position),
+          is_inertial ? LoadFrame::inertial : LoadFrame::hub,
+          R * space::Position(load.force),
+          R * space::Position(load.torque),
+          load.ramp,
+          load.factor};
+}
+
+/// Makes the subsystem of one tree.
+class SubsystemMaker {
+ public:
+  SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis)
+      : tree_(tree), to_axis_(to_axis), placements_(calc_placements(tree)) {
+    for (const spatial::Beam& beam : tree.beams)
+      beams_.push_back(std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0)));
+  }
+
+  Subsystem<Space> make() {
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
+    add_tension();
+    const auto last = tree_.bodies.size() - 1;
+    made_.tip = place_of(last) * tip_of(last);
+    return std::move(made_);
+  }
+
+ private:
+  const spatial::TreeBody& body(std::size_t j) const { return tree_.bodies[j]; }
+  const spatial::FlexibleBody* flexible(std::size_t j) const {
+    return std::get_if<spatial::FlexibleBody>(&body(j).shape);
+  }
+
+  /// A body's frame B in the frame that the description has for it.
+  space::Rotation frame_of(std::size_t j) const {
+    const space::FlexibleBody* flexible = made_.bodies[j].body->flexible();
+    return flexible ? flexible->pose.R : space::Rotation{};
+  }
+
+  struct Place {
+    space::Pose pose;
+    space::Position operator*(const space::Position& p) const { return pose.p + pose.R * p; }
+  };
+  /// A body's frame B in H, joint coordinates zero.
+  Place place_of(std::size_t j) const {
+    const space::Pose at = pose_of(placements_[j]);
+    return {{to_axis_ * at.p, to_axis_ * at.R * frame_of(j)}};
+  }
+  space::Position tip_of(std::size_t j) const {
+    const space::Body& made = *made_.bodies[j].body;
+    return made.flexible() ? made.flexible()->nodes.back() : made.rigid()->centre;
+  }
+
+  /// Children of a body in the order of the nodes that they hang at.
+  void find_children(std::size_t j) {
+    TreeBody<Space>& made = made_.bodies.emplace_back();
+    made.parent = body(j).parent;
+    for (std::size_t c = j + 1; c < tree_.bodies.size(); ++c)
+      if (body(c).parent == static_cast<int>(j)) made.children.push_back(static_cast<int>(c));
+    std::stable_sort(made.children.begin(), made.children.end(), [this](int a, int b) {
+      return body(static_cast<std::size_t>(a)).parent_node <
+             body(static_cast<std::size_t>(b)).parent_node;
+    });
+  }
+
+  void add_body(std::size_t j) {
+    TreeBody<Space>& made = made_.bodies[j];
+    space::Body constants;
+    if (const spatial::FlexibleBody* part = flexible(j)) {
+      std::vector<int> handles{0};
+      for (const int c : made.children)
+        handles.push_back(static_cast<int>(body(static_cast<std::size_t>(c)).parent_node));
+      constants.beam = beams_[part->beam];
+      constants.shape = make_beam_body(*constants.beam, part->nodes,
+                                       tree_.beams[part->beam].reference_frame, handles);
+    } else {
+      const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
+      space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}};
+      for (const int c : made.children)
+        shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
+      constants.shape = std::move(shape);
+    }
+    made.body = std::make_shared<const space::Body>(std::move(constants));
+  }
+
+  void add_joint(std::size_t j) {
+    TreeBody<Space>& made = made_.bodies[j];
+    const space::Pose at = pose_of(body(j).placement);
+    const space::Rotation own = frame_of(j);
+    space::Joint& joint = made.joint.joint = spatial::make_space_joint(body(j));
+    if (made.parent < 0) {
+      joint.offset = {to_axis_ * at.p, to_axis_ * at.R * own};
+    } else {
+      const auto p = static_cast<std::size_t>(made.parent);
+      const space::Rotation back = frame_of(p).inverse();
+      // The handle of a rigid parent is where the joint is.
+      const bool is_rigid = made_.bodies[p].body->rigid() != nullptr;
+      joint.offset = {is_rigid ? space::Position(space::Position::Zero()) : back * at.p,
+                      back * at.R * own};
+      const std::vector<int>& siblings = made_.bodies[p].children;
+      made.handle =
+          1 + static_cast<int>(std::find(siblings.begin(), siblings.end(), static_cast<int>(j)) -
+                               siblings.begin());
+    }
+    // Axes are given in the description's frame of the body.
+    for (space::JointPrimitive& primitive : joint.primitives)
+      primitive.axis = own.inverse() * primitive.axis;
+    made.joint.course = make_course(body(j).joint);
+  }
+
+  space::JointCourse make_course(const spatial::Joint& joint) const {
+    space::JointCourse course;
+    course.azimuth = tree_.azimuth;
+    for (int c = 0; c < count_coordinates(joint.kind); ++c) {
+      const spatial::JointCoordinate& coordinate = joint.coordinates[static_cast<std::size_t>(c)];
+      if (coordinate.motion) {
+        course.driven.push_back(*coordinate.motion);
+        continue;
+      }
+      course.efforts.push_back(coordinate.effort);
+      course.initial.push_back(coordinate.initial);
+      course.initial_speed.push_back(coordinate.initial_speed);
+    }
+    return course;
+  }
+
+  /// Mass and first moment about the hub, in H, of a body and of all that it carries.
+  spatial::MassProperties carried_by(std::size_t j) const {
+    spatial::MassProperties sum =
+        calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
+    for (const int c : made_.bodies[j].children) sum += carried_by(static_cast<std::size_t>(c));
+    return sum;
+  }
+
+  void add_tension() {
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
+      const spatial::FlexibleBody* part = flexible(j);
+      if (!part || !tree_.beams[part->beam].geometric_stiffening) continue;
+      spatial::MassProperties outboard;
+      for (const int c : made_.bodies[j].children)
+        outboard += carried_by(static_cast<std::size_t>(c));
+      const space::Pose pose = place_of(j).pose;
+      const space::Rotation to_body = pose.R.inverse();
+      made_.bodies[j].stiffening = space::TensionPlace{
+          pose.R, to_body * pose.p, to_body * (to_axis_ * space::Position(outboard.first_moment)),
+          outboard.mass};
+    }
+  }
+
+  const spatial::Tree& tree_;
+  space::Rotation to_axis_;
+  std::vector<Placement> placements_;  ///< in the frame of the description's hub
+  std::vector<std::shared_ptr<const space::Beam>> beams_;
+  Subsystem<Space> made_;
+};
+
+void refuse(bool is_there, const char* key, const char* what) {
+  if (is_there)
+    throw InputError(std::string(key) + ": " + what + ", which is read but not simulated yet");
+}
+
+void require_simulated(const spatial::Model& model) {
+  refuse(model.hub.mount.has_value(), "hub.mount", "the axle's mount moves");
+  refuse(!model.loads.empty(), "load", "there are loads on bodies");
+  refuse(!model.distributed_loads.empty(), "distributed_load", "there are loads on bodies");
+}
+
+void require_known_azimuth(const System<Space>& system) {
+  if (prescribes_motion(system.hub.drive)) return;
+  for (const Subsystem<Space>& subsystem : system.subsystems)
+    for (const TreeBody<Space>& body : subsystem.bodies)
+      for (const spatial::Motion& motion : body.joint.course.driven)
+        if (std::holds_alternative<spatial::AzimuthMotion>(motion))
+          throw InputError(
+              "a joint's motion follows the azimuth, expected a drive that prescribes the hub's "
+              "rotation");
+}
+
+}  // namespace
+
+System<Space> make_system(const spatial::Model& model) {
+  require_simulated(model);
+  const space::Rotation to_axis = axis_rotation(model.hub).inverse();
+  System<Space> system;
+  system.hub = make_hub(model.hub);
+  system.gravity = model.gravity;
+  system.gravity_ramp = model.gravity_ramp;
+  system.damping = model.damping;
+  for (const spatial::HubLoad& load : model.hub_loads)
+    system.hub_loads.push_back(make_hub_load(load, to_axis));
+  for (const spatial::Tree& tree : build_trees(model))
+    system.subsystems.push_back(SubsystemMaker(tree, to_axis).make());
+  require_known_azimuth(system);
+  return system;
+}
+
+}  // namespace spoke

@@ -1,0 +1,20 @@
+#pragma once
+
+// From the description of a model in space to the constants that the engine works on.
+
+#include "models/space/body.h"
+#include "models/space/hub.h"
+#include "models/space/space.h"
+#include "models/space/tension_place.h"
+#include "models/space/tree_joint.h"
+#include "models/spatial_model.h"
+#include "models/system/system.h"
+
+namespace spoke {
+
+/// Builds the constants of a model. Preconditions: check_model() accepts it; each subsystem has one
+/// body on the hub. Throws InputError, naming the key, for what the engine does not simulate:
+/// motions of the mount, loads on bodies, and pitch by the azimuth of a hub whose rotation is free.
+System<Space> make_system(const spatial::Model& model);
+
+}  // namespace spoke
