@@ -38,8 +38,8 @@ void EvaluatedModel::disturb() {
   const auto scale = [&](double* values, int size) {
     for (int k = 0; k < size; ++k) values[k] *= 0.9 + 0.2 * random() / double{std::mt19937::max()};
   };
-  for (SubsystemData& subsystem : context_.data.subsystems)
-    for (BodyData& body : subsystem.bodies) {
+  for (SubsystemData<Plane>& subsystem : context_.data.subsystems)
+    for (BodyData<Plane>& body : subsystem.bodies) {
       scale(body.coordinates.q, body.coordinates.size);
       scale(body.coordinates.v, body.coordinates.size);
     }
@@ -50,8 +50,8 @@ void EvaluatedModel::take_state(const EvaluatedModel& other) {
     std::copy_n(from.q, from.size, to.q);
     std::copy_n(from.v, from.size, to.v);
   };
-  StepData& data = context_.data;
-  const StepData& source = other.context_.data;
+  StepData<Plane>& data = context_.data;
+  const StepData<Plane>& source = other.context_.data;
   copy(source.hub_coordinates, data.hub_coordinates);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
@@ -68,8 +68,8 @@ void EvaluatedModel::evaluate() {
 
 Eigen::VectorXd EvaluatedModel::accelerations() const {
   std::vector<double> all;
-  for (const SubsystemData& subsystem : context_.data.subsystems)
-    for (const BodyData& body : subsystem.bodies)
+  for (const SubsystemData<Plane>& subsystem : context_.data.subsystems)
+    for (const BodyData<Plane>& body : subsystem.bodies)
       all.insert(all.end(), body.coordinates.a, body.coordinates.a + body.coordinates.size);
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }

@@ -29,7 +29,7 @@ class EvaluatedModel {
   Eigen::VectorXd accelerations() const;
 
  private:
-  StepContext context_;
+  SystemContext<Plane> context_;
   std::unique_ptr<graph::StepGraph> graph_;
   std::unique_ptr<graph::Executor> executor_;
 };

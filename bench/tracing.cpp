@@ -117,7 +117,7 @@ class Model {
   }
 
  private:
-  StepContext context_;
+  SystemContext<Plane> context_;
   std::unique_ptr<StepGraph> graph_;
   std::unique_ptr<TimeStepper> stepper_;
   std::unique_ptr<Executor> executor_;

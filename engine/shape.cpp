@@ -11,7 +11,7 @@ namespace spoke {
 namespace {
 
 /// A node's coordinates u, v, psi, or their rates.
-std::array<double, kTwist> node_values(const BodyData& body, int node, const double* flex) {
+std::array<double, kTwist> node_values(const BodyData<Plane>& body, int node, const double* flex) {
   std::array<double, kTwist> values;
   for (int c = 0; c < kTwist; ++c)
     values[c] = flex[body.layout.offset(body.model->body->coordinate(node, c))];
@@ -37,7 +37,7 @@ struct Offset {
 /// Walks along one body, node by node.
 class BodyWalk {
  public:
-  BodyWalk(const BodyData& body, const Pose& pose, const Twist& twist, const Offset& before)
+  BodyWalk(const BodyData<Plane>& body, const Pose& pose, const Twist& twist, const Offset& before)
       : body_(body), pose_(pose), twist_(twist), before_(before) {}
 
   /// The node's place and velocity; the nodes in order from 0.
@@ -45,7 +45,7 @@ class BodyWalk {
     const auto q = node_values(body_, k, body_.coordinates.q);
     const auto v = node_values(body_, k, body_.coordinates.v);
     const double l = element_length();
-    if (k > 0 && body_.model->slope_integral) {
+    if (k > 0 && body_.model->stiffening.slope_integral) {
       shortening_ += 0.5 * integrate_slopes(l, last_q_, q, last_q_, q);
       shortening_rate_ += integrate_slopes(l, last_q_, q, last_v_, v);
     }
@@ -74,7 +74,7 @@ class BodyWalk {
  private:
   double speed() const { return twist_[kRotation]; }
 
-  const BodyData& body_;
+  const BodyData<Plane>& body_;
   const Pose& pose_;
   const Twist& twist_;
   Offset before_;
@@ -91,7 +91,7 @@ double mean_axial_stiffness(const Blade& blade, const FlexibleBody& body, int el
 
 }  // namespace
 
-void calc_shape(const Blade& blade, const Subsystem& subsystem, SubsystemData& data,
+void calc_shape(const Blade& blade, const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
                 BladeShape& shape) {
   update_kinematics(subsystem, data);
   calc_poses(subsystem, data, data.poses);

@@ -8,8 +8,11 @@
 
 namespace spoke {
 
+template <class World>
 struct Subsystem;
+template <class World>
 struct SubsystemData;
+struct Plane;
 
 /// A node of a blade. All vectors are resolved in the hub frame.
 struct ShapeNode {
@@ -31,7 +34,7 @@ struct BladeShape {
 /// where the tip's sensors have it: bodies with geometric stiffening are foreshortened, node by
 /// node. The axial force is that of the element's stretch, EA (u_2 - u_1)/l. `shape` keeps its
 /// memory from call to call.
-void calc_shape(const Blade& blade, const Subsystem& subsystem, SubsystemData& data,
+void calc_shape(const Blade& blade, const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
                 BladeShape& shape);
 
 }  // namespace spoke

@@ -43,7 +43,7 @@ const Scenario& Simulation::scenario() const { return core_->scenario; }
 const SimulationOptions& Simulation::options() const { return core_->options; }
 
 ModelSize Simulation::size() const {
-  const System& system = core_->context.system;
+  const System<Plane>& system = core_->context.system;
   ModelSize size;
   size.subsystems = static_cast<int>(system.subsystems.size());
   size.bodies = system.body_count();
@@ -136,7 +136,7 @@ void Simulation::set_drive(const Drive& drive) {
 
 void Simulation::set_load(int index, std::shared_ptr<const Load> load) {
   core_->require_state("go on from with another load");
-  LoadData& data = find_load(index, core_->context.data);
+  LoadData<Plane>& data = find_load(index, core_->context.data);
   require_same_markers(load, data);
   data.load.swap(load);
   try {

@@ -30,26 +30,26 @@ HubMotion Simulation::hub() const {
 }
 
 BodyState Simulation::body(int blade, int body) const {
-  const BodyData& data = core_->find_body(blade, body);
+  const BodyData<Plane>& data = core_->find_body(blade, body);
   return {unpadded(data.coordinates.q, data.layout), unpadded(data.coordinates.v, data.layout),
           unpadded(data.coordinates.a, data.layout)};
 }
 
 void Simulation::calc_shape(int blade, BladeShape& shape) const {
   core_->find_body(blade, 0);
-  StepContext& context = core_->context;
+  SystemContext<Plane>& context = core_->context;
   const auto index = static_cast<std::size_t>(blade);
   spoke::calc_shape(core_->scenario.rotor.blades[index], context.system.subsystems[index],
                     context.data.subsystems[index], shape);
 }
 
 MarkerState Simulation::marker(const Marker& marker) const {
-  const PlacedMarker placed = core_->place(marker);
+  const PlacedMarker<Plane> placed = core_->place(marker);
   core_->evaluate();
-  const System& system = core_->context.system;
+  const System<Plane>& system = core_->context.system;
   const auto blade = static_cast<std::size_t>(marker.blade);
-  const Subsystem& subsystem = system.subsystems[blade];
-  const SubsystemData& data = core_->context.data.subsystems[blade];
+  const Subsystem<Plane>& subsystem = system.subsystems[blade];
+  const SubsystemData<Plane>& data = core_->context.data.subsystems[blade];
   MarkerState state{calc_marker_motion(subsystem, data, placed)};
   const Twist acceleration = calc_marker_acceleration(system.gravity_at(time()), data, placed);
   state.acceleration = in_space(Position(acceleration.head<kPosition>()));
@@ -67,20 +67,21 @@ MarkerState Simulation::marker(const Marker& marker) const {
 Wrench Simulation::joint_reaction(int blade, int joint) const {
   core_->place({blade, joint, 0.0});
   core_->evaluate();
-  const SubsystemData& data = core_->context.data.subsystems[static_cast<std::size_t>(blade)];
+  const SubsystemData<Plane>& data =
+      core_->context.data.subsystems[static_cast<std::size_t>(blade)];
   const Twist& wrench = data.wrenches[static_cast<std::size_t>(joint)].inboard;
   return wrench_in_space(data.hub->R * calc_rotation_to_hub(data, joint) * wrench);
 }
 
 Wrench Simulation::hub_reaction() const {
   core_->evaluate();
-  Twist wrench = core_->evaluated.step.reaction;
-  wrench[kRotation] += core_->evaluated.applied_torque;
+  Twist wrench = core_->context.data.evaluated.reaction;
+  wrench[kRotation] += core_->context.data.evaluated.applied_torque;
   return wrench_in_space(core_->context.data.subsystems.front().hub->R * wrench);
 }
 
 Wrench Simulation::section_force(const Marker& marker) const {
-  const PlacedMarker placed = core_->place(marker);
+  const PlacedMarker<Plane> placed = core_->place(marker);
   core_->evaluate();
   const auto blade = static_cast<std::size_t>(marker.blade);
   return wrench_in_space(calc_section_force(

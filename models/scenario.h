@@ -1,14 +1,16 @@
 #pragma once
 
-// A scenario file: the rotor, how it is integrated and what is written. The file format (TOML, SI
-// units) is documented in docs/scenario.md.
+// A scenario file: the rotor or the model in space, how it is integrated and what is written. The
+// file format (TOML, SI units) is documented in docs/scenario.md.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "models/rotor.h"
 #include "models/sensor.h"
+#include "models/spatial_model.h"
 #include "spoke/export.h"
 
 namespace spoke {
@@ -56,12 +58,14 @@ using Overrides = std::vector<std::string>;
 struct SPOKE_EXPORT Scenario {
   std::string title;        ///< for people
   std::string name;         ///< the file's name without folder and ending; names the results folder
-  Rotor rotor;              ///< what is simulated
+  Rotor rotor;              ///< what is simulated, in the plane
   Integration integration;  ///< how, and for how long
   Limits limits;            ///< beyond which results are doubted
   Output output;            ///< what spoke run writes
   /// What is measured besides the sensors that every simulation has.
   std::vector<Sensor> sensors;
+  /// What is simulated, in space. `rotor` then has no blades, and there are no `sensors`.
+  std::optional<spatial::Model> space;
 
   /// Every key with the value in force (defaults included), as a JSON object shaped like the file;
   /// blades always one by one, under "blades".

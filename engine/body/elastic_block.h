@@ -9,7 +9,7 @@
 
 #include "engine/support/simd.h"
 #include "models/system/flexible_body.h"
-#include "models/system/space.h"
+#include "models/system/plane.h"
 
 namespace spoke {
 

@@ -24,6 +24,14 @@ struct FlexLayout {
     if (index < 0) return 0;
     return index < axial ? u() + index : v() + (index - axial);
   }
+  /// Pairs that solving for two right-hand sides takes.
+  int scratch_size() const { return axial + bending; }
+  /// Calls `apply(first, n)` with the place of the first of n coordinates that stand side by side.
+  template <class Apply>
+  void for_parts(Apply&& apply) const {
+    apply(u(), axial);
+    apply(v(), bending);
+  }
 
  private:
   static int rounded(int n) { return (n + kPad - 1) / kPad * kPad; }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/cli/build_simulation.h"
+#include "engine/cli/print_space.h"
 #include "engine/cli/report.h"
 #include "engine/cli/standard_streams.h"
 #include "models/count_text.h"
@@ -23,8 +24,13 @@ std::string describe_frequency(double frequency) {
 int check(const Arguments& arguments) {
   SimulationOptions options = arguments.options;
   options.executor = ExecutorKind::serial;
-  const Simulation simulation = build_simulation(
-      arguments.scenario, read_scenario(arguments.scenario, arguments.overrides), options);
+  const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  if (scenario.space) {
+    print_title(scenario.title);
+    print_space(*scenario.space);
+    return 0;
+  }
+  const Simulation simulation = build_simulation(arguments.scenario, scenario, options);
   warn_of_degrees(arguments.scenario, simulation.scenario());
   const Integration& integration = simulation.scenario().integration;
   const LinearProperties properties = simulation.linear_properties();

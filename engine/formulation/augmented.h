@@ -26,16 +26,21 @@ struct Work {
   Eigen::VectorXd solution;
 };
 
-void allocate(const System& system, const StepData& data,
+template <class World>
+void allocate(const System<World>& system, const StepData<World>& data,
               std::vector<std::vector<subsystem::DenseBlocks>> elastic, Work& work);
 
 /// Assembles and solves (P 4); writes the hub's solution and `work.solution`.
-void solve(const System& system, StepData& data, Work& work) noexcept;
+template <class World>
+void solve(const System<World>& system, StepData<World>& data, Work& work) noexcept;
 
 /// Wrenches on the handles of a subsystem, from the multipliers.
-void recover_wrenches(int subsystem, const Work& work, SubsystemData& data) noexcept;
+template <class World>
+void recover_wrenches(int subsystem, const Work& work, SubsystemData<World>& data) noexcept;
 
 /// Accelerations of a body, from the solution.
-void recover_body(int subsystem, int body, const Work& work, BodyData& data, double* a) noexcept;
+template <class World>
+void recover_body(int subsystem, int body, const Work& work, BodyData<World>& data,
+                  double* a) noexcept;
 
 }  // namespace spoke::augmented

@@ -9,10 +9,10 @@ namespace {
 
 using ConstVector = Eigen::Map<const Eigen::VectorXd>;
 
-ConstVector axial(const double* flex, const BodyData& data) {
+ConstVector axial(const double* flex, const BodyData<Plane>& data) {
   return {flex + data.layout.u(), data.layout.axial};
 }
-ConstVector bending(const double* flex, const BodyData& data) {
+ConstVector bending(const double* flex, const BodyData<Plane>& data) {
   return {flex + data.layout.v(), data.layout.bending};
 }
 
@@ -28,7 +28,7 @@ Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, double mass_f
   return dense;
 }
 
-void calc_dense_mass(const BodyData& data, const Eigen::MatrixXd& elastic,
+void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic,
                      Eigen::Ref<Eigen::MatrixXd> mass) {
   const FlexibleBody& body = *data.model->body;
   const int nf = body.coordinates();
@@ -43,7 +43,7 @@ void calc_dense_mass(const BodyData& data, const Eigen::MatrixXd& elastic,
   mass.bottomRightCorner(nf, nf) = elastic;
 }
 
-void calc_dense_force(const BodyData& data, Eigen::Ref<Eigen::VectorXd> force) {
+void calc_dense_force(const BodyData<Plane>& data, Eigen::Ref<Eigen::VectorXd> force) {
   force << data.terms.Q, axial(data.Q_f, data), bending(data.Q_f, data);
 }
 
@@ -59,22 +59,22 @@ void calc_jacobian(const Handle& handle, const Position& s, Eigen::Ref<Eigen::Ma
 
 }  // namespace
 
-void calc_inboard_jacobian(const BodyData& data, Eigen::Ref<Eigen::MatrixXd> J) {
+void calc_inboard_jacobian(const BodyData<Plane>& data, Eigen::Ref<Eigen::MatrixXd> J) {
   calc_jacobian(data.model->body->inboard, Position::Zero(), J);
 }
 
-void calc_outboard_jacobian(const BodyData& data, Eigen::Ref<Eigen::MatrixXd> J) {
+void calc_outboard_jacobian(const BodyData<Plane>& data, Eigen::Ref<Eigen::MatrixXd> J) {
   calc_jacobian(data.model->body->outboard, calc_outboard_position(data), J);
 }
 
-Twist calc_outboard_bias(const BodyData& data, double speed) {
+Twist calc_outboard_bias(const BodyData<Plane>& data, double speed) {
   Twist bias = Twist::Zero();
   bias.head<kPosition>() = -speed * speed * calc_outboard_position(data) +
                            2.0 * speed * quarter_turn(calc_outboard_velocity(data));
   return bias;
 }
 
-void store_dense_acceleration(const Eigen::Ref<const Eigen::VectorXd>& x, BodyData& data,
+void store_dense_acceleration(const Eigen::Ref<const Eigen::VectorXd>& x, BodyData<Plane>& data,
                               double* a) {
   const int E = data.layout.axial;
   data.X = x.head<kTwist>();

@@ -8,52 +8,50 @@
 // condense_body() eliminates qf'':
 //   qf'' = z - W X + Z_i F + Z_o f,   W = Mhat^-1 C^T,  z = Mhat^-1 Q_f,  Z_e = Mhat^-1 E_e^T
 //   S_R X = p + X_i^T F + X_o^T f,    S_R = M_RR - C W,  p = Q - C z,  X_e = J_e - E_e W
-// and so to the two-port of handle accelerations. Per subsystem the chain of two-ports is
-// eliminated from the tip to the root (the block-tridiagonal Phi M^-1 Phi^T of (P 8)); what remains
-// at the root is (P 10). Sources: structured/condense_body, effective_inertia and recovery.
+// and so to the multi-port of handle accelerations. Per subsystem the tree of multi-ports is
+// eliminated from the tips to the root (engine/tree) (the block-tridiagonal Phi M^-1 Phi^T of (P
+// 8)); what remains at the root is (P 10). Sources: structured/condense_body, effective_inertia and
+// recovery.
 
 #include "engine/table/step_data.h"
+#include "engine/tree/joint_recovery.h"
 
 namespace spoke::structured {
 
 /// What the structured path keeps per body besides BodyData.
-struct BodyWork {
-  TwoPort port;
-  JointElimination joint;      ///< of the outboard joint; unused at the tip
-  double* W_theta = nullptr;   ///< response to an angular acceleration (flex vector)
-  double* z = nullptr;         ///< response to Q_f (flex vector)
-  Double2* scratch = nullptr;  ///< of the solves
-};
-
-/// How the root wrench of a subsystem follows from its root's acceleration (body frame).
-struct RootInertia {
-  SymmetricTwistMatrix mass;  ///< Lambda^-1: wrench on the root handle per its acceleration
-  Twist free;                 ///< acceleration of the root handle without wrench
+template <class World>
+struct BodyWork : BodyTypes<World>::Condensed {
+  tree::JointElimination<World> joint;  ///< of the inboard joint; unused at the hub
+  tree::Branch<World> branch;           ///< the body with all that it carries
 };
 
 /// Per subsystem.
+template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
-  ArenaVector<BodyWork> bodies;
-  RootInertia root;
-  ArenaVector<double> storage;   ///< of all flex vectors
-  ArenaVector<Double2> scratch;  ///< 3E pairs per body
+  ArenaVector<BodyWork<World>> bodies;
+  tree::RootElimination<World> root;
+  ArenaVector<double> storage;  ///< of all bodies
 };
 
-void allocate(const SubsystemData& data, SubsystemWork& work);
+template <class World>
+void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work);
 
 /// Solves for W_theta and z and condenses a body to its two-port.
-void condense_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept;
+void condense_body(const BodyData<Plane>& data, double speed, bool implicit,
+                   BodyWork<Plane>& work) noexcept;
 
-/// Effective mass and force (P 10): eliminates the joints of a chain from tip to root.
-void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
-                            SubsystemWork& work) noexcept;
+/// Effective mass and force (P 10): eliminates the joints of a tree from its tips to the root.
+template <class World>
+void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
+                            SubsystemWork<World>& work) noexcept;
 
 /// Joint wrenches from root to tip (P 8), from the hub's acceleration.
-void recover_wrenches(const Subsystem& subsystem, const SubsystemWork& work,
-                      SubsystemData& data) noexcept;
+template <class World>
+void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept;
 
 /// Accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool implicit,
-                  BodyData& data, double* a) noexcept;
+void recover_body(const PlanarWrenches& wrenches, const BodyWork<Plane>& work, bool implicit,
+                  BodyData<Plane>& data, double* a) noexcept;
 
 }  // namespace spoke::structured

@@ -18,38 +18,46 @@ namespace spoke::subsystem {
 using DenseBlocks = std::array<std::shared_ptr<const Eigen::MatrixXd>, 2>;
 
 /// Per body: M^-1 applied to what the joints need, and the products of (P 8) and (P 10).
+template <class World>
 struct BodyWork {
   DenseBlocks elastic;
   Eigen::MatrixXd mass;             ///< n x n; then its Cholesky factor
   Eigen::MatrixXd jacobians;        ///< [J_in; J_out], 2d x n
   Eigen::MatrixXd inverse_columns;  ///< M^-1 [J_in^T, J_out^T, Q], n x (2d + 1)
   Eigen::MatrixXd products;         ///< [J_in; J_out] M^-1 [J_in^T, J_out^T, Q], 2d x (2d + 1)
-  Twist bias_out;                   ///< acceleration of the outboard handle at zero accelerations
+  TwistOf<World> bias_out;          ///< acceleration of the outboard handle at zero accelerations
 };
 
+template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
-  ArenaVector<BodyWork> bodies;
+  ArenaVector<BodyWork<World>> bodies;
   Eigen::MatrixXd D;            ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
   Eigen::MatrixXd solution;     ///< D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1)
   Eigen::VectorXd multipliers;  ///< (P 8), C1
 };
 
-void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic,
-              SubsystemWork& work);
+template <class World>
+void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& elastic,
+              SubsystemWork<World>& work);
 
 /// Assembles and inverts one block of (P 11).
-void invert_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept;
+template <class World>
+void invert_body(const BodyData<World>& data, const AngularOf<World>& speed, bool implicit,
+                 BodyWork<World>& work) noexcept;
 
 /// Effective mass and force, (P 10).
-void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
-                            SubsystemWork& work) noexcept;
+template <class World>
+void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
+                            SubsystemWork<World>& work) noexcept;
 
 /// Multipliers, (P 8), as wrenches on the handles.
-void recover_wrenches(const Subsystem& subsystem, SubsystemWork& work,
-                      SubsystemData& data) noexcept;
+template <class World>
+void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept;
 
 /// Accelerations of a body, (P 7).
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, BodyData& data,
-                  double* a) noexcept;
+template <class World>
+void recover_body(const typename BodyTypes<World>::HandleWrenches& wrenches,
+                  const BodyWork<World>& work, BodyData<World>& data, double* a) noexcept;
 
 }  // namespace spoke::subsystem

@@ -9,17 +9,19 @@
 namespace spoke {
 namespace {
 
-using BodyKey = const FlexibleBody*;
+template <class World>
+using BodyKey = const typename World::FlexibleBody*;
 
 /// Dense elastic blocks of all bodies, by subsystem and body, shared by bodies of one type.
-std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepData& data,
+template <class World>
+std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepData<World>& data,
                                                                    const ElasticShares& implicit) {
-  std::map<BodyKey, subsystem::DenseBlocks> made;
+  std::map<BodyKey<World>, subsystem::DenseBlocks> made;
   std::vector<std::vector<subsystem::DenseBlocks>> blocks;
-  for (const SubsystemData& subsystem : data.subsystems) {
+  for (const SubsystemData<World>& subsystem : data.subsystems) {
     blocks.emplace_back();
-    for (const BodyData& member : subsystem.bodies) {
-      const FlexibleBody& body = *member.model->body;
+    for (const BodyData<World>& member : subsystem.bodies) {
+      const typename World::FlexibleBody& body = *member.model->body;
       subsystem::DenseBlocks& pair = made[&body];
       if (!pair[0]) {
         pair[0] = std::make_shared<Eigen::MatrixXd>(make_dense_elastic_block(body, 1.0, 0.0));
@@ -32,10 +34,12 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepDat
   return blocks;
 }
 
-void make_elastic_blocks(const ElasticShares& implicit, StepData& data, FormulationWork& work) {
-  for (SubsystemData& subsystem : data.subsystems)
-    for (BodyData& member : subsystem.bodies) {
-      const FlexibleBody& body = *member.model->body;
+template <class World>
+void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
+                         FormulationWork<World>& work) {
+  for (SubsystemData<World>& subsystem : data.subsystems)
+    for (BodyData<World>& member : subsystem.bodies) {
+      const typename World::FlexibleBody& body = *member.model->body;
       const auto [at, is_new] = work.blocks.try_emplace(&body);
       if (is_new) {
         at->second[0] = make_elastic_block(body, 1.0, 0.0);
@@ -48,11 +52,12 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData& data, Formulat
 /// Memory of what bodies of one kind share [bytes]: bands and their factors, some 44 numbers a
 /// coordinate; in the dense formulations two full blocks. Bodies of tapered blades are all of kinds
 /// of their own.
-double estimate_constants(const System& system, Formulation formulation) {
-  std::set<BodyKey> kinds;
+template <class World>
+double estimate_constants(const System<World>& system, Formulation formulation) {
+  std::set<BodyKey<World>> kinds;
   double numbers = 0.0;
-  for (const Subsystem& subsystem : system.subsystems)
-    for (const ChainBody& member : subsystem.bodies) {
+  for (const Subsystem<World>& subsystem : system.subsystems)
+    for (const TreeBody<World>& member : subsystem.bodies) {
       if (!kinds.insert(member.body.get()).second) continue;
       const double nf = member.body->coordinates();
       numbers += 44.0 * nf + (formulation == Formulation::structured ? 0.0 : 2.0 * nf * nf);
@@ -74,8 +79,9 @@ std::string_view name_of(Formulation formulation) {
   return "augmented";
 }
 
-void allocate(const System& system, Formulation formulation, const ElasticShares& implicit,
-              StepData& data, FormulationWork& work) {
+template <class World>
+void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,
+              StepData<World>& data, FormulationWork<World>& work) {
   const std::size_t count = data.subsystems.size();
   if (formulation == Formulation::structured) {
     make_elastic_blocks(implicit, data, work);
@@ -92,21 +98,22 @@ void allocate(const System& system, Formulation formulation, const ElasticShares
     subsystem::allocate(data.subsystems[i], blocks[i], work.subsystem[i]);
 }
 
-double estimate_memory(const System& system, Formulation formulation) {
+template <class World>
+double estimate_memory(const System<World>& system, Formulation formulation) {
   constexpr double kNumber = sizeof(double);
   double bytes = estimate_constants(system, formulation);
-  double unknowns = 2.0 * kTwist;
-  for (const Subsystem& subsystem : system.subsystems) {
-    const double joints = kTwist * static_cast<double>(subsystem.bodies.size());
-    for (const ChainBody& member : subsystem.bodies) {
+  double unknowns = 2.0 * World::kTwist;
+  for (const Subsystem<World>& subsystem : system.subsystems) {
+    const double joints = World::kTwist * static_cast<double>(subsystem.bodies.size());
+    for (const TreeBody<World>& member : subsystem.bodies) {
       const double nf = member.body->coordinates();
-      unknowns += 2.0 * kTwist + nf;
+      unknowns += 2.0 * World::kTwist + nf;
       bytes += 190.0 * nf + 3100.0;
       if (formulation == Formulation::subsystem) bytes += kNumber * (nf + 3) * (nf + 16);
-      constexpr double kPoint = sizeof(LoadPoint) + sizeof(Section);
-      for (const BodyLoad& load : member.loads)
+      constexpr double kPoint = sizeof(LoadPoint) + sizeof(typename BodyTypes<World>::Section);
+      for (const BodyLoad<World>& load : member.loads)
         bytes += kPoint * static_cast<double>(load.points.size());
-      for (const BodyDrag& drag : member.drags)
+      for (const BodyDrag<World>& drag : member.drags)
         bytes += kPoint * static_cast<double>(drag.points.size());
     }
     if (formulation == Formulation::subsystem) bytes += kNumber * joints * joints;
@@ -114,5 +121,9 @@ double estimate_memory(const System& system, Formulation formulation) {
   if (formulation == Formulation::augmented) bytes += 2.0 * kNumber * unknowns * unknowns;
   return bytes;
 }
+
+template void allocate(const System<Plane>&, Formulation, const ElasticShares&, StepData<Plane>&,
+                       FormulationWork<Plane>&);
+template double estimate_memory(const System<Plane>&, Formulation);
 
 }  // namespace spoke

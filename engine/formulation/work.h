@@ -19,19 +19,23 @@ struct ElasticShares {
 };
 
 /// What the chosen formulation keeps besides the table; the others stay empty.
+template <class World>
 struct FormulationWork {
-  std::vector<structured::SubsystemWork> structured;
-  std::vector<subsystem::SubsystemWork> subsystem;
+  std::vector<structured::SubsystemWork<World>> structured;
+  std::vector<subsystem::SubsystemWork<World>> subsystem;
   augmented::Work augmented;
   /// Constant blocks, shared by bodies of one type: explicit, implicit.
-  std::map<const FlexibleBody*, std::array<ElasticBlock, 2>> blocks;
+  std::map<const typename World::FlexibleBody*, std::array<typename BodyTypes<World>::Block, 2>>
+      blocks;
 };
 
 /// Makes the constants and allocates the work of one formulation for `data`.
-void allocate(const System& system, Formulation formulation, const ElasticShares& implicit,
-              StepData& data, FormulationWork& work);
+template <class World>
+void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,
+              StepData<World>& data, FormulationWork<World>& work);
 
 /// Memory that a formulation will need for this system [bytes], before anything is allocated.
-double estimate_memory(const System& system, Formulation formulation);
+template <class World>
+double estimate_memory(const System<World>& system, Formulation formulation);
 
 }  // namespace spoke

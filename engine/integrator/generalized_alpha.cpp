@@ -30,16 +30,6 @@ inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q
   }
 }
 
-inline void predict_block(const GeneralizedAlpha& method, const CoordinateBlock& block) noexcept {
-  double *qp = block.history[GeneralizedAlpha::predicted_q],
-         *vp = block.history[GeneralizedAlpha::predicted_v],
-         *carry = block.history[GeneralizedAlpha::carry];
-  block.for_parts([&](int first, int n) {
-    predict_values(method, n, block.q + first, block.v + first, block.a + first, qp + first,
-                   vp + first, carry + first);
-  });
-}
-
 /// What a correction finds on its way, place by place.
 struct Corrected {
   Double2 change{};   // largest change of an acceleration; those that are NaN do not count
@@ -125,11 +115,13 @@ void complete_restart(const GeneralizedAlpha& method, const double* a,
 }
 
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept {
-  predict_block(method, block);
-}
-
-void predict(const GeneralizedAlpha& method, std::span<BodyData> bodies) noexcept {
-  for (BodyData& body : bodies) predict_block(method, body.coordinates);
+  double *qp = block.history[GeneralizedAlpha::predicted_q],
+         *vp = block.history[GeneralizedAlpha::predicted_v],
+         *carry = block.history[GeneralizedAlpha::carry];
+  block.for_parts([&](int first, int n) {
+    predict_values(method, n, block.q + first, block.v + first, block.a + first, qp + first,
+                   vp + first, carry + first);
+  });
 }
 
 Correction correct(const GeneralizedAlpha& method, const double* a_new,

@@ -9,9 +9,7 @@
 // share of the unknown A, which joins the constant block: Mhat = Mff + beta' h^2 K + gamma' h D.
 // What is left is a fixed-point iteration that converges in one to three passes.
 
-#include <span>
-
-#include "engine/table/step_data.h"
+#include "engine/body/coordinate_block.h"
 
 namespace spoke {
 
@@ -53,8 +51,6 @@ void complete_restart(const GeneralizedAlpha& method, const double* a,
 
 /// First iteration of a step: predicts, and starts from the last accelerations.
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept;
-/// The same for the coordinates of bodies.
-void predict(const GeneralizedAlpha& method, std::span<BodyData> bodies) noexcept;
 
 /// What a correction did.
 struct Correction {

@@ -4,7 +4,7 @@
 // passes of stages 1, 2, 3 and then, at the new state, stage 0 of the next step, so that
 // accelerations and reactions belong to the state that the step ends in.
 
-#include "engine/table/step_data.h"
+#include "engine/body/coordinate_block.h"
 
 namespace spoke {
 

@@ -34,7 +34,7 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
 /// Takes the report of the pass that was made, and sets the progress to the next one: of the same
 /// step, or the first one of the next, halting behind the last step of the window. Afterwards
 /// `progress.completed` is the step that this pass completed, if any, and `record` (written only
-/// then, but for its reaction) what it did.
+/// then) what it did.
 void end_pass(const Integrator& integrator, const Window& window, const PassReport& report,
               StepProgress& progress, StepRecord& record) noexcept;
 

@@ -8,7 +8,7 @@ namespace spoke {
 namespace {
 
 /// Force of a load in the body frame [N], at a section that has turned by `rotation` in it.
-Position resolve_force(const BodyLoad& load, double rotation, const Rotation& R_HB,
+Position resolve_force(const BodyLoad<Plane>& load, double rotation, const Rotation& R_HB,
                        const Rotation& R_0) {
   switch (load.frame) {
     case LoadFrame::inertial:
@@ -23,15 +23,15 @@ Position resolve_force(const BodyLoad& load, double rotation, const Rotation& R_
 
 /// The velocity that a point of the body frame, at `s`, would have if it were fixed to the hub;
 /// body frame.
-Position hub_velocity_at(const Position& s, const Pose& X_HB, const HubState& hub) {
+Position hub_velocity_at(const Position& s, const Pose& X_HB, const HubState<Plane>& hub) {
   const Position r = X_HB.p + X_HB.R * s;
   return X_HB.R.inverse() *
          Position(Position(hub.twist.head<kPosition>()) + hub.twist[kRotation] * quarter_turn(r));
 }
 
 /// Force of drag at a section, without weight and course, body frame.
-Position calc_drag(const BodyDrag& drag, const Section& section, const Twist& twist,
-                   const Pose& X_HB, const HubState& hub, const BodyData& body) {
+Position calc_drag(const BodyDrag<Plane>& drag, const Section& section, const Twist& twist,
+                   const Pose& X_HB, const HubState<Plane>& hub, const BodyData<Plane>& body) {
   const Twist q = section_values(section, body.coordinates.q);
   const Twist v = section_values(section, body.coordinates.v);
   const Position s{section.x + q[0], q[1]};
@@ -44,7 +44,7 @@ Position calc_drag(const BodyDrag& drag, const Section& section, const Twist& tw
 /// Calls visit(section, weight) for the points of a load beyond x [m]. Of a stretch that x cuts,
 /// the rule is that of what is left.
 template <class Load, class Visit>
-void visit_beyond(const PlacedLoad<Load>& placed, double x, const BodyData& body,
+void visit_beyond(const PlacedLoad<Plane, Load>& placed, double x, const BodyData<Plane>& body,
                   const Visit& visit) {
   for (std::size_t k = 0; k < placed.sections.size(); ++k) {
     const LoadPoint& point = placed.load->points[k];
@@ -64,7 +64,7 @@ void visit_beyond(const PlacedLoad<Load>& placed, double x, const BodyData& body
 }  // namespace
 
 void add_wrench(const Section& section, const Position& force, double moment, const Twist& twist,
-                BodyData& body) noexcept {
+                BodyData<Plane>& body) noexcept {
   const Twist q = section_values(section, body.coordinates.q);
   const Twist v = section_values(section, body.coordinates.v);
   const Position s{section.x + q[0], q[1]};
@@ -81,7 +81,7 @@ void add_wrench(const Section& section, const Position& force, double moment, co
 }
 
 void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist& twist,
-               BodyData& body) noexcept {
+               BodyData<Plane>& body) noexcept {
   for (const auto& [load, sections] : body.loads) {
     const double factor = load->course->value(t);
     for (std::size_t k = 0; k < sections.size(); ++k) {
@@ -94,8 +94,8 @@ void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist&
   }
 }
 
-void add_drags(double t, int j, SubsystemData& data) noexcept {
-  BodyData& body = data.bodies[j];
+void add_drags(double t, int j, SubsystemData<Plane>& data) noexcept {
+  BodyData<Plane>& body = data.bodies[j];
   const Twist& twist = data.twists[j];
   const Pose X_HB = data.drag_poses.empty() ? Pose{} : data.drag_poses[j];
   for (const auto& [drag, sections] : body.drags) {
@@ -109,8 +109,8 @@ void add_drags(double t, int j, SubsystemData& data) noexcept {
 }
 
 Twist calc_applied_beyond(double t, const Section& section, int j,
-                          const SubsystemData& data) noexcept {
-  const BodyData& body = data.bodies[j];
+                          const SubsystemData<Plane>& data) noexcept {
+  const BodyData<Plane>& body = data.bodies[j];
   const Pose& X_HB = data.poses[j];
   const double* q = body.coordinates.q;
   const double x = section.x - 1e-9 * body.model->body->length;  // a load at the section counts
@@ -122,8 +122,8 @@ Twist calc_applied_beyond(double t, const Section& section, int j,
     const Position arm = Position{where.x + moved[0], moved[1]} - origin;
     sum += Twist(force.x(), force.y(), moment + arm.x() * force.y() - arm.y() * force.x());
   };
-  for (const PlacedLoad<BodyLoad>& placed : body.loads) {
-    const BodyLoad& load = *placed.load;
+  for (const PlacedLoad<Plane, BodyLoad<Plane>>& placed : body.loads) {
+    const BodyLoad<Plane>& load = *placed.load;
     const double factor = load.course->value(t);
     visit_beyond(placed, x, body, [&](const Section& where, double weight) {
       const double rotation = section_values(where, q)[kRotation];
@@ -131,7 +131,7 @@ Twist calc_applied_beyond(double t, const Section& section, int j,
       add(where, force, weight * factor * load.moment);
     });
   }
-  for (const PlacedLoad<BodyDrag>& placed : body.drags) {
+  for (const PlacedLoad<Plane, BodyDrag<Plane>>& placed : body.drags) {
     const double factor = placed.load->course->value(t);
     visit_beyond(placed, x, body, [&](const Section& where, double weight) {
       const Position force =
@@ -144,7 +144,8 @@ Twist calc_applied_beyond(double t, const Section& section, int j,
   return sum;
 }
 
-void add_gravity_power(const Position& gravity, const Twist& twist, BodyData& body) noexcept {
+void add_gravity_power(const Position& gravity, const Twist& twist,
+                       BodyData<Plane>& body) noexcept {
   const FlexibleBody& model = *body.model->body;
   const double* ud = body.coordinates.v + body.layout.u();
   const double* vd = body.coordinates.v + body.layout.v();

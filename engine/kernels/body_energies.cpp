@@ -58,11 +58,12 @@ void add_axial(const FlexibleBody& body, const FlexParts& q, const FlexParts& qd
 }
 
 template <bool kIsStiffened>
-void add_bending(const ChainBody& member, const double* v, const double* vd, EnergySums& sums) {
+void add_bending(const TreeBody<Plane>& member, const double* v, const double* vd,
+                 EnergySums& sums) {
   EnergySums sum = sums;
   const FlexibleBody& body = *member.body;
   const double *M = body.M_bending.pairs(), *K = body.K_bending.pairs();
-  const double* KG = kIsStiffened ? member.centrifugal_stiffness->pairs() : nullptr;
+  const double* KG = kIsStiffened ? member.stiffening.centrifugal->pairs() : nullptr;
   const int n = body.bending();
   constexpr int kStride = 2 * SymmetricBand<3>::kWidth;
   for (int i = 0; i < n; i += 2, M += kStride, K += kStride) {
@@ -80,14 +81,14 @@ void add_bending(const ChainBody& member, const double* v, const double* vd, Ene
 
 }  // namespace
 
-BodyEnergies calc_body_energies(const BodyData& data, const Twist& twist,
+BodyEnergies calc_body_energies(const BodyData<Plane>& data, const Twist& twist,
                                 double hub_speed) noexcept {
   const FlexibleBody& body = *data.model->body;
   const FlexParts q = flex_parts(data.coordinates.q, data.layout);
   const FlexParts qd = flex_parts(data.coordinates.v, data.layout);
   EnergySums sums{body.I0};
   add_axial(body, q, qd, sums);
-  if (data.model->centrifugal_stiffness)
+  if (data.model->stiffening.centrifugal)
     add_bending<true>(*data.model, q.v, qd.v, sums);
   else
     add_bending<false>(*data.model, q.v, qd.v, sums);
@@ -106,7 +107,7 @@ BodyEnergies calc_body_energies(const BodyData& data, const Twist& twist,
   return {kinetic, 0.5 * sums.elastic, S};
 }
 
-double calc_strain_energy(const BodyData& data) noexcept {
+double calc_strain_energy(const BodyData<Plane>& data) noexcept {
   return calc_body_energies(data, Twist::Zero(), 0.0).strain;
 }
 

@@ -15,10 +15,10 @@ struct BodyEnergies {
 
 /// `twist`: of the body's frame, body frame; `hub_speed`: w0, for the centrifugal stiffening
 /// [rad/s].
-BodyEnergies calc_body_energies(const BodyData& data, const Twist& twist,
+BodyEnergies calc_body_energies(const BodyData<Plane>& data, const Twist& twist,
                                 double hub_speed) noexcept;
 
 /// Elastic energy of a body [J].
-double calc_strain_energy(const BodyData& data) noexcept;
+double calc_strain_energy(const BodyData<Plane>& data) noexcept;
 
 }  // namespace spoke

@@ -70,9 +70,9 @@ PartSums calc_axial_rows(const FlexibleBody& body, double w, const FlexParts& q,
 
 /// Bending rows of the same; with geometric stiffening Q_f -= w0^2 KG qf.
 template <bool kIsClamped, bool kIsStiffened>
-PartSums calc_bending_rows(const ChainBody& member, const BodyMotion& motion, const FlexParts& q,
-                           const FlexParts& qd, const double* q_elastic, double* c_theta,
-                           double* Q) {
+PartSums calc_bending_rows(const TreeBody<Plane>& member, const BodyMotion& motion,
+                           const FlexParts& q, const FlexParts& qd, const double* q_elastic,
+                           double* c_theta, double* Q) {
   const FlexibleBody& body = *member.body;
   const double w = motion.speed;
   const double ww_hub = motion.hub_speed * motion.hub_speed;
@@ -82,7 +82,7 @@ PartSums calc_bending_rows(const ChainBody& member, const BodyMotion& motion, co
   const double *v = q.v, *vd = qd.v, *u = q.u, *ud = qd.u;
   const double *S = body.S_bending.data(), *c0 = body.c_bending.data();
   const double *M = body.M_bending.pairs(), *K = body.K_bending.pairs();
-  const double* KG = kIsStiffened ? member.centrifugal_stiffness->pairs() : nullptr;
+  const double* KG = kIsStiffened ? member.stiffening.centrifugal->pairs() : nullptr;
   const double* h = body.H.pairs.data();
   const int n = body.bending();
   constexpr int kStride = 2 * SymmetricBand<3>::kWidth;
@@ -113,8 +113,8 @@ PartSums calc_bending_rows(const ChainBody& member, const BodyMotion& motion, co
           total(centrifugal_rate)};
 }
 
-auto choose_bending_rows(const ChainBody& member) {
-  const bool is_stiffened = member.centrifugal_stiffness != nullptr;
+auto choose_bending_rows(const TreeBody<Plane>& member) {
+  const bool is_stiffened = member.stiffening.centrifugal != nullptr;
   if (member.body->reference_frame == ReferenceFrame::clamped)
     return is_stiffened ? calc_bending_rows<true, true> : calc_bending_rows<true, false>;
   return is_stiffened ? calc_bending_rows<false, true> : calc_bending_rows<false, false>;
@@ -137,7 +137,8 @@ double add_damping(const Damping& damping, const SymmetricBand<Half>& M,
 
 }  // namespace
 
-void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData& data) noexcept {
+void calc_body_terms(const BodyMotion& motion, const Damping& damping,
+                     BodyData<Plane>& data) noexcept {
   const FlexibleBody& body = *data.model->body;
   const FlexLayout& layout = data.layout;
   const double w = motion.speed;
@@ -153,11 +154,11 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData&
   const PartSums axial =
       calc_axial_rows(body, w, q, qd, q_elastic.u, data.c_theta + layout.u(), Q_u);
 
-  BodyTerms& terms = data.terms;
+  PlanarTerms& terms = data.terms;
   terms.S = body.S0 + Position{axial.S, bending.S};
   terms.rotary_inertia = body.I0 + axial.inertia + bending.inertia;
-  terms.centrifugal_inertia = bending.centrifugal_inertia;
-  terms.centrifugal_rate = bending.centrifugal_rate;
+  terms.stiffening.inertia = bending.centrifugal_inertia;
+  terms.stiffening.rate = bending.centrifugal_rate;
   // Q_t = w^2 (S0 + S qf) - 2 w B S qf',  Q_w = -2 w (d0 + Mff qf) . qf'
   const Position S_rate{axial.S_rate, bending.S_rate};
   const Position Q_t = w * w * terms.S - 2.0 * w * quarter_turn(S_rate);

@@ -15,6 +15,7 @@ struct BodyMotion {
 /// Calculates the state-dependent mass terms and the right-hand side of a body, (P 3), with its
 /// damping: terms, c_theta and Q_f of `data` (docs/formulation.md, section 2). Elastic and damping
 /// forces are taken at q_elastic and v_elastic. Without loads.
-void calc_body_terms(const BodyMotion& motion, const Damping& damping, BodyData& data) noexcept;
+void calc_body_terms(const BodyMotion& motion, const Damping& damping,
+                     BodyData<Plane>& data) noexcept;
 
 }  // namespace spoke

@@ -21,7 +21,7 @@ double limit_of(const FlexibleBody& body, int coordinate) {
 
 }  // namespace
 
-double find_large_deflection(const BodyData& body) noexcept {
+double find_large_deflection(const BodyData<Plane>& body) noexcept {
   const FlexibleBody& model = *body.model->body;
   const double l = model.length / model.elements;
   const auto at = [&](int node, int c) {
@@ -37,7 +37,7 @@ double find_large_deflection(const BodyData& body) noexcept {
   return largest > body.linear_range ? largest / model.length : 0.0;
 }
 
-LimitViolation find_limit_violation(const BodyData& body) {
+LimitViolation find_limit_violation(const BodyData<Plane>& body) {
   const FlexibleBody& model = *body.model->body;
   LimitViolation worst;
   for (int k = 0; k < model.coordinates(); ++k) {

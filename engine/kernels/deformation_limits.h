@@ -9,7 +9,7 @@ namespace spoke {
 
 /// The largest deflection of a body at its nodes and in the middle between them, by its length; 0
 /// if it is within the linear range.
-double find_large_deflection(const BodyData& body) noexcept;
+double find_large_deflection(const BodyData<Plane>& body) noexcept;
 
 /// A deformation coordinate that has left its limits.
 struct LimitViolation {
@@ -19,6 +19,6 @@ struct LimitViolation {
 };
 /// Finds the first coordinate of a body that is not finite, or else the one farthest beyond its
 /// limit.
-LimitViolation find_limit_violation(const BodyData& body);
+LimitViolation find_limit_violation(const BodyData<Plane>& body);
 
 }  // namespace spoke

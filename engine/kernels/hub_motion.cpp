@@ -4,54 +4,58 @@
 
 namespace spoke {
 
-Twist calc_prescribed_acceleration(const System& system, double t, const Rotation& R,
-                                   double alpha) {
-  Twist given = Twist::Zero();
-  if (is_prescribed(system.hub, 0)) given.head<kPosition>() = -(R.inverse() * system.gravity_at(t));
-  if (is_prescribed(system.hub, kRotation)) given[kRotation] = alpha;
+template <class World>
+TwistOf<World> calc_prescribed_acceleration(const System<World>& system, double t,
+                                            const RotationOf<World>& R, double alpha) {
+  TwistOf<World> given = TwistOf<World>::Zero();
+  if (is_prescribed(system.hub, 0)) linear(given) = -(R.inverse() * system.gravity_at(t));
+  if (is_prescribed(system.hub, World::kAxial)) given[World::kAxial] = alpha;
   return given;
 }
 
-void impose_hub_motion(const System& system, double t, CoordinateBlock& hub) noexcept {
-  for (int c = 0; c < kPosition; ++c)
-    if (is_prescribed(system.hub, c)) hub.q[c] = hub.v[c] = hub.a[c] = 0.0;
-  if (!is_prescribed(system.hub, kRotation)) return;
+template <class World>
+void impose_hub_motion(const System<World>& system, double t, CoordinateBlock& hub) noexcept {
+  for (int c = 0; c < World::kTwist; ++c)
+    if (c != World::kAxial && is_prescribed(system.hub, c)) hub.q[c] = hub.v[c] = hub.a[c] = 0.0;
+  if (!is_prescribed(system.hub, World::kAxial)) return;
   const DriveMotion motion = calc_motion(system.hub.drive, t);
-  hub.q[kRotation] = motion.angle;
-  hub.v[kRotation] = motion.speed;
-  hub.a[kRotation] = motion.acceleration;
+  hub.q[World::kAxial] = motion.angle;
+  hub.v[World::kAxial] = motion.speed;
+  hub.a[World::kAxial] = motion.acceleration;
 }
 
-PrescribedHub calc_prescribed_motion(const System& system, double t) noexcept {
+template <class World>
+PrescribedHub<World> calc_prescribed_motion(const System<World>& system, double t) noexcept {
   const DriveMotion motion = calc_motion(system.hub.drive, t);
-  const Rotation R = Rotation::from_angle(motion.angle);
-  return {{Position::Zero(), R, Twist(0.0, 0.0, motion.speed)},
+  const auto R = RotationOf<World>::about_axis(motion.angle);
+  return {{PositionOf<World>::Zero(), R, TwistOf<World>::Unit(World::kAxial) * motion.speed},
           calc_prescribed_acceleration(system, t, R, motion.acceleration)};
 }
 
-Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
-                             const Twist& hub_acceleration, const Rotation& R_HB) {
-  // T Y'' + [-w0^2 p; 0] with T = [I, B p; 0, 1]: the acceleration of the bracket, hub frame.
-  const double w = hub.twist[kRotation];
-  const Position& p = subsystem.root.p;
-  Twist bracket = hub_acceleration;
-  bracket.head<kPosition>() += hub_acceleration[kRotation] * quarter_turn(p) - w * w * p;
-  return R_HB.inverse() * bracket;
-}
-
-Twist calc_inertial_acceleration(const System& system, double t, const HubState& hub,
-                                 const HubSolution& solution) {
-  Twist inertial = hub.R * solution.acceleration;
-  inertial.head<kPosition>() += system.gravity_at(t);
-  for (int c = 0; c < kPosition; ++c)
+template <class World>
+TwistOf<World> calc_inertial_acceleration(const System<World>& system, double t,
+                                          const HubState<World>& hub,
+                                          const HubSolution<World>& solution) {
+  TwistOf<World> inertial = solution.acceleration;
+  linear(inertial) = hub.R * PositionOf<World>(linear(solution.acceleration));
+  linear(inertial) += system.gravity_at(t);
+  for (int c = 0; c < World::kPosition; ++c)
     if (is_prescribed(system.hub, c)) inertial[c] = 0.0;
   return inertial;
 }
 
-bool is_prescribed(const Hub& hub) {
-  for (int c = 0; c < kTwist; ++c)
-    if (!is_prescribed(hub, c)) return false;
+template <class World>
+bool is_prescribed(const System<World>& system) {
+  for (int c = 0; c < World::kTwist; ++c)
+    if (!is_prescribed(system.hub, c)) return false;
   return true;
 }
+
+template Twist calc_inertial_acceleration(const System<Plane>&, double, const HubState<Plane>&,
+                                          const HubSolution<Plane>&);
+template Twist calc_prescribed_acceleration(const System<Plane>&, double, const Rotation&, double);
+template void impose_hub_motion(const System<Plane>&, double, CoordinateBlock&) noexcept;
+template PrescribedHub<Plane> calc_prescribed_motion(const System<Plane>&, double) noexcept;
+template bool is_prescribed(const System<Plane>&);
 
 }  // namespace spoke

@@ -7,29 +7,56 @@
 
 namespace spoke {
 
-/// Acceleration of a subsystem's root bracket, less gravity, resolved in its first body's frame,
-/// from which R_HB leads to the hub frame.
-Twist calc_root_acceleration(const Subsystem& subsystem, const HubState& hub,
-                             const Twist& hub_acceleration, const Rotation& R_HB);
+/// The joint of a planar subsystem at the hub: its bracket stands at p in the hub frame, to which R
+/// leads from the first body, and has the acceleration `bias` where the hub's is zero.
+struct PlanarRootJoint {
+  Rotation R;
+  Position p;
+  Twist bias;
+};
+inline PlanarRootJoint make_root_joint(const Subsystem<Plane>& subsystem,
+                                       const SubsystemData<Plane>& data) {
+  Twist bias = Twist::Zero();
+  linear(bias) = centripetal(angular(data.hub->twist), subsystem.root.p);
+  return {data.joints[0].R, subsystem.root.p, bias};
+}
+
+/// Acceleration of a subsystem's root bracket, less gravity, resolved in its first body's frame.
+template <class World, class RootJoint>
+TwistOf<World> calc_root_acceleration(const RootJoint& joint,
+                                      const TwistOf<World>& hub_acceleration) {
+  // T Y'' + b with T = [I, B p; 0, 1], in the hub frame.
+  TwistOf<World> bracket = hub_acceleration;
+  linear(bracket) += cross(angular(hub_acceleration), joint.p) + linear(joint.bias);
+  angular(bracket) += angular(joint.bias);
+  return joint.R.inverse() * bracket;
+}
 
 /// The acceleration of the hub in the inertial frame from its solution (a - g, hub frame) at time
 /// t [s].
-Twist calc_inertial_acceleration(const System& system, double t, const HubState& hub,
-                                 const HubSolution& solution);
+template <class World>
+TwistOf<World> calc_inertial_acceleration(const System<World>& system, double t,
+                                          const HubState<World>& hub,
+                                          const HubSolution<World>& solution);
 
 /// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub
 /// frame, at time t [s]; components that are not prescribed are zero. `alpha`: the drive's
 /// [rad/s^2].
-Twist calc_prescribed_acceleration(const System& system, double t, const Rotation& R, double alpha);
+template <class World>
+TwistOf<World> calc_prescribed_acceleration(const System<World>& system, double t,
+                                            const RotationOf<World>& R, double alpha);
 
 /// Sets position, velocity and acceleration of the hub's prescribed components at time t [s].
-void impose_hub_motion(const System& system, double t, CoordinateBlock& hub) noexcept;
+template <class World>
+void impose_hub_motion(const System<World>& system, double t, CoordinateBlock& hub) noexcept;
 
 /// The whole motion of a hub that support and drive prescribe, at time t [s].
-PrescribedHub calc_prescribed_motion(const System& system, double t) noexcept;
+template <class World>
+PrescribedHub<World> calc_prescribed_motion(const System<World>& system, double t) noexcept;
 
 /// Whether support and drive prescribe the whole motion of the hub. The solution of (P 9) is then
 /// known but for the reaction, which no motion depends on.
-bool is_prescribed(const Hub& hub);
+template <class World>
+bool is_prescribed(const System<World>& system);
 
 }  // namespace spoke

@@ -8,77 +8,95 @@
 
 namespace spoke {
 
-Twist calc_hub_load(const System& system, double t, const HubState& hub) noexcept {
-  Twist sum = Twist::Zero();
-  for (const HubLoad& load : system.hub_loads) {
+template <class World>
+TwistOf<World> calc_hub_load(const System<World>& system, double t,
+                             const HubState<World>& hub) noexcept {
+  TwistOf<World> sum = TwistOf<World>::Zero();
+  for (const typename World::HubLoad& load : system.hub_loads) {
     const double factor = load.factor.value(t) * calc_rise(t, load.ramp);
-    const Position force =
-        load.frame == LoadFrame::inertial ? Position(hub.R.inverse() * load.force) : load.force;
-    sum += factor * translate(load.position, Twist(force.x(), force.y(), load.torque));
+    const PositionOf<World> force = load.frame == LoadFrame::inertial
+                                        ? PositionOf<World>(hub.R.inverse() * load.force)
+                                        : load.force;
+    sum += factor * translate(load.position, make_wrench(force, moment_of(load)));
   }
   return sum;
 }
 
-void set_applied(const System& system, StepData& data) noexcept {
+template <class World>
+void set_applied(const System<World>& system, StepData<World>& data) noexcept {
   const double t = data.progress[0].control.time;
-  data.hub_solution.applied_torque = calc_torque(system.hub.drive, t, data.hub.twist[kRotation]);
+  data.hub_solution.applied_torque =
+      calc_torque(system.hub.drive, t, data.hub.twist[World::kAxial]);
   data.hub_solution.load = calc_hub_load(system, t, data.hub);
 }
 
-Twist calc_hub_force(const HubSolution& applied) noexcept {
-  Twist force = applied.load;
-  force[kRotation] += applied.applied_torque;
+template <class World>
+TwistOf<World> calc_hub_force(const typename World::Hub& hub, const HubState<World>& state,
+                              const HubSolution<World>& applied) noexcept {
+  TwistOf<World> force = applied.load;
+  force[World::kAxial] += applied.applied_torque;
+  add_gyroscopic_force(hub, state.twist, force);
   return force;
 }
 
-HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept {
-  const Hub& hub = system.hub;
-  // (1) M_0 + sum M^C - diag(0, 0, sum qf^T KG qf), and Q_0 + sum Q^C + (0, 0, 2 w0 sum qf^T KG
-  // qf').
-  HubEquation sum;
-  sum.mass = Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();
-  sum.force = calc_hub_force(data.hub_solution);
-  for (const SubsystemData& subsystem : data.subsystems) {
-    const EffectiveInertia& effective = subsystem.effective;
+template <class World>
+HubEquation<World> sum_hub_equation(const System<World>& system,
+                                    const StepData<World>& data) noexcept {
+  // (1) M_0 + sum M^C - centrifugal inertia, and Q_0 + sum Q^C + centrifugal moment.
+  HubEquation<World> sum;
+  sum.mass = calc_hub_mass(system.hub);
+  sum.force = calc_hub_force(system.hub, data.hub, data.hub_solution);
+  for (const SubsystemData<World>& subsystem : data.subsystems) {
+    const EffectiveInertia<World>& effective = subsystem.effective;
     sum.mass += effective.mass;
     sum.force += effective.force;
-    sum.mass(kRotation, kRotation) -= effective.centrifugal_inertia;
-    sum.force[kRotation] += 2.0 * data.hub.twist[kRotation] * effective.centrifugal_rate;
+    rotary(sum.mass) -= effective.stiffening.inertia;
+    angular(sum.force) += calc_stiffening_moment(effective.stiffening, angular(data.hub.twist));
   }
   return sum;
 }
 
-void solve_hub(const System& system, StepData& data) noexcept {
+template <class World>
+void solve_hub(const System<World>& system, StepData<World>& data) noexcept {
   set_applied(system, data);
-  const HubEquation equation = sum_hub_equation(system, data);
-  const Twist given = calc_prescribed_acceleration(system, data.progress[0].control.time,
-                                                   data.hub.R, data.hub_coordinates.a[kRotation]);
+  const HubEquation<World> equation = sum_hub_equation(system, data);
+  const TwistOf<World> given = calc_prescribed_acceleration(
+      system, data.progress[0].control.time, data.hub.R, data.hub_coordinates.a[World::kAxial]);
   // (2) A prescribed component is given: its row becomes that of the identity.
-  TwistMatrix matrix = equation.mass;
-  Twist right = equation.force;
+  TwistMatrixOf<World> matrix = equation.mass;
+  TwistOf<World> right = equation.force;
   int prescribed = 0;
-  for (int c = 0; c < kTwist; ++c) {
+  for (int c = 0; c < World::kTwist; ++c) {
     if (!is_prescribed(system.hub, c)) continue;
-    matrix.row(c) = Twist::Unit(c);
+    matrix.row(c) = TwistOf<World>::Unit(c);
     right[c] = given[c];
     ++prescribed;
   }
-  HubSolution& solution = data.hub_solution;
+  HubSolution<World>& solution = data.hub_solution;
   solution.acceleration = right;
-  if (prescribed < kTwist) solution.acceleration = matrix.partialPivLu().solve(right);
+  if (prescribed < World::kTwist) solution.acceleration = matrix.partialPivLu().solve(right);
   // (3) The reaction is what is left of the equation; of free components there is none.
   solution.reaction = equation.mass * solution.acceleration - equation.force;
-  for (int c = 0; c < kTwist; ++c)
+  for (int c = 0; c < World::kTwist; ++c)
     if (!is_prescribed(system.hub, c)) solution.reaction[c] = 0.0;
 }
 
-Twist calc_reaction(const SubsystemData& subsystem) noexcept {
-  const EffectiveInertia& effective = subsystem.effective;
-  const Twist& a = *subsystem.hub_acceleration;
-  Twist reaction = effective.mass * a - effective.force;
-  reaction[kRotation] -= effective.centrifugal_inertia * a[kRotation] +
-                         2.0 * subsystem.hub->twist[kRotation] * effective.centrifugal_rate;
+template <class World>
+TwistOf<World> calc_reaction(const SubsystemData<World>& subsystem) noexcept {
+  const EffectiveInertia<World>& effective = subsystem.effective;
+  const TwistOf<World>& a = *subsystem.hub_acceleration;
+  TwistOf<World> reaction = effective.mass * a - effective.force;
+  angular(reaction) -= effective.stiffening.inertia * angular(a) +
+                       calc_stiffening_moment(effective.stiffening, angular(subsystem.hub->twist));
   return reaction;
 }
+
+template Twist calc_hub_load(const System<Plane>&, double, const HubState<Plane>&) noexcept;
+template void set_applied(const System<Plane>&, StepData<Plane>&) noexcept;
+template Twist calc_hub_force(const Hub&, const HubState<Plane>&,
+                              const HubSolution<Plane>&) noexcept;
+template HubEquation<Plane> sum_hub_equation(const System<Plane>&, const StepData<Plane>&) noexcept;
+template void solve_hub(const System<Plane>&, StepData<Plane>&) noexcept;
+template Twist calc_reaction(const SubsystemData<Plane>&) noexcept;
 
 }  // namespace spoke

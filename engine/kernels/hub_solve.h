@@ -11,27 +11,45 @@ namespace spoke {
 /// with the acceleration of prescribed components given and their reaction unknown, those of free
 /// components unknown. Uniform gravity acts on all bodies as an acceleration of the frame, so the
 /// translational unknown is a - g throughout the system. Subsystems are summed in their order.
-void solve_hub(const System& system, StepData& data) noexcept;
+template <class World>
+void solve_hub(const System<World>& system, StepData<World>& data) noexcept;
 
 /// What the loads on the hub do to it at time t [s], about its axis, hub frame [N, N m].
-Twist calc_hub_load(const System& system, double t, const HubState& hub) noexcept;
+template <class World>
+TwistOf<World> calc_hub_load(const System<World>& system, double t,
+                             const HubState<World>& hub) noexcept;
 
 /// Sets in the solution what the drive and the loads apply to the hub.
-void set_applied(const System& system, StepData& data) noexcept;
+template <class World>
+void set_applied(const System<World>& system, StepData<World>& data) noexcept;
 
-/// Both together: Q_0 of (P 9).
-Twist calc_hub_force(const HubSolution& applied) noexcept;
+/// Both together, and what the hub's own inertia does: Q_0 of (P 9).
+template <class World>
+TwistOf<World> calc_hub_force(const typename World::Hub& hub, const HubState<World>& state,
+                              const HubSolution<World>& applied) noexcept;
 
 /// Effective inertia of the hub with all subsystems and its right-hand side, hub frame. What is
 /// applied to the hub must have been set.
+template <class World>
 struct HubEquation {
-  TwistMatrix mass;
-  Twist force;
+  TwistMatrixOf<World> mass;
+  TwistOf<World> force;
 };
-HubEquation sum_hub_equation(const System& system, const StepData& data) noexcept;
+template <class World>
+HubEquation<World> sum_hub_equation(const System<World>& system,
+                                    const StepData<World>& data) noexcept;
+
+/// The terms of geometric stiffening of the hub's equation, summed over the bodies.
+template <class World>
+typename World::HubStiffening sum_stiffening(const ArenaVector<BodyData<World>>& bodies) noexcept {
+  typename World::HubStiffening sum;
+  for (const BodyData<World>& body : bodies) sum += body.terms.stiffening;
+  return sum;
+}
 
 /// Share of one subsystem in the hub's reaction of (P 9): M^C Y'' - Q^C less the centrifugal terms,
 /// at the acceleration that the subsystem has felt; hub frame.
-Twist calc_reaction(const SubsystemData& subsystem) noexcept;
+template <class World>
+TwistOf<World> calc_reaction(const SubsystemData<World>& subsystem) noexcept;
 
 }  // namespace spoke

@@ -72,9 +72,9 @@ std::string text_of(const std::vector<int>& blades) {
 }
 
 /// Lists a load's wrenches with the bodies that they act on.
-void apply(LoadData& load, StepData& data) {
+void apply(LoadData<Plane>& load, StepData<Plane>& data) {
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
-    const PlacedMarker& marker = load.markers[k];
+    const PlacedMarker<Plane>& marker = load.markers[k];
     data.subsystems[static_cast<std::size_t>(marker.blade)]
         .bodies[static_cast<std::size_t>(marker.body)]
         .applied.push_back({&marker.section, &load.wrenches[k]});
@@ -82,16 +82,16 @@ void apply(LoadData& load, StepData& data) {
 }
 
 /// The load of one of its blades, the first, in the table: there its data lie.
-LoadData& add_load_data(const AskedLoad& asked, StepData& table) {
+LoadData<Plane>& add_load_data(const AskedLoad& asked, StepData<Plane>& table) {
   const std::vector<Marker>& markers = asked.markers;
-  LoadData data;
+  LoadData<Plane> data;
   data.load = asked.load;
   data.given = markers;
   data.blades = blades_of(markers);
   for (const Marker& marker : markers)
     data.markers.push_back(place_marker(called(*asked.load), marker, table));
-  SubsystemData& subsystem = table.subsystems[static_cast<std::size_t>(data.blades.front())];
-  data.wrenches = ArenaVector<SectionWrench>(markers.size(), *subsystem.arena);
+  SubsystemData<Plane>& subsystem = table.subsystems[static_cast<std::size_t>(data.blades.front())];
+  data.wrenches = ArenaVector<SectionWrench<Plane>>(markers.size(), *subsystem.arena);
   data.motions.resize(markers.size());
   data.forces.resize(markers.size());
   return subsystem.loads.emplace_back(std::move(data));
@@ -105,7 +105,8 @@ void require_planar(const Wrench& wrench) {
         "the system moves in the x-y plane, expected no force along z and no moment about x or y");
 }
 
-void call(double t, const System& system, const StepData& data, LoadData& load) {
+void call(double t, const System<Plane>& system, const StepData<Plane>& data,
+          LoadData<Plane>& load) {
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
     const auto blade = static_cast<std::size_t>(load.markers[k].blade);
     load.motions[k] =
@@ -116,7 +117,7 @@ void call(double t, const System& system, const StepData& data, LoadData& load) 
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
     const Wrench& wrench = load.forces[k];
     require_planar(wrench);
-    const SubsystemData& subsystem =
+    const SubsystemData<Plane>& subsystem =
         data.subsystems[static_cast<std::size_t>(load.markers[k].blade)];
     const Rotation R = subsystem.hub->R * calc_rotation_to_hub(subsystem, load.markers[k].body);
     load.wrenches[k].force = R.inverse() * Position{wrench.force.x(), wrench.force.y()};
@@ -124,30 +125,23 @@ void call(double t, const System& system, const StepData& data, LoadData& load) 
   }
 }
 
-/// Applies to all loads, until one is true.
-template <class Check>
-bool any_load(const StepData& data, Check&& check) {
-  return std::any_of(data.subsystems.begin(), data.subsystems.end(), [&](const SubsystemData& s) {
-    return std::any_of(s.loads.begin(), s.loads.end(), check);
-  });
-}
-
 }  // namespace
 
-PlacedMarker place_marker(const std::string& whose, const Marker& marker, const StepData& data) {
+PlacedMarker<Plane> place_marker(const std::string& whose, const Marker& marker,
+                                 const StepData<Plane>& data) {
   require_index(whose, "blade", marker.blade, data.subsystems.size());
-  const SubsystemData& subsystem = data.subsystems[static_cast<std::size_t>(marker.blade)];
+  const SubsystemData<Plane>& subsystem = data.subsystems[static_cast<std::size_t>(marker.blade)];
   require_index(whose, "body", marker.body, subsystem.bodies.size());
   if (!(marker.station >= 0.0 && marker.station <= 1.0))
     throw InputError(whose + ": station " + std::to_string(marker.station) + ", expected 0 to 1");
-  const BodyData& body = subsystem.bodies[static_cast<std::size_t>(marker.body)];
+  const BodyData<Plane>& body = subsystem.bodies[static_cast<std::size_t>(marker.body)];
   return {marker.blade, marker.body, make_section(*body.model->body, body.layout, marker.station)};
 }
 
-LoadData& find_load(int index, StepData& data) {
+LoadData<Plane>& find_load(int index, StepData<Plane>& data) {
   std::size_t count = 0;
-  for (SubsystemData& subsystem : data.subsystems)
-    for (LoadData& load : subsystem.loads) {
+  for (SubsystemData<Plane>& subsystem : data.subsystems)
+    for (LoadData<Plane>& load : subsystem.loads) {
       if (load.number == index) return load;
       ++count;
     }
@@ -155,7 +149,7 @@ LoadData& find_load(int index, StepData& data) {
                    range_text(0, static_cast<int>(count) - 1));
 }
 
-void require_same_markers(const std::shared_ptr<const Load>& load, const LoadData& data) {
+void require_same_markers(const std::shared_ptr<const Load>& load, const LoadData<Plane>& data) {
   if (!load) throw InputError("a load is a null pointer");
   if (ask_markers(*load) != data.given)
     throw InputError(called(*load) + ": its markers are not those of the load that it replaces");
@@ -180,51 +174,37 @@ bool ties_blades(const std::vector<AskedLoad>& loads) noexcept {
   });
 }
 
-void place_loads(const std::vector<AskedLoad>& loads, StepData& data) {
+void place_loads(const std::vector<AskedLoad>& loads, StepData<Plane>& data) {
   int number = 0;
   for (const AskedLoad& asked : loads) add_load_data(asked, data).number = number++;
-  for (SubsystemData& subsystem : data.subsystems)
-    for (LoadData& load : subsystem.loads) apply(load, data);
+  for (SubsystemData<Plane>& subsystem : data.subsystems)
+    for (LoadData<Plane>& load : subsystem.loads) apply(load, data);
 }
 
-void evaluate_load(double t, const System& system, const StepData& data, LoadData& load) noexcept {
+void evaluate_load(double t, const System<Plane>& system, const StepData<Plane>& data,
+                   LoadData<Plane>& load) noexcept {
   try {
     call(t, system, data, load);
   } catch (...) {
     if (!load.thrown) load.thrown = std::current_exception();
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    std::fill(load.wrenches.begin(), load.wrenches.end(), SectionWrench{{none, none}, none});
+    std::fill(load.wrenches.begin(), load.wrenches.end(), SectionWrench<Plane>{{none, none}, none});
   }
 }
 
-void add_applied(const Twist& twist, BodyData& body) noexcept {
+void add_applied(const Twist& twist, BodyData<Plane>& body) noexcept {
   for (const auto& [section, wrench] : body.applied)
     add_wrench(*section, wrench->force, wrench->moment, twist, body);
 }
 
-void clear_load_failures(StepData& data) noexcept {
-  for (SubsystemData& subsystem : data.subsystems)
-    for (LoadData& load : subsystem.loads) load.thrown = nullptr;
-}
-
-std::string describe_failed_load(const StepData& data, const std::string& at) {
-  assert(is_any_load_failed(data));
-  std::string text;
-  any_load(data, [&](const LoadData& load) {
-    if (!load.thrown) return false;
-    text = called(*load.load) + " of " + text_of(load.blades) + " failed " + at + ": " +
-           reason_of(load.thrown);
-    return true;
-  });
-  return text;
-}
-
-bool has_loads(const StepData& data) noexcept {
-  return any_load(data, [](const LoadData&) { return true; });
-}
-
-bool is_any_load_failed(const StepData& data) noexcept {
-  return any_load(data, [](const LoadData& load) { return load.thrown != nullptr; });
+std::string describe_failed_load(const StepData<Plane>& data, const std::string& at) {
+  assert(data.is_any_load_failed());
+  for (const SubsystemData<Plane>& subsystem : data.subsystems)
+    for (const LoadData<Plane>& load : subsystem.loads)
+      if (load.thrown)
+        return called(*load.load) + " of " + text_of(load.blades) + " failed " + at + ": " +
+               reason_of(load.thrown);
+  return {};
 }
 
 }  // namespace spoke

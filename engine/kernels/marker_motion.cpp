@@ -13,21 +13,22 @@ Eigen::Matrix3d in_space(const Rotation& R) {
   return matrix;
 }
 
-Pose calc_pose_in_hub(const Subsystem& subsystem, const SubsystemData& data, int body) noexcept {
-  Pose pose{subsystem.root.p, data.rotations[0]};
+Pose calc_pose_in_hub(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                      int body) noexcept {
+  Pose pose{subsystem.root.p, data.joints[0].R};
   for (int j = 1; j <= body; ++j) {
     pose.p += pose.R * calc_outboard_position(data.bodies[j - 1]);
-    pose.R = pose.R * data.rotations[j];
+    pose.R = pose.R * data.joints[j].R;
   }
   return pose;
 }
 
-MarkerMotion calc_marker_motion(const Subsystem& subsystem, const SubsystemData& data,
-                                const PlacedMarker& marker) noexcept {
+MarkerMotion calc_marker_motion(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                                const PlacedMarker<Plane>& marker) noexcept {
   const Pose X_HB = calc_pose_in_hub(subsystem, data, marker.body);
-  const HubState& hub = *data.hub;
+  const HubState<Plane>& hub = *data.hub;
   const Rotation R = hub.R * X_HB.R;
-  const BodyData& body = data.bodies[marker.body];
+  const BodyData<Plane>& body = data.bodies[marker.body];
   const Twist& twist = data.twists[marker.body];
   const Twist q = section_values(marker.section, body.coordinates.q);
   const Twist v = section_values(marker.section, body.coordinates.v);
@@ -43,9 +44,9 @@ MarkerMotion calc_marker_motion(const Subsystem& subsystem, const SubsystemData&
   return motion;
 }
 
-Twist calc_marker_acceleration(const Position& gravity, const SubsystemData& data,
-                               const PlacedMarker& marker) noexcept {
-  const BodyData& body = data.bodies[marker.body];
+Twist calc_marker_acceleration(const Position& gravity, const SubsystemData<Plane>& data,
+                               const PlacedMarker<Plane>& marker) noexcept {
+  const BodyData<Plane>& body = data.bodies[marker.body];
   const Rotation R = data.hub->R * calc_rotation_to_hub(data, marker.body);
   const Twist q = section_values(marker.section, body.coordinates.q);
   const Twist v = section_values(marker.section, body.coordinates.v);
@@ -59,12 +60,12 @@ Twist calc_marker_acceleration(const Position& gravity, const SubsystemData& dat
   return {acceleration.x(), acceleration.y(), body.X[kRotation] + a[kRotation]};
 }
 
-Position calc_marker_foreshortening(const Subsystem& subsystem, const SubsystemData& data, int body,
-                                    double station) {
+Position calc_marker_foreshortening(const Subsystem<Plane>& subsystem,
+                                    const SubsystemData<Plane>& data, int body, double station) {
   Position sum = Position::Zero();
   for (int j = 0; j <= body; ++j) {
-    const BodyData& member = data.bodies[j];
-    if (!member.model->slope_integral) continue;
+    const BodyData<Plane>& member = data.bodies[j];
+    if (!member.model->stiffening.slope_integral) continue;
     const double shortened =
         j < body ? calc_foreshortening(member) : calc_foreshortening(member, station).length;
     sum += calc_pose_in_hub(subsystem, data, j).R * Position{shortened, 0.0};
@@ -72,7 +73,7 @@ Position calc_marker_foreshortening(const Subsystem& subsystem, const SubsystemD
   return sum;
 }
 
-Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData& body,
+Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData<Plane>& body,
                          const Section& section) noexcept {
   const auto with_damping = [&](const auto& shape, const auto& places) {
     return value_at(shape, places, body.coordinates.q) +

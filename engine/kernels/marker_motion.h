@@ -7,28 +7,29 @@
 namespace spoke {
 
 /// Pose of a body's frame in the hub frame, from the rotations and deformations of the table.
-Pose calc_pose_in_hub(const Subsystem& subsystem, const SubsystemData& data, int body) noexcept;
+Pose calc_pose_in_hub(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                      int body) noexcept;
 
 /// The motion of a marker at the state in the table, whose rotations and twists must be those of
 /// the state. Of a body with geometric stiffening the place is that of its coordinates, without
 /// foreshortening: where forces do their work in this model.
-MarkerMotion calc_marker_motion(const Subsystem& subsystem, const SubsystemData& data,
-                                const PlacedMarker& marker) noexcept;
+MarkerMotion calc_marker_motion(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                                const PlacedMarker<Plane>& marker) noexcept;
 
 /// Accelerations of a marker's section in the inertial frame, from the accelerations of the body
 /// that an evaluation at the state has left in the table, and the gravity in force there: x, y
 /// [m/s^2], rotation [rad/s^2].
-Twist calc_marker_acceleration(const Position& gravity, const SubsystemData& data,
-                               const PlacedMarker& marker) noexcept;
+Twist calc_marker_acceleration(const Position& gravity, const SubsystemData<Plane>& data,
+                               const PlacedMarker<Plane>& marker) noexcept;
 
 /// What bending takes off a marker's distance from the root, along each body with geometric
 /// stiffening, as the tip's sensors have it; hub frame [m].
-Position calc_marker_foreshortening(const Subsystem& subsystem, const SubsystemData& data, int body,
-                                    double station);
+Position calc_marker_foreshortening(const Subsystem<Plane>& subsystem,
+                                    const SubsystemData<Plane>& data, int body, double station);
 
 /// What the part outboard of a section does to the part inboard: axial force and shear [N], bending
 /// moment [N m], in the section's frame, by the element's strains. With the damping's share.
-Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData& body,
+Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData<Plane>& body,
                          const Section& section) noexcept;
 
 /// A planar vector and rotation in space.

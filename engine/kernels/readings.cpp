@@ -10,7 +10,8 @@ namespace {
 Twist together(const Position& p, double rotation) { return {p.x(), p.y(), rotation}; }
 
 /// To what a frame other than a section's is turned from the hub's.
-Rotation from_hub(SensorFrame frame, const Subsystem& subsystem, const HubState& hub) {
+Rotation from_hub(SensorFrame frame, const Subsystem<Plane>& subsystem,
+                  const HubState<Plane>& hub) {
   if (frame == SensorFrame::blade) return subsystem.root.R.inverse();
   return frame == SensorFrame::inertial ? hub.R : Rotation{};
 }
@@ -18,7 +19,8 @@ Rotation from_hub(SensorFrame frame, const Subsystem& subsystem, const HubState&
 /// A motion as an observer in the inertial frame has it; displacements are from the place at t = 0,
 /// rotations without the hub's.
 Twist calc_inertial(SensorQuantity quantity, const RelativeMotion& m, const Position& start,
-                    const HubState& hub, const Twist& hub_acceleration, const Position& gravity) {
+                    const HubState<Plane>& hub, const Twist& hub_acceleration,
+                    const Position& gravity) {
   const double w = hub.twist[kRotation];
   const Position arm = quarter_turn(m.p);
   switch (quantity) {
@@ -37,10 +39,10 @@ Twist calc_inertial(SensorQuantity quantity, const RelativeMotion& m, const Posi
   }
 }
 
-Twist calc_motion(const System& system, std::size_t i, const StepData& data, double t,
-                  const Reading& asked) {
-  const Subsystem& subsystem = system.subsystems[i];
-  const SubsystemData& blade = data.subsystems[i];
+Twist calc_motion(const System<Plane>& system, std::size_t i, const StepData<Plane>& data, double t,
+                  const Reading<Plane>& asked) {
+  const Subsystem<Plane>& subsystem = system.subsystems[i];
+  const SubsystemData<Plane>& blade = data.subsystems[i];
   const RelativeMotion m =
       calc_shown_motion(subsystem, blade, asked.body, asked.station, asked.section);
   const double x = asked.body * blade.bodies[asked.body].model->body->length + asked.section.x;
@@ -55,10 +57,10 @@ Twist calc_motion(const System& system, std::size_t i, const StepData& data, dou
 }
 
 /// A section's load, resolved. At the root it is what the hub feels.
-Twist calc_force(const System& system, std::size_t i, const StepData& data, double t,
-                 const Reading& asked) {
-  const Subsystem& subsystem = system.subsystems[i];
-  const SubsystemData& blade = data.subsystems[i];
+Twist calc_force(const System<Plane>& system, std::size_t i, const StepData<Plane>& data, double t,
+                 const Reading<Plane>& asked) {
+  const Subsystem<Plane>& subsystem = system.subsystems[i];
+  const SubsystemData<Plane>& blade = data.subsystems[i];
   const bool is_root = asked.body == 0 && asked.section.x == 0.0;
   if (is_root) {
     // The first section stands as the bracket does.
@@ -75,9 +77,9 @@ Twist calc_force(const System& system, std::size_t i, const StepData& data, doub
   return from_hub(asked.frame, subsystem, *blade.hub) * (blade.poses[asked.body].R * load);
 }
 
-Twist calc_reading(const System& system, std::size_t i, const StepData& data, double t,
-                   const Reading& asked) {
-  const SubsystemData& blade = data.subsystems[i];
+Twist calc_reading(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
+                   double t, const Reading<Plane>& asked) {
+  const SubsystemData<Plane>& blade = data.subsystems[i];
   switch (asked.quantity) {
     case SensorQuantity::section_force:
       return calc_force(system, i, data, t, asked);
@@ -94,10 +96,10 @@ Twist calc_reading(const System& system, std::size_t i, const StepData& data, do
 
 }  // namespace
 
-void calc_readings(const System& system, std::size_t i, std::int64_t step, double t,
-                   StepData& data) noexcept {
-  SubsystemData& blade = data.subsystems[i];
-  for (const Reading& asked : blade.readings) {
+void calc_readings(const System<Plane>& system, std::size_t i, std::int64_t step, double t,
+                   StepData<Plane>& data) noexcept {
+  SubsystemData<Plane>& blade = data.subsystems[i];
+  for (const Reading<Plane>& asked : blade.readings) {
     const Twist value = calc_reading(system, i, data, t, asked);
     double* values = readings_of(blade, step) + asked.first;
     for (int c = 0; c < kTwist; ++c) values[c] = value[c];

@@ -9,7 +9,7 @@ namespace spoke {
 /// Measures what is asked of blade `i` at the end of step `step`, time t [s], into its ring. Poses
 /// and twists must be those of the state, joint loads those of the step. Accelerations are those
 /// that the integrator keeps.
-void calc_readings(const System& system, std::size_t i, std::int64_t step, double t,
-                   StepData& data) noexcept;
+void calc_readings(const System<Plane>& system, std::size_t i, std::int64_t step, double t,
+                   StepData<Plane>& data) noexcept;
 
 }  // namespace spoke

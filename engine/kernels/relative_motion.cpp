@@ -32,7 +32,7 @@ void turn(double sign, const Twist& q, const Twist& v, const Twist& a, RelativeM
   motion.acceleration += sign * a[kRotation];
 }
 
-RelativeMotion calc_outboard_motion(const RelativeMotion& frame, const BodyData& body) {
+RelativeMotion calc_outboard_motion(const RelativeMotion& frame, const BodyData<Plane>& body) {
   const CoordinateBlock& c = body.coordinates;
   const Twist q = node_values(c.q, body.outboard_at), v = node_values(c.v, body.outboard_at),
               a = node_values(c.a, body.outboard_at);
@@ -43,8 +43,8 @@ RelativeMotion calc_outboard_motion(const RelativeMotion& frame, const BodyData&
 }
 
 /// The frame of body `body`, which its inboard handle's motion carries.
-RelativeMotion calc_next_frame(RelativeMotion bracket, const SubsystemData& data, int body) {
-  const BodyData& member = data.bodies[body];
+RelativeMotion calc_next_frame(RelativeMotion bracket, const SubsystemData<Plane>& data, int body) {
+  const BodyData<Plane>& member = data.bodies[body];
   const CoordinateBlock& c = member.coordinates;
   const auto& at = member.inboard_at;
   turn(-1.0, node_values(c.q, at), node_values(c.v, at), node_values(c.a, at), bracket);
@@ -52,7 +52,7 @@ RelativeMotion calc_next_frame(RelativeMotion bracket, const SubsystemData& data
   return bracket;
 }
 
-RelativeMotion root_of(const Subsystem& subsystem) {
+RelativeMotion root_of(const Subsystem<Plane>& subsystem) {
   RelativeMotion root;
   root.p = subsystem.root.p;
   root.R = subsystem.root.R;
@@ -61,15 +61,15 @@ RelativeMotion root_of(const Subsystem& subsystem) {
 
 }  // namespace
 
-RelativeMotion calc_frame_motion(const Subsystem& subsystem, const SubsystemData& data,
-                                 int body) noexcept {
+RelativeMotion calc_frame_motion(const Subsystem<Plane>& subsystem,
+                                 const SubsystemData<Plane>& data, int body) noexcept {
   RelativeMotion frame = calc_next_frame(root_of(subsystem), data, 0);
   for (int j = 1; j <= body; ++j)
     frame = calc_next_frame(calc_outboard_motion(frame, data.bodies[j - 1]), data, j);
   return frame;
 }
 
-RelativeMotion calc_section_motion(const RelativeMotion& frame, const BodyData& body,
+RelativeMotion calc_section_motion(const RelativeMotion& frame, const BodyData<Plane>& body,
                                    const Section& section) noexcept {
   const CoordinateBlock& c = body.coordinates;
   const Twist q = section_values(section, c.q), v = section_values(section, c.v),
@@ -81,13 +81,14 @@ RelativeMotion calc_section_motion(const RelativeMotion& frame, const BodyData& 
   return motion;
 }
 
-RelativeMotion calc_shown_motion(const Subsystem& subsystem, const SubsystemData& data, int body,
-                                 double station, const Section& section) noexcept {
+RelativeMotion calc_shown_motion(const Subsystem<Plane>& subsystem,
+                                 const SubsystemData<Plane>& data, int body, double station,
+                                 const Section& section) noexcept {
   RelativeMotion frame = calc_next_frame(root_of(subsystem), data, 0);
   RelativeMotion off;  // what foreshortening takes off
   for (int j = 0;; ++j) {
-    const BodyData& member = data.bodies[j];
-    if (member.model->slope_integral) {
+    const BodyData<Plane>& member = data.bodies[j];
+    if (member.model->stiffening.slope_integral) {
       const Foreshortening f = calc_foreshortening(member, j < body ? 1.0 : station);
       off.R = frame.R;
       off.speed = frame.speed;
@@ -106,7 +107,7 @@ RelativeMotion calc_shown_motion(const Subsystem& subsystem, const SubsystemData
 }
 
 // By a rule of three points, which is exact for the square of a slope.
-Foreshortening calc_foreshortening(const BodyData& body, double station) noexcept {
+Foreshortening calc_foreshortening(const BodyData<Plane>& body, double station) noexcept {
   static constexpr std::array<double, 3> places{0.11270166537925831, 0.5, 0.88729833462074169};
   static constexpr std::array<double, 3> weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
   const FlexibleBody& model = *body.model->body;

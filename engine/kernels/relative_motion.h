@@ -19,16 +19,17 @@ struct RelativeMotion {
 };
 
 /// The frame of body `body`. Poses of the table must be those of the state.
-RelativeMotion calc_frame_motion(const Subsystem& subsystem, const SubsystemData& data,
-                                 int body) noexcept;
+RelativeMotion calc_frame_motion(const Subsystem<Plane>& subsystem,
+                                 const SubsystemData<Plane>& data, int body) noexcept;
 
 /// A section of a body whose frame moves by `frame`.
-RelativeMotion calc_section_motion(const RelativeMotion& frame, const BodyData& body,
+RelativeMotion calc_section_motion(const RelativeMotion& frame, const BodyData<Plane>& body,
                                    const Section& section) noexcept;
 
 /// What the sensors show of a section: bodies with geometric stiffening are foreshortened.
-RelativeMotion calc_shown_motion(const Subsystem& subsystem, const SubsystemData& data, int body,
-                                 double station, const Section& section) noexcept;
+RelativeMotion calc_shown_motion(const Subsystem<Plane>& subsystem,
+                                 const SubsystemData<Plane>& data, int body, double station,
+                                 const Section& section) noexcept;
 
 /// 1/2 int v'^2 dx from a body's inboard end to a station, and its derivatives.
 struct Foreshortening {
@@ -37,6 +38,6 @@ struct Foreshortening {
   double acceleration = 0.0;  ///< [m/s^2]
 };
 /// Precondition: the body has geometric stiffening; that of others is none.
-Foreshortening calc_foreshortening(const BodyData& body, double station) noexcept;
+Foreshortening calc_foreshortening(const BodyData<Plane>& body, double station) noexcept;
 
 }  // namespace spoke

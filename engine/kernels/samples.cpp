@@ -7,13 +7,13 @@
 
 namespace spoke {
 
-Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& data) {
+Twist calc_tip_displacement(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data) {
   const Position undeformed = subsystem.root.p + subsystem.root.R * Position{subsystem.length, 0.0};
   Position tip =
       data.poses.back().p + data.poses.back().R * calc_outboard_position(data.bodies.back());
   double rotation = 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    const BodyData& body = data.bodies[j];
+    const BodyData<Plane>& body = data.bodies[j];
     tip -= data.poses[j].R * Position{calc_foreshortening(body), 0.0};
     rotation += body.coordinates.q[body.outboard_at[kRotation]] -
                 body.coordinates.q[body.inboard_at[kRotation]];
@@ -22,15 +22,15 @@ Twist calc_tip_displacement(const Subsystem& subsystem, const SubsystemData& dat
   return {displacement.x(), displacement.y(), rotation};
 }
 
-SubsystemSample calc_sample(const System& system, std::size_t i, SubsystemData& data) noexcept {
-  const Subsystem& subsystem = system.subsystems[i];
+SubsystemSample<Plane> calc_sample(const System<Plane>& system, std::size_t i,
+                                   SubsystemData<Plane>& data) noexcept {
+  const Subsystem<Plane>& subsystem = system.subsystems[i];
   calc_poses(subsystem, data, data.poses);
   const Twist tip = calc_tip_displacement(subsystem, data);
-  SubsystemSample sample;
-  sample.tip_x = tip[0];
-  sample.tip_y = tip[1];
+  SubsystemSample<Plane> sample;
+  sample.tip = {tip[0], tip[1]};
   sample.root = data.root_load;
-  const HubState& hub = *data.hub;
+  const HubState<Plane>& hub = *data.hub;
   const bool has_gravity = system.gravity != Position::Zero() && system.gravity_ramp == 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyEnergies body =
@@ -46,7 +46,7 @@ SubsystemSample calc_sample(const System& system, std::size_t i, SubsystemData& 
   return sample;
 }
 
-void update_kinematics(const Subsystem& subsystem, SubsystemData& data) noexcept {
+void update_kinematics(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data) noexcept {
   calc_rotations(subsystem, data);
   calc_velocities(subsystem, data);
 }

@@ -16,7 +16,7 @@ double cross(const Position& a, const Position& b) { return a.x() * b.y() - a.y(
 /// Calls visit(mass, inertia, section) for points from `from` to `to` [m] along an element, with
 /// the share of the mass that each stands for; `density` is the mass per length at a place [kg/m].
 template <class Density, class Visit>
-void visit_stretch(const BodyData& body, double from, double to, const Density& density,
+void visit_stretch(const BodyData<Plane>& body, double from, double to, const Density& density,
                    const Visit& visit) {
   if (to <= from) return;
   const FlexibleBody& model = *body.model->body;
@@ -29,7 +29,7 @@ void visit_stretch(const BodyData& body, double from, double to, const Density& 
 
 /// The same along a body from `from` [m] to its outboard end, then for the point masses there.
 template <class Visit>
-void visit_mass(const BodyData& body, double from, const Visit& visit) {
+void visit_mass(const BodyData<Plane>& body, double from, const Visit& visit) {
   const FlexibleBody& model = *body.model->body;
   const double l = model.length / model.elements, uniform = model.mass / model.length;
   for (int e = 0; e < model.elements; ++e) {
@@ -53,8 +53,8 @@ Position place_of(const Section& section, const double* q) {
 }
 
 /// qf^T KG qf [kg m^2].
-double calc_centrifugal_inertia(const BodyData& body) {
-  const SymmetricBand<3>& KG = *body.model->centrifugal_stiffness;
+double calc_centrifugal_inertia(const BodyData<Plane>& body) {
+  const SymmetricBand<3>& KG = *body.model->stiffening.centrifugal;
   const double* v = body.coordinates.q + body.layout.v();
   double sum = 0.0;
   for (int i = 0; i < KG.size(); ++i) sum += v[i] * KG.row(i, v);
@@ -78,7 +78,7 @@ FrameAcceleration calc_frame_acceleration(const Twist& hub_acceleration, double 
 
 }  // namespace
 
-Twist calc_hub_acceleration(const System& system, std::size_t i, const StepData& data,
+Twist calc_hub_acceleration(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
                             double t) noexcept {
   if (!data.is_coupled) return data.subsystems[i].prescribed.acceleration;
   const double* a = data.hub_coordinates.a;
@@ -87,26 +87,26 @@ Twist calc_hub_acceleration(const System& system, std::size_t i, const StepData&
   return {linear.x(), linear.y(), a[kRotation]};
 }
 
-void keep_joint_loads(const Subsystem& subsystem, SubsystemData& data) noexcept {
+void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data) noexcept {
   for (std::size_t j = 0; j < data.bodies.size(); ++j)
     data.joint_loads[j] = data.wrenches[j].inboard;
-  const Rotation to_blade = subsystem.root.R.inverse() * data.rotations[0];
+  const Rotation to_blade = subsystem.root.R.inverse() * data.joints[0].R;
   data.root_load = Twist::Zero() - to_blade * data.joint_loads[0];  // never -0
-  if (!subsystem.bodies.front().centrifugal_stiffness) return;
+  if (!subsystem.bodies.front().stiffening.centrifugal) return;
   double inertia = 0.0, rate = 0.0;
-  for (const BodyData& body : data.bodies) {
-    inertia += body.terms.centrifugal_inertia;
-    rate += body.terms.centrifugal_rate;
+  for (const BodyData<Plane>& body : data.bodies) {
+    inertia += body.terms.stiffening.inertia;
+    rate += body.terms.stiffening.rate;
   }
   data.root_load[kRotation] +=
       inertia * (*data.hub_acceleration)[kRotation] + 2.0 * data.hub->twist[kRotation] * rate;
 }
 
-Twist calc_section_load(const System& system, std::size_t i, const StepData& data, double t,
-                        int body, const Section& section) noexcept {
-  const Subsystem& subsystem = system.subsystems[i];
-  const SubsystemData& blade = data.subsystems[i];
-  const BodyData& member = blade.bodies[body];
+Twist calc_section_load(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
+                        double t, int body, const Section& section) noexcept {
+  const Subsystem<Plane>& subsystem = system.subsystems[i];
+  const SubsystemData<Plane>& blade = data.subsystems[i];
+  const BodyData<Plane>& member = blade.bodies[body];
   const CoordinateBlock& c = member.coordinates;
   const double w = blade.twists[body][kRotation];
   const FrameAcceleration frame = calc_frame_acceleration(
@@ -129,7 +129,7 @@ Twist calc_section_load(const System& system, std::size_t i, const StepData& dat
   force += applied.head<kPosition>();
   moment += applied[kRotation];
   if (const auto next = static_cast<std::size_t>(body) + 1; next < blade.bodies.size()) {
-    const Twist joint = -(blade.rotations[next] * blade.joint_loads[next]);
+    const Twist joint = -(blade.joints[next].R * blade.joint_loads[next]);
     const Position f = joint.head<kPosition>();
     force += f;
     moment += joint[kRotation] + cross(calc_outboard_position(member) - at, f);
@@ -137,12 +137,12 @@ Twist calc_section_load(const System& system, std::size_t i, const StepData& dat
   return {force.x(), force.y(), moment};
 }
 
-Twist calc_momentum(const SubsystemData& data) noexcept {
-  const HubState& hub = *data.hub;
+Twist calc_momentum(const SubsystemData<Plane>& data) noexcept {
+  const HubState<Plane>& hub = *data.hub;
   Position linear = Position::Zero();
   double angular = 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    const BodyData& body = data.bodies[j];
+    const BodyData<Plane>& body = data.bodies[j];
     const Twist& twist = data.twists[j];
     Position momentum = Position::Zero();
     double about_frame = 0.0;
@@ -158,7 +158,7 @@ Twist calc_momentum(const SubsystemData& data) noexcept {
     const Position P = hub.R * (data.poses[j].R * momentum);
     linear += P;
     angular += cross(origin, P) + about_frame;
-    if (!body.model->centrifugal_stiffness) continue;
+    if (!body.model->stiffening.centrifugal) continue;
     angular -= hub.twist[kRotation] * calc_centrifugal_inertia(body);
   }
   return {linear.x(), linear.y(), angular};

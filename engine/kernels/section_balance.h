@@ -13,7 +13,7 @@ namespace spoke {
 ///   root_load = -(F, M) of the first joint + (0, qf^T KG qf alpha0 + 2 w0 qf^T KG qf'),
 /// in the blade's axes; the last term is that of geometric stiffening on the hub's rotation, summed
 /// over the bodies.
-void keep_joint_loads(const Subsystem& subsystem, SubsystemData& data) noexcept;
+void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data) noexcept;
 
 /// What the blade outboard of a section does to the blade inboard: force [N] and moment about the
 /// section [N m], in the frame of the section's body. Of the body's own part outboard, s from the
@@ -22,17 +22,17 @@ void keep_joint_loads(const Subsystem& subsystem, SubsystemData& data) noexcept;
 /// f what the next joint does to the body; moments likewise, about the deformed section. Loads at
 /// the section count as outboard. Poses and twists of the table must be those of the state,
 /// joint_loads those of its step; t: its time [s].
-Twist calc_section_load(const System& system, std::size_t i, const StepData& data, double t,
-                        int body, const Section& section) noexcept;
+Twist calc_section_load(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
+                        double t, int body, const Section& section) noexcept;
 
 /// Linear momentum [kg m/s] and angular momentum about the inertial origin [kg m^2/s] of a blade,
 /// with the term -w0 qf^T KG qf of geometric stiffening; inertial frame. Poses and twists of the
 /// table must be those of the state.
-Twist calc_momentum(const SubsystemData& data) noexcept;
+Twist calc_momentum(const SubsystemData<Plane>& data) noexcept;
 
 /// The hub's acceleration that blade `i` follows at the state at time `t` [s]: hub frame, less
 /// gravity.
-Twist calc_hub_acceleration(const System& system, std::size_t i, const StepData& data,
+Twist calc_hub_acceleration(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
                             double t) noexcept;
 
 }  // namespace spoke

@@ -33,13 +33,14 @@ graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) 
 }
 
 /// After the evaluation at t = 0 all nodes wait for a window. Here they may go on and on.
-void resume_all(StepContext& context) {
+void resume_all(SystemContext<Plane>& context) {
   context.data.window.last = std::numeric_limits<std::int32_t>::max();
   for (StepProgress& progress : context.data.progress) progress.is_halted = false;
 }
 
-std::unique_ptr<StepContext> make_context(const Scenario& scenario, Formulation formulation) {
-  auto context = std::make_unique<StepContext>();
+std::unique_ptr<SystemContext<Plane>> make_context(const Scenario& scenario,
+                                                   Formulation formulation) {
+  auto context = std::make_unique<SystemContext<Plane>>();
   context->system = make_system(scenario.rotor);
   context->formulation = formulation;
   context->integrator = {Rk4{scenario.integration.step}, {}};
@@ -59,7 +60,7 @@ struct InversePart::Impl {
     resume_all(*context);
   }
 
-  std::unique_ptr<StepContext> context;
+  std::unique_ptr<SystemContext<Plane>> context;
   graph::StepGraph whole;
   graph::StepGraph part;
   std::unique_ptr<graph::Executor> executor;

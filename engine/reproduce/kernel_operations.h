@@ -36,7 +36,7 @@ Operations band_product(std::int64_t n, std::int64_t half);
 /// L D L^T x = b of such a matrix that is factorised, with the inverse of D.
 Operations band_solve(std::int64_t n, std::int64_t half);
 
-// Symmetric twist matrices of the plane (3 x 3), as in models/system/space.h.
+// Symmetric twist matrices of the plane (3 x 3), as in models/system/plane.h.
 Operations twist_inverse();    ///< invert()
 Operations twist_turn();       ///< rotate() of a matrix
 Operations twist_eliminate();  ///< eliminate()

@@ -57,7 +57,7 @@ void sort_by_begin(std::vector<NodeSlice>& slices) {
 
 }  // namespace
 
-StepRecording::StepRecording(const StepGraph& run_graph, const StepData& data,
+StepRecording::StepRecording(const StepGraph& run_graph, const StepTable& data,
                              const RecordingPlan& plan)
     : plan_(plan),
       passes_(count_passes(run_graph)),
@@ -129,14 +129,14 @@ void StepRecording::find_origins(const StepGraph& run_graph, bool is_coupled) {
   }
 }
 
-void StepRecording::begin_run(const StepData& data) {
+void StepRecording::begin_run(const StepTable& data) {
   for (std::size_t c = 0; c < at_begin_.size(); ++c)
     at_begin_[c] = {data.progress[c].step, data.progress[c].passes};
   complete_ = last_complete_step(data);
   recorder_.begin_run();
 }
 
-void StepRecording::end_run(const StepData& data) {
+void StepRecording::end_run(const StepTable& data) {
   const bool is_recorded = recorder_.is_recording();
   recorder_.end_run();
   find_passes(data);
@@ -148,7 +148,7 @@ void StepRecording::end_run(const StepData& data) {
   if (runs_of_first_ == 0 && complete_ >= plan_.first_step) runs_of_first_ = count_runs();
 }
 
-void StepRecording::keep_passes(const StepData& data) {
+void StepRecording::keep_passes(const StepTable& data) {
   const auto run = static_cast<std::size_t>(recorder_.runs() - 1);
   std::copy(run_passes_.begin(), run_passes_.end(),
             all_passes_.begin() + static_cast<std::ptrdiff_t>(run * run_passes_.size()));
@@ -158,13 +158,9 @@ void StepRecording::keep_passes(const StepData& data) {
 /// Each subsystem (coupled: the system) has gone pass by pass from where it stood at the begin to
 /// where it stands now; how many passes the steps took that it completed on the way is in their
 /// records.
-void StepRecording::find_passes(const StepData& data) {
+void StepRecording::find_passes(const StepTable& data) {
   for (std::size_t c = 0; c < data.progress.size(); ++c) {
     const StepProgress& progress = data.progress[c];
-    const auto passes_of = [&](std::int64_t step) {
-      return static_cast<int>(data.is_coupled ? of_step(data.records, step).step.passes
-                                              : of_step(data.subsystems[c].records, step).passes);
-    };
     PassOfStep at = at_begin_[c];
     for (int pass = 0; pass < passes_; ++pass) {
       const bool is_there = at.step == progress.step && at.pass == progress.passes;
@@ -173,14 +169,14 @@ void StepRecording::find_passes(const StepData& data) {
       // Another processor holds the records: they are looked at only for a next pass.
       if (is_there || pass + 1 == passes_) continue;
       ++at.pass;
-      if (at.step < progress.step && at.pass == passes_of(at.step)) at = {at.step + 1, 0};
+      if (at.step < progress.step && at.pass == data.passes_of(c, at.step)) at = {at.step + 1, 0};
     }
   }
 }
 
 /// Of the hub solve: the pass of all subsystems that made one, or else the last pass of the last
 /// step that the run completed.
-StepRecording::PassOfStep StepRecording::pass_of_all(const StepData& data) const {
+StepRecording::PassOfStep StepRecording::pass_of_all(const StepTable& data) const {
   if (passes_ == 1) {
     PassOfStep common;
     bool is_common = true;
@@ -193,7 +189,7 @@ StepRecording::PassOfStep StepRecording::pass_of_all(const StepData& data) const
   }
   const std::int64_t last = last_complete_step(data);
   if (last <= complete_) return {};
-  return {last, static_cast<int>(of_step(data.records, last).step.passes) - 1};
+  return {last, static_cast<int>(data.most_passes_of(last)) - 1};
 }
 
 void StepRecording::drop_steps() {

@@ -31,13 +31,14 @@ class StepRecording final : public RunWatch {
  public:
   /// `run_graph` is what the executor runs, of any number of passes on `data`; it must outlive
   /// this.
-  StepRecording(const graph::StepGraph& run_graph, const StepData& data, const RecordingPlan& plan);
+  StepRecording(const graph::StepGraph& run_graph, const StepTable& data,
+                const RecordingPlan& plan);
 
   /// For Executor::set_recorder().
   graph::NodeRecorder& recorder() { return recorder_; }
 
-  void begin_run(const StepData& data) override;
-  void end_run(const StepData& data) override;
+  void begin_run(const StepTable& data) override;
+  void end_run(const StepTable& data) override;
 
   /// A step that is complete and not dropped, between two runs; its slices are added to `slices`,
   /// by begin.
@@ -80,9 +81,9 @@ class StepRecording final : public RunWatch {
   int count_runs() const { return recorder_.runs() + recorder_.dropped_runs(); }
   std::size_t bytes_of(int runs) const;
   void find_origins(const graph::StepGraph& run_graph, bool is_coupled);
-  void find_passes(const StepData& data);
-  PassOfStep pass_of_all(const StepData& data) const;
-  void keep_passes(const StepData& data);
+  void find_passes(const StepTable& data);
+  PassOfStep pass_of_all(const StepTable& data) const;
+  void keep_passes(const StepTable& data);
   void drop_steps();
   bool is_wanted(std::int64_t step) const {
     return step >= plan_.first_step && step <= plan_.last_step;

@@ -93,25 +93,21 @@ RunnerOptions single_options(RunnerOptions options) {
 
 }  // namespace
 
-int window_records(const RunnerOptions& options, const System& system) {
+int window_records(const RunnerOptions& options, double bytes_per_step) {
   // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
   if (options.window > 0) return options.window > 1 ? 2 * options.window : 1;
   if (options.executor != ExecutorKind::automatic || resolved(options.threads).total() == 1)
     return 1;
   constexpr double most_bytes = 4e6;
-  const double bytes = sizeof(SystemRecord) +
-                       static_cast<double>(options.readings) * sizeof(double) +
-                       static_cast<double>(system.subsystems.size()) *
-                           (sizeof(StepRecord) + sizeof(SubsystemSample));
-  return static_cast<int>(std::clamp(most_bytes / bytes, 4.0, 1024.0));
+  return static_cast<int>(std::clamp(most_bytes / bytes_per_step, 4.0, 1024.0));
 }
 
 StepRunner::Runner::Runner(StepContext& context, int passes, const RunnerOptions& options,
                            graph::Threads threads)
-    : graph(build_step_graph(context, passes)), executor(make_asked(graph, options, threads)) {}
+    : graph(context.build_graph(passes)), executor(make_asked(graph, options, threads)) {}
 
 StepRunner::Runner::Runner(StepContext& context, int passes)
-    : graph(build_step_graph(context, passes)),
+    : graph(context.build_graph(passes)),
       steps(std::max(1, passes / usual_passes(context.integrator))) {}
 
 StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
@@ -187,7 +183,7 @@ StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
                                        const TraceOptions& options, StepTrace& trace) {
   trace.asked_steps = target - steps();
   Runner& runner = runner_for(trace.asked_steps);
-  StepRecording recording(runner.graph, context_.data,
+  StepRecording recording(runner.graph, context_.table(),
                           {steps() + 1, target, most_passes(context_.integrator),
                            runner.executor->threads().total(), options.buffer_bytes});
   const RecordingScope scope(*runner.executor, stepper_, recording, &runner == &single_);
@@ -218,7 +214,7 @@ StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
 void StepRunner::describe_traced(const Runner& runner, StepTrace& trace) const {
   const bool is_window = &runner == window_.get();
   const bool is_tuning = window_ && window_->executor->tuning();
-  trace.graph = describe_graph(single_.graph, build_step_graph(context_, 2));
+  trace.graph = describe_graph(single_.graph, context_.build_graph(2));
   trace.threads = runner.executor->recorded_threads().total();
   trace.window_steps = runner.steps;
   trace.unused_window = window_ && !is_window ? window_->steps : 0;
@@ -287,7 +283,7 @@ int StepRunner::window_passes(std::int64_t steps_asked) const {
   const double passes_left = remaining_seconds() / pass;
   const double building = single_.graph.node_count() * kBuildingPerNode;
   const double best = std::sqrt(passes_left * kRunOverhead / building);
-  const double records = static_cast<double>(context_.data.records.size()) / 2.0;
+  const double records = static_cast<double>(context_.table().ring_size()) / 2.0;
   const double most = std::min({static_cast<double>(kMostNodes) / single_.graph.node_count(),
                                 std::ceil(kLongestRun / pass), records * usual,
                                 static_cast<double>(steps_asked) * usual});

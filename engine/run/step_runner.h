@@ -21,13 +21,13 @@ struct RunnerOptions {
   graph::Threads threads;          ///< unset: the available ones
   int window = 0;                  ///< steps; 0: as the executor chooses
   std::int64_t planned_steps = 0;  ///< of the simulation
-  std::size_t readings = 0;        ///< values that sensors of the scenario's take in a step
   /// Of the caller's own, instead of `executor`, which is then not automatic; or empty.
   graph::ExecutorFactory make_executor{};
 };
 
 /// Records that the table of a system needs for these options, see TableOptions::window_steps.
-int window_records(const RunnerOptions& options, const System& system);
+/// `bytes_per_step`: what the rings hold of a step.
+int window_records(const RunnerOptions& options, double bytes_per_step);
 
 /// Step graphs of a context, and the executors that run them: one graph of a single pass, and, if
 /// it pays, one of the passes of a window of steps.
@@ -65,9 +65,7 @@ class StepRunner {
   std::int64_t steps() const { return stepper_.steps(); }
   /// See TimeStepper: while advance_to() runs.
   void stop() { stepper_.stop(); }
-  StepOutcome evaluate(bool renew, SystemRecord& record) {
-    return stepper_.evaluate(renew, record);
-  }
+  StepOutcome evaluate(bool renew) { return stepper_.evaluate(renew); }
   void continue_from(std::int64_t steps) { stepper_.continue_from(steps); }
 
   /// Of one pass.

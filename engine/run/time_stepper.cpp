@@ -17,40 +17,33 @@ namespace {
 /// Steps between two copies of the state: what a failure costs to repeat, against what copies cost.
 constexpr std::int64_t kStepsPerCopy = 256;
 
-bool is_any_failed(const StepData& data) {
+bool is_any_failed(const StepTable& data) {
   return std::any_of(data.progress.begin(), data.progress.end(), [](const StepProgress& progress) {
     return progress.outcome != StepOutcome::done;
   });
 }
 
-bool are_all_halted(const StepData& data) {
+bool are_all_halted(const StepTable& data) {
   return std::all_of(data.progress.begin(), data.progress.end(),
                      [](const StepProgress& progress) { return progress.is_halted; });
 }
 
-StepOutcome first_failure(const StepData& data) {
+StepOutcome first_failure(const StepTable& data) {
   for (const StepProgress& progress : data.progress)
     if (progress.outcome != StepOutcome::done) return progress.outcome;
   return StepOutcome::done;
 }
 
 /// The last step that any subsystem has begun.
-std::int64_t furthest_step(const StepData& data) {
+std::int64_t furthest_step(const StepTable& data) {
   std::int64_t furthest = 0;
   for (const StepProgress& progress : data.progress)
     furthest = std::max(furthest, progress.passes > 0 ? progress.step : progress.step - 1);
   return furthest;
 }
 
-template <class Apply>
-void for_each_block(StepData& data, const Apply& apply) {
-  apply(data.hub_coordinates);
-  for (SubsystemData& subsystem : data.subsystems)
-    for (BodyData& body : subsystem.bodies) apply(body.coordinates);
-}
-
 /// Lets all subsystems go to the end of step `last`.
-void let_go(std::int64_t last, StepData& data) {
+void let_go(std::int64_t last, StepTable& data) {
   data.window.last = last;
   for (StepProgress& progress : data.progress)
     if (progress.outcome == StepOutcome::done) progress.is_halted = progress.step > last;
@@ -58,7 +51,7 @@ void let_go(std::int64_t last, StepData& data) {
 
 }  // namespace
 
-bool are_together(const StepData& data) {
+bool are_together(const StepTable& data) {
   const std::int64_t step = data.progress[0].step;
   return std::all_of(data.progress.begin(), data.progress.end(),
                      [step](const StepProgress& progress) {
@@ -77,7 +70,7 @@ struct TimeStepper::Advance {
 };
 
 TimeStepper::TimeStepper(StepContext& context, const graph::StepGraph& graph)
-    : context_(context), graph_(graph), saved_(context.data) {}
+    : context_(context), graph_(graph), saved_(context.table()) {}
 
 void TimeStepper::run_serially() {
   for (const graph::NodeId node : graph_.serial_order()) graph_.run_node(node);
@@ -89,42 +82,42 @@ bool TimeStepper::is_implicit() const {
 
 /// One pass at the end of step steps_, serially.
 StepOutcome TimeStepper::run_between_steps(int stage) {
-  StepData& data = context_.data;
+  StepTable& data = context_.table();
   data.window = {steps_, steps_, false};
   std::fill(data.progress.begin(), data.progress.end(),
             make_progress_between_steps(context_.integrator, steps_, stage));
   run_serially();
-  return is_any_load_failed(data) ? StepOutcome::load_failed : first_failure(data);
+  return data.is_any_load_failed() ? StepOutcome::load_failed : first_failure(data);
 }
 
 /// Evaluates the true accelerations at the end of step steps_.
 StepOutcome TimeStepper::evaluate_once() {
-  if (is_implicit()) for_each_block(context_.data, hold);
+  if (is_implicit()) context_.table().for_each_block(hold);
   return run_between_steps(PassControl::kEvaluateOnly);
 }
 
 /// Finds the accelerations that the next step starts from, where forces may have jumped.
 StepOutcome TimeStepper::restart() {
   const auto& alpha = std::get<GeneralizedAlpha>(context_.integrator.method);
-  for_each_block(context_.data, [&](CoordinateBlock& block) { begin_restart(alpha, block); });
+  context_.table().for_each_block([&](CoordinateBlock& block) { begin_restart(alpha, block); });
   return run_between_steps(PassControl::kRestart);
 }
 
 StepOutcome TimeStepper::start() {
-  StepData& data = context_.data;
+  StepTable& data = context_.table();
   steps_ = 0;
   const StepOutcome outcome = evaluate_once();
   if (outcome != StepOutcome::done || !is_implicit()) return outcome;
-  const SystemRecord record = of_step(data.records, 0);
-  for_each_block(data, clear_accelerations);
+  data.keep_record(0);
+  data.for_each_block(clear_accelerations);
   const StepOutcome started = restart();
-  of_step(data.records, 0) = record;
+  data.return_record(0);
   if (started == StepOutcome::done) continue_from(0);
   return started;
 }
 
 void TimeStepper::continue_from(std::int64_t steps) {
-  for (StepProgress& progress : context_.data.progress) {
+  for (StepProgress& progress : context_.table().progress) {
     const Power power = progress.power;
     progress = StepProgress{};
     progress.power = power;
@@ -136,30 +129,30 @@ void TimeStepper::continue_from(std::int64_t steps) {
   good_steps_ = -1;
 }
 
-StepOutcome TimeStepper::evaluate(bool renew, SystemRecord& record) {
-  StepData& data = context_.data;
+StepOutcome TimeStepper::evaluate(bool renew) {
+  StepTable& data = context_.table();
   assert(are_together(data));
   const std::vector<double> before = take_state_values(steps_, data);
-  const SystemRecord record_before = of_step(data.records, steps_);
-  clear_load_failures(data);
+  data.keep_record(steps_);
+  data.clear_load_failures();
   StepOutcome outcome = evaluate_once();
-  record = of_step(data.records, steps_);
+  data.take_evaluated_record(steps_);
   const bool is_renewed = renew && outcome == StepOutcome::done;
-  if (!is_renewed || is_implicit()) put_state_values(before, steps_, data);
+  if (!is_renewed || is_implicit()) data.put_state(before, steps_);
   if (is_renewed && is_implicit()) outcome = restart();
-  if (outcome != StepOutcome::done) put_state_values(before, steps_, data);
-  of_step(data.records, steps_) = record_before;
+  if (outcome != StepOutcome::done) data.put_state(before, steps_);
+  data.return_record(steps_);
   continue_from(steps_);
   return outcome;
 }
 
 StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor, bool observed,
                                  const Completed& completed) {
-  StepData& data = context_.data;
+  StepTable& data = context_.table();
   is_stopping_ = false;
   if (steps_ >= target) return StepOutcome::done;
-  clear_load_failures(data);
-  const bool is_wide = data.records.size() > 1 && target > steps_ + 1 && !stays_together_;
+  data.clear_load_failures();
+  const bool is_wide = data.ring_size() > 1 && target > steps_ + 1 && !stays_together_;
   Advance advance{target, completed, is_wide, steps_, nullptr};
   data.window.observed = observed;
   open_window(advance);
@@ -175,26 +168,25 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
 
 /// A step has failed. If by a load, the system goes back to the end of the step before.
 StepOutcome TimeStepper::end_failed() {
-  StepData& data = context_.data;
-  if (!is_any_load_failed(data)) return first_failure(data);
-  put_state_values(good_, steps_, data);
+  StepTable& data = context_.table();
+  if (!data.is_any_load_failed()) return first_failure(data);
+  data.put_state(good_, steps_);
   continue_from(steps_);
   return StepOutcome::load_failed;
 }
 
 /// Of systems with loads: a state to go back to.
 void TimeStepper::keep_good_state() {
-  StepData& data = context_.data;
-  if (good_steps_ == steps_ || !has_loads(data) || !are_together(data)) return;
-  take_state_values(steps_, data, good_);
+  StepTable& data = context_.table();
+  if (good_steps_ == steps_ || !data.has_loads() || !are_together(data)) return;
+  data.take_state(steps_, good_);
   good_steps_ = steps_;
 }
 
 void TimeStepper::open_window(Advance& advance) {
-  StepData& data = context_.data;
-  std::int64_t last =
-      std::min(advance.target,
-               steps_ + (advance.is_wide ? static_cast<std::int64_t>(data.records.size()) : 1));
+  StepTable& data = context_.table();
+  std::int64_t last = std::min(
+      advance.target, steps_ + (advance.is_wide ? static_cast<std::int64_t>(data.ring_size()) : 1));
   if (advance.is_wide && steps_ >= advance.next_copy) {
     if (are_together(data)) {
       saved_.save();
@@ -211,7 +203,7 @@ void TimeStepper::open_window(Advance& advance) {
 
 /// After a run: reports its steps and sets the next one, if there is one to be made.
 bool TimeStepper::continues(Advance& advance) {
-  StepData& data = context_.data;
+  StepTable& data = context_.table();
   if (watch_) watch_->end_run(data);
   report_steps(advance);
   if (is_stopping_)
@@ -229,7 +221,7 @@ bool TimeStepper::continues(Advance& advance) {
 }
 
 void TimeStepper::report_steps(Advance& advance) {
-  const std::int64_t last = last_complete_step(context_.data);
+  const std::int64_t last = last_complete_step(context_.table());
   while (steps_ < last && !advance.thrown) {
     ++steps_;
     if (!advance.completed) continue;
@@ -242,7 +234,7 @@ void TimeStepper::report_steps(Advance& advance) {
 }
 
 void TimeStepper::run_step_serially(std::int64_t step) {
-  StepData& data = context_.data;
+  StepTable& data = context_.table();
   data.window.first = step;
   let_go(step, data);
   while (!are_all_halted(data)) run_serially();
@@ -252,7 +244,7 @@ void TimeStepper::run_step_serially(std::int64_t step) {
 /// reported last: some subsystems were beyond it.
 void TimeStepper::return_to_last_step() {
   saved_.restore();
-  clear_load_failures(context_.data);
+  context_.table().clear_load_failures();
   good_steps_ = -1;
   for (std::int64_t step = saved_steps_ + 1; step <= steps_; ++step) run_step_serially(step);
 }
@@ -260,9 +252,9 @@ void TimeStepper::return_to_last_step() {
 /// Goes back to the last copy and steps, one step at a time, into the failure again; or to the
 /// target, if it was the failure of a load that does not fail again.
 StepOutcome TimeStepper::repeat_failure(Advance& advance) {
-  StepData& data = context_.data;
+  StepTable& data = context_.table();
   saved_.restore();
-  clear_load_failures(data);
+  data.clear_load_failures();
   good_steps_ = -1;
   for (std::int64_t step = saved_steps_ + 1; step <= advance.target; ++step) {
     if (step == steps_ + 1) keep_good_state();

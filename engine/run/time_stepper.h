@@ -12,7 +12,7 @@
 namespace spoke {
 
 /// Whether all subsystems stand at the beginning of one step, and none has failed.
-bool are_together(const StepData& data);
+bool are_together(const StepTable& data);
 /// Notified, on the calling thread, before a run of the step graph, when its window is set, and
 /// after it, before its steps are reported.
 class RunWatch {
@@ -20,8 +20,8 @@ class RunWatch {
   RunWatch() = default;
   RunWatch(const RunWatch&) = delete;
   RunWatch& operator=(const RunWatch&) = delete;
-  virtual void begin_run(const StepData& data) = 0;
-  virtual void end_run(const StepData& data) = 0;
+  virtual void begin_run(const StepTable& data) = 0;
+  virtual void end_run(const StepTable& data) = 0;
 
  protected:
   ~RunWatch() = default;
@@ -60,9 +60,9 @@ class TimeStepper {
   void continue_from(std::int64_t steps);
   /// Evaluates accelerations, wrenches and frames at the state at the end of the last step, which
   /// stays as it is but for `renew`: forces have changed since, and the next step starts from
-  /// accelerations that know of it. `record`: what the step's record would be. Precondition:
-  /// are_together().
-  StepOutcome evaluate(bool renew, SystemRecord& record);
+  /// accelerations that know of it. What the step's record would be is left in the table
+  /// (StepTable::take_evaluated_record). Precondition: are_together().
+  StepOutcome evaluate(bool renew);
   /// Lets `watch` follow all runs by executors until it is replaced; nullptr: none does.
   /// `together`: meanwhile no subsystem begins a step before all have completed the one before. Not
   /// during advance().

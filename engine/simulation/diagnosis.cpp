@@ -51,7 +51,7 @@ std::string describe_violation(const FlexibleBody& body, const LimitViolation& v
 }
 
 /// "the acceleration of deflection v of node 4 is not finite", of the first coordinate.
-std::string describe_accelerations(const BodyData& body) {
+std::string describe_accelerations(const BodyData<Plane>& body) {
   const FlexibleBody& model = *body.model->body;
   for (int k = 0; k < model.coordinates(); ++k)
     if (!std::isfinite(body.a_found[body.layout.offset(k)]))
@@ -62,9 +62,9 @@ std::string describe_accelerations(const BodyData& body) {
 /// Calls `apply` with the indices and data of each body of the subsystems whose step has failed,
 /// root to tip.
 template <class Apply>
-void for_each_failed(const StepData& data, Apply&& apply) {
+void for_each_failed(const StepData<Plane>& data, Apply&& apply) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    const SubsystemData& subsystem = data.subsystems[i];
+    const SubsystemData<Plane>& subsystem = data.subsystems[i];
     if (subsystem.progress->outcome == StepOutcome::done) continue;
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j)
       apply(static_cast<int>(i), static_cast<int>(j), subsystem.bodies[j]);
@@ -72,11 +72,11 @@ void for_each_failed(const StepData& data, Apply&& apply) {
 }
 
 /// The first body with a load that is not finite at the time of the failed pass.
-FailureSite find_bad_load(const StepData& data) {
+FailureSite find_bad_load(const StepData<Plane>& data) {
   FailureSite found;
-  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+  for_each_failed(data, [&](int i, int j, const BodyData<Plane>& body) {
     const double t = data.subsystems[static_cast<std::size_t>(i)].progress->control.time;
-    for (const BodyLoad& load : body.model->loads) {
+    for (const BodyLoad<Plane>& load : body.model->loads) {
       const double sum = load.course->value(t) * (load.force.x() + load.force.y() + load.moment);
       if (std::isfinite(sum) || found.is_known()) continue;
       std::ostringstream text;
@@ -88,10 +88,10 @@ FailureSite find_bad_load(const StepData& data) {
 }
 
 /// The first body with a coordinate that is not finite, or else the one farthest beyond its limit.
-FailureSite find_worst(const StepData& data) {
+FailureSite find_worst(const StepData<Plane>& data) {
   FailureSite worst;
   double largest = 0.0;
-  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+  for_each_failed(data, [&](int i, int j, const BodyData<Plane>& body) {
     const LimitViolation violation = find_limit_violation(body);
     if (violation.coordinate < 0) return;
     const double severity =
@@ -104,9 +104,9 @@ FailureSite find_worst(const StepData& data) {
 }
 
 /// The first body that reported a failure: its accelerations, if its coordinates are fine.
-FailureSite find_reported(const StepData& data) {
+FailureSite find_reported(const StepData<Plane>& data) {
   FailureSite found;
-  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+  for_each_failed(data, [&](int i, int j, const BodyData<Plane>& body) {
     if (found.is_known() || body.report.failed == 0.0) return;
     found = {i, j, describe_accelerations(body), "recovery"};
   });
@@ -114,10 +114,10 @@ FailureSite find_reported(const StepData& data) {
 }
 
 /// The body of which the last iteration has changed a coordinate most.
-FailureSite find_most_changed(const StepData& data) {
+FailureSite find_most_changed(const StepData<Plane>& data) {
   FailureSite found;
   double largest = 0.0;
-  for_each_failed(data, [&](int i, int j, const BodyData& body) {
+  for_each_failed(data, [&](int i, int j, const BodyData<Plane>& body) {
     if (found.is_known() && body.report.change <= largest) return;
     largest = body.report.change;
     found = {i, j, "", "recovery"};
@@ -126,7 +126,7 @@ FailureSite find_most_changed(const StepData& data) {
 }
 
 /// The body with the largest strain energy.
-FailureSite find_most_strained(const StepData& data) {
+FailureSite find_most_strained(const StepData<Plane>& data) {
   FailureSite found;
   double largest = -1.0;
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
@@ -139,8 +139,8 @@ FailureSite find_most_strained(const StepData& data) {
   return found;
 }
 
-FailureSite find_site(const StepContext& context, const FailedStep& failed) {
-  const StepData& data = context.data;
+FailureSite find_site(const SystemContext<Plane>& context, const FailedStep& failed) {
+  const StepData<Plane>& data = context.data;
   if (failed.outcome == StepOutcome::energy_grew) return find_most_strained(data);
   if (failed.outcome == StepOutcome::not_converged) return find_most_changed(data);
   FailureSite site = find_bad_load(data);
@@ -150,7 +150,7 @@ FailureSite find_site(const StepContext& context, const FailedStep& failed) {
 }
 
 /// Whether drive and support prescribe a motion, or apply a torque, that is not finite.
-bool is_drive_finite(const System& system, double t, double speed) {
+bool is_drive_finite(const System<Plane>& system, double t, double speed) {
   const Drive& drive = system.hub.drive;
   if (!prescribes_motion(drive)) return std::isfinite(calc_torque(drive, t, speed));
   const DriveMotion motion = calc_motion(drive, t);
@@ -158,13 +158,13 @@ bool is_drive_finite(const System& system, double t, double speed) {
 }
 
 /// Progress of a subsystem whose step has failed.
-const StepProgress& failed_progress(const StepData& data) {
+const StepProgress& failed_progress(const StepData<Plane>& data) {
   for (const StepProgress& progress : data.progress)
     if (progress.outcome != StepOutcome::done) return progress;
   return data.progress.front();
 }
 
-std::string describe_finding(const Scenario& scenario, const StepContext& context,
+std::string describe_finding(const Scenario& scenario, const SystemContext<Plane>& context,
                              const FailedStep& failed, const FailureSite& site) {
   std::ostringstream text;
   if (failed.outcome == StepOutcome::energy_grew) {
@@ -187,7 +187,7 @@ std::string describe_finding(const Scenario& scenario, const StepContext& contex
 // The causes below say what is likely, with the numbers behind it, and what to try; empty: it is
 // not the cause.
 
-std::string blame_input(const StepContext& context, const FailureSite& site) {
+std::string blame_input(const SystemContext<Plane>& context, const FailureSite& site) {
   if (site.has_bad_load)
     return "a factor, force or moment of that load overflows or was no number: correct it";
   if (!is_drive_finite(context.system, failed_progress(context.data).control.time,
@@ -196,7 +196,7 @@ std::string blame_input(const StepContext& context, const FailureSite& site) {
   return {};
 }
 
-std::string blame_rk4(const Scenario& scenario, const StepContext& context) {
+std::string blame_rk4(const Scenario& scenario, const SystemContext<Plane>& context) {
   const auto* rk4 = std::get_if<Rk4>(&context.integrator.method);
   if (!rk4) return {};
   const FrequencyRange range = calc_frequency_range(scenario.rotor);
@@ -216,7 +216,7 @@ std::string blame_rk4(const Scenario& scenario, const StepContext& context) {
   return text.str();
 }
 
-std::string blame_stiffening(const Scenario& scenario, const StepContext& context,
+std::string blame_stiffening(const Scenario& scenario, const SystemContext<Plane>& context,
                              const FailureSite& site) {
   if (!site.is_known()) return {};
   const Blade& blade = scenario.rotor.blades[static_cast<std::size_t>(site.subsystem)];
@@ -233,7 +233,7 @@ std::string blame_stiffening(const Scenario& scenario, const StepContext& contex
   return text.str();
 }
 
-std::string blame_iteration(const StepContext& context, const FailedStep& failed) {
+std::string blame_iteration(const SystemContext<Plane>& context, const FailedStep& failed) {
   constexpr double kRoundOff = 1e-12;  // of coordinates of some metres
   if (failed.outcome != StepOutcome::not_converged) return {};
   const IterationLimits& limits = context.integrator.limits;
@@ -261,7 +261,7 @@ std::string blame_deflection(const Scenario& scenario, const FailedStep& failed,
   return text.str();
 }
 
-std::string find_cause(const Scenario& scenario, const StepContext& context,
+std::string find_cause(const Scenario& scenario, const SystemContext<Plane>& context,
                        const FailedStep& failed, const FailureSite& site) {
   for (const std::string& cause :
        {blame_input(context, site), blame_rk4(scenario, context),
@@ -273,7 +273,7 @@ std::string find_cause(const Scenario& scenario, const StepContext& context,
 
 }  // namespace
 
-std::string describe_failure(const Scenario& scenario, const StepContext& context,
+std::string describe_failure(const Scenario& scenario, const SystemContext<Plane>& context,
                              const FailedStep& failed) {
   const FailureSite site = find_site(context, failed);
   std::ostringstream text;

@@ -21,7 +21,7 @@ struct FailedStep {
 
 /// One sentence that says what left its limits, where (blade, body, node of the graph, coordinate),
 /// when, and what to try.
-std::string describe_failure(const Scenario& scenario, const StepContext& context,
+std::string describe_failure(const Scenario& scenario, const SystemContext<Plane>& context,
                              const FailedStep& failed);
 
 }  // namespace spoke

@@ -25,27 +25,29 @@ bool needs_reading(SensorQuantity quantity) {
 }
 
 /// Where two bodies meet, the inner one: what acts there then is outboard of the section.
-Reading make_reading(const Sensor& sensor, const Blade& blade, const SubsystemData& data) {
+Reading<Plane> make_reading(const Sensor& sensor, const Blade& blade,
+                            const SubsystemData<Plane>& data) {
   constexpr double kSlack = 1e-9;
-  Reading reading{sensor.quantity, frame_of(sensor), 0, 0.0, {}, data.reading_count};
+  Reading<Plane> reading{sensor.quantity, frame_of(sensor), 0, 0.0, {}, data.reading_count};
   if (sensor.quantity == SensorQuantity::joint_reaction) reading.body = sensor.joint;
   if (!has_position(sensor.quantity)) return reading;
   const double along = sensor.position.value_or(blade.length) / blade.length * blade.bodies;
   reading.body = std::clamp(static_cast<int>(std::ceil(along - kSlack)) - 1, 0, blade.bodies - 1);
   const double station = std::min(along - reading.body, 1.0);
   reading.station = station > 1.0 - kSlack ? 1.0 : station;
-  const BodyData& body = data.bodies[reading.body];
+  const BodyData<Plane>& body = data.bodies[reading.body];
   reading.section = make_section(*body.model->body, body.layout, reading.station);
   return reading;
 }
 
 /// The readings of a sensor, and where they are.
-std::vector<std::size_t> add_readings(const Sensor& sensor, const Rotor& rotor, StepData& data) {
+std::vector<std::size_t> add_readings(const Sensor& sensor, const Rotor& rotor,
+                                      StepData<Plane>& data) {
   std::vector<std::size_t> places;
   if (!needs_reading(sensor.quantity)) return places;
   const auto [first, end] = blades_of(sensor, data.subsystems.size());
   for (std::size_t i = first; i < end; ++i) {
-    SubsystemData& blade = data.subsystems[i];
+    SubsystemData<Plane>& blade = data.subsystems[i];
     blade.readings.push_back(make_reading(sensor, rotor.blades[i], blade));
     places.push_back(blade.reading_count);
     blade.reading_count += kTwist;
@@ -67,8 +69,8 @@ void add_columns(const Sensor& sensor, std::size_t blade, const std::vector<std:
 
 /// Of the hub, then of the blades in their order.
 double calc_total_momentum(const SensorColumn& column, const Hub& hub, std::int64_t step,
-                           const StepData& data) {
-  const SystemRecord& record = of_step(data.records, step);
+                           const StepData<Plane>& data) {
+  const SystemRecord<Plane>& record = of_step(data.records, step);
   const Twist &x = record.position, &v = record.velocity;
   double sum = column.component == kRotation
                    ? hub.inertia * v[kRotation] + hub.mass * (x[0] * v[1] - x[1] * v[0])
@@ -78,8 +80,8 @@ double calc_total_momentum(const SensorColumn& column, const Hub& hub, std::int6
   return sum;
 }
 
-double calc_hub_reaction(const SensorColumn& column, const SystemRecord& record) {
-  Twist wrench = record.step.reaction;
+double calc_hub_reaction(const SensorColumn& column, const SystemRecord<Plane>& record) {
+  Twist wrench = record.reaction;
   wrench[kRotation] += record.applied_torque;
   if (column.frame == SensorFrame::inertial)
     wrench = Rotation::from_angle(record.position[kRotation]) * wrench;
@@ -98,7 +100,7 @@ std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades) 
 }
 
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const Rotor& rotor,
-                                        StepData& data) {
+                                        StepData<Plane>& data) {
   std::vector<SensorColumn> columns;
   for (const Sensor& sensor : sensors) {
     const std::vector<std::size_t> places = add_readings(sensor, rotor, data);
@@ -111,15 +113,15 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const R
       add_columns(sensor, i, places.empty() ? places : std::vector<std::size_t>{places[i - first]},
                   columns);
   }
-  for (SubsystemData& blade : data.subsystems)
+  for (SubsystemData<Plane>& blade : data.subsystems)
     blade.reading_ring =
         ArenaVector<double>(blade.reading_count * blade.samples.size(), 0.0, *blade.arena);
   return columns;
 }
 
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
-                const StepData& data) {
-  const SubsystemData& blade = data.subsystems[column.blade];
+                const StepData<Plane>& data) {
+  const SubsystemData<Plane>& blade = data.subsystems[column.blade];
   switch (column.quantity) {
     case SensorQuantity::kinetic_energy:
       return of_step(blade.samples, step).kinetic;

@@ -30,11 +30,11 @@ std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades);
 /// order of the sensors, their blades, and components. Preconditions: the table is allocated, and
 /// check_sensors() holds.
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const Rotor& rotor,
-                                        StepData& data);
+                                        StepData<Plane>& data);
 
 /// The value of a column at the end of step `step`, of which records, samples and readings must be
 /// in the table.
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
-                const StepData& data);
+                const StepData<Plane>& data);
 
 }  // namespace spoke

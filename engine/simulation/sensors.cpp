@@ -12,7 +12,8 @@ namespace spoke {
 namespace {
 
 /// The hub's energies: kinetic, and the work of gravity.
-Energies calc_hub_energies(const System& system, const Twist& position, const Twist& velocity) {
+Energies calc_hub_energies(const System<Plane>& system, const Twist& position,
+                           const Twist& velocity) {
   const Hub& hub = system.hub;
   const Position v = velocity.head<kPosition>(), p = position.head<kPosition>();
   const double speed = velocity[kRotation];
@@ -21,11 +22,11 @@ Energies calc_hub_energies(const System& system, const Twist& position, const Tw
 }
 
 /// Sums over the hub and the samples of a step, in the subsystems' order.
-Energies sum_energies(const System& system, const SystemRecord& record, std::int64_t step,
-                      const StepData& data) {
+Energies sum_energies(const System<Plane>& system, const SystemRecord<Plane>& record,
+                      std::int64_t step, const StepData<Plane>& data) {
   Energies energies = calc_hub_energies(system, record.position, record.velocity);
-  for (const SubsystemData& subsystem : data.subsystems) {
-    const SubsystemSample& sample = of_step(subsystem.samples, step);
+  for (const SubsystemData<Plane>& subsystem : data.subsystems) {
+    const SubsystemSample<Plane>& sample = of_step(subsystem.samples, step);
     energies.kinetic += sample.kinetic;
     energies.strain += sample.strain;
     energies.gravity += sample.gravity;
@@ -35,14 +36,14 @@ Energies sum_energies(const System& system, const SystemRecord& record, std::int
 
 }  // namespace
 
-Energies calc_energies(const System& system, StepData& data) {
+Energies calc_energies(const System<Plane>& system, StepData<Plane>& data) {
   const CoordinateBlock& hub = data.hub_coordinates;
-  if (data.is_coupled) data.hub = calc_hub_state(hub);
+  if (data.is_coupled) data.hub = calc_hub_state<Plane>(hub);
   Energies energies = calc_hub_energies(system, Twist(hub.q[0], hub.q[1], hub.q[2]),
                                         Twist(hub.v[0], hub.v[1], hub.v[2]));
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     update_kinematics(system.subsystems[i], data.subsystems[i]);
-    const SubsystemSample sample = calc_sample(system, i, data.subsystems[i]);
+    const SubsystemSample<Plane> sample = calc_sample(system, i, data.subsystems[i]);
     energies.kinetic += sample.kinetic;
     energies.strain += sample.strain;
     energies.gravity += sample.gravity;
@@ -55,7 +56,8 @@ void WorkDone::add(const StepRecord& step) {
   dissipated += step.dissipated;
 }
 
-Sensors::Sensors(const System& system, std::vector<SensorColumn> asked) : asked_(std::move(asked)) {
+Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked)
+    : asked_(std::move(asked)) {
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
     const std::string blade = "blade" + std::to_string(i + 1);
     add(blade + ".tip.x", "m");
@@ -89,14 +91,15 @@ void Sensors::add(std::string name, std::string unit) {
   units_.push_back(std::move(unit));
 }
 
-void Sensors::start(const System& system, StepData& data) {
+void Sensors::start(const System<Plane>& system, StepData<Plane>& data) {
   sample(system, 0, 0.0, data);
   const Energies energies = sum_energies(system, of_step(data.records, 0), 0, data);
   initial_energy_ = energies.kinetic + energies.strain;
   initial_gravity_ = energies.gravity;
 }
 
-void Sensors::sample(const System& system, std::int64_t step, double t, StepData& data) {
+void Sensors::sample(const System<Plane>& system, std::int64_t step, double t,
+                     StepData<Plane>& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     update_kinematics(system.subsystems[i], data.subsystems[i]);
     of_step(data.subsystems[i].samples, step) = calc_sample(system, i, data.subsystems[i]);
@@ -105,28 +108,28 @@ void Sensors::sample(const System& system, std::int64_t step, double t, StepData
 }
 
 /// Tips in the blades' own axes, and loads of the roots.
-void Sensors::add_blade_values(const System& system, std::int64_t step, const StepData& data) {
+void Sensors::add_blade_values(const System<Plane>& system, std::int64_t step,
+                               const StepData<Plane>& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    const SubsystemSample& sample = of_step(data.subsystems[i].samples, step);
-    const Position tip =
-        system.subsystems[i].root.R.inverse() * Position{sample.tip_x, sample.tip_y};
+    const SubsystemSample<Plane>& sample = of_step(data.subsystems[i].samples, step);
+    const Position tip = system.subsystems[i].root.R.inverse() * sample.tip;
     const Twist& root = sample.root;
     values_.insert(values_.end(), {tip.x(), tip.y(), root[0], root[1], root[kRotation]});
   }
 }
 
-const std::vector<double>& Sensors::measure(const System& system, const WorkDone& work,
-                                            std::int64_t step, const StepData& data) {
-  const SystemRecord& record = of_step(data.records, step);
+const std::vector<double>& Sensors::measure(const System<Plane>& system, const WorkDone& work,
+                                            std::int64_t step, const StepData<Plane>& data) {
+  const SystemRecord<Plane>& record = of_step(data.records, step);
   const Energies energies = sum_energies(system, record, step, data);
   values_.clear();
-  for (const SubsystemData& subsystem : data.subsystems) {
-    const SubsystemSample& sample = of_step(subsystem.samples, step);
-    values_.insert(values_.end(), {sample.tip_x, sample.tip_y});
+  for (const SubsystemData<Plane>& subsystem : data.subsystems) {
+    const SubsystemSample<Plane>& sample = of_step(subsystem.samples, step);
+    values_.insert(values_.end(), {sample.tip.x(), sample.tip.y()});
   }
   if (system.hub.support == HubSupport::free)
     values_.insert(values_.end(), {record.position[0], record.position[1]});
-  const double torque = record.step.reaction[kRotation] + record.applied_torque;
+  const double torque = record.reaction[kRotation] + record.applied_torque;
   const double done = work.by_drive_and_loads + (energies.gravity - initial_gravity_);
   const double residual =
       energies.kinetic + energies.strain - initial_energy_ + work.dissipated - done;

@@ -34,6 +34,9 @@ Method make_method(const Integration& integration, double step) {
 
 const Scenario& checked(const Scenario& scenario) {
   check_scenario(scenario);
+  if (scenario.space)
+    throw InputError(
+        "world: is \"space\", which spoke check prints; expected \"plane\" to simulate");
   return scenario;
 }
 
@@ -82,14 +85,11 @@ std::vector<SensorColumn> SimulationCore::prepare(const Loads& loads) {
                          scenario.integration.max_iterations}};
   require_memory(context.system, context.formulation);
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
-                          options.threads,
-                          options.window,
-                          planned_steps,
-                          count_readings(scenario.sensors, scenario.rotor.blades.size()),
-                          options.make_executor};
+                          options.threads, options.window, planned_steps, options.make_executor};
   const std::vector<AskedLoad> asked = ask_loads(loads);
   context.loads_tie_blades = ties_blades(asked);
-  allocate(context, window_records(how, context.system));
+  const std::size_t readings = count_readings(scenario.sensors, scenario.rotor.blades.size());
+  allocate(context, window_records(how, ring_bytes(context.system, readings)));
   place_loads(asked, context.data);
   std::vector<SensorColumn> columns = place_sensors(scenario.sensors, scenario.rotor, context.data);
   runner = std::make_unique<StepRunner>(context, how);
@@ -105,7 +105,7 @@ std::vector<SensorColumn> SimulationCore::prepare(const Loads& loads) {
   if (runner->step_graph().node_count() > kLargest) return;
   for (const graph::DeclarationFault& fault : graph::check_declarations(runner->step_graph()))
     throw Error(ErrorCode::internal, fault.message);
-  clear_load_failures(context.data);
+  context.data.clear_load_failures();
 }
 
 void SimulationCore::step() {
@@ -157,7 +157,7 @@ void SimulationCore::open_window() {
 }
 
 void SimulationCore::require_state(const char* use) const {
-  const StepData& data = context.data;
+  const StepData<Plane>& data = context.data;
   if (!are_together(data) || last_complete_step(data) != runner->steps())
     throw StateError(std::string("there is no state to ") + use +
                      ": a step failed or was not brought to its end");
@@ -169,7 +169,7 @@ void SimulationCore::sample(std::int64_t step) {
 
 const std::vector<double>& SimulationCore::values() {
   if (measured_step == runner->steps()) return sensor_values;
-  if (loads_are_stale && has_loads(context.data) && !scenario.sensors.empty()) evaluate_again();
+  if (loads_are_stale && context.data.has_loads() && !scenario.sensors.empty()) evaluate_again();
   sample(runner->steps());
   sensor_values = sensors.measure(context.system, work, runner->steps(), context.data);
   measured_step = runner->steps();
@@ -184,7 +184,7 @@ void SimulationCore::evaluate() {
 }
 
 void SimulationCore::evaluate_again() {
-  const StepOutcome outcome = runner->evaluate(false, evaluated);
+  const StepOutcome outcome = runner->evaluate(false);
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
   evaluated_step = runner->steps();
   loads_are_stale = false;
@@ -193,15 +193,15 @@ void SimulationCore::evaluate_again() {
 void SimulationCore::renew() {
   values();
   evaluated_step = -1;
-  const StepOutcome outcome = runner->evaluate(true, evaluated);
+  const StepOutcome outcome = runner->evaluate(true);
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
 }
 
-PlacedMarker SimulationCore::place(const Marker& marker) const {
+PlacedMarker<Plane> SimulationCore::place(const Marker& marker) const {
   return place_marker("the marker", marker, context.data);
 }
 
-const BodyData& SimulationCore::find_body(int blade, int body) const {
+const BodyData<Plane>& SimulationCore::find_body(int blade, int body) const {
   const auto& blades = context.data.subsystems;
   require_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
   const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
@@ -230,7 +230,7 @@ std::vector<double> SimulationCore::take_values(std::int64_t steps) {
 }
 
 void SimulationCore::restore(const SavedState& state) {
-  StepData& data = context.data;
+  StepData<Plane>& data = context.data;
   constexpr std::int64_t most_steps = std::int64_t{1} << 53;  // values are doubles
   if (!state.model) throw InputError("the saved state is empty");
   if (state.steps < 0 || state.steps > most_steps)
@@ -253,7 +253,7 @@ void SimulationCore::restore(const SavedState& state) {
   if (!is_possible(before, scenario.rotor))
     throw InputError("the saved state names a body that there is not");
   seen = before;
-  put_state_values(std::span(state.values).first(table_count), state.steps, data);
+  data.put_state(std::span(state.values).first(table_count), state.steps);
   runner->continue_from(state.steps);
   evaluations = state.evaluations;
   work = {state.work, state.dissipated};

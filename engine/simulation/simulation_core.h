@@ -47,15 +47,15 @@ class SimulationCore {
   void evaluate();
   /// The same, after a force has changed: the next step starts from it.
   void renew();
-  PlacedMarker place(const Marker& marker) const;
-  const BodyData& find_body(int blade, int body) const;
+  PlacedMarker<Plane> place(const Marker& marker) const;
+  const BodyData<Plane>& find_body(int blade, int body) const;
 
   Scenario scenario;
   SimulationOptions options;
   std::int64_t planned_steps;
   double step_size;
   std::shared_ptr<const std::string> identity;
-  StepContext context;
+  SystemContext<Plane> context;
   std::unique_ptr<StepRunner> runner;
   std::int64_t evaluations = 0;
   WorkDone work;
@@ -68,9 +68,8 @@ class SimulationCore {
   std::int64_t measured_step = -1;
   /// What loads of the user's exert, as the table has it, is not that of the state.
   bool loads_are_stale = false;
-  /// The step at whose end accelerations and wrenches were evaluated, and its record.
+  /// The step at whose end accelerations and wrenches were evaluated (see StepData::evaluated).
   std::int64_t evaluated_step = -1;
-  SystemRecord evaluated;
 
  private:
   std::vector<SensorColumn> prepare(const Loads& loads);

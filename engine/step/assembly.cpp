@@ -10,23 +10,29 @@ namespace spoke {
 
 using graph::PartId;
 
-PartList loads_on(const Assembly& g, int i, int j) {
+template <class World>
+PartList loads_on(const Assembly<World>& g, int i, int j) {
   PartList list;
   if (g.c.data.subsystems[i].bodies[j].applied.empty()) return list;  // spares a look at all blades
   for (std::size_t first = 0; first < g.parts.subsystems.size(); ++first) {
-    const std::vector<LoadData>& loads = g.c.data.subsystems[first].loads;
+    const std::vector<LoadData<World>>& loads = g.c.data.subsystems[first].loads;
     for (std::size_t k = 0; k < loads.size(); ++k)
-      if (std::any_of(
-              loads[k].markers.begin(), loads[k].markers.end(),
-              [i, j](const PlacedMarker& marker) { return marker.blade == i && marker.body == j; }))
+      if (std::any_of(loads[k].markers.begin(), loads[k].markers.end(),
+                      [i, j](const PlacedMarker<World>& marker) {
+                        return marker.blade == i && marker.body == j;
+                      }))
         list.push_back(g.parts.subsystems[first].loads[k]);
   }
   return list;
 }
 
-bool corrects_hub(const Assembly& g) {
+template <class World>
+bool corrects_hub(const Assembly<World>& g) {
   return std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method) &&
-         !is_prescribed(g.c.system.hub);
+         !is_prescribed(g.c.system);
 }
+
+template PartList loads_on(const Assembly<Plane>&, int, int);
+template bool corrects_hub(const Assembly<Plane>&);
 
 }  // namespace spoke

@@ -13,8 +13,9 @@ namespace spoke {
 using PartList = std::vector<graph::PartId>;
 
 /// What adds nodes, and the pass they belong to.
+template <class World>
 struct Assembly {
-  StepContext& c;
+  SystemContext<World>& c;
   const StepParts& parts;
   graph::StepGraphBuilder& builder;
   int pass = -1;
@@ -34,8 +35,10 @@ auto unless_halted(const StepProgress& progress, Body body) {
 }
 
 /// The loads of the user's that act on body `j` of blade `i`.
-PartList loads_on(const Assembly& g, int i, int j);
+template <class World>
+PartList loads_on(const Assembly<World>& g, int i, int j);
 /// Whether a pass ends with the correction of a free coordinate of the hub.
-bool corrects_hub(const Assembly& g);
+template <class World>
+bool corrects_hub(const Assembly<World>& g);
 
 }  // namespace spoke

@@ -17,23 +17,25 @@ using graph::reads;
 using graph::writes;
 
 /// What keeping the loads of the joints reads.
-PartList joint_load_inputs(const Assembly& g, int i) {
+template <class World>
+PartList joint_load_inputs(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   PartList inputs{blade.wrenches, blade.rotations};
-  if (!g.c.system.subsystems[i].bodies.front().centrifugal_stiffness) return inputs;
+  if (!g.c.system.subsystems[i].bodies.front().stiffening.centrifugal) return inputs;
   inputs.push_back(blade.hub_acceleration);
   for (const PartId terms : blade.all(&BodyParts::terms)) inputs.push_back(terms);
   return inputs;
 }
 
 /// What the scenario's sensors read beyond the places, twists and loads of joints of the blade.
-PartList reading_inputs(const Assembly& g, int i) {
+template <class World>
+PartList reading_inputs(const Assembly<World>& g, int i) {
   PartList inputs;
-  const std::vector<Reading>& readings = g.c.data.subsystems[i].readings;
+  const std::vector<Reading<World>>& readings = g.c.data.subsystems[i].readings;
   const auto add = [&inputs](const PartList& list) {
     inputs.insert(inputs.end(), list.begin(), list.end());
   };
-  for (const Reading& reading : readings) {
+  for (const Reading<World>& reading : readings) {
     const bool is_root = reading.body == 0 && reading.section.x == 0.0;
     const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
     const bool is_accelerated = is_load || reading.quantity == SensorQuantity::acceleration;
@@ -49,8 +51,9 @@ PartList reading_inputs(const Assembly& g, int i) {
 
 }  // namespace
 
-void add_finish(const Assembly& g) {
-  StepContext& c = g.c;
+template <class World>
+void add_finish(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
   const bool is_corrected = corrects_hub(g);
   PartList outputs{parts.progress, parts.records};
@@ -67,15 +70,16 @@ void add_finish(const Assembly& g) {
                        finish_system(c.system, c.integrator, c.data);
                        // For the sensors: the last correction has moved the hub once more.
                        if (is_corrected && progress.completed >= 0)
-                         c.data.hub = calc_hub_state(c.data.hub_coordinates);
+                         c.data.hub = calc_hub_state<World>(c.data.hub_coordinates);
                      });
 }
 
-void add_subsystem_finish(const Assembly& g, int i) {
+template <class World>
+void add_subsystem_finish(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   const Integrator& integrator = g.c.integrator;
   const Window& window = g.c.data.window;
-  SubsystemData& data = g.c.data.subsystems[i];
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(
       g.label("finish", i),
       reads(blade.progress, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
@@ -88,11 +92,12 @@ void add_subsystem_finish(const Assembly& g, int i) {
       });
 }
 
-void add_sensors(const Assembly& g, int i) {
+template <class World>
+void add_sensors(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
-  const StepContext& c = g.c;
-  StepData& table = g.c.data;
-  SubsystemData& data = table.subsystems[i];
+  const SystemContext<World>& c = g.c;
+  StepData<World>& table = g.c.data;
+  SubsystemData<World>& data = table.subsystems[i];
   const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
   PartList outputs{blade.poses, blade.samples, blade.joint_loads};
   if (!data.readings.empty()) outputs.push_back(blade.readings);
@@ -105,7 +110,7 @@ void add_sensors(const Assembly& g, int i) {
                        const std::int64_t step = data.progress->completed;
                        if (step < 0) return;
                        const auto index = static_cast<std::size_t>(i);
-                       const Subsystem& subsystem = c.system.subsystems[index];
+                       const Subsystem<World>& subsystem = c.system.subsystems[index];
                        keep_joint_loads(subsystem, data);
                        if (!table.window.observed) return;
                        if (is_corrected) update_kinematics(subsystem, data);
@@ -115,5 +120,9 @@ void add_sensors(const Assembly& g, int i) {
                                        static_cast<double>(step) * step_size(c.integrator), table);
                      });
 }
+
+template void add_finish(const Assembly<Plane>&);
+template void add_subsystem_finish(const Assembly<Plane>&, int);
+template void add_sensors(const Assembly<Plane>&, int);
 
 }  // namespace spoke

@@ -7,10 +7,13 @@
 namespace spoke {
 
 /// Ends the pass of the system.
-void add_finish(const Assembly& g);
+template <class World>
+void add_finish(const Assembly<World>& g);
 /// Ends the pass of blade `i`, with its own progress.
-void add_subsystem_finish(const Assembly& g, int i);
+template <class World>
+void add_subsystem_finish(const Assembly<World>& g, int i);
 /// What the sensors show of blade `i`, if the pass has completed a step that is observed.
-void add_sensors(const Assembly& g, int i);
+template <class World>
+void add_sensors(const Assembly<World>& g, int i);
 
 }  // namespace spoke

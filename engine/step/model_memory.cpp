@@ -13,7 +13,8 @@ namespace spoke {
 namespace {
 
 /// Memory of the step graph of one pass, while it is built [bytes].
-double estimate_graph_memory(const System& system) {
+template <class World>
+double estimate_graph_memory(const System<World>& system) {
   const double nodes = 3.0 + 8.0 * static_cast<double>(system.subsystems.size()) +
                        3.0 * static_cast<double>(system.body_count());
   return 1200.0 * nodes;
@@ -21,11 +22,13 @@ double estimate_graph_memory(const System& system) {
 
 }  // namespace
 
-double estimate_model_memory(const System& system, Formulation formulation) {
+template <class World>
+double estimate_model_memory(const System<World>& system, Formulation formulation) {
   return estimate_memory(system, formulation) + estimate_graph_memory(system);
 }
 
-void require_memory(const System& system, Formulation formulation) {
+template <class World>
+void require_memory(const System<World>& system, Formulation formulation) {
   const double needed = estimate_model_memory(system, formulation);
   const double most = 0.8 * available_memory();
   if (needed < most) return;
@@ -40,5 +43,8 @@ void require_memory(const System& system, Formulation formulation) {
                    " on this machine: use fewer blades, bodies or elements" +
                    (is_dense ? ", or the formulation structured" : ""));
 }
+
+template double estimate_model_memory(const System<Plane>&, Formulation);
+template void require_memory(const System<Plane>&, Formulation);
 
 }  // namespace spoke

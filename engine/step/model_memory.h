@@ -8,10 +8,12 @@
 namespace spoke {
 
 /// What data and step graph of a model take, by measurements of models of many sizes [bytes].
-double estimate_model_memory(const System& system, Formulation formulation);
+template <class World>
+double estimate_model_memory(const System<World>& system, Formulation formulation);
 
 /// Throws InputError if the data and step graph of a model need more memory than four fifths of
 /// what this process may use, naming both.
-void require_memory(const System& system, Formulation formulation);
+template <class World>
+void require_memory(const System<World>& system, Formulation formulation);
 
 }  // namespace spoke

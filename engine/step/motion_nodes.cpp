@@ -18,22 +18,23 @@ using graph::writes;
 
 /// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle
 /// only, which a clamped frame has none of.
-PartList chain_coordinates(const Assembly& g, int i) {
+template <class World>
+PartList chain_coordinates(const Assembly<World>& g, int i) {
   PartList list = g.blade(i).all(&BodyParts::coordinates);
-  const FlexibleBody& tip = *g.c.system.subsystems[i].bodies.back().body;
-  if (tip.inboard.coordinate[kRotation] < 0) list.pop_back();
+  if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
   return list;
 }
 
 /// What the places of a load's markers depend on: on each of its blades the bodies up to the
 /// outermost marker's own.
-PartList load_inputs(const Assembly& g, const LoadData& load) {
+template <class World>
+PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
   const SubsystemParts& first = g.blade(load.blades.front());
   PartList inputs{first.progress, first.hub_state};
   for (const int i : load.blades) {
     const SubsystemParts& blade = g.blade(i);
     int last = 0;
-    for (const PlacedMarker& marker : load.markers)
+    for (const PlacedMarker<World>& marker : load.markers)
       if (marker.blade == i) last = std::max(last, marker.body);
     inputs.push_back(blade.rotations);
     inputs.push_back(blade.twists);
@@ -45,8 +46,9 @@ PartList load_inputs(const Assembly& g, const LoadData& load) {
 
 }  // namespace
 
-void add_hub_motion(const Assembly& g) {
-  StepContext& c = g.c;
+template <class World>
+void add_hub_motion(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
   g.builder.add_node(
       g.label("hub motion"), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
@@ -55,11 +57,12 @@ void add_hub_motion(const Assembly& g) {
                     [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
 }
 
-void add_prescribed_hub_motion(const Assembly& g, int i) {
+template <class World>
+void add_prescribed_hub_motion(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
-  const SubsystemData& data = g.c.data.subsystems[i];
-  const StepContext& c = g.c;
-  PrescribedHub& prescribed = g.c.data.subsystems[i].prescribed;
+  const SubsystemData<World>& data = g.c.data.subsystems[i];
+  const SystemContext<World>& c = g.c;
+  PrescribedHub<World>& prescribed = g.c.data.subsystems[i].prescribed;
   g.builder.add_node(
       g.label("hub motion", i), reads(blade.progress, blade.hub_state), writes(blade.hub_state),
       unless_halted(*data.progress, [&c, &prescribed, &progress = *data.progress]() noexcept {
@@ -68,12 +71,13 @@ void add_prescribed_hub_motion(const Assembly& g, int i) {
       }));
 }
 
-void add_coordinates(const Assembly& g, int i) {
+template <class World>
+void add_coordinates(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   const PartList coordinates = blade.all(&BodyParts::coordinates);
   const PartList history = blade.all(&BodyParts::history);
   const Method& method = g.c.integrator.method;
-  SubsystemData& data = g.c.data.subsystems[i];
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(
       g.label("coordinates", i),
       reads(blade.progress, coordinates, history, blade.all(&BodyParts::accelerations)),
@@ -81,9 +85,10 @@ void add_coordinates(const Assembly& g, int i) {
       unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
 }
 
-void add_position(const Assembly& g, int i) {
-  const Subsystem& subsystem = g.c.system.subsystems[i];
-  SubsystemData& data = g.c.data.subsystems[i];
+template <class World>
+void add_position(const Assembly<World>& g, int i) {
+  const Subsystem<World>& subsystem = g.c.system.subsystems[i];
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(g.label("position", i), reads(g.blade(i).progress, chain_coordinates(g, i)),
                      writes(g.blade(i).rotations),
                      unless_halted(*data.progress, [&subsystem, &data]() noexcept {
@@ -91,10 +96,11 @@ void add_position(const Assembly& g, int i) {
                      }));
 }
 
-void add_velocity(const Assembly& g, int i) {
+template <class World>
+void add_velocity(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
-  const Subsystem& subsystem = g.c.system.subsystems[i];
-  SubsystemData& data = g.c.data.subsystems[i];
+  const Subsystem<World>& subsystem = g.c.system.subsystems[i];
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList outputs{blade.twists};
   if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
   g.builder.add_node(
@@ -106,11 +112,12 @@ void add_velocity(const Assembly& g, int i) {
       }));
 }
 
-void add_loads_of_user(const Assembly& g, int i) {
-  const StepContext& c = g.c;
-  SubsystemData& data = g.c.data.subsystems[i];
+template <class World>
+void add_loads_of_user(const Assembly<World>& g, int i) {
+  const SystemContext<World>& c = g.c;
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < data.loads.size(); ++k) {
-    LoadData& load = data.loads[k];
+    LoadData<World>& load = data.loads[k];
     const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
     g.builder.add_node(
         label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
@@ -119,5 +126,12 @@ void add_loads_of_user(const Assembly& g, int i) {
         }));
   }
 }
+
+template void add_hub_motion(const Assembly<Plane>&);
+template void add_prescribed_hub_motion(const Assembly<Plane>&, int);
+template void add_coordinates(const Assembly<Plane>&, int);
+template void add_position(const Assembly<Plane>&, int);
+template void add_velocity(const Assembly<Plane>&, int);
+template void add_loads_of_user(const Assembly<Plane>&, int);
 
 }  // namespace spoke

@@ -8,16 +8,22 @@
 namespace spoke {
 
 /// The hub's motion where it has a free coordinate, or is solved for with all else.
-void add_hub_motion(const Assembly& g);
+template <class World>
+void add_hub_motion(const Assembly<World>& g);
 /// The hub's motion as blade `i` follows it, where it is prescribed.
-void add_prescribed_hub_motion(const Assembly& g, int i);
+template <class World>
+void add_prescribed_hub_motion(const Assembly<World>& g, int i);
 /// The coordinates that the integrator sets for the pass.
-void add_coordinates(const Assembly& g, int i);
+template <class World>
+void add_coordinates(const Assembly<World>& g, int i);
 /// Rotations of the bodies.
-void add_position(const Assembly& g, int i);
+template <class World>
+void add_position(const Assembly<World>& g, int i);
 /// Twists of the bodies; their poses only where drag depends on them.
-void add_velocity(const Assembly& g, int i);
+template <class World>
+void add_velocity(const Assembly<World>& g, int i);
 /// Loads whose first blade this is. A load between blades is a node of no blade.
-void add_loads_of_user(const Assembly& g, int i);
+template <class World>
+void add_loads_of_user(const Assembly<World>& g, int i);
 
 }  // namespace spoke

@@ -16,7 +16,8 @@ namespace spoke {
 namespace {
 
 /// Sum of the squares of a body's coordinates.
-double sum_squares(const BodyData& body) {
+template <class World>
+double sum_squares(const BodyData<World>& body) {
   const double* q = body.coordinates.q;
   Double2 sum{};
   body.coordinates.for_parts([&](int first, int n) {
@@ -26,15 +27,20 @@ double sum_squares(const BodyData& body) {
 }
 
 /// Whether a body surely is within its limits: one comparison, which NaN and infinity fail as well.
-bool is_small(double squares, const BodyData& body) {
+template <class World>
+bool is_small(double squares, const BodyData<World>& body) {
   const double limit = std::min(body.model->body->length, std::numbers::pi);
   return squares <= limit * limit;
 }
 
-bool is_finite(const Twist& X) { return std::isfinite(X[0] + X[1] + X[2]); }
+template <class Vector>
+bool is_finite(const Vector& X) {
+  return std::isfinite(X.sum());
+}
 
-void add_reports(const SubsystemData& subsystem, PassReport& sum) {
-  for (const BodyData& body : subsystem.bodies) {
+template <class World>
+void add_reports(const SubsystemData<World>& subsystem, PassReport& sum) {
+  for (const BodyData<World>& body : subsystem.bodies) {
     sum.power.applied += body.terms.load_power;
     sum.power.dissipation += body.terms.dissipation;
     sum.change = std::max(sum.change, body.report.change);
@@ -43,7 +49,8 @@ void add_reports(const SubsystemData& subsystem, PassReport& sum) {
 }
 
 /// Adds the deflections of subsystem `i`.
-void add_deflections(const SubsystemData& subsystem, int i, LargeDeflection& largest) {
+template <class World>
+void add_deflections(const SubsystemData<World>& subsystem, int i, LargeDeflection& largest) {
   for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
     const double ratio = subsystem.bodies[j].report.deflection;
     if (ratio > largest.ratio) largest = {ratio, i, static_cast<int>(j)};
@@ -51,18 +58,22 @@ void add_deflections(const SubsystemData& subsystem, int i, LargeDeflection& lar
 }
 
 /// Adds what blade `blade` did.
-void add_record(const StepRecord& record, int blade, StepRecord& sum) {
-  sum.passes = std::max(sum.passes, record.passes);
-  sum.work += record.work;
-  sum.dissipated += record.dissipated;
+template <class World>
+void add_record(const ReactionRecord<World>& record, int blade, SystemRecord<World>& sum) {
+  StepRecord& step = sum.step;
+  step.passes = std::max(step.passes, record.step.passes);
+  step.work += record.step.work;
+  step.dissipated += record.step.dissipated;
   sum.reaction += record.reaction;
-  if (record.deflection.ratio > sum.deflection.ratio)
-    sum.deflection = {record.deflection.ratio, blade, record.deflection.body};
+  const LargeDeflection& deflection = record.step.deflection;
+  if (deflection.ratio > step.deflection.ratio)
+    step.deflection = {deflection.ratio, blade, deflection.body};
 }
 
 /// On the hub's own inertia, which turns faster [J].
-double work_on_hub(const System& system, double speed_before, double speed) {
-  return 0.5 * system.hub.inertia * (speed * speed - speed_before * speed_before);
+template <class World>
+double work_on_hub(const System<World>& system, double speed_before, double speed) {
+  return 0.5 * axial_inertia(system.hub) * (speed * speed - speed_before * speed_before);
 }
 
 /// Sets the hub's free coordinates; those that are prescribed follow.
@@ -75,19 +86,18 @@ void begin_block(const Method& method, const PassControl& control, CoordinateBlo
   }
 }
 
-Twist position_of(const CoordinateBlock& hub) { return {hub.q[0], hub.q[1], hub.q[2]}; }
-Twist velocity_of(const CoordinateBlock& hub) { return {hub.v[0], hub.v[1], hub.v[2]}; }
-
 }  // namespace
 
-void begin_bodies(const Method& method, SubsystemData& subsystem) noexcept {
+template <class World>
+void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcept {
   const PassControl& control = subsystem.progress->control;
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage == 0) predict(*alpha, subsystem.bodies);
+    if (control.stage != 0) return;
+    for (BodyData<World>& body : subsystem.bodies) predict(*alpha, body.coordinates);
     return;
   }
-  for (BodyData& body : subsystem.bodies)
+  for (BodyData<World>& body : subsystem.bodies)
     advance(std::get<Rk4>(method), control.stage, body.coordinates);
 }
 
@@ -99,14 +109,17 @@ bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
   return stage != 0 && Rk4::nodes[stage] != Rk4::nodes[stage - 1];
 }
 
-void begin_hub(const System& system, const Method& method, StepData& data) noexcept {
+template <class World>
+void begin_hub(const System<World>& system, const Method& method, StepData<World>& data) noexcept {
   const PassControl& control = data.progress[0].control;
   begin_block(method, control, data.hub_coordinates);
   impose_hub_motion(system, control.time, data.hub_coordinates);
-  data.hub = calc_hub_state(data.hub_coordinates);
+  data.hub = calc_hub_state<World>(data.hub_coordinates);
 }
 
-void complete_body(const Method& method, const PassControl& control, BodyData& body) noexcept {
+template <class World>
+void complete_body(const Method& method, const PassControl& control,
+                   BodyData<World>& body) noexcept {
   body.report.change = 0.0;
   double squares = 0.0;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
@@ -132,14 +145,16 @@ void complete_body(const Method& method, const PassControl& control, BodyData& b
   body.report.deflection = squares <= body.surely_linear ? 0.0 : find_large_deflection(body);
 }
 
-void complete_hub(const System& system, const Method& method, StepData& data) noexcept {
+template <class World>
+void complete_hub(const System<World>& system, const Method& method,
+                  StepData<World>& data) noexcept {
   CoordinateBlock& hub = data.hub_coordinates;
-  const Twist found = calc_inertial_acceleration(system, data.progress[0].control.time, data.hub,
-                                                 data.hub_solution);
+  const TwistOf<World> found = calc_inertial_acceleration(system, data.progress[0].control.time,
+                                                          data.hub, data.hub_solution);
   double change = 0.0;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const PassControl& control = data.progress[0].control;
-  for (int c = 0; c < kTwist; ++c) {
+  for (int c = 0; c < World::kTwist; ++c) {
     if (is_prescribed(system.hub, c)) continue;
     CoordinateBlock component = hub.component(c);
     if (alpha && !control.is_between_steps())
@@ -152,32 +167,37 @@ void complete_hub(const System& system, const Method& method, StepData& data) no
   data.hub_solution.change = change;
 }
 
+template <class World>
 void finish_subsystem(const Integrator& integrator, const Window& window,
-                      SubsystemData& subsystem) noexcept {
+                      SubsystemData<World>& subsystem) noexcept {
   StepProgress& progress = *subsystem.progress;
-  const Twist reaction = calc_reaction(subsystem);
+  const TwistOf<World> reaction = calc_reaction(subsystem);
   PassReport report;
-  report.power.applied = reaction[kRotation] * subsystem.hub->twist[kRotation];
+  report.power.applied = reaction[World::kAxial] * subsystem.hub->twist[World::kAxial];
   add_reports(subsystem, report);
   add_deflections(subsystem, -1, report.deflection);
-  StepRecord& record = of_step(subsystem.records, progress.step);
+  ReactionRecord<World>& record = of_step(subsystem.records, progress.step);
   record.reaction = reaction;
-  end_pass(integrator, window, report, progress, record);
+  end_pass(integrator, window, report, progress, record.step);
 }
 
-void finish_system(const System& system, const Integrator& integrator, StepData& data) noexcept {
+template <class World>
+void finish_system(const System<World>& system, const Integrator& integrator,
+                   StepData<World>& data) noexcept {
   StepProgress& progress = data.progress[0];
-  const HubSolution& hub = data.hub_solution;
+  const HubSolution<World>& hub = data.hub_solution;
   PassReport report;
   // Of a prescribed rotation the step's work on the hub's own inertia is known.
-  const bool is_turned = is_prescribed(system.hub, kRotation);
-  const double known = is_turned ? system.hub.inertia * hub.acceleration[kRotation] : 0.0;
+  const bool is_turned = is_prescribed(system.hub, World::kAxial);
+  const double known =
+      is_turned ? axial_inertia(system.hub) * hub.acceleration[World::kAxial] : 0.0;
   report.power.applied =
-      (hub.reaction[kRotation] - known + hub.applied_torque) * data.hub.twist[kRotation];
+      (hub.reaction[World::kAxial] - known + hub.applied_torque) * data.hub.twist[World::kAxial];
   report.power.applied += hub.load.dot(data.hub.twist);
   if (system.gravity_ramp > 0.0) {
-    const Position gravity = data.hub.R.inverse() * system.gravity_at(progress.control.time);
-    report.power.applied += system.hub.mass * gravity.dot(data.hub.twist.head<kPosition>());
+    const PositionOf<World> gravity =
+        data.hub.R.inverse() * system.gravity_at(progress.control.time);
+    report.power.applied += system.hub.mass * gravity.dot(linear(data.hub.twist));
   }
   report.change = hub.change;
   report.failed = !is_finite(hub.acceleration);
@@ -185,50 +205,61 @@ void finish_system(const System& system, const Integrator& integrator, StepData&
     add_reports(data.subsystems[i], report);
     add_deflections(data.subsystems[i], static_cast<int>(i), report.deflection);
   }
-  SystemRecord& record = of_step(data.records, progress.step);
+  SystemRecord<World>& record = of_step(data.records, progress.step);
   end_pass(integrator, data.window, report, progress, record.step);
   if (progress.completed < 0) return;
   if (is_turned && progress.completed > 0) {
     const double before = static_cast<double>(progress.completed - 1) * step_size(integrator);
     record.step.work += work_on_hub(system, calc_motion(system.hub.drive, before).speed,
-                                    data.hub_coordinates.v[kRotation]);
+                                    data.hub_coordinates.v[World::kAxial]);
   }
-  record.step.reaction = hub.reaction;
+  record.reaction = hub.reaction;
   record.applied_torque = hub.applied_torque;
-  record.position = position_of(data.hub_coordinates);
-  record.velocity = velocity_of(data.hub_coordinates);
+  record.position = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.q);
+  record.velocity = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.v);
 }
 
-void record_reactions(const System& system, const Integrator& integrator, StepData& data) noexcept {
+template <class World>
+void record_reactions(const System<World>& system, const Integrator& integrator,
+                      StepData<World>& data) noexcept {
+  const auto no_position = PositionOf<World>::Zero();
   const double h = step_size(integrator);
   const std::int64_t last = std::min(last_complete_step(data), data.window.last);
-  const bool needs_rotation = system.gravity != Position::Zero() || !system.hub_loads.empty();
+  const bool needs_rotation = system.gravity != no_position || !system.hub_loads.empty();
   CoordinateBlock& hub = data.hub_coordinates;
   for (std::int64_t step = data.window.first; step <= last; ++step) {
-    SystemRecord record;
-    const double speed_before = hub.v[kRotation];
+    SystemRecord<World> record;
+    const double speed_before = hub.v[World::kAxial];
     const double t = static_cast<double>(step) * h;
     impose_hub_motion(system, t, hub);
-    record.position = position_of(hub);
-    record.velocity = velocity_of(hub);
+    record.position = Eigen::Map<const TwistOf<World>>(hub.q);
+    record.velocity = Eigen::Map<const TwistOf<World>>(hub.v);
     // Its own inertia takes what the subsystems leave of the drive's work.
-    if (step > 0) record.step.work = work_on_hub(system, speed_before, hub.v[kRotation]);
-    const Rotation R = needs_rotation ? Rotation::from_angle(hub.q[kRotation]) : Rotation{};
-    const Twist a = calc_prescribed_acceleration(system, t, R, hub.a[kRotation]);
-    record.step.reaction =
-        Twist(system.hub.mass, system.hub.mass, system.hub.inertia).cwiseProduct(a) -
-        calc_hub_load(system, t, {Position::Zero(), R, record.velocity});
+    if (step > 0) record.step.work = work_on_hub(system, speed_before, hub.v[World::kAxial]);
+    const RotationOf<World> R =
+        needs_rotation ? RotationOf<World>::about_axis(hub.q[World::kAxial]) : Rotation{};
+    const TwistOf<World> a = calc_prescribed_acceleration(system, t, R, hub.a[World::kAxial]);
+    record.reaction = calc_hub_mass(system.hub) * a -
+                      calc_hub_load(system, t, HubState<World>{no_position, R, record.velocity});
     for (std::size_t i = 0; i < data.subsystems.size(); ++i)
-      add_record(of_step(data.subsystems[i].records, step), static_cast<int>(i), record.step);
+      add_record(of_step(data.subsystems[i].records, step), static_cast<int>(i), record);
     of_step(data.records, step) = record;
   }
 }
 
-std::int64_t last_complete_step(const StepData& data) noexcept {
+std::int64_t last_complete_step(const StepTable& data) noexcept {
   std::int64_t first_open = data.progress[0].step;
   for (const StepProgress& progress : data.progress)
     first_open = std::min(first_open, progress.step);
   return first_open - 1;
 }
+
+template void begin_bodies(const Method&, SubsystemData<Plane>&) noexcept;
+template void begin_hub(const System<Plane>&, const Method&, StepData<Plane>&) noexcept;
+template void complete_body(const Method&, const PassControl&, BodyData<Plane>&) noexcept;
+template void complete_hub(const System<Plane>&, const Method&, StepData<Plane>&) noexcept;
+template void finish_subsystem(const Integrator&, const Window&, SubsystemData<Plane>&) noexcept;
+template void finish_system(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
+template void record_reactions(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
 
 }  // namespace spoke

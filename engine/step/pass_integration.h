@@ -10,36 +10,47 @@
 namespace spoke {
 
 /// Sets the coordinates of a subsystem's bodies for the pass.
-void begin_bodies(const Method& method, SubsystemData& subsystem) noexcept;
+template <class World>
+void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcept;
 
 /// Whether a pass stands at another time than the one before it.
 bool is_at_new_time(const Method& method, const PassControl& control) noexcept;
 
 /// Coupled: sets the hub's coordinates, the prescribed ones by the drive, and its state.
-void begin_hub(const System& system, const Method& method, StepData& data) noexcept;
+template <class World>
+void begin_hub(const System<World>& system, const Method& method, StepData<World>& data) noexcept;
 
 /// Hands `body.a_found` to the integrator and reports the change and whether the deformation has
 /// left its limits (a coordinate not finite, a displacement beyond the body's length, a rotation
 /// beyond a half turn) or the linear range.
-void complete_body(const Method& method, const PassControl& control, BodyData& body) noexcept;
+template <class World>
+void complete_body(const Method& method, const PassControl& control,
+                   BodyData<World>& body) noexcept;
 
 /// Coupled: hands the hub's acceleration to the integrator; prescribed components follow the drive.
 /// Reports the largest change of a free coordinate.
-void complete_hub(const System& system, const Method& method, StepData& data) noexcept;
+template <class World>
+void complete_hub(const System<World>& system, const Method& method,
+                  StepData<World>& data) noexcept;
 
 /// Not coupled: ends the pass of a subsystem, with its own progress.
+template <class World>
 void finish_subsystem(const Integrator& integrator, const Window& window,
-                      SubsystemData& subsystem) noexcept;
+                      SubsystemData<World>& subsystem) noexcept;
 
 /// Coupled: ends the pass of the system.
-void finish_system(const System& system, const Integrator& integrator, StepData& data) noexcept;
+template <class World>
+void finish_system(const System<World>& system, const Integrator& integrator,
+                   StepData<World>& data) noexcept;
 
 /// Not coupled: (P 9) where the hub's whole motion is prescribed, for every step that all
 /// subsystems have completed since the window began: the reaction, from the shares of the
 /// subsystems in their order, and the hub's motion.
-void record_reactions(const System& system, const Integrator& integrator, StepData& data) noexcept;
+template <class World>
+void record_reactions(const System<World>& system, const Integrator& integrator,
+                      StepData<World>& data) noexcept;
 
 /// The last step that all subsystems have completed; -1: not even the start.
-std::int64_t last_complete_step(const StepData& data) noexcept;
+std::int64_t last_complete_step(const StepTable& data) noexcept;
 
 }  // namespace spoke

@@ -18,16 +18,17 @@ ElasticShares implicit_shares(const Method& method, const Damping& damping) {
 
 }  // namespace
 
-void allocate(StepContext& context, int window_steps) {
+template <class World>
+void allocate(SystemContext<World>& context, int window_steps) {
   const Method& method = context.integrator.method;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const int history = alpha ? int{GeneralizedAlpha::count} : int{Rk4::count};
-  StepData& data = context.data;
+  StepData<World>& data = context.data;
   const bool is_coupled = context.formulation == Formulation::augmented ||
-                          !is_prescribed(context.system.hub) || context.loads_tie_blades;
+                          !is_prescribed(context.system) || context.loads_tie_blades;
   allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
-  for (SubsystemData& subsystem : data.subsystems)
-    for (BodyData& body : subsystem.bodies) {
+  for (SubsystemData<World>& subsystem : data.subsystems)
+    for (BodyData<World>& body : subsystem.bodies) {
       CoordinateBlock& block = body.coordinates;
       body.q_elastic = alpha ? block.history[GeneralizedAlpha::predicted_q] : block.q;
       body.v_elastic = alpha ? block.history[GeneralizedAlpha::predicted_v] : block.v;
@@ -35,8 +36,10 @@ void allocate(StepContext& context, int window_steps) {
     }
   allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),
            data, context.work);
-  data.hub_coordinates.v[kRotation] = calc_initial_speed(context.system.hub.drive);
+  data.hub_coordinates.v[World::kAxial] = calc_initial_speed(context.system.hub.drive);
   impose_hub_motion(context.system, 0.0, data.hub_coordinates);
 }
+
+template void allocate(SystemContext<Plane>&, int);
 
 }  // namespace spoke

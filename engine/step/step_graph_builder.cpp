@@ -51,9 +51,10 @@ using graph::StepGraphBuilder;
 using graph::writes;
 
 /// What a body's terms read: only what its options make them depend on.
-PartList terms_inputs(const Assembly& g, int i, int j) {
+template <class World>
+PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
-  const ChainBody& member = g.c.system.subsystems[i].bodies[j];
+  const TreeBody<World>& member = g.c.system.subsystems[i].bodies[j];
   PartList inputs{blade.progress, blade.bodies[j].coordinates, blade.twists};
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method))
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
@@ -61,13 +62,13 @@ PartList terms_inputs(const Assembly& g, int i, int j) {
   inputs.insert(inputs.end(), loads.begin(), loads.end());
   const bool has_rising_gravity = g.c.system.gravity_ramp > 0.0;
   bool needs_rotations = has_rising_gravity;
-  bool needs_hub = has_rising_gravity || member.centrifugal_stiffness != nullptr;
-  for (const BodyLoad& load : member.loads) {
+  bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
+  for (const BodyLoad<World>& load : member.loads) {
     needs_rotations |= load.frame != LoadFrame::section;
     needs_hub |= load.frame == LoadFrame::inertial;
   }
   if (std::any_of(member.drags.begin(), member.drags.end(),
-                  [](const BodyDrag& drag) { return drag.relative_to == DragFrame::hub; })) {
+                  [](const BodyDrag<World>& drag) { return drag.relative_to == DragFrame::hub; })) {
     needs_hub = true;
     inputs.push_back(blade.drag_poses);
   }
@@ -77,55 +78,64 @@ PartList terms_inputs(const Assembly& g, int i, int j) {
 }
 
 /// Adds what acts on body `j` at the state in the table.
-void add_forces(const System& system, int j, SubsystemData& blade) noexcept {
+template <class World>
+void add_forces(const System<World>& system, int j, SubsystemData<World>& blade) noexcept {
   const double t = blade.progress->control.time;
-  const Twist& twist = blade.twists[j];
-  BodyData& body = blade.bodies[j];
+  const TwistOf<World>& twist = blade.twists[j];
+  BodyData<World>& body = blade.bodies[j];
   if (!body.loads.empty()) add_loads(t, calc_rotation_to_hub(blade, j), blade.hub->R, twist, body);
   if (!body.drags.empty()) add_drags(t, j, blade);
   if (!body.applied.empty()) add_applied(twist, body);
   if (system.gravity_ramp > 0.0) {
-    const Rotation R = blade.hub->R * calc_rotation_to_hub(blade, j);
+    const auto R = blade.hub->R * calc_rotation_to_hub(blade, j);
     add_gravity_power(R.inverse() * system.gravity_at(t), twist, body);
   }
 }
 
-void add_mass(const Assembly& g, int i, int j) {
-  SubsystemData& blade = g.c.data.subsystems[i];
-  const System& system = g.c.system;
+template <class World>
+void add_mass(const Assembly<World>& g, int i, int j) {
+  SubsystemData<World>& blade = g.c.data.subsystems[i];
+  const System<World>& system = g.c.system;
   g.builder.add_node(g.label("mass", i, j), reads(terms_inputs(g, i, j)),
                      writes(g.blade(i).bodies[j].terms),
                      unless_halted(*blade.progress, [&system, &blade, j]() noexcept {
-                       calc_body_terms({blade.twists[j][kRotation], blade.hub->twist[kRotation]},
+                       calc_body_terms({angular(blade.twists[j]), angular(blade.hub->twist)},
                                        system.damping, blade.bodies[j]);
                        add_forces(system, j, blade);
                      }));
 }
 
-void add_inverse(const Assembly& g, int i, int j) {
+template <class World>
+void add_inverse(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
   const BodyParts& parts = blade.bodies[j];
   const auto inputs = reads(blade.progress, parts.coordinates, blade.twists, parts.terms);
-  const SubsystemData& data = g.c.data.subsystems[i];
+  const SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto invert, auto& work) {
     g.builder.add_node(g.label("inverse", i, j), inputs, writes(parts.inverse, parts.workspace),
                        unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
-                         invert(data.bodies[j], data.twists[j][kRotation],
+                         invert(data.bodies[j], angular(data.twists[j]),
                                 data.progress->control.is_implicit, work);
                        }));
   };
   if (g.c.formulation == Formulation::structured)
-    add(structured::condense_body, g.c.work.structured[i].bodies[j]);
+    add(
+        [](const BodyData<World>& body, const AngularOf<World>& speed, bool implicit,
+           structured::BodyWork<World>& work) noexcept {
+          structured::condense_body(body, speed, implicit, work);
+        },
+        g.c.work.structured[i].bodies[j]);
   else
-    add(subsystem::invert_body, g.c.work.subsystem[i].bodies[j]);
+    add(subsystem::invert_body<World>, g.c.work.subsystem[i].bodies[j]);
 }
 
-void add_effective(const Assembly& g, int i) {
+template <class World>
+void add_effective(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   const auto inputs = reads(blade.progress, blade.all(&BodyParts::inverse),
                             blade.all(&BodyParts::terms), blade.rotations, blade.hub_state);
-  const Subsystem& subsystem = g.c.system.subsystems[i];
-  SubsystemData& data = g.c.data.subsystems[i];
+  const Subsystem<World>& subsystem = g.c.system.subsystems[i];
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
     g.builder.add_node(
         g.label("effective", i), inputs, outputs,
@@ -134,28 +144,31 @@ void add_effective(const Assembly& g, int i) {
         }));
   };
   if (g.c.formulation == Formulation::structured)
-    add(structured::calc_effective_inertia, g.c.work.structured[i],
-        writes(blade.effective, blade.joints()));
+    add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
+        writes(blade.effective, blade.workspace, blade.joints()));
   else
-    add(subsystem::calc_effective_inertia, g.c.work.subsystem[i],
+    add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
         writes(blade.effective, blade.workspace));
 }
 
 /// What handing the hub's acceleration to the integrator reads.
-PartList hub_inputs(const Assembly& g) {
+template <class World>
+PartList hub_inputs(const Assembly<World>& g) {
   PartList inputs{g.parts.progress, g.parts.hub_state, g.parts.hub_coordinates};
   if (corrects_hub(g)) inputs.push_back(g.parts.hub_history);
   return inputs;
 }
 /// What solving for the hub's acceleration writes.
-PartList hub_outputs(const Assembly& g) {
+template <class World>
+PartList hub_outputs(const Assembly<World>& g) {
   PartList outputs{g.parts.hub_solution};
-  if (!is_prescribed(g.c.system.hub)) outputs.push_back(g.parts.hub_coordinates);
+  if (!is_prescribed(g.c.system)) outputs.push_back(g.parts.hub_coordinates);
   return outputs;
 }
 
-void add_hub_solve(const Assembly& g) {
-  StepContext& c = g.c;
+template <class World>
+void add_hub_solve(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
   g.builder.add_node(g.label("hub solve"),
                      reads(g.parts.all(&SubsystemParts::effective), hub_inputs(g)),
                      writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
@@ -165,8 +178,9 @@ void add_hub_solve(const Assembly& g) {
 }
 
 /// (P 9) where it only yields the reaction: once for all steps that are complete.
-void add_prescribed_hub_solve(const Assembly& g) {
-  StepContext& c = g.c;
+template <class World>
+void add_prescribed_hub_solve(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
   g.builder.add_node(
       {"hub solve"},
@@ -176,8 +190,9 @@ void add_prescribed_hub_solve(const Assembly& g) {
       [&c]() noexcept { record_reactions(c.system, c.integrator, c.data); });
 }
 
-void add_augmented_solve(const Assembly& g) {
-  StepContext& c = g.c;
+template <class World>
+void add_augmented_solve(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
   PartList
       outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
@@ -195,11 +210,12 @@ void add_augmented_solve(const Assembly& g) {
       }));
 }
 
-void add_multipliers(const Assembly& g, int i) {
-  StepContext& c = g.c;
+template <class World>
+void add_multipliers(const Assembly<World>& g, int i) {
+  SystemContext<World>& c = g.c;
   const SubsystemParts& blade = g.blade(i);
-  const Subsystem& subsystem = c.system.subsystems[i];
-  SubsystemData& data = c.data.subsystems[i];
+  const Subsystem<World>& subsystem = c.system.subsystems[i];
+  SubsystemData<World>& data = c.data.subsystems[i];
   const auto add = [&](const graph::Reads& inputs, auto recover) {
     g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches),
                        unless_halted(*data.progress, recover));
@@ -232,7 +248,8 @@ struct RecoveryAccess {
   PartList inputs;
   PartList outputs;
 };
-RecoveryAccess recovery_access(const Assembly& g, int i, int j) {
+template <class World>
+RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
   const BodyParts& body = blade.bodies[j];
   PartList inputs{blade.progress, body.coordinates};  // checked, and by generalized_alpha corrected
@@ -251,36 +268,40 @@ RecoveryAccess recovery_access(const Assembly& g, int i, int j) {
   return {inputs, outputs};
 }
 
-void add_recovery(const Assembly& g, int i, int j) {
-  StepContext& c = g.c;
-  SubsystemData& blade = c.data.subsystems[i];
+template <class World>
+void add_recovery(const Assembly<World>& g, int i, int j) {
+  SystemContext<World>& c = g.c;
+  SubsystemData<World>& blade = c.data.subsystems[i];
   const Method& method = c.integrator.method;
   const auto add = [&](auto recover) {
     const auto [inputs, outputs] = recovery_access(g, i, j);
     g.builder.add_node(g.label("recovery", i, j), reads(inputs), writes(outputs),
                        unless_halted(*blade.progress, [&blade, &method, j, recover]() noexcept {
-                         BodyData& body = blade.bodies[j];
+                         BodyData<World>& body = blade.bodies[j];
                          recover(body);
                          complete_body(method, blade.progress->control, body);
                        }));
   };
   switch (c.formulation) {
     case Formulation::structured:
-      return add([&blade, j, &work = c.work.structured[i].bodies[j]](BodyData& body) noexcept {
-        structured::recover_body(blade.wrenches[j], work, blade.progress->control.is_implicit, body,
-                                 body.a_found);
-      });
+      return add(
+          [&blade, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
+            structured::recover_body(blade.wrenches[j], work, blade.progress->control.is_implicit,
+                                     body, body.a_found);
+          });
     case Formulation::subsystem:
-      return add([&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData& body) noexcept {
-        subsystem::recover_body(blade.wrenches[j], work, body, body.a_found);
-      });
+      return add(
+          [&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
+            subsystem::recover_body(blade.wrenches[j], work, body, body.a_found);
+          });
     case Formulation::augmented:
-      return add([i, j, &work = c.work.augmented](BodyData& body) noexcept {
+      return add([i, j, &work = c.work.augmented](BodyData<World>& body) noexcept {
         augmented::recover_body(i, j, work, body, body.a_found);
       });
   }
 }
-void add_motion(const Assembly& g, int i) {
+template <class World>
+void add_motion(const Assembly<World>& g, int i) {
   if (!g.c.data.is_coupled) add_prescribed_hub_motion(g, i);
   add_coordinates(g, i);
   add_position(g, i);
@@ -288,7 +309,8 @@ void add_motion(const Assembly& g, int i) {
 }
 
 /// From the masses to the inverses, or to the effective inertia where there is one.
-void add_condensation(const Assembly& g, int i) {
+template <class World>
+void add_condensation(const Assembly<World>& g, int i) {
   const int bodies = static_cast<int>(g.blade(i).bodies.size());
   for (int j = 0; j < bodies; ++j) add_mass(g, i, j);
   if (g.c.formulation == Formulation::augmented) return;
@@ -296,13 +318,15 @@ void add_condensation(const Assembly& g, int i) {
   add_effective(g, i);
 }
 
-void add_recoveries(const Assembly& g, int i) {
+template <class World>
+void add_recoveries(const Assembly<World>& g, int i) {
   const int bodies = static_cast<int>(g.blade(i).bodies.size());
   add_multipliers(g, i);
   for (int j = 0; j < bodies; ++j) add_recovery(g, i, j);
 }
 
-void add_coupled_pass(const Assembly& g, int blades) {
+template <class World>
+void add_coupled_pass(const Assembly<World>& g, int blades) {
   add_hub_motion(g);
   for (int i = 0; i < blades; ++i) add_motion(g, i);
   for (int i = 0; i < blades; ++i) add_loads_of_user(g, i);  // which may be between blades
@@ -316,7 +340,8 @@ void add_coupled_pass(const Assembly& g, int blades) {
   for (int i = 0; i < blades; ++i) add_sensors(g, i);
 }
 
-void add_pass_of_blade(const Assembly& g, int i) {
+template <class World>
+void add_pass_of_blade(const Assembly<World>& g, int i) {
   add_motion(g, i);
   add_loads_of_user(g, i);
   add_condensation(g, i);
@@ -327,11 +352,12 @@ void add_pass_of_blade(const Assembly& g, int i) {
 
 }  // namespace
 
-graph::StepGraph build_step_graph(StepContext& c, int passes) {
+template <class World>
+graph::StepGraph build_step_graph(SystemContext<World>& c, int passes) {
   StepGraphBuilder builder("blade");
   const StepParts parts = add_parts(c, builder);
   const int blades = static_cast<int>(parts.subsystems.size());
-  Assembly g{c, parts, builder, passes > 1 ? 0 : -1};
+  Assembly<World> g{c, parts, builder, passes > 1 ? 0 : -1};
   if (c.data.is_coupled)
     add_coupled_pass(g, blades);
   else
@@ -343,5 +369,13 @@ graph::StepGraph build_step_graph(StepContext& c, int passes) {
   if (!c.data.is_coupled) add_prescribed_hub_solve(g);
   return builder.build();
 }
+
+template <class World>
+graph::StepGraph SystemContext<World>::build_graph(int passes) {
+  return build_step_graph(*this, passes);
+}
+
+template graph::StepGraph build_step_graph(SystemContext<Plane>&, int);
+template graph::StepGraph SystemContext<Plane>::build_graph(int);
 
 }  // namespace spoke

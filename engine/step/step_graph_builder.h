@@ -12,6 +12,7 @@ namespace spoke {
 /// step or of the next step, within the context's window. A step of rk4 is four passes, one of
 /// generalized_alpha as many as its iteration takes. The edges follow from the declared reads and
 /// writes.
-graph::StepGraph build_step_graph(StepContext& context, int passes = 1);
+template <class World>
+graph::StepGraph build_step_graph(SystemContext<World>& context, int passes = 1);
 
 }  // namespace spoke

@@ -12,9 +12,11 @@ using graph::PartId;
 using graph::StepGraphBuilder;
 using Memory = std::vector<std::span<std::byte>>;
 
-void add_flex(Memory& memory, double* flex, const FlexLayout& layout) {
-  memory.push_back(bytes_of(flex[layout.u()], static_cast<std::size_t>(layout.axial)));
-  memory.push_back(bytes_of(flex[layout.v()], static_cast<std::size_t>(layout.bending)));
+template <class Layout>
+void add_flex(Memory& memory, double* flex, const Layout& layout) {
+  layout.for_parts([&](int first, int n) {
+    memory.push_back(bytes_of(flex[first], static_cast<std::size_t>(n)));
+  });
 }
 
 /// A node touches the record of its step.
@@ -28,22 +30,35 @@ std::span<std::byte> memory_of(Matrix& matrix) {
   return bytes_of(*matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
-void add_inverse_parts(StepContext& context, int i, int j, const std::string& name,
+Memory memory_of_terms(BodyData<Plane>& body) {
+  Memory memory{bytes_of(body.terms)};
+  add_flex(memory, body.c_theta, body.layout);
+  add_flex(memory, body.Q_f, body.layout);
+  return memory;
+}
+
+Memory memory_of_inverse(PlanarCondensed& body, const FlexLayout& layout) {
+  Memory memory{bytes_of(body.port)};
+  add_flex(memory, body.W_theta, layout);
+  add_flex(memory, body.z, layout);
+  return memory;
+}
+
+Memory memory_of_workspace(PlanarCondensed& body, const FlexLayout& layout) {
+  return {bytes_of(*body.scratch, static_cast<std::size_t>(layout.scratch_size()))};
+}
+
+template <class World>
+void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::string& name,
                        StepGraphBuilder& builder, BodyParts& parts) {
   if (context.formulation == Formulation::structured) {
-    structured::BodyWork& work = context.work.structured[i].bodies[j];
-    const FlexLayout& layout = context.data.subsystems[i].bodies[j].layout;
-    Memory inverse{bytes_of(work.port)};
-    add_flex(inverse, work.W_theta, layout);
-    add_flex(inverse, work.z, layout);
-    parts.inverse = builder.add_part(name + "inverse", inverse);
-    parts.workspace = builder.add_part(
-        name + "workspace",
-        {bytes_of(*work.scratch, static_cast<std::size_t>(layout.axial + layout.bending))});
-    const bool is_tip = j + 1 == static_cast<int>(context.work.structured[i].bodies.size());
-    if (!is_tip) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
+    structured::BodyWork<World>& work = context.work.structured[i].bodies[j];
+    const auto& layout = context.data.subsystems[i].bodies[j].layout;
+    parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(work, layout));
+    parts.workspace = builder.add_part(name + "workspace", memory_of_workspace(work, layout));
+    if (j > 0) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
   } else if (context.formulation == Formulation::subsystem) {
-    subsystem::BodyWork& work = context.work.subsystem[i].bodies[j];
+    subsystem::BodyWork<World>& work = context.work.subsystem[i].bodies[j];
     parts.inverse = builder.add_part(
         name + "inverse",
         {memory_of(work.inverse_columns), memory_of(work.products), bytes_of(work.bias_out)});
@@ -52,24 +67,23 @@ void add_inverse_parts(StepContext& context, int i, int j, const std::string& na
   }
 }
 
-BodyParts add_body_parts(StepContext& context, int i, int j, StepGraphBuilder& builder) {
-  BodyData& data = context.data.subsystems[i].bodies[j];
+template <class World>
+BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphBuilder& builder) {
+  BodyData<World>& data = context.data.subsystems[i].bodies[j];
   CoordinateBlock& block = data.coordinates;
   const std::string name =
       "blade " + std::to_string(i + 1) + " / body " + std::to_string(j + 1) + " / ";
-  Memory coordinates, history, accelerations{bytes_of(data.X)}, terms{bytes_of(data.terms)};
+  Memory coordinates, history, accelerations{bytes_of(data.X)};
   add_flex(coordinates, block.q, data.layout);
   add_flex(coordinates, block.v, data.layout);
   add_flex(accelerations, block.a, data.layout);
   for (double* h : block.history)
     if (h) add_flex(history, h, data.layout);
-  add_flex(terms, data.c_theta, data.layout);
-  add_flex(terms, data.Q_f, data.layout);
   BodyParts parts;
   parts.coordinates = builder.add_part(name + "coordinates", coordinates);
   parts.history = builder.add_part(name + "history", history);
   parts.accelerations = builder.add_part(name + "accelerations", accelerations);
-  parts.terms = builder.add_part(name + "terms", terms);
+  parts.terms = builder.add_part(name + "terms", memory_of_terms(data));
   parts.report = builder.add_part(name + "report",
                                   {bytes_of(data.report.change), bytes_of(data.report.deflection),
                                    bytes_of(data.report.failed)});
@@ -77,12 +91,14 @@ BodyParts add_body_parts(StepContext& context, int i, int j, StepGraphBuilder& b
   return parts;
 }
 
-SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder& builder) {
-  SubsystemData& data = context.data.subsystems[i];
+template <class World>
+SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
+                                   StepGraphBuilder& builder) {
+  SubsystemData<World>& data = context.data.subsystems[i];
   const std::string name = "blade " + std::to_string(i + 1) + " / ";
   const std::size_t count = data.bodies.size();
   SubsystemParts parts;
-  parts.rotations = builder.add_part(name + "rotations", {bytes_of(data.rotations[0], count)});
+  parts.rotations = builder.add_part(name + "rotations", {bytes_of(data.joints[0], count)});
   parts.twists = builder.add_part(name + "twists", {bytes_of(data.twists[0], count)});
   parts.poses = builder.add_part(name + "poses", {bytes_of(data.poses[0], count)});
   if (!data.drag_poses.empty())
@@ -103,21 +119,27 @@ SubsystemParts add_subsystem_parts(StepContext& context, int i, StepGraphBuilder
       parts.workspace =
           builder.add_part(name + "workspace", {memory_of(context.work.subsystem[i].D)});
     } else {
-      effective.push_back(bytes_of(context.work.structured[i].root));
+      structured::SubsystemWork<World>& work = context.work.structured[i];
+      effective.push_back(bytes_of(work.root));
+      Memory branches;
+      for (structured::BodyWork<World>& body : work.bodies)
+        branches.push_back(bytes_of(body.branch));
+      parts.workspace = builder.add_part(name + "workspace", branches);
     }
     parts.effective = builder.add_part(name + "effective inertia", effective);
   }
   for (std::size_t j = 0; j < count; ++j)
     parts.bodies.push_back(add_body_parts(context, i, static_cast<int>(j), builder));
-  for (LoadData& load : data.loads)
+  for (LoadData<World>& load : data.loads)
     parts.loads.push_back(builder.add_part(name + "load " + std::to_string(parts.loads.size() + 1),
                                            {bytes_of(load.wrenches[0], load.wrenches.size())}));
   return parts;
 }
 
 /// What subsystems follow: one progress and hub motion of the system, or their own.
-void add_time_parts(StepContext& context, StepGraphBuilder& builder, StepParts& parts) {
-  StepData& data = context.data;
+template <class World>
+void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, StepParts& parts) {
+  StepData<World>& data = context.data;
   if (data.is_coupled) {
     parts.progress = builder.add_part("progress", {bytes_of(data.progress[0])});
     parts.hub_state = builder.add_part("hub state", {bytes_of(data.hub)});
@@ -131,7 +153,7 @@ void add_time_parts(StepContext& context, StepGraphBuilder& builder, StepParts& 
       blade.hub_acceleration = parts.hub_solution;
       continue;
     }
-    SubsystemData& subsystem = data.subsystems[i];
+    SubsystemData<World>& subsystem = data.subsystems[i];
     const std::string name = "blade " + std::to_string(i + 1) + " / ";
     blade.progress = builder.add_part(name + "progress", {bytes_of(data.progress[i])});
     blade.hub_state = blade.hub_acceleration =
@@ -150,7 +172,7 @@ std::vector<PartId> SubsystemParts::all(PartId BodyParts::*member) const {
 
 std::vector<PartId> SubsystemParts::joints() const {
   std::vector<PartId> list = all(&BodyParts::joint);
-  list.pop_back();  // the tip has none
+  list.erase(list.begin());  // that of the hub is none between bodies
   return list;
 }
 
@@ -167,16 +189,17 @@ std::vector<PartId> StepParts::all(PartId SubsystemParts::*member) const {
   return list;
 }
 
-StepParts add_parts(StepContext& context, StepGraphBuilder& builder) {
-  StepData& data = context.data;
+template <class World>
+StepParts add_parts(SystemContext<World>& context, StepGraphBuilder& builder) {
+  StepData<World>& data = context.data;
   CoordinateBlock& hub = data.hub_coordinates;
   Memory history;
   for (double* h : hub.history)
-    if (h) history.push_back(bytes_of(*h, kTwist));
+    if (h) history.push_back(bytes_of(*h, World::kTwist));
   StepParts parts;
   parts.hub_coordinates = builder.add_part(
-      "hub coordinates",
-      {bytes_of(*hub.q, kTwist), bytes_of(*hub.v, kTwist), bytes_of(*hub.a, kTwist)});
+      "hub coordinates", {bytes_of(*hub.q, World::kTwist), bytes_of(*hub.v, World::kTwist),
+                          bytes_of(*hub.a, World::kTwist)});
   parts.hub_history = builder.add_part("hub history", history);
   parts.records = add_ring("records", data.records, builder);
   if (context.formulation == Formulation::augmented)
@@ -187,5 +210,7 @@ StepParts add_parts(StepContext& context, StepGraphBuilder& builder) {
   add_time_parts(context, builder, parts);
   return parts;
 }
+
+template StepParts add_parts(SystemContext<Plane>&, StepGraphBuilder&);
 
 }  // namespace spoke

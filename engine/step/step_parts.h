@@ -18,7 +18,7 @@ struct BodyParts {
   graph::PartId terms;          ///< with c_theta and Q_f
   graph::PartId inverse;        ///< two-port, or dense inverse columns
   graph::PartId workspace;      ///< of who makes the inverse
-  graph::PartId joint;          ///< elimination of the outboard joint (structured, not at the tip)
+  graph::PartId joint;          ///< elimination of the inboard joint (structured, not at the hub)
   graph::PartId report;
 };
 
@@ -29,12 +29,12 @@ struct SubsystemParts {
   graph::PartId joint_loads, readings;  ///< with the load of the root; of the sensors, if any
   graph::PartId progress, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
-  graph::PartId workspace;           ///< of who makes the effective inertia (dense blocks)
-  std::vector<graph::PartId> loads;  ///< of the user's: wrenches
+  graph::PartId workspace;                              ///< of who makes the effective inertia
+  std::vector<graph::PartId> loads;                     ///< of the user's: wrenches
 
   /// One member of all bodies, root to tip.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
-  /// The joints between the bodies.
+  /// Of the joints between the bodies.
   std::vector<graph::PartId> joints() const;
 };
 
@@ -51,6 +51,7 @@ struct StepParts {
 };
 
 /// Adds the context's table to the builder.
-StepParts add_parts(StepContext& context, graph::StepGraphBuilder& builder);
+template <class World>
+StepParts add_parts(SystemContext<World>& context, graph::StepGraphBuilder& builder);
 
 }  // namespace spoke

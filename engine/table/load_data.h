@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/body/section.h"
+#include "engine/body/body_types.h"
 #include "engine/load.h"
 #include "engine/support/page_arena.h"
 #include "models/system/system.h"
@@ -14,16 +14,18 @@
 namespace spoke {
 
 /// What acts on a body's section, in the body frame. Part of the table: doubles only.
+template <class World>
 struct SectionWrench {
-  Position force = Position::Zero();  ///< [N]
-  double moment = 0.0;                ///< [N m]
+  PositionOf<World> force = PositionOf<World>::Zero();  ///< [N]
+  AngularOf<World> moment{};                            ///< [N m]
 };
 
 /// A marker on its body.
+template <class World>
 struct PlacedMarker {
   int blade = 0;
   int body = 0;
-  Section section;
+  typename BodyTypes<World>::Section section;
 };
 
 /// A load, and the markers that it asked for.
@@ -32,13 +34,14 @@ struct AskedLoad {
   std::vector<Marker> markers;
 };
 
+template <class World>
 struct LoadData {
   int number = 0;  ///< in the list that it was given in
   std::shared_ptr<const Load> load;
   std::vector<Marker> given;
   std::vector<int> blades;  ///< those of the markers, each once, ascending
-  std::vector<PlacedMarker> markers;
-  ArenaVector<SectionWrench> wrenches;  ///< by marker
+  std::vector<PlacedMarker<World>> markers;
+  ArenaVector<SectionWrench<World>> wrenches;  ///< by marker
   // What the load is handed and hands back: rewritten at every evaluation, no part of the table.
   std::vector<MarkerMotion> motions;
   std::vector<Wrench> forces;
@@ -46,16 +49,17 @@ struct LoadData {
 };
 
 /// A wrench of a load on a section of the body that it is listed with.
+template <class World>
 struct AppliedWrench {
-  const Section* section = nullptr;
-  const SectionWrench* wrench = nullptr;
+  const typename BodyTypes<World>::Section* section = nullptr;
+  const SectionWrench<World>* wrench = nullptr;
 };
 
 /// A load of the scenario on a body (BodyLoad, BodyDrag), with the section at each of its points.
-template <class Load>
+template <class World, class Load>
 struct PlacedLoad {
   const Load* load = nullptr;
-  std::vector<Section> sections;
+  std::vector<typename BodyTypes<World>::Section> sections;
 };
 
 }  // namespace spoke

@@ -6,16 +6,7 @@
 
 namespace spoke {
 
-StateCopy::StateCopy(StepData& data) {
-  state_.push_back(std::as_writable_bytes(std::span(data.hub_storage)));
-  state_.push_back(std::as_writable_bytes(std::span(&data.hub, 1)));
-  state_.push_back(std::as_writable_bytes(std::span(data.progress)));
-  for (SubsystemData& subsystem : data.subsystems) {
-    state_.push_back(std::as_writable_bytes(std::span(subsystem.storage)));
-    state_.push_back(std::as_writable_bytes(std::span(&subsystem.prescribed, 1)));
-    state_.push_back(std::as_writable_bytes(std::span(&subsystem.root_load, 1)));
-    state_.push_back(std::as_writable_bytes(std::span(subsystem.joint_loads)));
-  }
+StateCopy::StateCopy(StepTable& data) : state_(data.state_memory()) {
   std::size_t count = 0;
   for (const std::span<std::byte> part : state_) count += part.size();
   values_.resize(count);

@@ -6,17 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "engine/table/step_data.h"
+#include "engine/table/step_table.h"
 
 namespace spoke {
 
-/// A copy of what the next step and the sensors depend on: coordinates, histories and accelerations
-/// of hub and bodies, loads of the joints, and the progress. All else in the table is recalculated
-/// by a pass.
+/// A copy of StepTable::state_memory(). All else in the table is recalculated by a pass.
 class StateCopy {
  public:
   /// Prepares to copy the state of `data`, which must outlive this and stay in place.
-  explicit StateCopy(StepData& data);
+  explicit StateCopy(StepTable& data);
 
   void save();
   /// Sets the table back to what was saved last.

@@ -3,7 +3,6 @@
 #include "engine/table/state_values.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <limits>
 #include <span>
@@ -18,62 +17,49 @@ std::uint64_t hash(std::uint64_t value, const double* first, int count) {
   return value;
 }
 
-/// The values of a record that are not doubles in the table are so in the state.
-constexpr std::size_t kRecordValues = 16;
-using RecordValues = std::array<double, kRecordValues>;
-
-RecordValues values_of(const SystemRecord& record) {
-  const StepRecord& step = record.step;
-  const LargeDeflection& at = step.deflection;
-  const Twist &f = step.reaction, &x = record.position, &v = record.velocity;
-  return {static_cast<double>(step.passes),
-          step.work,
-          step.dissipated,
-          f[0],
-          f[1],
-          f[2],
-          at.ratio,
-          static_cast<double>(at.blade),
-          static_cast<double>(at.body),
-          record.applied_torque,
-          x[0],
-          x[1],
-          x[2],
-          v[0],
-          v[1],
-          v[2]};
-}
-
 /// A whole number; -1 for what a file may hold instead of one.
 int to_whole(double value) {
   return value >= 0.0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
 }
 
-SystemRecord make_record(const RecordValues& value) {
-  SystemRecord record;
-  record.step.passes = to_whole(value[0]);
-  record.step.work = value[1];
-  record.step.dissipated = value[2];
-  record.step.reaction = {value[3], value[4], value[5]};
-  record.step.deflection = {value[6], to_whole(value[7]), to_whole(value[8])};
-  record.applied_torque = value[9];
-  record.position = {value[10], value[11], value[12]};
-  record.velocity = {value[13], value[14], value[15]};
-  return record;
+/// The values of a record, some of which are no doubles in the table, as they stand in the state:
+/// lets `exchange` take each from the record or put it there.
+template <class World, class Exchange>
+void for_each_value(SystemRecord<World>& record, Exchange&& exchange) {
+  const auto exchange_whole = [&](auto& whole) {
+    double value = static_cast<double>(whole);
+    exchange(value);
+    whole = to_whole(value);
+  };
+  const auto exchange_all = [&](TwistOf<World>& twist) {
+    for (double& value : twist) exchange(value);
+  };
+  StepRecord& step = record.step;
+  exchange_whole(step.passes);
+  exchange(step.work);
+  exchange(step.dissipated);
+  exchange_all(record.reaction);
+  exchange(step.deflection.ratio);
+  exchange_whole(step.deflection.blade);
+  exchange_whole(step.deflection.body);
+  exchange(record.applied_torque);
+  exchange_all(record.position);
+  exchange_all(record.velocity);
 }
 
-/// Calls `apply` with each range of doubles of the state. Those of the step's record are `record`.
-template <class Apply>
-void for_each_state_part(StepData& data, RecordValues& record, Apply&& apply) {
+/// Calls `apply` with each range of doubles of the state but those of the record, which
+/// `apply_to_record` comes to in their place.
+template <class World, class Apply, class ApplyToRecord>
+void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& apply_to_record) {
   apply(doubles(data.hub_storage[0], data.hub_storage.size()));
   apply(doubles(data.hub));
-  apply(std::span<double>(record));
+  apply_to_record();
   for (StepProgress& progress : data.progress) apply(doubles(progress.power));
-  for (SubsystemData& subsystem : data.subsystems) {
+  for (SubsystemData<World>& subsystem : data.subsystems) {
     apply(doubles(subsystem.prescribed));
     apply(doubles(subsystem.root_load));
     apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
-    for (BodyData& body : subsystem.bodies) {
+    for (BodyData<World>& body : subsystem.bodies) {
       const CoordinateBlock& block = body.coordinates;
       const auto size = static_cast<std::size_t>(block.size);
       for (double* vector : {block.q, block.v, block.a}) apply(std::span(vector, size));
@@ -85,50 +71,63 @@ void for_each_state_part(StepData& data, RecordValues& record, Apply&& apply) {
 
 }  // namespace
 
-std::size_t count_state_values(StepData& data) {
+template <class World>
+std::size_t count_state_values(StepData<World>& data) {
   std::size_t count = 0;
-  RecordValues record{};
-  for_each_state_part(data, record, [&](std::span<const double> part) { count += part.size(); });
+  SystemRecord<World> record;
+  for_each_state_part(
+      data, [&](std::span<const double> part) { count += part.size(); },
+      [&] { for_each_value(record, [&](double) { ++count; }); });
   return count;
 }
 
-void take_state_values(std::int64_t step, StepData& data, std::vector<double>& values) {
+template <class World>
+void StepData<World>::take_state(std::int64_t step, std::vector<double>& values) {
   values.clear();
-  values.reserve(count_state_values(data));
-  RecordValues record = values_of(of_step(data.records, step));
-  for_each_state_part(data, record, [&](std::span<const double> part) {
-    values.insert(values.end(), part.begin(), part.end());
-  });
+  values.reserve(count_state_values(*this));
+  for_each_state_part(
+      *this,
+      [&](std::span<const double> part) { values.insert(values.end(), part.begin(), part.end()); },
+      [&] {
+        SystemRecord<World> record = of_step(records, step);
+        for_each_value(record, [&](double value) { values.push_back(value); });
+      });
 }
 
-std::vector<double> take_state_values(std::int64_t step, StepData& data) {
+template <class World>
+void StepData<World>::put_state(std::span<const double> values, std::int64_t step) {
+  assert(values.size() == count_state_values(*this));
+  const double* next = values.data();
+  for_each_state_part(
+      *this,
+      [&](std::span<double> part) {
+        std::copy_n(next, part.size(), part.begin());
+        next += part.size();
+      },
+      [&] { for_each_value(of_step(records, step), [&](double& value) { value = *next++; }); });
+}
+
+std::vector<double> take_state_values(std::int64_t step, StepTable& data) {
   std::vector<double> values;
-  take_state_values(step, data, values);
+  data.take_state(step, values);
   return values;
 }
 
-void put_state_values(std::span<const double> values, std::int64_t step, StepData& data) {
-  assert(values.size() == count_state_values(data));
-  const double* next = values.data();
-  RecordValues record{};
-  for_each_state_part(data, record, [&](std::span<double> part) {
-    std::copy_n(next, part.size(), part.begin());
-    next += part.size();
-  });
-  of_step(data.records, step) = make_record(record);
-}
-
-std::uint64_t hash_state(const StepData& data) {
+template <class World>
+std::uint64_t hash_state(const StepData<World>& data) {
   std::uint64_t value = 14695981039346656037u;
-  value = hash(value, data.hub_coordinates.q, kTwist);
-  value = hash(value, data.hub_coordinates.v, kTwist);
-  for (const SubsystemData& subsystem : data.subsystems)
-    for (const BodyData& body : subsystem.bodies)
-      for (const double* flex : {body.coordinates.q, body.coordinates.v}) {
-        value = hash(value, flex + body.layout.u(), body.layout.axial);
-        value = hash(value, flex + body.layout.v(), body.layout.bending);
-      }
+  value = hash(value, data.hub_coordinates.q, World::kTwist);
+  value = hash(value, data.hub_coordinates.v, World::kTwist);
+  for (const SubsystemData<World>& subsystem : data.subsystems)
+    for (const BodyData<World>& body : subsystem.bodies)
+      for (const double* flex : {body.coordinates.q, body.coordinates.v})
+        body.layout.for_parts([&](int first, int n) { value = hash(value, flex + first, n); });
   return value;
 }
+
+template void StepData<Plane>::take_state(std::int64_t, std::vector<double>&);
+template void StepData<Plane>::put_state(std::span<const double>, std::int64_t);
+template std::size_t count_state_values(StepData<Plane>&);
+template std::uint64_t hash_state(const StepData<Plane>&);
 
 }  // namespace spoke

@@ -2,8 +2,8 @@
 
 // The numbers that make up a state, in their fixed order: what is saved, and what state_hash is of.
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "engine/table/step_data.h"
@@ -18,17 +18,14 @@ namespace spoke {
 // pass recalculates, or follows from the number of the step.
 
 /// Number of doubles in the state.
-std::size_t count_state_values(StepData& data);
+template <class World>
+std::size_t count_state_values(StepData<World>& data);
 
-/// Copies the state at the end of step `step`; `values` keeps its memory.
-void take_state_values(std::int64_t step, StepData& data, std::vector<double>& values);
-std::vector<double> take_state_values(std::int64_t step, StepData& data);
-
-/// Sets the table to a state that was taken at the end of step `step`. All else of the progress is
-/// left to TimeStepper::continue_from(). Precondition: values.size() == count_state_values(data).
-void put_state_values(std::span<const double> values, std::int64_t step, StepData& data);
+/// The values at the end of step `step`. To put them back: StepTable::put_state(), with as many.
+std::vector<double> take_state_values(std::int64_t step, StepTable& data);
 
 /// A hash (FNV-1a, 64 bits) of all coordinates and velocities, to compare runs bit by bit.
-std::uint64_t hash_state(const StepData& data);
+template <class World>
+std::uint64_t hash_state(const StepData<World>& data);
 
 }  // namespace spoke

@@ -8,66 +8,61 @@
 namespace spoke {
 namespace {
 
-constexpr int kFlexVectors = 6;  // q, v, a, c_theta, Q_f, a_found
-
-/// Sets the linear range of a body. The deflection between two nodes is at most
-/// (v1 + v2) / 2 + l / 8 (psi1 - psi2) in the middle: by the Cauchy-Schwarz inequality no more than
-/// sqrt(1/2 + l^2/32) times the root of the sum of the squares.
-void set_linear_range(double range, BodyData& data) {
-  const FlexibleBody& body = *data.model->body;
-  const double l = body.length / body.elements;
+/// Lays out the coordinates of a body.
+template <class World>
+void lay_out(double range, BodyData<World>& data) {
+  const typename World::FlexibleBody& body = *data.model->body;
+  data.layout = make_layout(body);
   data.linear_range = range * body.length;
-  data.surely_linear = data.linear_range * data.linear_range / std::max(1.0, 0.5 + l * l / 32.0);
+  data.surely_linear = calc_surely_linear(body, data.linear_range);
+  set_extent(data.layout, data.coordinates);
 }
 
-void allocate(const Subsystem& subsystem, int history, SubsystemData& data) {
+template <class World>
+void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
+              SubsystemData<World>& data) {
+  const auto none = TwistOf<World>::Zero();
   const std::size_t count = subsystem.bodies.size();
+  const int flex_vectors = 4 + options.history;  // q, v, a, a_found
   Arena& arena = *data.arena;
-  data.bodies = ArenaVector<BodyData>(count, arena);
-  data.rotations = ArenaVector<Rotation>(count, arena);
-  data.poses = ArenaVector<Pose>(count, arena);
-  data.twists = ArenaVector<Twist>(count, Twist::Zero(), arena);
-  data.joint_loads = ArenaVector<Twist>(count, Twist::Zero(), arena);
-  data.wrenches = ArenaVector<HandleWrenches>(count, {Twist::Zero(), Twist::Zero()}, arena);
-  std::size_t total = FlexLayout::kPad;
+  data.bodies = ArenaVector<BodyData<World>>(count, arena);
+  data.joints = ArenaVector<typename World::JointMotion>(count, arena);
+  data.poses = ArenaVector<PoseOf<World>>(count, arena);
+  data.twists = ArenaVector<TwistOf<World>>(count, none, arena);
+  data.joint_loads = ArenaVector<TwistOf<World>>(count, none, arena);
+  data.wrenches = ArenaVector<typename BodyTypes<World>::HandleWrenches>(count, arena);
+  std::size_t total = BodyTypes<World>::Layout::kPad;
   for (std::size_t j = 0; j < count; ++j) {
-    const FlexibleBody& body = *subsystem.bodies[j].body;
     data.bodies[j].model = &subsystem.bodies[j];
-    data.bodies[j].layout = {body.axial(), body.bending()};
-    for (int c = 0; c < kTwist; ++c) {
-      data.bodies[j].inboard_at[c] = data.bodies[j].layout.offset(body.inboard.coordinate[c]);
-      data.bodies[j].outboard_at[c] = data.bodies[j].layout.offset(body.outboard.coordinate[c]);
-    }
-    total += static_cast<std::size_t>(data.bodies[j].layout.stride() * (kFlexVectors + history));
+    lay_out(options.linear_range, data.bodies[j]);
+    total += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
+             count_fields(*subsystem.bodies[j].body);
   }
   data.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = data.storage.data();
-  for (BodyData& body : data.bodies) {
+  for (BodyData<World>& body : data.bodies) {
     const auto take = [&] { return std::exchange(next, next + body.layout.stride()); };
-    body.coordinates.size = body.layout.size();
-    body.coordinates.margin = FlexLayout::kPad;
-    body.coordinates.gap_begin = body.layout.u_end();
-    body.coordinates.gap_end = body.layout.v();
     body.coordinates.q = take();
     body.coordinates.v = take();
     body.coordinates.a = take();
-    body.c_theta = take();
-    body.Q_f = take();
     body.a_found = take();
-    for (int k = 0; k < history; ++k) body.coordinates.history[k] = take();
+    for (int k = 0; k < options.history; ++k) body.coordinates.history[k] = take();
+    place_fields(*body.model->body, std::exchange(next, next + count_fields(*body.model->body)),
+                 body);
     body.X.setZero();
     body.report = {};
   }
 }
 
 /// The sections at which loads act on a body.
-template <class Load>
-std::vector<PlacedLoad<Load>> place(const std::vector<Load>& loads, const BodyData& data) {
-  std::vector<PlacedLoad<Load>> placed;
+template <class World, class Load>
+std::vector<PlacedLoad<World, Load>> place(const std::vector<Load>& loads,
+                                           const BodyData<World>& data) {
+  std::vector<PlacedLoad<World, Load>> placed;
   for (const Load& load : loads) {
     placed.push_back({&load, {}});
     for (const LoadPoint& point : load.points) {
-      Section section = make_section(*data.model->body, data.layout, point.element, point.s);
+      auto section = make_section(*data.model->body, data.layout, point.element, point.s);
       section.x = point.x;
       placed.back().sections.push_back(section);
     }
@@ -76,14 +71,17 @@ std::vector<PlacedLoad<Load>> place(const std::vector<Load>& loads, const BodyDa
 }
 
 /// Whether drag on a body depends on where it is in the hub's frame.
-bool has_drag_in_hub(const ChainBody& member) {
-  return std::any_of(member.drags.begin(), member.drags.end(),
-                     [](const BodyDrag& drag) { return drag.relative_to == DragFrame::hub; });
+template <class World>
+bool has_drag_in_hub(const TreeBody<World>& member) {
+  return std::any_of(member.drags.begin(), member.drags.end(), [](const BodyDrag<World>& drag) {
+    return drag.relative_to == DragFrame::hub;
+  });
 }
 
 /// Points a subsystem to the progress and hub motion that it follows.
-void follow_progress(std::size_t i, StepData& data, SubsystemData& subsystem) {
-  subsystem.prescribed = {data.hub, Twist::Zero()};
+template <class World>
+void follow_progress(std::size_t i, StepData<World>& data, SubsystemData<World>& subsystem) {
+  subsystem.prescribed = {data.hub, TwistOf<World>::Zero()};
   subsystem.progress = &data.progress[data.is_coupled ? 0 : i];
   subsystem.hub = data.is_coupled ? &data.hub : &subsystem.prescribed.state;
   subsystem.hub_acceleration =
@@ -92,39 +90,123 @@ void follow_progress(std::size_t i, StepData& data, SubsystemData& subsystem) {
 
 }  // namespace
 
-void allocate(const System& system, const TableOptions& options, StepData& data) {
-  data.hub_storage.fill(Twist::Zero());
+template <class World>
+void allocate(const System<World>& system, const TableOptions& options, StepData<World>& data) {
+  data.hub_storage.fill(TwistOf<World>::Zero());
   CoordinateBlock& hub = data.hub_coordinates;
-  hub.size = kTwist;
+  hub.size = World::kTwist;
   hub.q = data.hub_storage[0].data();
   hub.v = data.hub_storage[1].data();
   hub.a = data.hub_storage[2].data();
   for (int k = 0; k < options.history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
-  data.hub = {Position::Zero(), {}, Twist::Zero()};
-  data.hub_solution = {Twist::Zero(), Twist::Zero(), 0.0, Twist::Zero(), 0.0};
+  data.hub = {PositionOf<World>::Zero(), {}, TwistOf<World>::Zero()};
+  data.hub_solution = {TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(),
+                       0.0};
   data.is_coupled = options.is_coupled;
   data.window = {};
   data.progress.assign(options.is_coupled ? 1 : system.subsystems.size(), StepProgress{});
   data.records.assign(static_cast<std::size_t>(options.window_steps), {});
-  data.subsystems = std::vector<SubsystemData>(system.subsystems.size());
+  data.subsystems = std::vector<SubsystemData<World>>(system.subsystems.size());
   data.arenas.clear();
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
-    SubsystemData& subsystem = data.subsystems[i];
+    SubsystemData<World>& subsystem = data.subsystems[i];
     subsystem.arena = data.arenas.emplace_back(std::make_unique<Arena>()).get();
-    allocate(system.subsystems[i], options.history, subsystem);
-    for (BodyData& body : subsystem.bodies) {
-      set_linear_range(options.linear_range, body);
+    allocate(system.subsystems[i], options, subsystem);
+    for (BodyData<World>& body : subsystem.bodies) {
       body.loads = place(body.model->loads, body);
       body.drags = place(body.model->drags, body);
     }
-    const std::vector<ChainBody>& bodies = system.subsystems[i].bodies;
-    if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub))
-      subsystem.drag_poses = ArenaVector<Pose>(bodies.size(), *subsystem.arena);
+    const std::vector<TreeBody<World>>& bodies = system.subsystems[i].bodies;
+    if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub<World>))
+      subsystem.drag_poses = ArenaVector<PoseOf<World>>(bodies.size(), *subsystem.arena);
     follow_progress(i, data, subsystem);
-    subsystem.samples = ArenaVector<SubsystemSample>(data.records.size(), *subsystem.arena);
+    subsystem.samples = ArenaVector<SubsystemSample<World>>(data.records.size(), *subsystem.arena);
     if (!options.is_coupled)
-      subsystem.records = ArenaVector<StepRecord>(data.records.size(), *subsystem.arena);
+      subsystem.records = ArenaVector<ReactionRecord<World>>(data.records.size(), *subsystem.arena);
   }
 }
+
+template <class World>
+std::int64_t StepData<World>::passes_of(std::size_t index, std::int64_t step) const {
+  return is_coupled ? of_step(records, step).step.passes
+                    : of_step(subsystems[index].records, step).step.passes;
+}
+
+template <class World>
+std::int64_t StepData<World>::most_passes_of(std::int64_t step) const {
+  return of_step(records, step).step.passes;
+}
+
+template <class World>
+void StepData<World>::for_each_block(const std::function<void(CoordinateBlock&)>& apply) {
+  apply(hub_coordinates);
+  for (SubsystemData<World>& subsystem : subsystems)
+    for (BodyData<World>& body : subsystem.bodies) apply(body.coordinates);
+}
+
+template <class World>
+std::vector<std::span<std::byte>> StepData<World>::state_memory() {
+  std::vector<std::span<std::byte>> memory;
+  const auto add = [&memory](auto&& range) {
+    memory.push_back(std::as_writable_bytes(std::span(range)));
+  };
+  add(hub_storage);
+  add(std::span(&hub, 1));
+  add(progress);
+  for (SubsystemData<World>& subsystem : subsystems) {
+    add(subsystem.storage);
+    add(std::span(&subsystem.prescribed, 1));
+    add(std::span(&subsystem.root_load, 1));
+    add(subsystem.joint_loads);
+  }
+  return memory;
+}
+
+template <class World>
+void StepData<World>::keep_record(std::int64_t step) {
+  kept_ = of_step(records, step);
+}
+
+template <class World>
+void StepData<World>::take_evaluated_record(std::int64_t step) {
+  evaluated = of_step(records, step);
+}
+
+template <class World>
+void StepData<World>::return_record(std::int64_t step) {
+  of_step(records, step) = kept_;
+}
+
+namespace {
+
+/// Applies to all loads of the user's, until one is true.
+template <class World, class Check>
+bool any_load(const StepData<World>& data, Check&& check) {
+  return std::any_of(data.subsystems.begin(), data.subsystems.end(),
+                     [&](const SubsystemData<World>& s) {
+                       return std::any_of(s.loads.begin(), s.loads.end(), check);
+                     });
+}
+
+}  // namespace
+
+template <class World>
+bool StepData<World>::has_loads() const {
+  return any_load(*this, [](const LoadData<World>&) { return true; });
+}
+
+template <class World>
+bool StepData<World>::is_any_load_failed() const {
+  return any_load(*this, [](const LoadData<World>& load) { return load.thrown != nullptr; });
+}
+
+template <class World>
+void StepData<World>::clear_load_failures() {
+  for (SubsystemData<World>& subsystem : subsystems)
+    for (LoadData<World>& load : subsystem.loads) load.thrown = nullptr;
+}
+
+template void allocate(const System<Plane>&, const TableOptions&, StepData<Plane>&);
+template class StepData<Plane>;
 
 }  // namespace spoke

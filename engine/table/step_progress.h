@@ -10,7 +10,6 @@
 #include <cstdint>
 
 #include "engine/support/page_arena.h"
-#include "models/system/space.h"
 
 namespace spoke {
 
@@ -88,31 +87,12 @@ struct alignas(kInterferenceSize) StepProgress {
 /// What a step did, as far as one progress counts.
 struct StepRecord {
   std::int64_t passes = 0;
-  double work = 0.0;               ///< by drive and loads during the step [J]
-  double dissipated = 0.0;         ///< during the step [J]
-  Twist reaction = Twist::Zero();  ///< of the support and drive on the hub at its end, hub frame
-  LargeDeflection deflection;      ///< the largest at its end
+  double work = 0.0;           ///< by drive and loads during the step [J]
+  double dissipated = 0.0;     ///< during the step [J]
+  LargeDeflection deflection;  ///< the largest at its end
 };
 // Nodes assign whole records: bytes that belong to no member would differ from run to run.
-static_assert(sizeof(StepRecord) == 3 * sizeof(double) + sizeof(Twist) + sizeof(LargeDeflection));
-
-/// What the sensors show of a subsystem at the end of a step.
-struct SubsystemSample {
-  double tip_x = 0.0, tip_y = 0.0;  ///< displacement of the tip node, hub frame [m]
-  double kinetic = 0.0;             ///< energy, stiffening term included [J]
-  double strain = 0.0;              ///< energy [J]
-  /// Work of gravity since the undeformed start [J]; of gravity that rises 0: it is work of loads.
-  double gravity = 0.0;
-  Twist root = Twist::Zero();  ///< see SubsystemData::root_load
-};
-
-/// The step as a whole: what all subsystems did, and the hub.
-struct SystemRecord {
-  StepRecord step;
-  double applied_torque = 0.0;     ///< of a torque drive at the step's end [N m]
-  Twist position = Twist::Zero();  ///< of the hub, inertial frame: x, y [m], angle [rad]
-  Twist velocity = Twist::Zero();  ///< [m/s, rad/s]
-};
+static_assert(sizeof(StepRecord) == 3 * sizeof(double) + sizeof(LargeDeflection));
 
 /// What one run over the step graph may do; set before it, constant during it.
 struct Window {

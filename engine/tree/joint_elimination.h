@@ -20,7 +20,7 @@
 #include "engine/tree/joint_coordinates.h"
 #include "engine/tree/multi_port.h"
 #include "models/space/vectors.h"
-#include "models/system/space.h"
+#include "models/system/plane.h"
 
 namespace spoke::tree {
 

@@ -12,7 +12,7 @@
 
 #include "engine/results.h"
 #include "models/error.h"
-#include "models/system/space.h"
+#include "models/system/plane.h"
 
 namespace spoke {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "models/reader/scenario_fields.h"
 #include "models/reader/scenario_sensors.h"
+#include "models/reader/spatial/model_check.h"
 #include "spoke/error.h"
 
 namespace spoke {
@@ -171,6 +172,18 @@ void check_all_loads(const Rotor& rotor) {
   check_loads("hub_load", rotor.hub_loads, rotor.blades, [](Path, const HubLoad&) {});
 }
 
+void check_rotor(const Rotor& rotor) {
+  check_fields("hub", rotor.hub);
+  check_drive(rotor.hub.drive);
+  check_blades(rotor.blades);
+  check_numbers("gravity.acceleration", rotor.gravity, kGravity);
+  check("gravity.ramp", rotor.gravity_ramp, kRamp);
+  check_fields("damping", rotor.damping);
+  const std::string damping_fault = find_mass_factor_fault(rotor.damping, rotor.blades);
+  if (!damping_fault.empty()) fail("damping.mass_factor", damping_fault);
+  check_all_loads(rotor);
+}
+
 }  // namespace
 
 void check_drive(const Drive& drive) {
@@ -211,22 +224,20 @@ void check_continuation(const Drive& before, const Drive& after, double t) {
 }
 
 void check_scenario(const Scenario& scenario) {
-  const Rotor& rotor = scenario.rotor;
-  check_fields("hub", rotor.hub);
-  check_drive(rotor.hub.drive);
-  check_blades(rotor.blades);
-  check_numbers("gravity.acceleration", rotor.gravity, kGravity);
-  check("gravity.ramp", rotor.gravity_ramp, kRamp);
-  check_fields("damping", rotor.damping);
-  const std::string damping_fault = find_mass_factor_fault(rotor.damping, rotor.blades);
-  if (!damping_fault.empty()) fail("damping.mass_factor", damping_fault);
-  check_all_loads(rotor);
+  if (scenario.space) {
+    check_drive(scenario.space->hub.drive);
+    spatial::check_model(*scenario.space);
+    if (!scenario.rotor.blades.empty())
+      fail("blades", "there are some of the plane in a model in space, expected none");
+  } else {
+    check_rotor(scenario.rotor);
+  }
   check_fields("integration", scenario.integration);
   const std::string fault = find_step_fault(scenario.integration);
   if (!fault.empty()) fail("integration.step", fault);
   check_fields("limits", scenario.limits);
   check_fields("output", scenario.output);
-  check_sensors(scenario.sensors, rotor.blades);
+  if (!scenario.space) check_sensors(scenario.sensors, scenario.rotor.blades);
 }
 
 }  // namespace spoke

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "models/reader/drive_json.h"
+#include "models/reader/spatial/model_json.h"
 #include "models/scenario.h"
 
 namespace spoke {
@@ -11,52 +13,12 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const Position& p) { return Json::array({p.x(), p.y()}); }
 
-void add_drive(const SpinUp& drive, Json& json) {
-  json["speed"] = drive.speed;
-  json["ramp"] = drive.ramp;
-}
-
-void add_drive(const SpinUpHoldSpinDown& drive, Json& json) {
-  json["speed"] = drive.speed;
-  json["ramp"] = drive.ramp;
-  json["hold"] = drive.hold;
-  json["ramp_down"] = drive.ramp_down;
-}
-
-void add_drive(const SpeedTable& drive, Json& json) {
-  json["time"] = drive.speed.times();
-  json["speed"] = drive.speed.values();
-}
-
-void add_drive(const TorqueDrive& drive, Json& json) {
-  if (drive.torque.times().size() == 1) {
-    json["torque"] = drive.torque.values().front();
-  } else {
-    json["time"] = drive.torque.times();
-    json["torque"] = drive.torque.values();
-  }
-  json["initial_speed"] = drive.initial_speed;
-}
-
-void add_drive(const TorqueBySpeed& drive, Json& json) {
-  json["speed"] = drive.torque.times();
-  json["torque"] = drive.torque.values();
-  json["initial_speed"] = drive.initial_speed;
-  json["ramp"] = drive.ramp;
-}
-
-void add_drive(const FreeDrive& drive, Json& json) { json["initial_speed"] = drive.initial_speed; }
-void add_drive(const ConstantSpeed& drive, Json& json) { json["speed"] = drive.speed; }
-void add_drive(const FixedDrive&, Json&) {}
-
 Json to_json(const Hub& hub) {
-  Json drive = {{"kind", name_of(hub.drive)}};
-  std::visit([&](const auto& d) { add_drive(d, drive); }, hub.drive);
   return {{"support", name_of(hub.support)},
           {"radius", hub.radius},
           {"inertia", hub.inertia},
           {"mass", hub.mass},
-          {"drive", drive}};
+          {"drive", drive_to_json(hub.drive)}};
 }
 
 Json to_json(const BladeSections& sections) {
@@ -196,26 +158,34 @@ Json to_json(const Limits& limits) {
           {"on_energy_growth", name_of(limits.on_energy_growth)}};
 }
 
-}  // namespace
-
-std::string Scenario::to_json() const {
-  Json gravity = {{"acceleration", spoke::to_json(rotor.gravity)}};
+/// The tables of a rotor in the plane.
+void add_rotor(const Rotor& rotor, Json& json) {
+  Json gravity = {{"acceleration", to_json(rotor.gravity)}};
   add_ramp(rotor.gravity_ramp, gravity);
-  Json json = {{"title", title},
-               {"hub", spoke::to_json(rotor.hub)},
-               {"blades", to_list(rotor.blades)},
-               {"gravity", gravity},
-               {"damping",
-                {{"mass_factor", rotor.damping.mass_factor},
-                 {"stiffness_factor", rotor.damping.stiffness_factor}}},
-               {"load", to_list(rotor.loads)}};
+  json["hub"] = to_json(rotor.hub);
+  json["blades"] = to_list(rotor.blades);
+  json["gravity"] = gravity;
+  json["damping"] = {{"mass_factor", rotor.damping.mass_factor},
+                     {"stiffness_factor", rotor.damping.stiffness_factor}};
+  json["load"] = to_list(rotor.loads);
   add_loads("distributed_load", rotor.distributed_loads, json);
   add_loads("drag", rotor.drags, json);
   add_loads("hub_load", rotor.hub_loads, json);
+}
+
+}  // namespace
+
+std::string Scenario::to_json() const {
+  Json json = {{"title", title}};
+  if (space) {
+    spatial::add_model(*space, json);
+  } else {
+    add_rotor(rotor, json);
+  }
   json["integration"] = spoke::to_json(integration);
   json["limits"] = spoke::to_json(limits);
   json["output"] = {{"interval", output.interval}};
-  json["sensor"] = to_list(sensors);
+  if (!space) json["sensor"] = to_list(sensors);
   // A title from a file name may hold anything.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

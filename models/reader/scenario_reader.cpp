@@ -5,6 +5,7 @@
 #include "models/reader/field_reader.h"
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/scenario_sensors.h"
+#include "models/reader/spatial/model_reader.h"
 #include "models/reader/text_file.h"
 #include "models/reader/toml_document.h"
 #include "models/scenario.h"
@@ -35,6 +36,23 @@ Limits read_limits(const TomlSection& root) {
   return limits;
 }
 
+/// Reads what is simulated: in the plane, or in space.
+void read_world(const TomlSection& root, Scenario& scenario) {
+  const bool is_spatial = root.has("world") && root.choice("world", {"plane", "space"}) == 1;
+  const auto refuse = [&](std::string_view key, const char* expected) {
+    if (root.has(key))
+      root.fail(key, "belongs to another world, expected world = " + std::string(expected));
+  };
+  if (is_spatial) {
+    refuse("drag", "\"plane\"");
+    refuse("sensor", "\"plane\"");
+    scenario.space = spatial::read_model(root);
+  } else {
+    refuse("subsystem", "\"space\"");
+    scenario.rotor = read_rotor(root);
+  }
+}
+
 /// The file's name without folder and ending; it names a folder, so that "." and ".." are none.
 std::string name_of_file(const std::string& file) {
   const std::string stem = std::filesystem::path(file).stem().string();
@@ -47,17 +65,17 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
                         const Overrides& overrides) {
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
-  const TomlSection root(document, {"title", "hub", "blade", "blades", "gravity", "damping", "load",
-                                    "distributed_load", "drag", "hub_load", "integration", "limits",
-                                    "output", "sensor"});
+  const TomlSection root(document, {"title", "world", "hub", "blade", "blades", "subsystem",
+                                    "gravity", "damping", "load", "distributed_load", "drag",
+                                    "hub_load", "integration", "limits", "output", "sensor"});
   Scenario scenario;
   scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
-  scenario.rotor = read_rotor(root);
+  read_world(root, scenario);
   scenario.integration = read_integration(root);
   scenario.limits = read_limits(root);
   visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});
-  scenario.sensors = read_sensors(root, scenario.rotor.blades);
+  if (!scenario.space) scenario.sensors = read_sensors(root, scenario.rotor.blades);
   return scenario;
 }
 

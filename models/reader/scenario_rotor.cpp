@@ -54,6 +54,8 @@ Fields read_fields(const TomlSection& section) {
   return fields;
 }
 
+}  // namespace
+
 Drive read_drive(const TomlSection& hub) {
   const TomlSection drive = hub.section(
       "drive", {"kind", "speed", "ramp", "hold", "ramp_down", "torque", "time", "initial_speed"});
@@ -82,6 +84,8 @@ Drive read_drive(const TomlSection& hub) {
   if (!drive.has("ramp_down")) up_and_down.ramp_down = up_and_down.ramp;
   return up_and_down;
 }
+
+namespace {
 
 Hub read_hub(const TomlSection& root) {
   const TomlSection section =

@@ -7,6 +7,9 @@
 
 namespace spoke {
 
+/// Reads [hub.drive] from the table of the hub. Throws InputError.
+Drive read_drive(const TomlSection& hub);
+
 /// Reads hub, blades, gravity, damping and loads from a scenario's root. Throws InputError.
 Rotor read_rotor(const TomlSection& root);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "models/reader/blade_choice_reader.h"
+#include "models/reader/names.h"
 #include "models/reader/scenario_fields.h"
 #include "spoke/error.h"
 
@@ -14,21 +15,11 @@ namespace spoke {
 namespace {
 
 constexpr std::size_t kMostValues = 1'000'000;
-constexpr std::size_t kLongestName = 64;
 
 constexpr std::initializer_list<SensorQuantity> kQuantities{
     SensorQuantity::displacement,  SensorQuantity::velocity,       SensorQuantity::acceleration,
     SensorQuantity::section_force, SensorQuantity::joint_reaction, SensorQuantity::hub_reaction,
     SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy};
-
-bool is_name(const std::string& name) {
-  return !name.empty() && name.size() <= kLongestName &&
-         std::all_of(name.begin(), name.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                  c == '_' || c == '-' || c == '.';
-         });
-}
-constexpr const char* kNameExpected = "letters, digits, \"_\", \"-\" and \".\", 1 to 64 of them";
 
 /// The least of a property of the blades that a sensor is on.
 template <class Value>

@@ -3,6 +3,7 @@
 #include "models/reader/toml_section.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "models/reader/nearest_name.h"
@@ -59,6 +60,11 @@ bool TomlSection::is_array(std::string_view key) const {
 bool TomlSection::is_text(std::string_view key) const {
   const toml::node* node = table_->get(key);
   return node != nullptr && node->is_string();
+}
+
+bool TomlSection::is_table(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_table();
 }
 
 TomlSection TomlSection::section(std::string_view key, const Keys& known) const {
@@ -144,6 +150,40 @@ std::vector<double> TomlSection::numbers(std::string_view key, const Quantity& q
   return values;
 }
 
+std::vector<std::vector<double>> TomlSection::rows(std::string_view key, const Quantity& quantity,
+                                                   std::size_t count,
+                                                   std::size_t other_count) const {
+  const std::string numbers = std::to_string(count) +
+                              (other_count == 0 ? "" : " or " + std::to_string(other_count)) +
+                              " numbers" + in_parentheses(quantity.unit);
+  const toml::array* array = required(key, "an array of arrays of " + numbers).as_array();
+  if (array == nullptr || array->empty()) fail_expected(key, "an array of arrays of " + numbers);
+  std::vector<std::vector<double>> all;
+  for (const toml::node& element : *array) {
+    const std::string path = path_of(key) + '.' + std::to_string(all.size() + 1);
+    std::vector<double> row;
+    if (element.is_array()) flatten(*element.as_array(), path, quantity, row);
+    if (!element.is_array() || (row.size() != count && row.size() != other_count) || row.empty())
+      document_->fail(path, element.source().begin,
+                      "is " + describe(element) + ", expected an array of " + numbers);
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+void TomlSection::flatten(const toml::array& array, const std::string& path,
+                          const Quantity& quantity, std::vector<double>& numbers) const {
+  std::size_t index = 0;
+  for (const toml::node& element : array) {
+    const std::string at = path + '.' + std::to_string(++index);
+    if (element.is_array()) {
+      flatten(*element.as_array(), at, quantity, numbers);
+    } else {
+      numbers.push_back(checked_number(element, at, quantity));
+    }
+  }
+}
+
 std::vector<double> TomlSection::increasing_numbers(std::string_view key,
                                                     const Quantity& quantity) const {
   std::vector<double> values = numbers(key, quantity);
@@ -171,6 +211,26 @@ void TomlSection::fail(std::string_view key, const std::string& what) const {
   const toml::node* node = key.empty() ? nullptr : table_->get(key);
   document_->fail(key.empty() ? path_ : path_of(key),
                   node == nullptr ? position_ : node->source().begin, what);
+}
+
+void TomlSection::fail_at(std::string_view path, const std::string& what) const {
+  if (path.empty()) fail("", what);
+  const toml::node* deepest = nullptr;
+  const toml::node* node = table_;
+  for (std::size_t begin = 0; node != nullptr && begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string name(path.substr(begin, end - begin));
+    if (const toml::table* table = node->as_table()) {
+      node = table->get(name);
+    } else if (const toml::array* array = node->as_array()) {
+      node = array->get(static_cast<std::size_t>(std::strtoul(name.c_str(), nullptr, 10)) - 1);
+    } else {
+      node = nullptr;
+    }
+    if (node != nullptr) deepest = node;
+    begin = end + 1;
+  }
+  document_->fail(path_of(path), deepest == nullptr ? position_ : deepest->source().begin, what);
 }
 
 void TomlSection::fail_expected(std::string_view key, const std::string& expected) const {

@@ -27,6 +27,7 @@ class TomlSection {
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_array(std::string_view key) const;
   bool is_text(std::string_view key) const;
+  bool is_table(std::string_view key) const;
 
   /// The table `key`; an empty one if it is missing.
   TomlSection section(std::string_view key, const Keys& known) const;
@@ -43,6 +44,10 @@ class TomlSection {
   /// An array of numbers, of `count` of them unless it is 0 (then at least one).
   std::vector<double> numbers(std::string_view key, const Quantity& quantity,
                               std::size_t count = 0) const;
+  /// An array of arrays of numbers, these of `count` numbers each or, where `other_count` is given,
+  /// of that many. Arrays within these only group the numbers.
+  std::vector<std::vector<double>> rows(std::string_view key, const Quantity& quantity,
+                                        std::size_t count, std::size_t other_count = 0) const;
   /// An array of numbers, each greater than the one before.
   std::vector<double> increasing_numbers(std::string_view key, const Quantity& quantity) const;
 
@@ -59,6 +64,9 @@ class TomlSection {
 
   /// Throws InputError about a key, or about the table if the key is empty.
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
+  /// Throws InputError about what a path of keys and of indices from 1 leads to: "joint.2.axis".
+  /// The place is that of the last of them that is there.
+  [[noreturn]] void fail_at(std::string_view path, const std::string& what) const;
   /// Throws InputError: "is VALUE, expected ...".
   [[noreturn]] void fail_expected(std::string_view key, const std::string& expected) const;
 
@@ -69,6 +77,8 @@ class TomlSection {
   void check_keys(const Keys& known) const;
   std::string path_of(std::string_view key) const;
   const toml::node& required(std::string_view key, const std::string& expected) const;
+  void flatten(const toml::array& array, const std::string& path, const Quantity& quantity,
+               std::vector<double>& numbers) const;
   double checked_number(const toml::node& node, const std::string& path,
                         const Quantity& quantity) const;
 

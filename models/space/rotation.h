@@ -1,6 +1,6 @@
 #pragma once
 
-// Rotations and poses in space, by the names of the plane's (models/system/space.h).
+// Rotations and poses in space, by the names of the plane's (models/system/plane.h).
 
 #include "models/space/vectors.h"
 

@@ -2,7 +2,7 @@
 
 // The world of space: what algorithms that are written once for plane and space take their sizes
 // and types from. The functions on these types have the names of the plane's
-// (models/system/space.h) and are found by their arguments.
+// (models/system/plane.h) and are found by their arguments.
 
 #include "models/space/quaternion.h"
 #include "models/space/rotation.h"

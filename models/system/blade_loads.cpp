@@ -70,7 +70,7 @@ std::vector<PlacedPoint> place(double from, double to, const Mesh& mesh) {
 /// Adds a copy of `load` with the points on it to each body that has any.
 template <class Load>
 void add(const std::vector<PlacedPoint>& points, const Load& load,
-         std::vector<Load> BodyLoads::*member, std::vector<BodyLoads>& bodies) {
+         std::vector<Load> BodyLoads<Plane>::*member, std::vector<BodyLoads<Plane>>& bodies) {
   std::size_t last = bodies.size();
   for (const PlacedPoint& placed : points) {
     std::vector<Load>& loads = bodies[placed.body].*member;
@@ -85,35 +85,38 @@ std::shared_ptr<const LoadCourse> course_of(const Load& load) {
   return std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp});
 }
 
-void add_drag(const Drag& drag, const Mesh& mesh, double tip, std::vector<BodyLoads>& bodies) {
+void add_drag(const Drag& drag, const Mesh& mesh, double tip,
+              std::vector<BodyLoads<Plane>>& bodies) {
   const auto course = course_of(drag);
   if (drag.linear != 0.0 || drag.quadratic != 0.0)
     add({place(drag.position.value_or(tip), mesh)},
-        BodyDrag{{}, drag.relative_to, drag.linear, drag.quadratic, course}, &BodyLoads::drags,
-        bodies);
+        BodyDrag<Plane>{{}, drag.relative_to, drag.linear, drag.quadratic, course},
+        &BodyLoads<Plane>::drags, bodies);
   if (drag.linear_per_length != 0.0 || drag.quadratic_per_length != 0.0)
     add(place(drag.from, drag.to.value_or(tip), mesh),
-        BodyDrag{{}, drag.relative_to, drag.linear_per_length, drag.quadratic_per_length, course},
-        &BodyLoads::drags, bodies);
+        BodyDrag<Plane>{
+            {}, drag.relative_to, drag.linear_per_length, drag.quadratic_per_length, course},
+        &BodyLoads<Plane>::drags, bodies);
 }
 
 }  // namespace
 
-std::vector<BodyLoads> make_body_loads(const Rotor& rotor, std::size_t index) {
+std::vector<BodyLoads<Plane>> make_body_loads(const Rotor& rotor, std::size_t index) {
   const Blade& blade = rotor.blades[index];
   const Mesh mesh(blade);
   const double tip = blade.length;
-  std::vector<BodyLoads> bodies(static_cast<std::size_t>(blade.bodies));
+  std::vector<BodyLoads<Plane>> bodies(static_cast<std::size_t>(blade.bodies));
   for (const PointLoad& load : rotor.loads)
     if (load.blade.holds(index))
       add({place(load.position.value_or(tip), mesh)},
-          BodyLoad{{}, load.frame, load.force, load.moment, course_of(load)}, &BodyLoads::loads,
-          bodies);
+          BodyLoad<Plane>{{}, load.frame, load.force, load.moment, course_of(load)},
+          &BodyLoads<Plane>::loads, bodies);
   for (const DistributedLoad& load : rotor.distributed_loads)
     if (load.blade.holds(index))
       add(place(load.from, load.to.value_or(tip), mesh),
-          BodyLoad{{}, load.frame, load.force_per_length, load.moment_per_length, course_of(load)},
-          &BodyLoads::loads, bodies);
+          BodyLoad<Plane>{
+              {}, load.frame, load.force_per_length, load.moment_per_length, course_of(load)},
+          &BodyLoads<Plane>::loads, bodies);
   for (const Drag& drag : rotor.drags)
     if (drag.blade.holds(index)) add_drag(drag, mesh, tip, bodies);
   return bodies;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/rotor.h"
+#include "models/system/plane.h"
 
 namespace spoke {
 
@@ -33,15 +34,17 @@ struct LoadCourse {
 };
 
 /// A force and a moment on one body, as they act at each of its points, times weight and course.
+template <class World>
 struct BodyLoad {
   std::vector<LoadPoint> points;
   LoadFrame frame = LoadFrame::hub;
-  Position force = Position::Zero();  ///< [N], or [N/m]
-  double moment = 0.0;                ///< [N m], or [N]
+  PositionOf<World> force = PositionOf<World>::Zero();  ///< [N], or [N/m]
+  AngularOf<World> moment{};                            ///< [N m], or [N]
   std::shared_ptr<const LoadCourse> course;
 };
 
 /// Drag on one body, as it acts at each of its points, times weight and course.
+template <class World>
 struct BodyDrag {
   std::vector<LoadPoint> points;
   DragFrame relative_to = DragFrame::inertial;
@@ -51,14 +54,15 @@ struct BodyDrag {
 };
 
 /// What acts on one body.
+template <class World>
 struct BodyLoads {
-  std::vector<BodyLoad> loads;
-  std::vector<BodyDrag> drags;
+  std::vector<BodyLoad<World>> loads;
+  std::vector<BodyDrag<World>> drags;
 };
 
 /// The loads and drags of a rotor on the bodies of blade `index`, root to tip. What is per
 /// length acts at the points of Gauss's rule of four in each element, or part of one: by the shape
 /// functions that is the exact integral of a load that is constant, and of linear drag.
-std::vector<BodyLoads> make_body_loads(const Rotor& rotor, std::size_t index);
+std::vector<BodyLoads<Plane>> make_body_loads(const Rotor& rotor, std::size_t index);
 
 }  // namespace spoke

@@ -66,17 +66,19 @@ std::vector<double> find_outboard_moments(const Hub& hub, const Blade& blade) {
   return moments;
 }
 
-Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& catalogue) {
+Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& catalogue) {
   const BeamProperties first = make_beam_properties(blade, 0);
   const std::vector<double> moments = find_outboard_moments(hub, blade);
   const double tip = hub.radius + blade.length;
-  Subsystem subsystem;
+  Subsystem<Plane> subsystem;
   subsystem.root.R = Rotation::from_angle(blade.azimuth);
   subsystem.root.p = subsystem.root.R * Position{hub.radius, 0.0};
   subsystem.length = blade.length;
   for (int j = 0; j < blade.bodies; ++j) {
     const BeamProperties beam = is_uniform(blade) ? first : make_beam_properties(blade, j);
-    ChainBody member;
+    TreeBody<Plane> member;
+    member.parent = j - 1;
+    if (j + 1 < blade.bodies) member.children = {j + 1};
     member.body = catalogue.body(beam);
     if (blade.geometric_stiffening) {
       const double distance = hub.radius + j * beam.length;
@@ -84,15 +86,15 @@ Subsystem make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& cata
       const double of_uniform =
           j + 1 == blade.bodies ? 0.0 : beam.mass_per_length * (tip * tip - end * end) / 2.0;
       const double outboard = moments.empty() ? of_uniform : moments[static_cast<std::size_t>(j)];
-      member.centrifugal_stiffness = catalogue.stiffness(beam, distance, outboard);
-      member.slope_integral = catalogue.slope_integral(beam);
+      member.stiffening.centrifugal = catalogue.stiffness(beam, distance, outboard);
+      member.stiffening.slope_integral = catalogue.slope_integral(beam);
     }
     subsystem.bodies.push_back(std::move(member));
   }
   return subsystem;
 }
 
-void put_loads(std::vector<BodyLoads> placed, Subsystem& subsystem) {
+void put_loads(std::vector<BodyLoads<Plane>> placed, Subsystem<Plane>& subsystem) {
   for (std::size_t j = 0; j < placed.size(); ++j) {
     subsystem.bodies[j].loads = std::move(placed[j].loads);
     subsystem.bodies[j].drags = std::move(placed[j].drags);
@@ -101,25 +103,12 @@ void put_loads(std::vector<BodyLoads> placed, Subsystem& subsystem) {
 
 }  // namespace
 
-int System::body_count() const {
-  int count = 0;
-  for (const Subsystem& s : subsystems) count += static_cast<int>(s.bodies.size());
-  return count;
-}
-
-int System::deformation_count() const {
-  int count = 0;
-  for (const Subsystem& s : subsystems)
-    for (const ChainBody& member : s.bodies) count += member.body->coordinates();
-  return count;
-}
-
 bool is_prescribed(const Hub& hub, int c) {
   return c < kPosition ? hub.support == HubSupport::axle : prescribes_motion(hub.drive);
 }
 
-System make_system(const Rotor& rotor) {
-  System system;
+System<Plane> make_system(const Rotor& rotor) {
+  System<Plane> system;
   system.hub = rotor.hub;
   system.gravity = rotor.gravity;
   system.gravity_ramp = rotor.gravity_ramp;

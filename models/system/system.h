@@ -9,48 +9,85 @@
 #include "models/rotor.h"
 #include "models/system/blade_loads.h"
 #include "models/system/flexible_body.h"
-#include "models/system/space.h"
+#include "models/system/plane.h"
 
 namespace spoke {
 
-/// A body in its chain.
-struct ChainBody {
-  std::shared_ptr<const FlexibleBody> body;
-  /// KG of make_centrifugal_stiffness; null if the blade has no geometric stiffening.
-  std::shared_ptr<const SymmetricBand<3>> centrifugal_stiffness;
-  /// make_slope_integral, for the tip's displacement; null likewise.
+/// What rotation adds to the stiffness of a planar body; nothing unless the blade has geometric
+/// stiffening.
+struct PlanarStiffening {
+  std::shared_ptr<const SymmetricBand<3>> centrifugal;  ///< KG of make_centrifugal_stiffness
+  /// make_slope_integral, for the tip's displacement.
   std::shared_ptr<const SymmetricBand<3>> slope_integral;
-  std::vector<BodyLoad> loads;
-  std::vector<BodyDrag> drags;
+
+  explicit operator bool() const { return centrifugal != nullptr; }
 };
 
-/// A chain of bodies, root to tip.
+/// A body in its tree.
+template <class World>
+struct TreeBody {
+  /// Index of the body that carries it, less than its own; -1: the hub.
+  int parent = -1;
+  /// At which handle of that body it hangs, from 1: 0 is the inboard one.
+  int handle = 1;
+  /// Indices of the bodies that it carries, by handle: one at each, from handle 1.
+  std::vector<int> children;
+  std::shared_ptr<const typename World::FlexibleBody> body;
+  typename World::Stiffening stiffening;
+  std::vector<BodyLoad<World>> loads;
+  std::vector<BodyDrag<World>> drags;
+};
+
+/// A tree of bodies on the hub, which parents lead; in the plane a chain, root to tip.
+template <class World>
 struct Subsystem {
-  Pose root;            ///< pose of the root bracket in the hub frame
+  PoseOf<World> root;   ///< pose of the root bracket in the hub frame
   double length = 0.0;  ///< undeformed, root to tip [m]
-  std::vector<ChainBody> bodies;
+  std::vector<TreeBody<World>> bodies;
 };
 
+template <class World>
 struct System {
-  Hub hub;
-  std::vector<HubLoad> hub_loads;
-  std::vector<Subsystem> subsystems;
-  Position gravity = Position::Zero();  ///< inertial frame, at full size [m/s^2]
-  double gravity_ramp = 0.0;            ///< [s]
+  typename World::Hub hub;
+  std::vector<typename World::HubLoad> hub_loads;
+  std::vector<Subsystem<World>> subsystems;
+  PositionOf<World> gravity = PositionOf<World>::Zero();  ///< inertial frame, at full size [m/s^2]
+  double gravity_ramp = 0.0;                              ///< [s]
   Damping damping;
 
   /// In force at time t [s].
-  Position gravity_at(double t) const { return gravity * calc_rise(t, gravity_ramp); }
+  PositionOf<World> gravity_at(double t) const { return gravity * calc_rise(t, gravity_ramp); }
 
-  int body_count() const;
+  int body_count() const {
+    int count = 0;
+    for (const Subsystem<World>& s : subsystems) count += static_cast<int>(s.bodies.size());
+    return count;
+  }
   /// Deformation coordinates of all bodies together.
-  int deformation_count() const;
+  int deformation_count() const {
+    int count = 0;
+    for (const Subsystem<World>& s : subsystems)
+      for (const TreeBody<World>& member : s.bodies) count += member.body->coordinates();
+    return count;
+  }
 };
 
 /// Whether component `c` of the hub's twist (x, y, rotation) is prescribed.
 bool is_prescribed(const Hub& hub, int c);
 
+/// M_0 of the hub alone, hub frame.
+inline TwistMatrix calc_hub_mass(const Hub& hub) {
+  return Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();
+}
+/// The forces of the hub's own inertia at zero acceleration; in the plane its mass centre is on its
+/// axis, and there are none.
+inline void add_gyroscopic_force(const Hub&, const Twist&, Twist&) {}
+/// Of the hub alone, about its axis [kg m^2].
+inline double axial_inertia(const Hub& hub) { return hub.inertia; }
+/// The moment of a load besides that of its force [N m].
+inline double moment_of(const HubLoad& load) { return load.torque; }
+
 /// Builds the constants of a rotor; equal bodies share them.
-System make_system(const Rotor& rotor);
+System<Plane> make_system(const Rotor& rotor);
 
 }  // namespace spoke

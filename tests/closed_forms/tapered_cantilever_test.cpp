@@ -217,7 +217,7 @@ TEST_CASE("a table of constants is the uniform blade") {
   for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
     Rotor one = rotor_of(uniform), other = rotor_of(table);
     one.blades[0].reference_frame = other.blades[0].reference_frame = frame;
-    const System a = make_system(one), b = make_system(other);
+    const System<Plane> a = make_system(one), b = make_system(other);
     const auto near = [](const auto& x, const auto& y) {
       return (x - y).template lpNorm<Eigen::Infinity>() <=
              1e-13 * x.template lpNorm<Eigen::Infinity>();
@@ -237,8 +237,8 @@ TEST_CASE("a table of constants is the uniform blade") {
       CHECK(near(x.K_bending.to_dense(), y.K_bending.to_dense()));
       CHECK(near(x.H.rows, y.H.rows));
       CHECK(near(x.H.pairs, y.H.pairs));
-      CHECK(near(a.subsystems[0].bodies[j].centrifugal_stiffness->to_dense(),
-                 b.subsystems[0].bodies[j].centrifugal_stiffness->to_dense()));
+      CHECK(near(a.subsystems[0].bodies[j].stiffening.centrifugal->to_dense(),
+                 b.subsystems[0].bodies[j].stiffening.centrifugal->to_dense()));
     }
     CHECK(natural_frequency(one.blades[0], 2) == approx(natural_frequency(other.blades[0], 2)));
   }
@@ -248,8 +248,8 @@ TEST_CASE("bodies share constants if and only if they are equal") {
   Blade blade = linear_taper(1.0, 4, 3);
   const auto distinct = [](const Rotor& rotor) {
     std::vector<const FlexibleBody*> bodies;
-    for (const Subsystem& subsystem : make_system(rotor).subsystems)
-      for (const ChainBody& member : subsystem.bodies) bodies.push_back(member.body.get());
+    for (const Subsystem<Plane>& subsystem : make_system(rotor).subsystems)
+      for (const TreeBody<Plane>& member : subsystem.bodies) bodies.push_back(member.body.get());
     std::sort(bodies.begin(), bodies.end());
     return std::unique(bodies.begin(), bodies.end()) - bodies.begin();
   };
@@ -261,7 +261,7 @@ TEST_CASE("bodies share constants if and only if they are equal") {
 
 TEST_CASE("mass, first moment and inertia of tapered bodies are those of the polynomials") {
   const Blade blade = linear_taper(0.25, 3, 2);
-  const System system = make_system(rotor_of(blade));
+  const System<Plane> system = make_system(rotor_of(blade));
   double mass = 0.0, moment = 0.0, inertia = 0.0;
   for (int j = 0; j < 3; ++j) {
     const FlexibleBody& body = *system.subsystems[0].bodies[static_cast<std::size_t>(j)].body;
@@ -300,8 +300,8 @@ TEST_CASE("a boundary between sections within an element is integrated exactly")
     sections.axial_stiffness.push_back(at(blade.sections.axial_stiffness, x));
     sections.bending_stiffness.push_back(at(blade.sections.bending_stiffness, x));
   }
-  const System a = make_system(rotor_of(blade)), b = make_system(rotor_of(finer));
-  const ChainBody &x = a.subsystems[0].bodies[0], &y = b.subsystems[0].bodies[0];
+  const System<Plane> a = make_system(rotor_of(blade)), b = make_system(rotor_of(finer));
+  const TreeBody<Plane>&x = a.subsystems[0].bodies[0], &y = b.subsystems[0].bodies[0];
   const auto near = [](const Eigen::MatrixXd& one, const Eigen::MatrixXd& other) {
     return (one - other).lpNorm<Eigen::Infinity>() <= 1e-12 * one.lpNorm<Eigen::Infinity>();
   };
@@ -310,5 +310,5 @@ TEST_CASE("a boundary between sections within an element is integrated exactly")
   CHECK(near(x.body->M_axial.to_dense(), y.body->M_axial.to_dense()));
   CHECK(near(x.body->K_axial.to_dense(), y.body->K_axial.to_dense()));
   CHECK(near(x.body->H.rows, y.body->H.rows));
-  CHECK(near(x.centrifugal_stiffness->to_dense(), y.centrifugal_stiffness->to_dense()));
+  CHECK(near(x.stiffening.centrifugal->to_dense(), y.stiffening.centrifugal->to_dense()));
 }

@@ -106,7 +106,7 @@ TEST_CASE("a mass between the nodes is at its own place") {
 
 TEST_CASE("mass, first moment and inertia of a blade are those of its parts") {
   const Rotor rotor = rotor_with_masses(HubSupport::axle);
-  const System system = make_system(rotor);
+  const System<Plane> system = make_system(rotor);
   for (std::size_t i = 0; i < 3; ++i) {
     const Blade& blade = rotor.blades[i];
     double mass = i == 0 ? blade_mass(blade) : 2.5 * 0.225 + 3.5 * 0.125;
@@ -160,7 +160,7 @@ TEST_CASE("accelerations of blades with sections and masses satisfy Lagrange's e
   for (const bool is_stiffened : {false, true}) {
     Rotor rotor = rotor_with_masses(HubSupport::free);
     for (Blade& blade : rotor.blades) blade.geometric_stiffening = is_stiffened;
-    StepContext context;
+    SystemContext<Plane> context;
     make_context(rotor, Formulation::structured, Rk4{1e-5}, context);
     randomize_state(random, context);
     evaluate(1.0, context);
@@ -180,7 +180,7 @@ TEST_CASE("the formulations agree on blades with sections and masses") {
   std::mt19937 random(5);
   for (const HubSupport support : {HubSupport::axle, HubSupport::free}) {
     const Rotor rotor = rotor_with_masses(support);
-    StepContext structured, subsystem, augmented;
+    SystemContext<Plane> structured, subsystem, augmented;
     make_context(rotor, Formulation::structured, Rk4{1e-5}, structured);
     make_context(rotor, Formulation::subsystem, Rk4{1e-5}, subsystem);
     make_context(rotor, Formulation::augmented, Rk4{1e-5}, augmented);
@@ -200,7 +200,7 @@ TEST_CASE("a free rotor with sections and masses keeps energy and momentum") {
   Rotor rotor = rotor_with_masses(HubSupport::free);
   rotor.gravity.setZero();
   rotor.hub.drive = FreeDrive{2.0};
-  StepContext context;
+  SystemContext<Plane> context;
   make_context(rotor, Formulation::structured, Rk4{2e-5}, context);
   std::mt19937 random(9);
   randomize_state(random, context);

@@ -81,14 +81,14 @@ class Run {
   /// Linear momentum, and angular momentum about the origin.
   Twist momentum() const {
     const Eigen::VectorXd y = independent_coordinates(context_);
-    const Eigen::VectorXd p = lagrangian_.momenta(y, independent_velocities(context_));
+    const Twist p = lagrangian_.hub_momenta(y, independent_velocities(context_));
     return {p[0], p[1], y[0] * p[1] - y[1] * p[0] + p[2]};
   }
 
-  const StepContext& context() const { return context_; }
+  const SystemContext<Plane>& context() const { return context_; }
 
  private:
-  const System& prepare(const Rotor& rotor, const Method& method, const Loads& loads) {
+  const System<Plane>& prepare(const Rotor& rotor, const Method& method, const Loads& loads) {
     make_context(rotor, Formulation::structured, method, context_);
     place_loads(ask_loads(loads), context_.data);
     std::mt19937 random(21);
@@ -97,7 +97,7 @@ class Run {
   }
 
   double step_;
-  StepContext context_;
+  SystemContext<Plane> context_;
   Sensors sensors_;
   Lagrangian lagrangian_;
   WorkDone work_;
@@ -194,7 +194,7 @@ TEST_CASE("a thruster changes momentum by its force, and angular momentum by its
     constexpr double step = 1e-4;
     Run run(rotor, Rk4{step}, step);
     const auto rate = [&] {
-      const HubState hub = calc_hub_state(run.context().data.hub_coordinates);
+      const HubState<Plane> hub = calc_hub_state<Plane>(run.context().data.hub_coordinates);
       const Position p = hub.p + hub.R * thruster.position;
       const Rotation R = frame == LoadFrame::hub ? hub.R : Rotation{};
       return translate(p, R * Twist(0.4, 0.7, 0.05));

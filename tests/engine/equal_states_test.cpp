@@ -95,17 +95,17 @@ class Repetition {
 
   /// The state that the steps end in.
   std::vector<double> run(graph::Executor& executor) {
-    put_state_values(start_, 0, context_->data);
+    context_->data.put_state(start_, 0);
     stepper_.continue_from(0);
     REQUIRE(stepper_.advance(kSteps, executor) == StepOutcome::done);
     return take_state_values(kSteps, context_->data);
   }
 
  private:
-  static std::unique_ptr<StepContext> prepare(const Scenario& scenario, Formulation formulation,
-                                              int window) {
+  static std::unique_ptr<SystemContext<Plane>> prepare(const Scenario& scenario,
+                                                       Formulation formulation, int window) {
     const Integration& integration = scenario.integration;
-    auto context = std::make_unique<StepContext>();
+    auto context = std::make_unique<SystemContext<Plane>>();
     context->system = make_system(scenario.rotor);
     context->formulation = formulation;
     context->integrator = {
@@ -115,7 +115,7 @@ class Repetition {
     return context;
   }
 
-  std::unique_ptr<StepContext> context_;
+  std::unique_ptr<SystemContext<Plane>> context_;
   graph::StepGraph single_, graph_;
   TimeStepper stepper_;
   std::vector<double> start_;

@@ -74,7 +74,8 @@ class BodyCoordinates {
 
 /// Calls visit(blade, body, frame, coordinates) for every body, with its frame in motion.
 template <class Visit>
-void for_each_body(const System& system, const Eigen::VectorXd& y, const double* v, Visit&& visit) {
+void for_each_body(const System<Plane>& system, const Eigen::VectorXd& y, const double* v,
+                   Visit&& visit) {
   const auto hub = [&](int c) { return Dual{y[c], v ? v[c] : 0.0}; };
   const Frame hub_frame{hub(0), hub(1), hub(2)};
   Eigen::Index next = kTwist;
@@ -168,14 +169,15 @@ struct Matter {
   }
 };
 
-Matter matter_of(const Subsystem& subsystem, std::size_t body, const Blade* blade) {
+Matter matter_of(const Subsystem<Plane>& subsystem, std::size_t body, const Blade* blade) {
   double origin = 0.0;
   for (std::size_t j = 0; j < body; ++j) origin += subsystem.bodies[j].body->length;
   return {*subsystem.bodies[body].body, blade, origin};
 }
 
 /// Tension of the undeformed blade at unit hub speed, at x of a body: int rhoA r dr outboard of x.
-double unit_tension(const Subsystem& subsystem, const Blade* blade, std::size_t body, double x) {
+double unit_tension(const Subsystem<Plane>& subsystem, const Blade* blade, std::size_t body,
+                    double x) {
   const double radius = std::hypot(subsystem.root.p.x(), subsystem.root.p.y());
   double tension = 0.0;
   for (std::size_t j = body; j < subsystem.bodies.size(); ++j) {
@@ -190,13 +192,13 @@ double unit_tension(const Subsystem& subsystem, const Blade* blade, std::size_t 
   return tension;
 }
 
-Eigen::VectorXd gather(const StepContext& context, double* CoordinateBlock::*member) {
-  const StepData& data = context.data;
+Eigen::VectorXd gather(const SystemContext<Plane>& context, double* CoordinateBlock::*member) {
+  const StepData<Plane>& data = context.data;
   Eigen::VectorXd all(kTwist + context.system.deformation_count());
   for (int c = 0; c < kTwist; ++c) all[c] = (data.hub_coordinates.*member)[c];
   Eigen::Index next = kTwist;
-  for (const SubsystemData& subsystem : data.subsystems)
-    for (const BodyData& body : subsystem.bodies) {
+  for (const SubsystemData<Plane>& subsystem : data.subsystems)
+    for (const BodyData<Plane>& body : subsystem.bodies) {
       const Eigen::VectorXd part = unpadded(body.coordinates.*member, body.layout);
       all.segment(next, part.size()) = part;
       next += part.size();
@@ -211,8 +213,8 @@ double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorX
   double energy = 0.5 * hub.mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * hub.inertia * v[2] * v[2];
   for_each_body(
       system_, y, v.data(), [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
-        const Subsystem& subsystem = system_.subsystems[i];
-        const ChainBody& member = subsystem.bodies[j];
+        const Subsystem<Plane>& subsystem = system_.subsystems[i];
+        const TreeBody<Plane>& member = subsystem.bodies[j];
         const Blade* blade = blades_.empty() ? nullptr : &blades_[i];
         const Matter matter = matter_of(subsystem, static_cast<std::size_t>(j), blade);
         const auto of_particle = [&](const Point& at, double side) {
@@ -222,7 +224,7 @@ double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorX
           return 0.5 * (px.rate * px.rate + py.rate * py.rate);
         };
         const auto of_stiffening = [&](double per_slope, const Point& at) {
-          return member.centrifugal_stiffness
+          return member.stiffening.centrifugal
                      ? 0.5 * v[2] * v[2] * per_slope * at.slope.value * at.slope.value
                      : 0.0;
         };
@@ -273,15 +275,21 @@ double Lagrangian::potential_energy(const Eigen::VectorXd& y) const {
   return energy;
 }
 
+double Lagrangian::momentum(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int i) const {
+  Eigen::VectorXd plus = v, minus = v;
+  plus[i] += 1.0;
+  minus[i] -= 1.0;
+  return 0.5 * (kinetic_energy(y, plus) - kinetic_energy(y, minus));
+}
+
 Eigen::VectorXd Lagrangian::momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const {
   Eigen::VectorXd p(size());
-  for (int i = 0; i < size(); ++i) {
-    Eigen::VectorXd plus = v, minus = v;
-    plus[i] += 1.0;
-    minus[i] -= 1.0;
-    p[i] = 0.5 * (kinetic_energy(y, plus) - kinetic_energy(y, minus));
-  }
+  for (int i = 0; i < size(); ++i) p[i] = momentum(y, v, i);
   return p;
+}
+
+Twist Lagrangian::hub_momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const {
+  return {momentum(y, v, 0), momentum(y, v, 1), momentum(y, v, 2)};
 }
 
 Eigen::MatrixXd Lagrangian::mass(const Eigen::VectorXd& y) const {
@@ -324,13 +332,13 @@ SectionMotion Lagrangian::section(const Eigen::VectorXd& y, const Eigen::VectorX
   return found;
 }
 
-Eigen::VectorXd independent_coordinates(const StepContext& context) {
+Eigen::VectorXd independent_coordinates(const SystemContext<Plane>& context) {
   return gather(context, &CoordinateBlock::q);
 }
-Eigen::VectorXd independent_velocities(const StepContext& context) {
+Eigen::VectorXd independent_velocities(const SystemContext<Plane>& context) {
   return gather(context, &CoordinateBlock::v);
 }
-Eigen::VectorXd independent_accelerations(const StepContext& context) {
+Eigen::VectorXd independent_accelerations(const SystemContext<Plane>& context) {
   return gather(context, &CoordinateBlock::a);
 }
 

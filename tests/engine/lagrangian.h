@@ -21,7 +21,7 @@ struct SectionMotion {
 class Lagrangian {
  public:
   /// `blades`: of which the system was made, if they are not uniform. Must outlive this.
-  explicit Lagrangian(const System& system, std::span<const Blade> blades = {})
+  explicit Lagrangian(const System<Plane>& system, std::span<const Blade> blades = {})
       : system_(system), blades_(blades) {}
 
   int size() const { return kTwist + system_.deformation_count(); }
@@ -32,6 +32,8 @@ class Lagrangian {
   double potential_energy(const Eigen::VectorXd& y) const;
   /// dT/dv: exact, for T is quadratic in v.
   Eigen::VectorXd momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const;
+  /// The hub's components of dT/dv alone.
+  Twist hub_momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const;
   /// d2T/dv2, the mass matrix of the independent coordinates: exact.
   Eigen::MatrixXd mass(const Eigen::VectorXd& y) const;
   /// d/dt dT/dv - dT/dy + dV/dy along accelerations a, by central differences: the generalised
@@ -43,13 +45,16 @@ class Lagrangian {
                         double x) const;
 
  private:
-  const System& system_;
+  /// Component i of dT/dv.
+  double momentum(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int i) const;
+
+  const System<Plane>& system_;
   std::span<const Blade> blades_;
 };
 
 /// y, v and a of a context's state.
-Eigen::VectorXd independent_coordinates(const StepContext& context);
-Eigen::VectorXd independent_velocities(const StepContext& context);
-Eigen::VectorXd independent_accelerations(const StepContext& context);
+Eigen::VectorXd independent_coordinates(const SystemContext<Plane>& context);
+Eigen::VectorXd independent_velocities(const SystemContext<Plane>& context);
+Eigen::VectorXd independent_accelerations(const SystemContext<Plane>& context);
 
 }  // namespace spoke::test

@@ -207,7 +207,7 @@ TEST_CASE("loads have the same bits on every executor and in every window") {
 
 TEST_CASE("the nodes of loads declare what they read and write, and show in traces") {
   for (const int hub : {0, 2}) {
-    StepContext context;
+    SystemContext<Plane> context;
     Rotor rotor = soft_rotor();
     make_hub(hub, rotor);
     make_context(rotor, Formulation::structured, make_generalized_alpha(0.8, 1e-3), context);

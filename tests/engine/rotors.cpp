@@ -130,16 +130,16 @@ void add_all_loads(Rotor& rotor) {
   rotor.gravity_ramp = 1.2;
 }
 
-void randomize_state(std::mt19937& random, StepContext& context) {
+void randomize_state(std::mt19937& random, SystemContext<Plane>& context) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  StepData& data = context.data;
+  StepData<Plane>& data = context.data;
   for (int c = 0; c < kTwist; ++c) {
     if (is_prescribed(context.system.hub, c)) continue;
     data.hub_coordinates.q[c] = 3.0 * unit(random);
     data.hub_coordinates.v[c] = 3.0 * unit(random);
   }
-  for (SubsystemData& subsystem : data.subsystems)
-    for (BodyData& member : subsystem.bodies) {
+  for (SubsystemData<Plane>& subsystem : data.subsystems)
+    for (BodyData<Plane>& member : subsystem.bodies) {
       const FlexibleBody& body = *member.model->body;
       const double bend = 0.05 * unit(random), bend_rate = 0.5 * unit(random);
       const double stretch = 1e-5 * unit(random), stretch_rate = 1e-3 * unit(random);
@@ -164,7 +164,7 @@ Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout) {
   return values;
 }
 
-void start_progress(const PassControl& control, StepData& data) {
+void start_progress(const PassControl& control, StepData<Plane>& data) {
   for (StepProgress& progress : data.progress) {
     progress = StepProgress{};
     progress.control = control;
@@ -174,31 +174,32 @@ void start_progress(const PassControl& control, StepData& data) {
 namespace {
 
 /// Of the state evaluated last: no step has ended there.
-Twist hub_reaction(double t, const StepContext& context) {
+Twist hub_reaction(double t, const SystemContext<Plane>& context) {
   if (context.data.is_coupled) return context.data.hub_solution.reaction;
   const Hub& hub = context.system.hub;
   Twist sum = Twist(hub.mass, hub.mass, hub.inertia)
                   .cwiseProduct(calc_prescribed_motion(context.system, t).acceleration);
-  for (const SubsystemData& subsystem : context.data.subsystems) sum += calc_reaction(subsystem);
+  for (const SubsystemData<Plane>& subsystem : context.data.subsystems)
+    sum += calc_reaction(subsystem);
   return sum - calc_hub_load(context.system, t, *context.data.subsystems[0].hub);
 }
 
 }  // namespace
 
-Evaluation evaluate(double t, StepContext& context, bool implicit) {
+Evaluation evaluate(double t, SystemContext<Plane>& context, bool implicit) {
   const graph::StepGraph graph = build_step_graph(context);
-  StepData& data = context.data;
+  StepData<Plane>& data = context.data;
   start_progress({t, PassControl::kEvaluateOnly, implicit}, data);
   if (std::holds_alternative<GeneralizedAlpha>(context.integrator.method))
-    for (SubsystemData& subsystem : data.subsystems)
-      for (BodyData& body : subsystem.bodies) hold(body.coordinates);
+    for (SubsystemData<Plane>& subsystem : data.subsystems)
+      for (BodyData<Plane>& body : subsystem.bodies) hold(body.coordinates);
   graph::make_executor(graph, graph::ExecutorKind::serial)->run();
   impose_hub_motion(context.system, t, data.hub_coordinates);
   std::vector<double> accelerations(data.hub_coordinates.a, data.hub_coordinates.a + kTwist);
   std::vector<double> wrenches;
-  for (const SubsystemData& subsystem : data.subsystems)
+  for (const SubsystemData<Plane>& subsystem : data.subsystems)
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
-      const BodyData& body = subsystem.bodies[j];
+      const BodyData<Plane>& body = subsystem.bodies[j];
       const Eigen::VectorXd a = unpadded(body.coordinates.a, body.layout);
       accelerations.insert(accelerations.end(), body.X.begin(), body.X.end());
       accelerations.insert(accelerations.end(), a.begin(), a.end());
@@ -210,14 +211,14 @@ Evaluation evaluate(double t, StepContext& context, bool implicit) {
 }
 
 void make_context(const Rotor& rotor, Formulation formulation, const Method& method,
-                  StepContext& context) {
+                  SystemContext<Plane>& context) {
   context.system = make_system(rotor);
   context.formulation = formulation;
   context.integrator.method = method;
   allocate(context);
 }
 
-void copy_state(const StepContext& from, StepContext& to) {
+void copy_state(const SystemContext<Plane>& from, SystemContext<Plane>& to) {
   const auto copy = [](const CoordinateBlock& a, CoordinateBlock& b) {
     std::copy_n(a.q, a.size, b.q);
     std::copy_n(a.v, a.size, b.v);

@@ -35,10 +35,10 @@ void add_all_loads(Rotor& rotor);
 
 /// Fills coordinates and velocities with a random smooth bend of every body and a random hub
 /// motion.
-void randomize_state(std::mt19937& random, StepContext& context);
+void randomize_state(std::mt19937& random, SystemContext<Plane>& context);
 
 /// Sets all progress to one pass with `control`.
-void start_progress(const PassControl& control, StepData& data);
+void start_progress(const PassControl& control, StepData<Plane>& data);
 
 /// All accelerations found by a pass that only evaluates: hub, then bodies; and all root-to-tip
 /// joint wrenches.
@@ -49,14 +49,14 @@ struct Evaluation {
 };
 /// Builds the step graph of `context` and evaluates its state at time t [s], serially; `implicit`:
 /// with the constant block of an implicit step.
-Evaluation evaluate(double t, StepContext& context, bool implicit = false);
+Evaluation evaluate(double t, SystemContext<Plane>& context, bool implicit = false);
 
 /// A context for a rotor, undeformed. Filled in place, for its address must not change.
 void make_context(const Rotor& rotor, Formulation formulation, const Method& method,
-                  StepContext& context);
+                  SystemContext<Plane>& context);
 
 /// Copies coordinates and velocities of one context to another of the same system.
-void copy_state(const StepContext& from, StepContext& to);
+void copy_state(const SystemContext<Plane>& from, SystemContext<Plane>& to);
 
 /// Deformation coordinates of a body without padding, axial before bending.
 Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout);

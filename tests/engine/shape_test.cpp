@@ -93,7 +93,7 @@ TEST_CASE("rigid rotation displaces nothing and gives every node the velocity w 
   Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.01);
   scenario.rotor.hub.support = HubSupport::free;
   scenario.rotor.hub.mass = 10.0;
-  StepContext context;
+  SystemContext<Plane> context;
   make_context(scenario.rotor, Formulation::structured, Rk4{0.01}, context);
   const Twist hub(0.3, -0.2, 1.1);  // velocity and angular velocity, hub frame
   context.data.hub.twist = hub;
@@ -112,12 +112,12 @@ TEST_CASE("adjoining bodies share the point of their joint in any state") {
   std::mt19937 random(7);
   for (int trial = 0; trial < 10; ++trial) {
     const Rotor rotor = make_random_rotor({3, HubSupport::free, false}, random);
-    StepContext context;
+    SystemContext<Plane> context;
     make_context(rotor, Formulation::structured, Rk4{0.01}, context);
     randomize_state(random, context);
     for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
       const Blade& blade = rotor.blades[i];
-      SubsystemData& data = context.data.subsystems[i];
+      SubsystemData<Plane>& data = context.data.subsystems[i];
       BladeShape shape;
       calc_shape(blade, context.system.subsystems[i], data, shape);
       Position shortened = Position::Zero();

@@ -134,7 +134,7 @@ TEST_CASE("banded kernels cost what their closed forms say, small ones too") {
     }
 }
 
-TEST_CASE("twist matrices cost what the expressions of models/system/space.h do") {
+TEST_CASE("twist matrices cost what the expressions of models/system/plane.h do") {
   const Number a{2.0};
   const auto pair_sum = [&] { return a * a + a * a; };
   CHECK(count_of([&] {

@@ -27,12 +27,13 @@ PartProducts sum_part(const double* S, const double* c, const double* W, const d
 }
 
 /// (3) Handle maps X_h = J_R,h - E_h W. Of the inboard one only the last row is not the identity's.
-void calc_handle_maps(const ElasticBlock& block, const BodyData& data, const BodyWork& work,
-                      HandleMap& X_o, Twist& x_i) {
+void calc_handle_maps(const ElasticBlock& block, const BodyData<Plane>& data,
+                      const BodyWork<Plane>& work, HandleMap& X_o, Twist& x_i) {
   const Position s = calc_outboard_position(data);
+  const double* W_theta = work.W_theta;
   const int u = data.layout.u() + block.axial_coordinate;
   X_o.xx = 1.0 - block.W_x[block.axial_coordinate];
-  X_o.xr = -s.y() - work.W_theta[u];
+  X_o.xr = -s.y() - W_theta[u];
   X_o.yy = 1.0;
   X_o.yr = s.x();
   X_o.ry = 0.0;
@@ -40,23 +41,23 @@ void calc_handle_maps(const ElasticBlock& block, const BodyData& data, const Bod
   x_i = Twist::Unit(kRotation);
   for (const ElasticBlock::BendingColumn& column : block.columns) {
     const double W_y = block.W_y[column.coordinate];
-    const double W_theta = work.W_theta[data.layout.v() + column.coordinate];
+    const double W_w = W_theta[data.layout.v() + column.coordinate];
     if (!column.outboard) {
       x_i[1] -= W_y;
-      x_i[kRotation] -= W_theta;
+      x_i[kRotation] -= W_w;
     } else if (column.component == kRotation) {
       X_o.ry -= W_y;
-      X_o.rr -= W_theta;
+      X_o.rr -= W_w;
     } else {
       X_o.yy -= W_y;
-      X_o.yr -= W_theta;
+      X_o.yr -= W_w;
     }
   }
 }
 
 /// (3) b_o + E_o z = -w^2 s + 2 w B s' + E_o z: acceleration of the outboard handle at X = 0,
 /// without wrenches.
-Twist calc_outboard_bias(const BodyData& data, double speed, const BodyWork& work) {
+Twist calc_outboard_bias(const BodyData<Plane>& data, double speed, const BodyWork<Plane>& work) {
   const Position s = calc_outboard_position(data);
   const Position s_rate = calc_outboard_velocity(data);
   // z is zero at the places of coordinates that the frame fixes.
@@ -104,23 +105,24 @@ void add_inboard_rotation(const ElasticBlock& block, double bias, const Twist& X
 
 }  // namespace
 
-void condense_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept {
+void condense_body(const BodyData<Plane>& data, double speed, bool implicit,
+                   BodyWork<Plane>& work) noexcept {
   const FlexibleBody& body = *data.model->body;
   const ElasticBlock& block = *data.blocks[implicit];
   const int u = data.layout.u();
   const int v = data.layout.v();
+  const double* c = data.c_theta;
+  double* W = work.W_theta;
   // (1) W_w = Mhat^-1 c and z = Mhat^-1 Q_f, in one sweep over the factors of each part. W_x and
   // W_y are constants of the block.
-  solve_together({&block.axial, data.c_theta + u, data.Q_f + u, work.W_theta + u, work.z + u},
-                 {&block.bending, data.c_theta + v, data.Q_f + v, work.W_theta + v, work.z + v},
-                 work.scratch);
+  solve_together({&block.axial, c + u, data.Q_f + u, W + u, work.z + u},
+                 {&block.bending, c + v, data.Q_f + v, W + v, work.z + v}, work.scratch);
   // (2) S_R = M_RR - C W and p = Q_R - C z. C has the rows S_x, S_y and c^T.
-  const PartProducts axial =
-      sum_part(body.S_axial.data(), data.c_theta + u, work.W_theta + u, work.z + u, body.axial());
-  const PartProducts bending = sum_part(body.S_bending.data(), data.c_theta + v, work.W_theta + v,
-                                        work.z + v, body.bending());
+  const PartProducts axial = sum_part(body.S_axial.data(), c + u, W + u, work.z + u, body.axial());
+  const PartProducts bending =
+      sum_part(body.S_bending.data(), c + v, W + v, work.z + v, body.bending());
 
-  const BodyTerms& terms = data.terms;
+  const PlanarTerms& terms = data.terms;
   const SymmetricTwistMatrix S_R{
       body.mass - block.S_Wx,    0.0,
       body.mass - block.S_Wy,    -terms.S.y() - axial.S_W,

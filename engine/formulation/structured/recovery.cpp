@@ -11,30 +11,44 @@ Twist multiply_transposed(const HandleMap& X, const Twist& f) {
   return {X.xx * f[0], X.yy * f[1] + X.ry * f[2], X.xr * f[0] + X.yr * f[1] + X.rr * f[2]};
 }
 
-}  // namespace
-
-void recover_wrenches(const Subsystem& subsystem, const SubsystemWork& work,
-                      SubsystemData& data) noexcept {
-  // (1) At the root F = Lam^-1 (R_PB^T (T Y'' + [-w0^2 p; 0]) - be).
-  const Twist root =
-      calc_root_acceleration(subsystem, *data.hub, *data.hub_acceleration, data.rotations[0]);
-  Twist F = work.root.mass * (root - work.root.free);
-  // (2) From body to body f = Pi (rhs - P_io^T F) and F(child) = -R_PB^T f; at the tip f = 0.
-  const std::size_t count = work.bodies.size();
-  for (std::size_t j = 0; j < count; ++j) {
-    HandleWrenches& wrenches = data.wrenches[j];
-    wrenches.inboard = F;
-    wrenches.outboard.setZero();
-    if (j + 1 == count) break;
-    const BodyWork& body = work.bodies[j];
-    wrenches.outboard =
-        body.joint.Pi * Twist(body.joint.rhs - body.port.P_io.transpose().lazyProduct(F));
-    F = -(data.rotations[j + 1].inverse() * wrenches.outboard);
-  }
+/// f = Pi (rhs - P_io^T F) on the outboard handle of body j and F(child) = -R_PB^T f; at the tip
+/// f = 0.
+void recover_children(const Subsystem<Plane>& subsystem, std::size_t j,
+                      const SubsystemWork<Plane>& work, SubsystemData<Plane>& data) {
+  PlanarWrenches& wrenches = data.wrenches[j];
+  wrenches.outboard.setZero();
+  if (subsystem.bodies[j].children.empty()) return;
+  const TwoPort& port = work.bodies[j].port;
+  const tree::JointElimination<Plane>& elimination = work.bodies[j + 1].joint;
+  const PlanarJointMotion& joint = data.joints[j + 1];
+  wrenches.outboard = tree::recover_joint(
+      joint, elimination,
+      Twist(elimination.rhs - port.P_io.transpose().lazyProduct(wrenches.inboard)));
+  data.wrenches[j + 1].inboard = tree::pass_to_child<Plane>(joint, wrenches.outboard);
 }
 
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, bool implicit,
-                  BodyData& data, double* a) noexcept {
+/// Joints of the plane have no coordinates.
+double* joint_accelerations(BodyData<Plane>&) { return nullptr; }
+
+}  // namespace
+
+template <class World>
+void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept {
+  // (1) At the root F = Lam^-1 (R_PB^T (T Y'' + b) - be).
+  const auto root = make_root_joint(subsystem, data);
+  data.wrenches[0].inboard = tree::recover_root(
+      root, work.root, calc_root_acceleration<World>(root, *data.hub_acceleration),
+      joint_accelerations(data.bodies[0]));
+  // (2) From body to body.
+  for (std::size_t j = 0; j < work.bodies.size(); ++j) recover_children(subsystem, j, work, data);
+}
+
+template void recover_wrenches(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
+                               SubsystemData<Plane>&) noexcept;
+
+void recover_body(const PlanarWrenches& wrenches, const BodyWork<Plane>& work, bool implicit,
+                  BodyData<Plane>& data, double* a) noexcept {
   // (3) X = S_R^-1 (p + X_i^T F + X_o^T f).
   const FlexibleBody& body = *data.model->body;
   const ElasticBlock& block = *data.blocks[implicit];

@@ -6,26 +6,20 @@
 
 namespace spoke::structured {
 
-void allocate(const SubsystemData& data, SubsystemWork& work) {
+template <class World>
+void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work) {
   Arena& arena = *data.arena;
-  work.bodies = ArenaVector<BodyWork>(data.bodies.size(), arena);
-  std::size_t flex_total = FlexLayout::kPad;
-  std::size_t scratch_total = 0;
-  for (const BodyData& body : data.bodies) {
-    flex_total += static_cast<std::size_t>(2 * body.layout.stride());
-    scratch_total += body.layout.axial + body.layout.bending;
-  }
-  work.storage = ArenaVector<double>(flex_total, 0.0, arena);
-  work.scratch = ArenaVector<Double2>(scratch_total, Double2{}, arena);
+  work.bodies = ArenaVector<BodyWork<World>>(data.bodies.size(), arena);
+  std::size_t total = BodyTypes<World>::Layout::kPad;
+  for (const BodyData<World>& body : data.bodies) total += count_condensed(*body.model->body);
+  work.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = work.storage.data();
-  Double2* next_scratch = work.scratch.data();
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    const FlexLayout& layout = data.bodies[j].layout;
-    work.bodies[j].W_theta = std::exchange(next, next + layout.stride());
-    work.bodies[j].z = std::exchange(next, next + layout.stride());
-    work.bodies[j].scratch =
-        std::exchange(next_scratch, next_scratch + layout.axial + layout.bending);
+    const typename World::FlexibleBody& body = *data.bodies[j].model->body;
+    place_condensed(body, std::exchange(next, next + count_condensed(body)), work.bodies[j]);
   }
 }
+
+template void allocate(const SubsystemData<Plane>&, SubsystemWork<Plane>&);
 
 }  // namespace spoke::structured

@@ -5,11 +5,11 @@
 
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/subsystem/root_jacobian.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
 
 namespace spoke::subsystem {
 namespace {
-
-constexpr int d = kTwist;
 
 /// Takes the place of the matrix.
 using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
@@ -17,53 +17,55 @@ using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
 /// (1) Fills D and the last column of `solution` with Phi M^-1 Q - gamma. Row k of Phi, of the
 /// joint inboard of body k, has -J_i of this body and R^T J_o of its parent: D is
 /// block-tridiagonal.
-void assemble(const Subsystem& subsystem, const HubState& hub, const SubsystemData& data,
-              SubsystemWork& work) {
-  const int count = static_cast<int>(work.bodies.size());
-  work.D.setZero();
-  auto right = work.solution.col(d);
-  for (int k = 0; k < count; ++k) {
-    const BodyWork& child = work.bodies[k];
-    work.D.block<d, d>(d * k, d * k) = child.products.topLeftCorner<d, d>();
-    right.segment<d>(d * k) = -child.products.col(2 * d).head<d>();
-    if (k == 0) continue;
-    const TwistMatrix R = data.rotations[k].matrix();
-    const BodyWork& parent = work.bodies[k - 1];
-    work.D.block<d, d>(d * k, d * k) += R.transpose() * parent.products.block<d, d>(d, d) * R;
-    work.D.block<d, d>(d * k, d * (k - 1)) = -R.transpose() * parent.products.block<d, d>(d, 0);
-    work.D.block<d, d>(d * (k - 1), d * k) = work.D.block<d, d>(d * k, d * (k - 1)).transpose();
+template <class World>
+void assemble(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+              SubsystemWork<World>& work) {
+  constexpr int d = World::kTwist;
+  Eigen::MatrixXd& D = work.D;
+  D.setZero();
+  auto right = Eigen::MatrixXd::ColXpr(work.solution.col(d));
+  for (std::size_t j = 0; j < work.bodies.size(); ++j) {
+    const int k = static_cast<int>(j);
+    const Eigen::MatrixXd& child = work.bodies[j].products;
+    D.block<d, d>(d * k, d * k) = child.topLeftCorner<d, d>();
+    right.segment<d>(d * k) = -child.col(2 * d).head<d>();
+    if (j == 0) continue;
+    const TwistMatrixOf<World> R = data.joints[j].R.matrix();
+    const Eigen::MatrixXd& parent = work.bodies[j - 1].products;
+    D.block<d, d>(d * k, d * k) += R.transpose() * parent.block<d, d>(d, d) * R;
+    D.block<d, d>(d * k, d * (k - 1)) = -R.transpose() * parent.block<d, d>(d, 0);
+    D.block<d, d>(d * (k - 1), d * k) = D.block<d, d>(d * k, d * (k - 1)).transpose();
     right.segment<d>(d * k) +=
-        R.transpose() * (parent.products.col(2 * d).tail<d>() + parent.bias_out);
+        R.transpose() * (parent.col(2 * d).tail<d>() + work.bodies[j - 1].bias_out);
   }
-  const double w = hub.twist[kRotation];
-  Twist bias = Twist::Zero();
-  bias.head<kPosition>() = -w * w * subsystem.root.p;
-  right.head<d>() += data.rotations[0].inverse() * bias;
+  right.head<d>() += data.joints[0].R.inverse() * make_root_joint(subsystem, data).bias;
 }
 
 }  // namespace
 
-void calc_effective_inertia(const Subsystem& subsystem, SubsystemData& data,
-                            SubsystemWork& work) noexcept {
+template <class World>
+void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
+                            SubsystemWork<World>& work) noexcept {
+  constexpr int d = World::kTwist;
   // (1) D = Phi M^-1 Phi^T and Phi M^-1 Q - gamma, joint by joint.
-  assemble(subsystem, *data.hub, data, work);
+  assemble(subsystem, data, work);
   // (2) D^-1 of the root joint's rows and of Phi M^-1 Q - gamma. Phi_Y has rows at the root only.
   const Cholesky factor(work.D);
-  work.solution.leftCols<d>().setZero();
-  work.solution.topLeftCorner<d, d>().setIdentity();
-  factor.solveInPlace(work.solution);
+  Eigen::MatrixXd& solution = work.solution;
+  solution.leftCols<d>().setZero();
+  solution.topLeftCorner<d, d>().setIdentity();
+  factor.solveInPlace(solution);
 
   // (3) M^C = Phi_Y^T D^-1 Phi_Y and Q^C = Phi_Y^T D^-1 (gamma - Phi M^-1 Q), Phi_Y = R_PB^T T.
-  EffectiveInertia& effective = data.effective;
-  const TwistMatrix Phi_Y = data.rotations[0].inverse().matrix() * root_jacobian(subsystem);
-  effective.mass = Phi_Y.transpose() * work.solution.topLeftCorner<d, d>() * Phi_Y;
-  effective.force = -Phi_Y.transpose() * work.solution.col(d).head<d>();
+  EffectiveInertia<World>& effective = data.effective;
+  const TwistMatrixOf<World> Phi_Y = data.joints[0].R.inverse().matrix() * root_jacobian(subsystem);
+  effective.mass = Phi_Y.transpose() * solution.topLeftCorner<d, d>() * Phi_Y;
+  effective.force = -Phi_Y.transpose() * solution.col(d).head<d>();
   // (4) The terms of geometric stiffening, for the hub's equation: qf^T KG qf and qf^T KG qf'.
-  effective.centrifugal_inertia = effective.centrifugal_rate = 0.0;
-  for (const BodyData& body : data.bodies) {
-    effective.centrifugal_inertia += body.terms.centrifugal_inertia;
-    effective.centrifugal_rate += body.terms.centrifugal_rate;
-  }
+  effective.stiffening = sum_stiffening(data.bodies);
 }
+
+template void calc_effective_inertia(const Subsystem<Plane>&, SubsystemData<Plane>&,
+                                     SubsystemWork<Plane>&) noexcept;
 
 }  // namespace spoke::subsystem

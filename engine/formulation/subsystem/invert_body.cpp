@@ -9,18 +9,18 @@
 namespace spoke::subsystem {
 namespace {
 
-constexpr int d = kTwist;
-
 /// Takes the place of the matrix.
 using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
 
 }  // namespace
 
-void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic,
-              SubsystemWork& work) {
-  work.bodies = ArenaVector<BodyWork>(data.bodies.size(), *data.arena);
+template <class World>
+void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& elastic,
+              SubsystemWork<World>& work) {
+  constexpr int d = World::kTwist;
+  work.bodies = ArenaVector<BodyWork<World>>(data.bodies.size(), *data.arena);
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    BodyWork& body = work.bodies[j];
+    BodyWork<World>& body = work.bodies[j];
     const int n = dense_size(*data.bodies[j].model->body);
     body.elastic = elastic[j];
     body.mass.setZero(n, n);
@@ -34,20 +34,28 @@ void allocate(const SubsystemData& data, const std::vector<DenseBlocks>& elastic
   work.multipliers.setZero(C1);
 }
 
-void invert_body(const BodyData& data, double speed, bool implicit, BodyWork& work) noexcept {
+template <class World>
+void invert_body(const BodyData<World>& data, const AngularOf<World>& speed, bool implicit,
+                 BodyWork<World>& work) noexcept {
+  constexpr int d = World::kTwist;
   // (1) M of (P 3), then its Cholesky factor in place.
   calc_dense_mass(data, *work.elastic[implicit], work.mass);
   const Cholesky factor(work.mass);
   // (2) The right-hand sides J_i^T, J_o^T and Q.
-  calc_inboard_jacobian(data, work.jacobians.topRows<d>());
-  calc_outboard_jacobian(data, work.jacobians.bottomRows<d>());
+  Eigen::MatrixXd &J = work.jacobians, &columns = work.inverse_columns;
+  calc_inboard_jacobian(data, J.topRows<d>());
+  calc_outboard_jacobian(data, J.bottomRows<d>());
   work.bias_out = calc_outboard_bias(data, speed);
-  work.inverse_columns.leftCols<2 * d>() = work.jacobians.transpose();
-  calc_dense_force(data, work.inverse_columns.col(2 * d));
+  columns.leftCols<2 * d>() = J.transpose();
+  calc_dense_force(data, columns.col(2 * d));
   // (3) M^-1 [J_i^T, J_o^T, Q], and [J_i; J_o] times that: the body's share of Phi M^-1 Phi^T and
   // of Phi M^-1 Q.
-  factor.solveInPlace(work.inverse_columns);
-  work.products.noalias() = work.jacobians.lazyProduct(work.inverse_columns);
+  factor.solveInPlace(columns);
+  work.products.noalias() = J.lazyProduct(columns);
 }
+
+template void allocate(const SubsystemData<Plane>&, const std::vector<DenseBlocks>&,
+                       SubsystemWork<Plane>&);
+template void invert_body(const BodyData<Plane>&, const double&, bool, BodyWork<Plane>&) noexcept;
 
 }  // namespace spoke::subsystem

@@ -4,43 +4,50 @@
 #include "engine/formulation/subsystem/root_jacobian.h"
 
 namespace spoke::subsystem {
-namespace {
 
-constexpr int d = kTwist;
-
-}  // namespace
-
-void recover_wrenches(const Subsystem& subsystem, SubsystemWork& work,
-                      SubsystemData& data) noexcept {
+template <class World>
+void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept {
+  constexpr int d = World::kTwist;
   // (P 8): lambda = D^-1 (Phi_Y Y'' + Phi M^-1 Q - gamma). F(child) = lambda, f(parent) = -R_PB
   // lambda.
-  const Twist root =
-      data.rotations[0].inverse() * Twist(root_jacobian(subsystem) * *data.hub_acceleration);
-  work.multipliers.noalias() = work.solution.col(d) + work.solution.leftCols<d>().lazyProduct(root);
+  const TwistOf<World> root = data.joints[0].R.inverse() *
+                              TwistOf<World>(root_jacobian(subsystem) * *data.hub_acceleration);
+  const Eigen::MatrixXd& solution = work.solution;
+  Eigen::VectorXd& multipliers = work.multipliers;
+  multipliers.noalias() = solution.col(d) + solution.leftCols<d>().lazyProduct(root);
   const std::size_t count = work.bodies.size();
   for (std::size_t j = 0; j < count; ++j) {
-    data.wrenches[j].inboard = work.multipliers.segment<d>(d * j);
+    const auto k = static_cast<Eigen::Index>(j);
+    data.wrenches[j].inboard = multipliers.segment<d>(d * k);
     data.wrenches[j].outboard.setZero();
     if (j + 1 < count)
       data.wrenches[j].outboard =
-          -(data.rotations[j + 1] * Twist(work.multipliers.segment<d>(d * (j + 1))));
+          -(data.joints[j + 1].R * TwistOf<World>(multipliers.segment<d>(d * (k + 1))));
   }
 }
 
-void recover_body(const HandleWrenches& wrenches, const BodyWork& work, BodyData& data,
-                  double* a) noexcept {
+template <class World>
+void recover_body(const typename BodyTypes<World>::HandleWrenches& wrenches,
+                  const BodyWork<World>& work, BodyData<World>& data, double* a) noexcept {
+  constexpr int d = World::kTwist;
   // (P 7): q'' = M^-1 (Q - Phi^T lambda) = M^-1 Q + M^-1 J_i^T F + M^-1 J_o^T f.
-  const auto& columns = work.inverse_columns;
-  data.X = columns.topRows<d>().col(2 * d) + columns.topLeftCorner<d, d>() * wrenches.inboard +
-           columns.topRows<d>().middleCols<d>(d) * wrenches.outboard;
-  const auto part = [&](Eigen::Index first, Eigen::Index size, double* into) {
-    Eigen::Map<Eigen::VectorXd>(into, size).noalias() =
-        columns.col(2 * d).segment(first, size) +
-        columns.block(first, 0, size, d).lazyProduct(wrenches.inboard) +
-        columns.block(first, d, size, d).lazyProduct(wrenches.outboard);
-  };
-  part(d, data.layout.axial, a + data.layout.u());
-  part(d + data.layout.axial, data.layout.bending, a + data.layout.v());
+  const Eigen::MatrixXd& columns = work.inverse_columns;
+  data.X = columns.col(2 * d).head<d>() + columns.topLeftCorner<d, d>() * wrenches.inboard +
+           columns.block<d, d>(0, d) * wrenches.outboard;
+  Eigen::Index row = d;
+  data.layout.for_parts([&](int first, int size) {
+    Eigen::Map<Eigen::VectorXd>(a + first, size).noalias() =
+        columns.col(2 * d).segment(row, size) +
+        columns.block(row, 0, size, d).lazyProduct(wrenches.inboard) +
+        columns.block(row, d, size, d).lazyProduct(wrenches.outboard);
+    row += size;
+  });
 }
+
+template void recover_wrenches(const Subsystem<Plane>&, SubsystemWork<Plane>&,
+                               SubsystemData<Plane>&) noexcept;
+template void recover_body(const PlanarWrenches&, const BodyWork<Plane>&, BodyData<Plane>&,
+                           double*) noexcept;
 
 }  // namespace spoke::subsystem

@@ -8,10 +8,9 @@ namespace spoke::subsystem {
 
 /// T = [I, B p; 0, 1] of the root bracket: its twist per hub twist, hub frame. With R_PB^T in front
 /// it is Phi_Y of (P 4).
-inline TwistMatrix root_jacobian(const Subsystem& subsystem) {
-  TwistMatrix T = TwistMatrix::Identity();
-  T.col(kRotation).head<kPosition>() = quarter_turn(subsystem.root.p);
-  return T;
+template <class World>
+TwistMatrixOf<World> root_jacobian(const Subsystem<World>& subsystem) {
+  return translation_matrix(subsystem.root.p);
 }
 
 }  // namespace spoke::subsystem

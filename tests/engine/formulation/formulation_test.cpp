@@ -17,7 +17,7 @@ double relative_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 /// The three formulations on one random state of one random rotor.
 void check_agreement(const RandomRotor& kind, double tolerance, std::mt19937& random) {
   const Rotor rotor = make_random_rotor(kind, random);
-  StepContext structured, subsystem, augmented;
+  SystemContext<Plane> structured, subsystem, augmented;
   make_context(rotor, Formulation::structured, Rk4{1e-5}, structured);
   make_context(rotor, Formulation::subsystem, Rk4{1e-5}, subsystem);
   make_context(rotor, Formulation::augmented, Rk4{1e-5}, augmented);
@@ -64,7 +64,7 @@ TEST_CASE("the formulations agree in the implicit evaluation") {
   std::mt19937 random(7);
   const Rotor rotor = make_random_rotor({4, HubSupport::free, false}, random);
   const Method method = make_generalized_alpha(0.8, 0.01);
-  StepContext first, second, third;
+  SystemContext<Plane> first, second, third;
   make_context(rotor, Formulation::structured, method, first);
   make_context(rotor, Formulation::subsystem, method, second);
   make_context(rotor, Formulation::augmented, method, third);

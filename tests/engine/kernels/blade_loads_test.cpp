@@ -112,16 +112,16 @@ class LoadedRotor {
   }
 
   /// Of loads on blades and hub.
-  static double load_power(const StepContext& context) {
+  static double load_power(const SystemContext<Plane>& context) {
     double sum = context.data.hub_solution.load.dot(context.data.hub.twist);
-    for (const SubsystemData& subsystem : context.data.subsystems)
-      for (const BodyData& body : subsystem.bodies) sum += body.terms.load_power;
+    for (const SubsystemData<Plane>& subsystem : context.data.subsystems)
+      for (const BodyData<Plane>& body : subsystem.bodies) sum += body.terms.load_power;
     return sum;
   }
 
   std::mt19937 random_;
   Rotor rotor_;
-  StepContext without_, with_;
+  SystemContext<Plane> without_, with_;
   Eigen::VectorXd y_, v_;
 };
 
@@ -262,7 +262,7 @@ TEST_CASE("the three formulations agree under every kind of load") {
     const HubSupport support = is_driven ? HubSupport::axle : HubSupport::free;
     Rotor rotor = make_random_rotor({3, support, is_driven}, random);
     add_all_loads(rotor);
-    StepContext contexts[3];
+    SystemContext<Plane> contexts[3];
     int next = 0;
     for (const Formulation formulation :
          {Formulation::structured, Formulation::subsystem, Formulation::augmented})

@@ -17,7 +17,7 @@ namespace {
 
 /// One blade of one body on a hub without inertia: its independent coordinates are the body's.
 struct SingleBody {
-  StepContext context;
+  SystemContext<Plane> context;
 
   SingleBody(ReferenceFrame frame, int elements, std::mt19937& random) {
     Blade blade = wu_haug_blade(1, elements);
@@ -42,13 +42,13 @@ TEST_CASE("the mass matrix of a body is the Hessian of its kinetic energy") {
       SingleBody single(frame, elements, random);
       if (frame == ReferenceFrame::chord) {
         // The body's frame is turned against the hub by psi_0: leave that to the system's test.
-        BodyData& body = single.context.data.subsystems[0].bodies[0];
+        BodyData<Plane>& body = single.context.data.subsystems[0].bodies[0];
         body.coordinates.q[body.layout.v()] = 0.0;
       }
       const Lagrangian lagrangian(single.context.system);
       const Eigen::MatrixXd expected = lagrangian.mass(independent_coordinates(single.context));
       evaluate(0.0, single.context);
-      const BodyData& body = single.context.data.subsystems[0].bodies[0];
+      const BodyData<Plane>& body = single.context.data.subsystems[0].bodies[0];
       Eigen::MatrixXd mass(expected.rows(), expected.cols());
       calc_dense_mass(body, make_dense_elastic_block(*body.model->body, 1.0, 0.0), mass);
       if (frame == ReferenceFrame::chord) {
@@ -70,7 +70,7 @@ TEST_CASE("accelerations satisfy Lagrange's equations of the whole system") {
   for (int round = 0; round < 6; ++round) {
     Rotor rotor = make_random_rotor({1 + round % 3, HubSupport::free, false}, random);
     rotor.damping = {};
-    StepContext context;
+    SystemContext<Plane> context;
     make_context(rotor, Formulation::structured, Rk4{1e-5}, context);
     randomize_state(random, context);
     evaluate(1.0, context);
@@ -91,7 +91,7 @@ TEST_CASE("a prescribed hub's reaction is what Lagrange's equations ask of drive
   for (int round = 0; round < 4; ++round) {
     Rotor rotor = make_random_rotor({2, HubSupport::axle, true}, random);
     rotor.damping = {};
-    StepContext context;
+    SystemContext<Plane> context;
     make_context(rotor, Formulation::structured, Rk4{1e-5}, context);
     randomize_state(random, context);
     // Evaluation imposes the drive's motion first.
@@ -112,7 +112,7 @@ TEST_CASE("a prescribed hub's reaction is what Lagrange's equations ask of drive
 TEST_CASE("energies of a state are those of its Lagrangian") {
   std::mt19937 random(8);
   for (int round = 0; round < 4; ++round) {
-    StepContext context;
+    SystemContext<Plane> context;
     make_context(make_random_rotor({3, HubSupport::free, false}, random), Formulation::structured,
                  Rk4{1e-5}, context);
     const Lagrangian lagrangian(context.system);

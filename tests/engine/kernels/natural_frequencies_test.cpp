@@ -59,15 +59,15 @@ TEST_CASE("frequencies of free and torque-driven hubs are those of the linearise
     rotor.hub.mass = 0.7;
     rotor.hub.radius = 0.4;
     rotor.hub.drive = FreeDrive{};
-    StepContext context;
+    SystemContext<Plane> context;
     make_context(rotor, Formulation::structured, Rk4{1e-5}, context);
     const Lagrangian lagrangian(context.system);
     const Eigen::VectorXd rest = independent_coordinates(context);
     const int n = lagrangian.size();
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
     int next = kTwist;
-    for (const SubsystemData& subsystem : context.data.subsystems)
-      for (const BodyData& member : subsystem.bodies) {
+    for (const SubsystemData<Plane>& subsystem : context.data.subsystems)
+      for (const BodyData<Plane>& member : subsystem.bodies) {
         const FlexibleBody& body = *member.model->body;
         K.block(next, next, body.axial(), body.axial()) = body.K_axial.to_dense();
         next += body.axial();

@@ -43,12 +43,12 @@ std::string diverge(const Scenario& scenario) {
 std::string diverge_unchecked(const Scenario& scenario, const RunnerOptions& options) {
   const Integration& integration = scenario.integration;
   const bool is_rk4 = integration.method == IntegrationMethod::rk4;
-  StepContext context;
+  SystemContext<Plane> context;
   context.system = make_system(scenario.rotor);
   context.integrator.method =
       is_rk4 ? Method(Rk4{integration.step})
              : Method(make_generalized_alpha(integration.spectral_radius, integration.step));
-  allocate(context, window_records(options, context.system));
+  allocate(context, window_records(options, ring_bytes(context.system, 0)));
   StepRunner runner(context, options);
   const auto fail = [&](StepOutcome outcome, std::int64_t step) {
     const double time = static_cast<double>(step) * integration.step;

@@ -103,10 +103,10 @@ TEST_CASE("the deflection of a body is found at nodes and between them") {
       CAPTURE(elements);
       Blade blade = wu_haug_blade(1, elements);
       blade.reference_frame = frame;
-      StepContext context;
+      SystemContext<Plane> context;
       context.linear_range = 0.1;
       make_context(make_rotor(blade, 1), Formulation::structured, Rk4{1e-4}, context);
-      BodyData& body = context.data.subsystems[0].bodies[0];
+      BodyData<Plane>& body = context.data.subsystems[0].bodies[0];
       const FlexibleBody& model = *body.model->body;
       // An arc of curvature k: v = k x^2 / 2 on the tangent, k x (x - L) / 2 on the chord.
       const auto bend = [&](double k) {
@@ -134,10 +134,10 @@ TEST_CASE("no deflection beyond the range escapes the comparison of squares") {
     Blade blade = wu_haug_blade(1, 1);
     blade.length = length;
     blade.reference_frame = ReferenceFrame::chord;
-    StepContext context;
+    SystemContext<Plane> context;
     context.linear_range = 0.1;
     make_context(make_rotor(blade, 1), Formulation::structured, Rk4{1e-4}, context);
-    BodyData& body = context.data.subsystems[0].bodies[0];
+    BodyData<Plane>& body = context.data.subsystems[0].bodies[0];
     const FlexibleBody& model = *body.model->body;
     // Least squares for a deflection l / 8 (psi_0 - psi_1) just beyond the range.
     const double psi = 0.401;

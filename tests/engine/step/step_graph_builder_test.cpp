@@ -63,7 +63,7 @@ std::vector<Case> all_cases() {
 }
 
 /// Sets all progress to a pass within step 20, after work was done, as wide as one step.
-void set_progress(const PassControl& control, StepContext& context) {
+void set_progress(const PassControl& control, SystemContext<Plane>& context) {
   start_progress(control, context.data);
   for (StepProgress& progress : context.data.progress) {
     progress.step = control.stage == PassControl::kEvaluateOnly ? 0 : 20;
@@ -88,7 +88,7 @@ std::vector<Sensor> demanding_sensors() {
   return sensors;
 }
 
-void prepare(const Case& which, StepContext& context) {
+void prepare(const Case& which, SystemContext<Plane>& context) {
   // Loads of the user's that depend on all they may.
   Loads loads{demanding_load(0), demanding_load(1)};
   if (which.tie != Tie::none) loads.push_back(demanding_load_between());
@@ -102,8 +102,8 @@ void prepare(const Case& which, StepContext& context) {
   randomize_state(random, context);
   // Histories and accelerations as after some steps, so that every term of the integrator counts.
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  for (SubsystemData& subsystem : context.data.subsystems)
-    for (BodyData& body : subsystem.bodies)
+  for (SubsystemData<Plane>& subsystem : context.data.subsystems)
+    for (BodyData<Plane>& body : subsystem.bodies)
       for (int part : {body.layout.u(), body.layout.v()})
         for (int k = 0; k < (part == body.layout.u() ? body.layout.axial : body.layout.bending);
              ++k) {
@@ -156,7 +156,7 @@ graph::StepGraph rebuild_without(const graph::StepGraph& graph, int node, graph:
 TEST_CASE("every node of every step graph declares what it reads and writes") {
   for (const Case& which : all_cases())
     for (const PassControl& control : which.controls) {
-      StepContext context;
+      SystemContext<Plane> context;
       prepare(which, context);
       const graph::StepGraph graph = build_step_graph(context);
       set_progress(control, context);
@@ -168,7 +168,7 @@ TEST_CASE("every node of every step graph declares what it reads and writes") {
 
 TEST_CASE("a step graph with any one declaration removed is caught") {
   for (const Case& which : all_cases()) {
-    StepContext context;
+    SystemContext<Plane> context;
     prepare(which, context);
     const graph::StepGraph graph = build_step_graph(context);
     const Snapshot snapshot(graph);
@@ -203,7 +203,7 @@ TEST_CASE("a step graph with any one declaration removed is caught") {
 }
 
 TEST_CASE("a pass has its nodes by blade and body") {
-  StepContext context;
+  SystemContext<Plane> context;
   make_context(make_rotor(wu_haug_blade(), 3), Formulation::structured,
                make_generalized_alpha(0.8, 0.005), context);
   const graph::StepGraph graph = build_step_graph(context);
@@ -220,7 +220,7 @@ namespace {
 
 /// Edges from a node of one blade to a node of another, or of the system, but for the last node.
 int count_edges_between_blades(const Rotor& rotor, Formulation formulation, int passes) {
-  StepContext context;
+  SystemContext<Plane> context;
   make_context(rotor, formulation, make_generalized_alpha(0.8, 0.005), context);
   const graph::StepGraph graph = build_step_graph(context, passes);
   CHECK(graph::conflicts_are_ordered(graph));
@@ -241,7 +241,7 @@ TEST_CASE("where the hub is prescribed, blades meet at the end of the window onl
     CHECK(count_edges_between_blades(rotor, Formulation::subsystem, passes) == 0);
     CHECK(count_edges_between_blades(rotor, Formulation::augmented, passes) > 5 * passes);
   }
-  StepContext context;
+  SystemContext<Plane> context;
   make_context(rotor, Formulation::structured, make_generalized_alpha(0.8, 0.005), context);
   const graph::StepGraph graph = build_step_graph(context, 7);
   const graph::NodeId last{graph.node_count() - 1};

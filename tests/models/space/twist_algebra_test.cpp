@@ -4,7 +4,7 @@
 #include <random>
 
 #include "models/space/space.h"
-#include "models/system/space.h"
+#include "models/system/plane.h"
 #include "tests/models/space/random_space.h"
 
 using namespace spoke::space;

@@ -1,14 +1,12 @@
 #pragma once
 
-// Rotations and twist algebra of the plane. What is built on these names (chains, hub,
-// dense formulations, step graph, integrators, sensors) is written for kTwist components. What else
-// knows the plane is a body by itself: the finite element (flexible_body, beam_elements), its terms
-// (body_terms, body_energies, elastic_block), its two-port (formulation/structured/condense_body
-// and recovery) and the names of its coordinates (deformation_limits, diagnosis). A spatial body
-// brings its own of these.
+// Rotations and twist algebra of the plane, and `Plane`, the argument of the templates that are
+// written for a `World`: chains, hub, dense formulations, step graph, integrators. What else knows
+// the plane is a body by itself, see docs/architecture.md.
 
 #include <cmath>
 
+#include "models/system/world.h"
 #include "models/vectors.h"
 
 namespace spoke {
@@ -19,6 +17,8 @@ struct Rotation {
   double sine = 0.0;
 
   static Rotation from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  /// About the axis of an axle, z.
+  static Rotation about_axis(double angle) { return from_angle(angle); }
 
   Rotation inverse() const { return {cosine, -sine}; }
 
@@ -41,6 +41,29 @@ struct Rotation {
 
 /// The quarter turn B of (P 3): cross(w, r) = w B r.
 inline Position quarter_turn(const Position& r) { return {-r.y(), r.x()}; }
+
+/// The velocity of a point r away that an angular velocity w makes.
+inline Position cross(double w, const Position& r) { return w * quarter_turn(r); }
+/// The acceleration of a point r away that an angular velocity w makes.
+inline Position centripetal(double w, const Position& r) { return -w * w * r; }
+/// The translational part of a twist.
+inline auto linear(Twist& v) { return v.head<kPosition>(); }
+inline auto linear(const Twist& v) { return v.head<kPosition>(); }
+/// The angular part of a twist.
+inline double& angular(Twist& v) { return v[kRotation]; }
+inline double angular(const Twist& v) { return v[kRotation]; }
+
+/// The twist of a point s away from a frame of twist v, which moves against the frame at rate
+/// `s_rate` and turns at `turning`.
+inline Twist carry(const Twist& v, const Position& s, const Position& s_rate, double turning) {
+  const double w = v[kRotation];
+  return {v[0] - w * s.y() + s_rate.x(), v[1] + w * s.x() + s_rate.y(), w + turning};
+}
+inline Twist make_wrench(const Position& force, double moment) {
+  return {force.x(), force.y(), moment};
+}
+/// The rotary part of a mass matrix.
+inline double& rotary(TwistMatrix& m) { return m(kRotation, kRotation); }
 
 /// A symmetric twist matrix (mass, compliance) by its six values: x, y and r (rotation). Kept as
 /// single numbers, it stays in registers where a matrix would go through memory.
@@ -71,6 +94,13 @@ inline SymmetricTwistMatrix rotate(const Rotation& R, const SymmetricTwistMatrix
   return {cc * a.xx - shear + ss * a.yy, cs * (a.xx - a.yy) + (cc - ss) * a.yx,
           ss * a.xx + shear + cc * a.yy, c * a.rx - s * a.ry,
           s * a.rx + c * a.ry,           a.rr};
+}
+
+/// T = [I, B p; 0, 1]: the twist at a bracket, per twist of the point from which p leads there.
+inline TwistMatrix translation_matrix(const Position& p) {
+  TwistMatrix T = TwistMatrix::Identity();
+  T.col(kRotation).head<kPosition>() = quarter_turn(p);
+  return T;
 }
 
 /// T^T A T with T = [I, B p; 0, 1]: a mass at a bracket, as felt at the point from which p leads
@@ -125,6 +155,57 @@ inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const Twist
 struct Pose {
   Position p = Position::Zero();  ///< origin of B, resolved in A [m]
   Rotation R;                     ///< R_AB
+};
+
+/// Rotates the frame of a body against its parent's.
+struct PlanarJointMotion {
+  Rotation R;  ///< R_PB
+};
+
+/// What geometric stiffening adds to the hub's equation.
+struct PlanarHubStiffening {
+  double inertia = 0.0;  ///< qf^T KG qf, off its rotary inertia [kg m^2]
+  double rate = 0.0;     ///< qf^T KG qf' [kg m^2/s]
+
+  PlanarHubStiffening& operator+=(const PlanarHubStiffening& other) {
+    inertia += other.inertia;
+    rate += other.rate;
+    return *this;
+  }
+};
+/// The moment on the hub that takes its place on the right-hand side, 2 w0 qf^T KG qf', and the
+/// angular momentum that it takes.
+inline double calc_stiffening_moment(const PlanarHubStiffening& s, double w0) {
+  return 2.0 * w0 * s.rate;
+}
+
+struct FlexibleBody;
+struct PlanarStiffening;
+struct Hub;
+struct HubLoad;
+
+/// The plane, as a `World`: the types of what moves in it.
+struct Plane {
+  static constexpr int kPosition = spoke::kPosition;
+  static constexpr int kTwist = spoke::kTwist;
+  /// Components of a twist about z: the axis of an axle.
+  static constexpr int kAxial = kRotation;
+  using Position = spoke::Position;
+  using Angular = double;  ///< angular velocity, moment
+  using Twist = spoke::Twist;
+  using TwistMatrix = spoke::TwistMatrix;
+  using SymmetricTwistMatrix = spoke::SymmetricTwistMatrix;
+  using Rotation = spoke::Rotation;
+  using Pose = spoke::Pose;
+
+  using Hub = spoke::Hub;
+  using HubLoad = spoke::HubLoad;
+  using FlexibleBody = spoke::FlexibleBody;
+  using Stiffening = PlanarStiffening;
+  using HubStiffening = PlanarHubStiffening;
+  using JointMotion = PlanarJointMotion;
+  /// Joints of the plane are rigid.
+  static constexpr int kMostJointCoordinates = 0;
 };
 
 }  // namespace spoke

@@ -1,0 +1,18 @@
+#pragma once
+
+// The types of a body's constants and terms, by world: what kernels keep in the table.
+
+namespace spoke {
+
+/// Specialised for each world, with the members
+///   Layout          how its deformation coordinates lie in memory
+///   Block           its constant elastic block, factorised
+///   Section         a cross section anywhere on it
+///   Terms           what its state determines of its equations of motion
+///   Fields          what else it has of its own in the table
+///   Condensed       what the formulation `structured` keeps of it
+///   HandleWrenches  wrenches on its handles
+template <class World>
+struct BodyTypes;
+
+}  // namespace spoke

@@ -1,0 +1,98 @@
+#pragma once
+
+// The terms of a planar body, and what it is condensed to.
+
+#include <array>
+
+#include "engine/body/body_types.h"
+#include "engine/body/coordinate_block.h"
+#include "engine/body/elastic_block.h"
+#include "engine/body/flex_layout.h"
+#include "engine/body/section.h"
+#include "models/system/plane.h"
+
+namespace spoke {
+
+/// Terms of a body's equations of motion that its state determines (docs/formulation.md, section
+/// 2), all in the body frame. The flex vectors c_theta and Q_f belong to them.
+struct PlanarTerms {
+  Position S;             ///< first moment S0 + S qf [kg m]
+  double rotary_inertia;  ///< M_ww [kg m^2]
+  Twist Q;                ///< right-hand side of translation and rotation [N, N m]
+  PlanarHubStiffening stiffening;
+  double load_power;   ///< of applied loads [W]
+  double dissipation;  ///< qf'^T D qf' [W]
+};
+
+/// X_o of a straight beam, [xx 0 xr; 0 yy yr; 0 ry rr]: axial and bending response decouple.
+struct HandleMap {
+  double xx = 1.0, xr = 0.0;
+  double yy = 1.0, yr = 0.0;
+  double ry = 0.0, rr = 1.0;
+};
+
+/// What a body shows its neighbours: forces on the two handles to their accelerations,
+/// a_i = P_ii F + P_io f + free_i, a_o = P_io^T F + P_oo f + free_o (all in the body frame).
+struct TwoPort {
+  SymmetricTwistMatrix
+      S_inverse;  ///< inverse of the condensed rigid-body mass M_RR - C Mhat^-1 C^T
+  Twist p;        ///< condensed rigid-body force [N, N m]
+  // Handle accelerations per frame acceleration, deformation following: X_e = J_e - E_e W.
+  HandleMap X_o;
+  Twist x_i;  ///< last row of X_i; the others are the identity's, for the frame stands there
+  SymmetricTwistMatrix P_ii, P_oo;
+  TwistMatrix P_io;
+  Twist free_i, free_o;  ///< accelerations of the handles without joint forces
+};
+
+/// Wrenches on a body's two handles, in its frame: inboard, these are the multipliers of (P 8).
+struct PlanarWrenches {
+  Twist inboard;
+  Twist outboard;
+};
+
+/// A planar body's own in the table.
+struct PlanarFields {
+  // Offsets of the handles' coordinates (u, v, psi) in flex vectors; of those that the reference
+  // frame fixes, one into the padding, which is zero.
+  std::array<int, kTwist> inboard_at{};
+  std::array<int, kTwist> outboard_at{};
+  double* c_theta = nullptr;  ///< M_fw = c0 + G^T qf (flex vector)
+  double* Q_f = nullptr;      ///< right-hand side of the deformation (flex vector)
+};
+
+/// What the formulation `structured` keeps of a planar body.
+struct PlanarCondensed {
+  TwoPort port;
+  double* W_theta = nullptr;   ///< response to an angular acceleration (flex vector)
+  double* z = nullptr;         ///< response to Q_f (flex vector)
+  Double2* scratch = nullptr;  ///< of the solves
+};
+
+template <>
+struct BodyTypes<Plane> {
+  using Layout = FlexLayout;
+  using Block = ElasticBlock;
+  using Section = spoke::Section;
+  using Terms = PlanarTerms;
+  using Fields = PlanarFields;
+  using Condensed = PlanarCondensed;
+  using HandleWrenches = PlanarWrenches;
+};
+
+FlexLayout make_layout(const FlexibleBody& body);
+
+/// Doubles that a body's own fields take, and that its condensation takes.
+std::size_t count_fields(const FlexibleBody& body);
+std::size_t count_condensed(const FlexibleBody& body);
+/// Places them in so much memory, which is zero and aligned to 16 bytes.
+void place_fields(const FlexibleBody& body, double* memory, PlanarFields& fields);
+void place_condensed(const FlexibleBody& body, double* memory, PlanarCondensed& condensed);
+
+/// Sets which places of flex vectors hold coordinates.
+void set_extent(const FlexLayout& layout, CoordinateBlock& block);
+
+/// The sum of the squares of all coordinates up to which no deflection is above `range` [m].
+double calc_surely_linear(const FlexibleBody& body, double range);
+
+}  // namespace spoke

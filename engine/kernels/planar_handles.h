@@ -1,0 +1,36 @@
+#pragma once
+
+// Motion of the handles of a planar body relative to its frame.
+
+#include "engine/table/body_data.h"
+
+namespace spoke {
+
+/// Place of the outboard handle in the body frame, deformed [m]. The inboard one is the origin.
+inline Position calc_outboard_position(const BodyData<Plane>& body) {
+  const double* q = body.coordinates.q;
+  return {body.model->body->length + q[body.outboard_at[0]], q[body.outboard_at[1]]};
+}
+/// Velocity of the outboard handle relative to the body frame [m/s].
+inline Position calc_outboard_velocity(const BodyData<Plane>& body) {
+  return {body.coordinates.v[body.outboard_at[0]], body.coordinates.v[body.outboard_at[1]]};
+}
+/// Rotation of a handle's section relative to the body frame, and its rate [rad/s].
+Rotation calc_inboard_rotation(const BodyData<Plane>& body) noexcept;
+Rotation calc_outboard_rotation(const BodyData<Plane>& body) noexcept;
+inline double calc_inboard_rate(const BodyData<Plane>& body) {
+  return body.coordinates.v[body.inboard_at[kRotation]];
+}
+inline double calc_outboard_rate(const BodyData<Plane>& body) {
+  return body.coordinates.v[body.outboard_at[kRotation]];
+}
+/// Whether the section of the inboard handle can rotate against the body frame.
+inline bool turns_inboard(const FlexibleBody& body) {
+  return body.inboard.coordinate[kRotation] >= 0;
+}
+
+/// Foreshortening 1/2 int v'^2 dx of a body with geometric stiffening [m]; 0 of a linear one, whose
+/// model has none. The stiffened model accounts for it in its energies, not in its coordinates.
+double calc_foreshortening(const BodyData<Plane>& body) noexcept;
+
+}  // namespace spoke

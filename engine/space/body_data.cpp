@@ -1,0 +1,96 @@
+// Lays out a body's work memory, and takes flex vectors apart by nodes.
+
+#include "engine/space/body_data.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace spoke::space {
+namespace {
+
+/// Hands out stretches of memory, each beginning at an even place.
+class Places {
+ public:
+  explicit Places(double* memory) : memory_(memory) {}
+
+  double* take(std::size_t count) {
+    double* place = memory_ ? memory_ + used_ : nullptr;
+    used_ += count + count % 2;
+    return place;
+  }
+  template <class T>
+  T* take_objects(std::size_t count) {
+    static_assert(sizeof(T) % sizeof(double) == 0 && alignof(T) <= alignof(double));
+    double* place = take(count * sizeof(T) / sizeof(double));
+    if (!place) return nullptr;
+    T* objects = reinterpret_cast<T*>(place);
+    std::uninitialized_default_construct_n(objects, count);
+    return objects;
+  }
+  std::size_t used() const { return used_; }
+
+ private:
+  double* memory_;
+  std::size_t used_ = 0;
+};
+
+BodyWork place(const FlexibleBody& body, Places& places) {
+  const auto nodes = static_cast<std::size_t>(body.node_count());
+  const auto elements = static_cast<std::size_t>(body.elements);
+  const std::size_t handles = body.handles.size();
+  BodyWork work;
+  work.rows = places.take(kNodeRows * nodes);
+  work.half = places.take(kNodeRows * nodes);
+  work.handles = places.take_objects<HandleMotion>(handles);
+  work.condensed.X = places.take_objects<TwistMatrix>(handles);
+  work.port.handles = static_cast<int>(handles);
+  work.port.diagonal = places.take_objects<SymmetricTwistMatrix>(handles);
+  work.port.pairs = places.take_objects<TwistMatrix>(
+      static_cast<std::size_t>(tree::MultiPort<Space>::count_pairs(work.port.handles)));
+  work.port.free = places.take_objects<Twist>(handles);
+  work.slots = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
+  work.momenta = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
+  work.force = places.take(kTwist * nodes);
+  for (double*& nodal : work.nodal) nodal = places.take(kTwist * nodes);
+  return work;
+}
+
+/// Calls `visit(place by node, place in the flex vector, count)` for stretches of coordinates that
+/// are neighbours in both.
+template <class Visit>
+void visit_stretches(const FlexibleBody& body, Visit&& visit) {
+  const int E = body.elements;
+  if (body.reference_frame == ReferenceFrame::clamped) return visit(kTwist, 0, kTwist * E);
+  // ty and tz of node 0, all of the inner nodes and u of the last, then its rotation.
+  visit(4, 0, 2 + kTwist * (E - 1) + 1);
+  visit(kTwist * E + kRotation, kTwist * E - 3, 3);
+}
+
+}  // namespace
+
+std::size_t count_work(const FlexibleBody& body) {
+  Places places(nullptr);
+  place(body, places);
+  return places.used();
+}
+
+BodyWork place_work(const FlexibleBody& body, double* memory) {
+  Places places(memory);
+  BodyWork work = place(body, places);
+  std::fill_n(work.rows, kNodeRows * body.node_count(), 0.0);
+  std::fill_n(work.half, kNodeRows * body.node_count(), 0.0);
+  return work;
+}
+
+void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcept {
+  std::fill_n(nodal, kTwist * body.node_count(), 0.0);
+  visit_stretches(
+      body, [&](int at, int first, int count) { std::copy_n(flex + first, count, nodal + at); });
+}
+
+void compress(const FlexibleBody& body, const double* nodal, double* flex) noexcept {
+  visit_stretches(
+      body, [&](int at, int first, int count) { std::copy_n(nodal + at, count, flex + first); });
+}
+
+}  // namespace spoke::space

@@ -1,0 +1,101 @@
+#pragma once
+
+// What the kernels of a spatial body read and write: the contract between a flexible body and the
+// rest of the engine. Everything is resolved in the body frame B unless said otherwise.
+
+#include <array>
+#include <vector>
+
+#include "engine/space/elastic_block.h"
+#include "engine/space/handle_motion.h"
+#include "models/space/space.h"
+
+namespace spoke::space {
+
+/// Where a body stands in its tree, undeformed and with joint coordinates zero, seen from the hub:
+/// from this follows the tension that the hub's rotation and gravity put on it.
+struct TensionPlace {
+  Rotation R_HB;                                ///< from B to the hub frame H
+  Position origin = Position::Zero();           ///< of B, from the hub's centre [m]
+  Position outboard_moment = Position::Zero();  ///< first moment, about the hub's centre, of all
+                                                ///< that is outboard of the body [kg m]
+  double outboard_mass = 0.0;                   ///< [kg]
+};
+
+/// A body in its tree.
+struct BodyModel {
+  const FlexibleBody* body = nullptr;
+  std::array<const ElasticBlock*, 2> blocks{};  ///< explicit, implicit
+  const TensionPlace* tension = nullptr;        ///< null: without geometric stiffening
+};
+
+/// Flex vectors of a body.
+struct BodyState {
+  const double* q = nullptr;
+  const double* v = nullptr;
+  const double* q_elastic = nullptr;  ///< coordinates in the elastic force
+  const double* v_elastic = nullptr;  ///< velocities in the damping force
+};
+
+/// What a body's terms depend on besides its deformation.
+struct BodyMotion {
+  Angular w = Angular::Zero();          ///< of B [rad/s]
+  Angular hub_w = Angular::Zero();      ///< of the hub, in H [rad/s]
+  Position gravity = Position::Zero();  ///< in H [m/s^2]; only for the tension, see TensionPlace
+};
+
+/// What a body's stiffening adds to the hub's equation, in H: to its inertia - Lambda, to the right
+/// Lambda' w0 + w0 x (Lambda w0), and to the moment g x gamma.
+struct HubShare {
+  Matrix3 Lambda = Matrix3::Zero();       ///< symmetric [kg m^2]
+  Matrix3 Lambda_rate = Matrix3::Zero();  ///< [kg m^2/s]
+  Position gamma = Position::Zero();      ///< [kg m]
+};
+
+/// Mass terms and right-hand side of a body's frame.
+struct BodyTerms {
+  Position S = Position::Zero();    ///< first moment [kg m]
+  Matrix3 Theta = Matrix3::Zero();  ///< inertia about the origin [kg m^2]
+  Twist Q = Twist::Zero();          ///< right-hand side of translation and rotation [N, N m]
+  HubShare hub;
+  double load_power = 0.0;   ///< of applied loads [W]
+  double dissipation = 0.0;  ///< q'^T D q' [W]
+};
+
+/// What condensing a body finds besides its multi-port.
+struct Condensed {
+  SymmetricTwistMatrix S_inverse;  ///< inverse of S_R = M_RR - C Mhat^-1 C^T
+  Twist p = Twist::Zero();         ///< Q_R - C z [N, N m]
+  TwistMatrix* X = nullptr;        ///< X_h by handle: its acceleration by X, deformation following
+};
+
+/// A slot and its rate, side by side: x, y, z, x', y', z'.
+inline constexpr int kSlot = 6;
+/// Values a node takes in BodyWork::rows.
+inline constexpr int kNodeRows = 4 * kTwist;
+
+/// Memory of a body's kernels, of doubles all; see place_work().
+struct BodyWork {
+  /// By node six rows of four: rows of C_w^T (x, y, z), and of the right-hand side Q_f. Rows of
+  /// coordinates that the frame fixes are meaningless until condensed, and then zero.
+  double* rows = nullptr;
+  double* half = nullptr;           ///< L^-1 of the rows, likewise
+  HandleMotion* handles = nullptr;  ///< as set by calc_handles()
+  Condensed condensed;
+  tree::MultiPort<Space> port;
+  // Within one kernel only.
+  double* slots = nullptr;    ///< by node four slots, each with its rate, and then by element one
+  double* momenta = nullptr;  ///< mu = m rho and mu', likewise
+  double* force = nullptr;    ///< by node
+  std::array<double*, 4> nodal{};  ///< flex vectors by node
+};
+
+/// Doubles that a body's work takes, and the work in so much memory, aligned to 16 bytes.
+std::size_t count_work(const FlexibleBody& body);
+BodyWork place_work(const FlexibleBody& body, double* memory);
+
+/// A flex vector by node, six values each, with zeros where the frame fixes coordinates; and back.
+void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcept;
+void compress(const FlexibleBody& body, const double* nodal, double* flex) noexcept;
+
+}  // namespace spoke::space

@@ -1,0 +1,75 @@
+// Sums over slots and elements.
+
+#include "engine/space/body_energies.h"
+
+#include <algorithm>
+
+#include "engine/space/body_slots.h"
+#include "engine/space/body_stiffening.h"
+#include "engine/space/element_products.h"
+
+namespace spoke::space {
+namespace {
+
+/// 1/2 sum rho'_i . mu'_i.
+double deformation_energy(const FlexibleBody& body, const BodyWork& work) {
+  const int slots = kNodeSlots * body.node_count() + body.elements;
+  double sum = 0.0;
+  for (int i = 0; i < slots; ++i)
+    for (int c = 3; c < kSlot; ++c) sum += work.slots[kSlot * i + c] * work.momenta[kSlot * i + c];
+  return 0.5 * sum;
+}
+
+double strain_energy(const FlexibleBody& body, const double* q) {
+  double sum = 0.0;
+  for (const BeamElement& element : body.beam) {
+    double d[kTwist], F[kTwist];
+    calc_relative(element, q, d);
+    multiply(element.stiffness.data(), d).store_to(F);
+    for (int i = 0; i < kTwist; ++i) sum += d[i] * F[i];
+    q += kTwist;
+  }
+  return 0.5 * sum;
+}
+
+}  // namespace
+
+BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, const Twist& twist,
+                                const BodyMotion& motion, const BodyWork& work) noexcept {
+  const FlexibleBody& body = *model.body;
+  double *q = work.nodal[0], *v = work.nodal[1];
+  expand(body, state.q, q);
+  expand(body, state.v, v);
+  const SlotSums sums = calc_slots(body, q, v, work);
+  const Position v0 = linear(twist), w = angular(twist);
+  // sum rho x mu' from G = sum rho mu'^T.
+  const Position spin(sums.G(1, 2) - sums.G(2, 1), sums.G(2, 0) - sums.G(0, 2),
+                      sums.G(0, 1) - sums.G(1, 0));
+  BodyEnergies energies;
+  energies.S = sums.S;
+  energies.kinetic = 0.5 * body.mass * v0.squaredNorm() + v0.dot(cross(w, sums.S) + sums.S_rate) +
+                     0.5 * w.dot(sums.inertia().lazyProduct(w)) + w.dot(spin) +
+                     deformation_energy(body, work);
+  energies.strain = strain_energy(body, q);
+  if (!model.tension) return energies;
+  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
+  const HubShare share =
+      calc_hub_share(*model.tension, add_stiffening(model, motion, q, v, work.force));
+  energies.kinetic -= 0.5 * motion.hub_w.dot(share.Lambda.lazyProduct(motion.hub_w));
+  energies.tension = motion.gravity.dot(share.gamma);
+  return energies;
+}
+
+double calc_strain_energy(const FlexibleBody& body, const double* q,
+                          const BodyWork& work) noexcept {
+  expand(body, q, work.nodal[0]);
+  return strain_energy(body, work.nodal[0]);
+}
+
+double calc_foreshortening(const BodyModel& model, const double* q, const BodyWork& work) noexcept {
+  if (!model.tension) return 0.0;
+  expand(*model.body, q, work.nodal[0]);
+  return 0.5 * sum_squared_slopes(*model.body, work.nodal[0]);
+}
+
+}  // namespace spoke::space

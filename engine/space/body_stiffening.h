@@ -1,0 +1,33 @@
+#pragma once
+
+// Geometric stiffening of a spatial body: what tension and the turning of its sections add to the
+// energies to second order in the deformation (docs/formulation.md, section 10).
+
+#include "engine/space/body_data.h"
+
+namespace spoke::space {
+
+/// Quadratic forms of the stiffening in two flex vectors: q^T K q' of the matrices K1, KL, Kx, and
+/// of the propeller matrices as a symmetric tensor F in B.
+struct StiffeningForms {
+  Position tension = Position::Zero();
+  Matrix3 propeller = Matrix3::Zero();
+};
+
+/// Sums of q^T K q and of q^T K q'.
+struct StiffeningSums {
+  StiffeningForms value;
+  StiffeningForms rate;
+};
+
+/// Adds the stiffening's forces to those by node, and sums its forms. `q`, `v`: by node.
+StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
+                              const double* v, double* force) noexcept;
+
+/// int (v'^2 + w'^2) ds, slopes against the elements' axes [m]. `q`: by node.
+double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept;
+
+/// What the hub feels of it.
+HubShare calc_hub_share(const TensionPlace& place, const StiffeningSums& sums) noexcept;
+
+}  // namespace spoke::space

@@ -1,0 +1,200 @@
+// Inertia forces from the slots' momenta, elastic and damping forces from the elements.
+
+#include "engine/space/body_terms.h"
+
+#include <algorithm>
+
+#include "engine/space/body_slots.h"
+#include "engine/space/body_stiffening.h"
+#include "engine/space/element_products.h"
+
+namespace spoke::space {
+namespace {
+
+/// b = -(A mu + 2 w x mu') with A = w w^T - |w|^2 1: the inertia force of a slot at zero X and q''.
+struct InertiaForce {
+  double rows[3][kSlot];
+
+  explicit InertiaForce(const Angular& w) {
+    const double ww = w.squaredNorm();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) rows[i][j] = (i == j ? ww : 0.0) - w[i] * w[j];
+    const double turn[3][3] = {{0.0, -w[2], w[1]}, {w[2], 0.0, -w[0]}, {-w[1], w[0], 0.0}};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) rows[i][3 + j] = -2.0 * turn[i][j];
+  }
+  [[gnu::always_inline]] double component(int i, const double* mu) const {
+    const double* r = rows[i];
+    return (r[0] * mu[0] + r[1] * mu[1] + r[2] * mu[2]) +
+           (r[3] * mu[3] + r[4] * mu[4] + r[5] * mu[5]);
+  }
+};
+
+/// Rows of C_w^T and Q_f of a node: columns Xi^T (e_a x mu) for a = x, y, z, then Xi^T b + force.
+/// For the rotation, sum e_c x (e_a x mu_c) = e_a tr(Mu) - mu_a over the axes c of the node.
+void set_rows(const InertiaForce& b, const double* mu, const double* force, double* rows) {
+  const double *r = mu, *x = mu + kSlot, *y = mu + 2 * kSlot, *z = mu + 3 * kSlot;
+  const double trace = x[0] + y[1] + z[2];
+  const double values[kTwist][4] = {
+      {0.0, r[2], -r[1], b.component(0, r) + force[0]},
+      {-r[2], 0.0, r[0], b.component(1, r) + force[1]},
+      {r[1], -r[0], 0.0, b.component(2, r) + force[2]},
+      {trace - x[0], -y[0], -z[0], b.component(2, y) - b.component(1, z) + force[3]},
+      {-x[1], trace - y[1], -z[1], b.component(0, z) - b.component(2, x) + force[4]},
+      {-x[2], -y[2], trace - z[2], b.component(1, x) - b.component(0, y) + force[5]}};
+  for (int i = 0; i < kTwist; ++i) {
+    store_aligned(Double2{values[i][0], values[i][1]}, rows + 4 * i);
+    store_aligned(Double2{values[i][2], values[i][3]}, rows + 4 * i + 2);
+  }
+}
+
+/// What an element's stretch adds to the rows of u of its nodes: +- e1 (e1.(e_a x mu))/l, and the
+/// same of b.
+void add_stretch_rows(const BeamElement& element, const InertiaForce& b, const double* mu,
+                      double* rows) {
+  const Position e1 = element.axes.col(0) / element.length;
+  const double columns[4] = {
+      mu[1] * e1[2] - mu[2] * e1[1], mu[2] * e1[0] - mu[0] * e1[2], mu[0] * e1[1] - mu[1] * e1[0],
+      e1[0] * b.component(0, mu) + e1[1] * b.component(1, mu) + e1[2] * b.component(2, mu)};
+  const Double2 first{columns[0], columns[1]}, second{columns[2], columns[3]};
+  double* outer = rows + kNodeRows;
+  for (int i = 0; i < 3; ++i) {
+    const double direction = element.axes(i, 0);
+    store_aligned(load_aligned(rows + 4 * i) - direction * first, rows + 4 * i);
+    store_aligned(load_aligned(rows + 4 * i + 2) - direction * second, rows + 4 * i + 2);
+    store_aligned(load_aligned(outer + 4 * i) + direction * first, outer + 4 * i);
+    store_aligned(load_aligned(outer + 4 * i + 2) + direction * second, outer + 4 * i + 2);
+  }
+}
+
+void calc_rows(const FlexibleBody& body, const Angular& w, const BodyWork& work) {
+  const InertiaForce b(w);
+  for (int k = body.first_node(); k < body.node_count(); ++k)
+    set_rows(b, work.momenta + kNodeSlots * kSlot * k, work.force + kTwist * k,
+             work.rows + kNodeRows * k);
+  // Of a clamped body, node 0 has no rows that count: what the first element adds is not used.
+  if (body.first_node() > 0) std::fill_n(work.rows, kNodeRows, 0.0);
+  for (int e = 0; e < body.elements; ++e)
+    add_stretch_rows(body.beam[static_cast<std::size_t>(e)], b,
+                     work.momenta + stretch_place(body, e), work.rows + kNodeRows * e);
+}
+
+void add_elastic_force(const FlexibleBody& body, const double* q, double* force) {
+  for (const BeamElement& element : body.beam) {
+    double d[kTwist], F[kTwist];
+    calc_relative(element, q, d);
+    multiply(element.stiffness.data(), d).store_to(F);
+    subtract_wrench(element, F, force);
+    q += kTwist;
+    force += kTwist;
+  }
+}
+
+/// What damps in an element: the wrench by the velocity d of its outer node.
+Double6 damping_wrench(const BeamElement& element, double stiffness_factor, const double* d) {
+  Double6 F = multiply(element.damping.data(), d);
+  const Double6 elastic = multiply(element.stiffness.data(), d);
+  F.a += stiffness_factor * elastic.a;
+  F.b += stiffness_factor * elastic.b;
+  F.c += stiffness_factor * elastic.c;
+  return F;
+}
+
+/// Damping D = mass_factor Mff + stiffness_factor K + that of the sections: its force at
+/// v_elastic; returns its power at v.
+double add_damping(const FlexibleBody& body, const Damping& damping, const double* v_elastic,
+                   const double* v, double* force) {
+  double power = 0.0;
+  const auto apply = [&](const double* velocity, auto&& take) {
+    for (const BeamElement& element : body.beam) {
+      double d[kTwist], F[kTwist];
+      calc_relative(element, velocity, d);
+      damping_wrench(element, damping.stiffness_factor, d).store_to(F);
+      take(element, d, F);
+      velocity += kTwist;
+    }
+  };
+  double* at = force;
+  apply(v_elastic, [&at](const BeamElement& element, const double*, const double* F) {
+    subtract_wrench(element, F, at);
+    at += kTwist;
+  });
+  apply(v, [&power](const BeamElement&, const double* d, const double* F) {
+    for (int i = 0; i < kTwist; ++i) power += d[i] * F[i];
+  });
+  return power;
+}
+
+using ConstNode = Eigen::Map<const Twist>;
+
+/// Row of nodes k of M x.
+Twist mass_row(const BlockTridiagonal& M, int k, const double* x) {
+  const auto node = static_cast<std::size_t>(k);
+  Twist sum = M.diagonal[node].lazyProduct(ConstNode(x + kTwist * k));
+  if (k > 0) sum += M.below[node - 1].lazyProduct(ConstNode(x + kTwist * (k - 1)));
+  if (k + 1 < M.nodes())
+    sum += M.below[node].transpose().lazyProduct(ConstNode(x + kTwist * (k + 1)));
+  return sum;
+}
+
+double add_mass_damping(const FlexibleBody& body, double factor, const double* v_elastic,
+                        const double* v, double* force) {
+  double power = 0.0;
+  for (int k = 0; k < body.node_count(); ++k) {
+    Eigen::Map<Twist>(force + kTwist * k) -= factor * mass_row(body.M, k, v_elastic);
+    power += factor * ConstNode(v + kTwist * k).dot(mass_row(body.M, k, v));
+  }
+  return power;
+}
+
+/// Flex vectors by node, expanded into work memory, each once.
+struct NodalState {
+  const double *q, *v, *q_elastic, *v_elastic;
+
+  NodalState(const FlexibleBody& body, const BodyState& state, bool is_damped,
+             const BodyWork& work) {
+    expand(body, state.q, work.nodal[0]);
+    expand(body, state.v, work.nodal[1]);
+    q = q_elastic = work.nodal[0];
+    v = v_elastic = work.nodal[1];
+    if (state.q_elastic != state.q) {
+      expand(body, state.q_elastic, work.nodal[2]);
+      q_elastic = work.nodal[2];
+    }
+    if (is_damped && state.v_elastic != state.v) {
+      expand(body, state.v_elastic, work.nodal[3]);
+      v_elastic = work.nodal[3];
+    }
+  }
+};
+
+}  // namespace
+
+BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
+                          const Damping& damping, const BodyWork& work) noexcept {
+  const FlexibleBody& body = *model.body;
+  const bool is_damped = body.is_damped || damping.stiffness_factor != 0.0;
+  const NodalState x(body, state, is_damped || damping.mass_factor != 0.0, work);
+  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
+
+  BodyTerms terms;
+  add_elastic_force(body, x.q_elastic, work.force);
+  if (is_damped) terms.dissipation += add_damping(body, damping, x.v_elastic, x.v, work.force);
+  if (damping.mass_factor != 0.0)
+    terms.dissipation += add_mass_damping(body, damping.mass_factor, x.v_elastic, x.v, work.force);
+  if (model.tension)
+    terms.hub = calc_hub_share(*model.tension, add_stiffening(model, motion, x.q, x.v, work.force));
+
+  const SlotSums sums = calc_slots(body, x.q, x.v, work);
+  calc_rows(body, motion.w, work);
+  const Angular& w = motion.w;
+  terms.S = sums.S;
+  terms.Theta = sums.inertia();
+  // Q_t = -w x (w x S) - 2 w x S',  Q_w = -w x Theta w - 2 (tr(G) w - G^T w)
+  terms.Q = make_twist(-cross(w, cross(w, sums.S) + 2.0 * sums.S_rate),
+                       -cross(w, terms.Theta.lazyProduct(w)) -
+                           2.0 * (sums.G.trace() * w - sums.G.transpose().lazyProduct(w)));
+  return terms;
+}
+
+}  // namespace spoke::space

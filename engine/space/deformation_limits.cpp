@@ -1,0 +1,53 @@
+// Looks through a body's coordinates for the largest deflection and for what is beyond the limits.
+
+#include "engine/space/deformation_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace spoke::space {
+namespace {
+
+/// Coordinates of one node.
+Twist node_values(const FlexibleBody& body, int node, const double* q) {
+  Twist values = Twist::Zero();
+  for (int c = 0; c < kTwist; ++c)
+    if (const int at = body.coordinate(node, c); at >= 0) values[c] = q[at];
+  return values;
+}
+
+}  // namespace
+
+double find_largest_deflection(const FlexibleBody& body, const double* q) noexcept {
+  double largest = 0.0;
+  Twist before = node_values(body, 0, q);
+  for (int node = 1; node < body.node_count(); ++node) {
+    const Twist after = node_values(body, node, q);
+    // Slopes v' = tz, w' = -ty; the cubic's value in the middle.
+    const Position turned = 0.125 * (angular(before) - angular(after));
+    const Position across = 0.5 * (linear(before) + linear(after)) +
+                            cross(turned, body.beam[static_cast<std::size_t>(node - 1)].chord);
+    largest =
+        std::max({largest, std::hypot(after[1], after[2]), std::hypot(across.y(), across.z())});
+    before = after;
+  }
+  return largest / body.length();
+}
+
+LimitViolation find_limit_violation(const FlexibleBody& body, const double* q) noexcept {
+  LimitViolation worst;
+  for (int node = 0; node < body.node_count(); ++node)
+    for (int c = 0; c < kTwist; ++c) {
+      const int at = body.coordinate(node, c);
+      if (at < 0) continue;
+      const double limit = c < kRotation ? body.length() : std::numbers::pi;
+      if (!std::isfinite(q[at])) return {node, c, q[at], limit};
+      const bool is_worst =
+          worst.node < 0 || std::abs(q[at]) / limit > std::abs(worst.value) / worst.limit;
+      if (std::abs(q[at]) > limit && is_worst) worst = {node, c, q[at], limit};
+    }
+  return worst;
+}
+
+}  // namespace spoke::space

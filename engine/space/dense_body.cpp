@@ -1,0 +1,79 @@
+// Assembles the dense matrices from the rows by node.
+
+#include "engine/space/dense_body.h"
+
+namespace spoke::space {
+namespace {
+
+/// Calls `visit(coordinate, rows of four)` for all coordinates of the flex vector.
+template <class Visit>
+void visit_rows(const FlexibleBody& body, const BodyWork& work, Visit&& visit) {
+  for (int k = 0; k < body.node_count(); ++k)
+    for (int c = 0; c < kTwist; ++c) {
+      const int coordinate = body.coordinate(k, c);
+      if (coordinate >= 0) visit(coordinate, k, c, work.rows + kNodeRows * k + 4 * c);
+    }
+}
+
+}  // namespace
+
+Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFactors& factors) {
+  BlockTridiagonal sum(body.node_count());
+  sum.add_scaled(factors.mass, body.M);
+  sum.add_scaled(factors.stiffness, body.K);
+  sum.add_scaled(factors.damping, body.D);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(body.coordinates(), body.coordinates());
+  const auto fill = [&](int a, int b, const TwistMatrix& block) {
+    for (int i = 0; i < kTwist; ++i)
+      for (int j = 0; j < kTwist; ++j) {
+        const int row = body.coordinate(a, i), column = body.coordinate(b, j);
+        if (row >= 0 && column >= 0) dense(row, column) = dense(column, row) = block(i, j);
+      }
+  };
+  for (int k = 0; k < body.node_count(); ++k) {
+    fill(k, k, sum.diagonal[static_cast<std::size_t>(k)]);
+    if (k < body.elements) fill(k + 1, k, sum.below[static_cast<std::size_t>(k)]);
+  }
+  return dense;
+}
+
+void calc_dense_mass(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,
+                     const Eigen::MatrixXd& elastic, Eigen::Ref<Eigen::MatrixXd> mass) {
+  mass.topLeftCorner<3, 3>() = body.mass * Matrix3::Identity();
+  mass.block<3, 3>(kRotation, 0) = skew(terms.S);
+  mass.block<3, 3>(0, kRotation) = skew(terms.S).transpose();
+  mass.block<3, 3>(kRotation, kRotation) = terms.Theta;
+  visit_rows(body, work, [&](int coordinate, int node, int c, const double* row) {
+    const int at = kTwist + coordinate;
+    mass.block<1, 3>(at, 0) = body.C_t[static_cast<std::size_t>(node)].row(c);
+    mass.block<1, 3>(at, kRotation) << row[0], row[1], row[2];
+    mass.block<kTwist, 1>(0, at) = mass.block<1, kTwist>(at, 0).transpose();
+  });
+  mass.bottomRightCorner(body.coordinates(), body.coordinates()) = elastic;
+}
+
+void calc_dense_force(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,
+                      Eigen::Ref<Eigen::VectorXd> force) {
+  force.head<kTwist>() = terms.Q;
+  visit_rows(body, work, [&](int coordinate, int, int, const double* row) {
+    force[kTwist + coordinate] = row[3];
+  });
+}
+
+void calc_handle_jacobian(const FlexibleBody& body, int handle, const BodyWork& work,
+                          Eigen::Ref<Eigen::MatrixXd> J) {
+  const HandleMotion& motion = work.handles[handle];
+  J.setZero();
+  J.leftCols<kTwist>().setIdentity();
+  J.block<3, 3>(0, kRotation) = -skew(motion.s);
+  for (int c = 0; c < kTwist; ++c) {
+    const int coordinate = body.coordinate(body.handles[static_cast<std::size_t>(handle)], c);
+    if (coordinate < 0) continue;
+    if (c < kRotation)
+      J(c, kTwist + coordinate) = 1.0;
+    else
+      J.block<3, 1>(kRotation, kTwist + coordinate) = motion.turn.H.col(c - kRotation);
+  }
+}
+
+}  // namespace spoke::space

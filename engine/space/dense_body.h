@@ -1,0 +1,30 @@
+#pragma once
+
+// A spatial body's equation of motion as full matrices, in the coordinates [X; q] (twist
+// components, then the flex vector): what the paper's two dense formulations work on.
+
+#include <Eigen/Core>
+
+#include "engine/space/body_data.h"
+
+namespace spoke::space {
+
+/// Dense Mhat (nf x nf).
+Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
+
+/// Unknowns of a body: its frame's twist and its deformation.
+inline int dense_size(const FlexibleBody& body) { return kTwist + body.coordinates(); }
+
+/// Fills the mass matrix, `elastic` being its deformation block, into an n x n block.
+void calc_dense_mass(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,
+                     const Eigen::MatrixXd& elastic, Eigen::Ref<Eigen::MatrixXd> mass);
+
+/// Fills the right-hand side [Q; Q_f] (n).
+void calc_dense_force(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,
+                      Eigen::Ref<Eigen::VectorXd> force);
+
+/// Jacobian J (6 x n) of a handle's twist with respect to the body's.
+void calc_handle_jacobian(const FlexibleBody& body, int handle, const BodyWork& work,
+                          Eigen::Ref<Eigen::MatrixXd> J);
+
+}  // namespace spoke::space

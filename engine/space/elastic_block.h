@@ -1,0 +1,50 @@
+#pragma once
+
+// The constant block Mhat = Mff (+ the implicit shares of K and D) of a spatial body, factorised
+// once: Mhat = L L^T by blocks of six, a node each.
+
+#include <vector>
+
+#include "engine/tree/multi_port.h"
+#include "models/space/flexible_body.h"
+#include "models/space/space.h"
+
+namespace spoke::space {
+
+/// By what Mff, K and the section damping D enter Mhat. An explicit evaluation has (1, 0, 0).
+struct BlockFactors {
+  double mass = 1.0;
+  double stiffness = 0.0;
+  double damping = 0.0;
+};
+
+/// Solutions are kept half done, y = L^-1 b: a product a^T Mhat^-1 b is that of two halves, so that
+/// only the accelerations themselves are ever carried through L^T.
+struct ElasticBlock {
+  static constexpr int kBlock = kTwist * kTwist;
+
+  /// By node, row by row. Rows and columns of coordinates that the frame fixes are those of the
+  /// identity; nodes before the body's first_node() are unused.
+  std::vector<double> inverse;  ///< of L's diagonal block; zero right of the diagonal
+  std::vector<double> below;    ///< L's block (k, k - 1)
+
+  std::vector<double> W_t;        ///< L^-1 C_t^T: 3 columns, row by row
+  Matrix3 C_W = Matrix3::Zero();  ///< C_t Mhat^-1 C_t^T [kg]
+  /// By handle: L^-1 E^T for the six coordinates of its node, row by row, from that node on. None
+  /// if the frame fixes all of them.
+  std::vector<std::vector<double>> Z;
+  std::vector<NodeMomentum> Z_W;  ///< by handle: E Mhat^-1 C_t^T
+  // E_a Mhat^-1 E_b^T, in the order of MultiPort.
+  std::vector<SymmetricTwistMatrix> Z_diagonal;
+  std::vector<TwistMatrix> Z_pairs;
+
+  const double* inverse_of(int node) const { return &inverse[at(node)]; }
+  const double* below_of(int node) const { return &below[at(node)]; }
+
+ private:
+  static std::size_t at(int node) { return static_cast<std::size_t>(node) * kBlock; }
+};
+
+ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
+
+}  // namespace spoke::space

@@ -1,0 +1,39 @@
+// Handles from the coordinates of their nodes.
+
+#include "engine/space/handle_motion.h"
+
+namespace spoke::space {
+namespace {
+
+HandleMotion calc_handle(const FlexibleBody& body, int node, const double* q, const double* v) {
+  Twist place = Twist::Zero(), rate = Twist::Zero();
+  for (int c = 0; c < kTwist; ++c)
+    if (const int at = body.coordinate(node, c); at >= 0) {
+      place[c] = q[at];
+      rate[c] = v[at];
+    }
+  return {body.nodes[static_cast<std::size_t>(node)] + linear(place), linear(rate),
+          calc_rotation_vector_motion(angular(place), angular(rate))};
+}
+
+/// Of the section in which the frame is clamped.
+HandleMotion at_rest() {
+  return {Position::Zero(),
+          Position::Zero(),
+          {{}, Matrix3::Identity(), Angular::Zero(), Angular::Zero()}};
+}
+
+}  // namespace
+
+Twist HandleMotion::bias(const Angular& w) const {
+  return make_twist(cross(w, cross(w, s) + 2.0 * velocity),
+                    cross(w, turn.velocity) + turn.convective);
+}
+
+void calc_handles(const FlexibleBody& body, const double* q, const double* v,
+                  HandleMotion* handles) noexcept {
+  for (const int node : body.handles)
+    *handles++ = node < body.first_node() ? at_rest() : calc_handle(body, node, q, v);
+}
+
+}  // namespace spoke::space

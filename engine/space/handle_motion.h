@@ -1,0 +1,28 @@
+#pragma once
+
+// The handles of a spatial body at a state: what joints see of its deformation.
+
+#include "models/space/flexible_body.h"
+#include "models/space/rotation_vector.h"
+
+namespace spoke::space {
+
+/// The section at a handle's node: its orientation in B is exp(th~). Its acceleration is
+/// J (X; q'') + b with J = [1, -s~, E_u; 0, 1, H E_th].
+struct HandleMotion {
+  Position s = Position::Zero();         ///< place in B [m]
+  Position velocity = Position::Zero();  ///< relative to B [m/s]
+  RotationVectorMotion turn;             ///< of the section against B
+
+  /// Its twist relative to B, in B.
+  Twist twist() const { return make_twist(velocity, turn.velocity); }
+  /// b, the acceleration at X = 0 and q'' = 0, at the angular velocity w of B:
+  /// [w x (w x s) + 2 w x u'; w x (H th') + H' th'].
+  Twist bias(const Angular& w) const;
+};
+
+/// The handles of a body at the flex vectors q and v.
+void calc_handles(const FlexibleBody& body, const double* q, const double* v,
+                  HandleMotion* handles) noexcept;
+
+}  // namespace spoke::space

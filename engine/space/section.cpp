@@ -1,0 +1,130 @@
+// Shape functions of an element at a section, from its slots.
+
+#include "engine/space/section.h"
+
+#include <algorithm>
+
+#include "engine/space/element_products.h"
+
+namespace spoke::space {
+namespace {
+
+/// Rows of a shape in the element's axes, to B on either side.
+Section::Shape to_body(const BeamElement& element, const Section::Shape& local) {
+  Section::Shape shape = element.axes * local;
+  for (int block = 0; block < 4; ++block)
+    shape.middleCols<3>(3 * block) =
+        (shape.middleCols<3>(3 * block) * element.axes.transpose()).eval();
+  return shape;
+}
+
+/// Displacement of the point at the offset o from the chord at xi, in the element's axes.
+Section::Shape displacement_shape(double xi, double l, const Position& o) {
+  const Eigen::Vector4d h = hermite(xi, l);
+  Section::Shape N = Section::Shape::Zero();
+  // r and t by Hermite's cubics; along the chord, t is 1 + (u_2 - u_1)/l at both nodes.
+  const double stretch = (h[1] + h[3]) / l;
+  for (int node = 0; node < 2; ++node) {
+    const int u = kTwist * node, th = u + kRotation;
+    const double place = h[2 * node], tangent = h[2 * node + 1];
+    const double linear = node == 0 ? 1.0 - xi : xi;
+    N(0, u) = place + (node == 0 ? -stretch : stretch);
+    N(1, u + 1) = N(2, u + 2) = place;
+    N(1, th + 2) = tangent;
+    N(2, th + 1) = -tangent;
+    // o_2 (th x e2) + o_3 (th x e3), linear between the nodes.
+    N(0, th + 1) += linear * o.z();
+    N(0, th + 2) -= linear * o.y();
+    N(1, th) -= linear * o.z();
+    N(2, th) += linear * o.y();
+  }
+  return N;
+}
+
+Section::Shape rotation_shape(double xi, double l) {
+  const Eigen::Vector4d slope = hermite_slope(xi, l);
+  Section::Shape N = Section::Shape::Zero();
+  for (int node = 0; node < 2; ++node) {
+    const int u = kTwist * node, th = u + kRotation;
+    N(0, th) = node == 0 ? 1.0 - xi : xi;
+    N(2, u + 1) = slope[2 * node];  // tz = v', ty = -w'
+    N(1, u + 2) = -slope[2 * node];
+    N(1, th + 1) = N(2, th + 2) = slope[2 * node + 1];
+  }
+  return N;
+}
+
+/// Coordinates of both nodes of an element, in B.
+struct ElementCoordinates {
+  double values[2 * kTwist];
+
+  ElementCoordinates(const FlexibleBody& body, int element, const double* flex) {
+    for (int node = 0; node < 2; ++node)
+      for (int c = 0; c < kTwist; ++c) {
+        const int at = body.coordinate(element + node, c);
+        values[kTwist * node + c] = at < 0 ? 0.0 : flex[at];
+      }
+  }
+  Position times(const Section::Shape& N) const {
+    return N.lazyProduct(Eigen::Map<const Eigen::Matrix<double, 2 * kTwist, 1>>(values));
+  }
+};
+
+}  // namespace
+
+Section make_section(const Beam& beam, const FlexibleBody& body, double station) {
+  const auto end = std::lower_bound(body.stations.begin() + 1, body.stations.end() - 1, station);
+  Section section;
+  section.element = static_cast<int>(end - body.stations.begin()) - 1;
+  const auto e = static_cast<std::size_t>(section.element);
+  const BeamElement& element = body.beam[e];
+  const SectionAt at = beam.geometry(station);
+  const Rotation to_B = body.pose.R.inverse();
+  section.s0 = to_B * Position(at.p - body.pose.p);
+  section.axes = to_B * at.axes;
+  section.compliance = beam.section(station).compliance;
+
+  const Position along = section.s0 - body.nodes[e];
+  const double xi = element.axes.col(0).dot(along) / element.length;
+  const Position offset = element.axes.transpose() * (along - xi * element.chord);
+  section.N = to_body(element, displacement_shape(xi, element.length, offset));
+  section.N_th = to_body(element, rotation_shape(xi, element.length));
+  const Matrix3 turn = section.axes.axes.transpose();
+  section.W.topLeftCorner<3, 3>() = section.W.bottomRightCorner<3, 3>() = turn;
+  section.W.bottomLeftCorner<3, 3>() = turn * skew(body.nodes[e + 1] - section.s0);
+  return section;
+}
+
+HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,
+                                 const double* v) noexcept {
+  const ElementCoordinates x(body, section.element, q), rate(body, section.element, v);
+  return {section.s0 + x.times(section.N), rate.times(section.N),
+          calc_rotation_vector_motion(x.times(section.N_th), rate.times(section.N_th))};
+}
+
+void add_section_wrench(const Section& section, const HandleMotion& motion, const Twist& wrench,
+                        BodyTerms& terms, const BodyWork& work) noexcept {
+  terms.Q += translate(motion.s, wrench);
+  const Position moment = motion.turn.H.transpose().lazyProduct(angular(wrench));
+  const Eigen::Matrix<double, 2 * kTwist, 1> force =
+      section.N.transpose().lazyProduct(linear(wrench)) +
+      section.N_th.transpose().lazyProduct(moment);
+  double* rows = work.rows + kNodeRows * section.element;
+  for (int i = 0; i < 2 * kTwist; ++i) rows[4 * i + 3] += force[i];
+}
+
+SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
+                              const double* q) noexcept {
+  const BeamElement& element = body.beam[static_cast<std::size_t>(section.element)];
+  const ElementCoordinates x(body, section.element, q);
+  double d[kTwist];
+  Twist wrench;
+  calc_relative(element, x.values, d);
+  multiply(element.stiffness.data(), d).store_to(wrench.data());
+  SectionLoad load;
+  load.resultants = section.W.lazyProduct(wrench);
+  load.strains = section.compliance.lazyProduct(load.resultants);
+  return load;
+}
+
+}  // namespace spoke::space

@@ -1,0 +1,45 @@
+#pragma once
+
+// A cross section anywhere on a spatial body: its motion, loads on it, and what it bears.
+
+#include "engine/space/body_data.h"
+
+namespace spoke::space {
+
+/// How a section follows the coordinates (u, th) of the two nodes of its element, in B: its place
+/// is s0 + N q, by the field of the slots, and its rotation vector N_th q, whose bending part is
+/// the slope of that field.
+struct Section {
+  using Shape = Eigen::Matrix<double, 3, 2 * kTwist, Eigen::DontAlign>;
+
+  int element = 0;
+  Position s0 = Position::Zero();  ///< undeformed place of its reference point in B [m]
+  Rotation axes;                   ///< undeformed, to B
+  Shape N = Shape::Zero();
+  Shape N_th = Shape::Zero();
+  /// Resultants in the section's axes by the wrench on the element's outer node, in B.
+  TwistMatrix W = TwistMatrix::Zero();
+  TwistMatrix compliance = TwistMatrix::Zero();  ///< strains by resultants, section axes
+};
+
+/// The section of a body at a station of its beam [m]. Between two elements, that of the inner one.
+Section make_section(const Beam& beam, const FlexibleBody& body, double station);
+
+/// Its motion at the flex vectors q and v, against B.
+HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,
+                                 const double* v) noexcept;
+
+/// Adds a wrench (force, moment), in B, on a section that moves as given to a body's terms and
+/// rows.
+void add_section_wrench(const Section& section, const HandleMotion& motion, const Twist& wrench,
+                        BodyTerms& terms, const BodyWork& work) noexcept;
+
+/// What a section bears by the deformation of its element, in its axes.
+struct SectionLoad {
+  Twist resultants;  ///< force and moment of the outer part on the inner [N, N m]
+  Twist strains;     ///< (eps, gamma_y, gamma_z, kappa_x, kappa_y, kappa_z) [1, 1/m]
+};
+SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
+                              const double* q) noexcept;
+
+}  // namespace spoke::space

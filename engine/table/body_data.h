@@ -1,0 +1,51 @@
+#pragma once
+
+// One body's share of the table. Vectors of deformation coordinates ("flex vectors") are stored
+// padded, see the world's layout.
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "engine/body/coordinate_block.h"
+#include "engine/body/planar_body.h"
+#include "engine/table/load_data.h"
+#include "engine/table/step_progress.h"
+#include "models/system/system.h"
+
+namespace spoke {
+
+/// What a body's recovery reports to the end of the pass.
+struct BodyReport {
+  double change;      ///< largest change of a coordinate in this iteration [m, rad]
+  double deflection;  ///< by the body's length, if beyond the linear range; else 0
+  Flag failed;        ///< a coordinate is not finite or beyond its limit
+};
+
+/// One body's share of the table.
+template <class World>
+struct BodyData : BodyTypes<World>::Fields {
+  using Types = BodyTypes<World>;
+
+  const TreeBody<World>* model = nullptr;
+  std::array<const typename Types::Block*, 2> blocks{};  ///< explicit, implicit
+  typename Types::Layout layout;
+  double linear_range = std::numeric_limits<double>::infinity();  ///< of deflections [m]
+  /// No deflection is beyond the linear range if the sum of the squares of all coordinates is not
+  /// greater than this.
+  double surely_linear = std::numeric_limits<double>::infinity();
+
+  CoordinateBlock coordinates;
+  const double* q_elastic = nullptr;  ///< coordinates in the elastic force (flex vector)
+  const double* v_elastic = nullptr;  ///< velocities in the damping force (flex vector)
+
+  typename Types::Terms terms;
+  double* a_found = nullptr;  ///< accelerations that the pass finds (flex vector); rk4: `a` itself
+  TwistOf<World> X;           ///< frame acceleration, body frame, less gravity
+  BodyReport report;
+  std::vector<AppliedWrench<World>> applied;  ///< by loads of the user's
+  std::vector<PlacedLoad<World, BodyLoad<World>>> loads;
+  std::vector<PlacedLoad<World, BodyDrag<World>>> drags;
+};
+
+}  // namespace spoke

@@ -1,0 +1,56 @@
+// The keys of each kind of drive.
+
+#include "models/reader/drive_json.h"
+
+namespace spoke {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void add_drive(const SpinUp& drive, Json& json) {
+  json["speed"] = drive.speed;
+  json["ramp"] = drive.ramp;
+}
+
+void add_drive(const SpinUpHoldSpinDown& drive, Json& json) {
+  json["speed"] = drive.speed;
+  json["ramp"] = drive.ramp;
+  json["hold"] = drive.hold;
+  json["ramp_down"] = drive.ramp_down;
+}
+
+void add_drive(const SpeedTable& drive, Json& json) {
+  json["time"] = drive.speed.times();
+  json["speed"] = drive.speed.values();
+}
+
+void add_drive(const TorqueDrive& drive, Json& json) {
+  if (drive.torque.times().size() == 1) {
+    json["torque"] = drive.torque.values().front();
+  } else {
+    json["time"] = drive.torque.times();
+    json["torque"] = drive.torque.values();
+  }
+  json["initial_speed"] = drive.initial_speed;
+}
+
+void add_drive(const TorqueBySpeed& drive, Json& json) {
+  json["speed"] = drive.torque.times();
+  json["torque"] = drive.torque.values();
+  json["initial_speed"] = drive.initial_speed;
+  json["ramp"] = drive.ramp;
+}
+
+void add_drive(const FreeDrive& drive, Json& json) { json["initial_speed"] = drive.initial_speed; }
+void add_drive(const ConstantSpeed& drive, Json& json) { json["speed"] = drive.speed; }
+void add_drive(const FixedDrive&, Json&) {}
+
+}  // namespace
+
+Json drive_to_json(const Drive& drive) {
+  Json json = {{"kind", name_of(drive)}};
+  std::visit([&](const auto& d) { add_drive(d, json); }, drive);
+  return json;
+}
+
+}  // namespace spoke

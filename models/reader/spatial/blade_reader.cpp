@@ -1,0 +1,89 @@
+// Blades: what one has not of its own it has of the table of all.
+
+#include <numbers>
+
+#include "models/reader/field_reader.h"
+#include "models/reader/spatial/body_reader.h"
+#include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/joint_reader.h"
+#include "models/reader/spatial/section_reader.h"
+
+namespace spoke::spatial {
+namespace {
+
+/// The table of a blade, and that of all blades.
+class Layers {
+ public:
+  Layers(const TomlSection& own, const TomlSection& common) : own_(own), common_(common) {}
+
+  /// The one that has the key, if one has it.
+  const TomlSection& of(std::string_view key) const {
+    return !own_.has(key) && common_.has(key) ? common_ : own_;
+  }
+
+ private:
+  const TomlSection& own_;
+  const TomlSection& common_;
+};
+
+std::vector<BladeJoint> read_joints(const TomlSection& blade) {
+  TomlSection::Keys keys = joint_keys();
+  keys.push_back("station");
+  std::vector<BladeJoint> joints;
+  for (const TomlSection& table : blade.sections("joint", keys))
+    joints.push_back({table.number("station", kStation), read_joint(table)});
+  return joints;
+}
+
+Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth) {
+  const Layers from(own, common);
+  const auto read = [&](std::string_view key, auto& value, const auto& range, Presence presence) {
+    FieldReader{key == "azimuth" ? own : from.of(key)}(key, value, range, presence);
+  };
+  Blade blade;
+  Beam& beam = blade.beam;
+  visit_fields(beam, read);
+  beam.sections = read_sections(from.of("sections"), beam.length);
+  beam.point_masses = read_point_masses(from.of("point_mass"));
+  beam.geometric_stiffening = from.of("geometric_stiffening").flag("geometric_stiffening", true);
+  beam.reference_frame =
+      from.of("reference_frame")
+          .choice("reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord},
+                  beam.reference_frame);
+  blade.azimuth = azimuth;
+  visit_fields(blade, read);
+  blade.joints = read_joints(from.of("joint"));
+  if (const Fault fault = find_fault(blade))
+    from.of(fault.path.substr(0, fault.path.find('.'))).fail_at(fault.path, fault.text);
+  return blade;
+}
+
+}  // namespace
+
+std::vector<Blade> read_blades(const TomlSection& root) {
+  TomlSection::Keys keys = beam_keys();
+  keys.insert(keys.end(), {"azimuth", "precone", "joint"});
+  TomlSection::Keys common_keys = keys;
+  common_keys.push_back("count");
+  const TomlSection common = root.section("blade", common_keys);
+  const std::vector<TomlSection> one_by_one = root.sections("blades", keys);
+  const double first = common.number("azimuth", kAngle, 0.0);
+  std::vector<Blade> blades;
+  if (one_by_one.empty() && !root.has("blade")) return blades;
+  const auto azimuth = [&](std::size_t i, std::size_t count) {
+    return first + 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+  };
+  if (one_by_one.empty()) {
+    const auto count = static_cast<std::size_t>(common.integer("count", {1, kMostOfAKind}));
+    blades.assign(count, read_blade(common, common, first));
+    for (std::size_t i = 0; i < count; ++i) blades[i].azimuth = azimuth(i, count);
+    return blades;
+  }
+  if (common.has("count"))
+    common.fail("count", "given along with [[blades]], expected only one of them");
+  for (const TomlSection& own : one_by_one)
+    blades.push_back(read_blade(own, common, azimuth(blades.size(), one_by_one.size())));
+  return blades;
+}
+
+}  // namespace spoke::spatial

@@ -1,0 +1,52 @@
+// Visits every structure of a model in space.
+
+#include "models/reader/spatial/model_check.h"
+
+#include <set>
+
+#include "models/reader/spatial/fault.h"
+#include "spoke/error.h"
+
+namespace spoke::spatial {
+namespace {
+
+void require(const Fault& fault) {
+  if (fault) throw InputError(fault.path + (fault.path.empty() ? "" : ": ") + fault.text);
+}
+
+template <class Items, class Find>
+void check_each(const std::string& key, const Items& items, const Find& find) {
+  std::size_t number = 0;
+  for (const auto& item : items) require(find(item).within(key + '.' + std::to_string(++number)));
+}
+
+}  // namespace
+
+void check_model(const Model& model) {
+  require(find_fault(model.hub).within("hub"));
+  check_each("blades", model.blades, [](const Blade& blade) { return find_fault(blade); });
+  std::set<std::string> names;
+  check_each("subsystem", model.subsystems, [&](const Subsystem& subsystem) -> Fault {
+    if (!names.insert(subsystem.name).second)
+      return {"name", "is \"" + subsystem.name + "\" as another subsystem's, expected its own"};
+    return find_fault(subsystem);
+  });
+  if (model.blades.empty() && model.subsystems.empty())
+    require({"blades", "there are none, and no subsystem; expected one or more"});
+  require({"blades", find_size_fault(model)});
+  const FirstFault first;
+  first("gravity.acceleration", model.gravity, kGravity, Presence::optional);
+  first("gravity.ramp", model.gravity_ramp, kRamp);
+  visit_fields(model.damping,
+               [&](std::string_view key, double value, const Quantity& quantity, Presence) {
+                 first("damping." + std::string(key), value, quantity);
+               });
+  require(first.found());
+  require({"damping.mass_factor", find_mass_factor_fault(model)});
+  const auto of_load = [&](const auto& load) { return find_fault(load, model); };
+  check_each("load", model.loads, of_load);
+  check_each("distributed_load", model.distributed_loads, of_load);
+  check_each("hub_load", model.hub_loads, of_load);
+}
+
+}  // namespace spoke::spatial

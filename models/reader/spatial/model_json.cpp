@@ -1,0 +1,210 @@
+// Writes hub, bodies and loads.
+
+#include "models/reader/spatial/model_json.h"
+
+#include <string>
+
+#include "models/reader/drive_json.h"
+#include "models/reader/spatial/joint_json.h"
+#include "models/reader/spatial/spatial_fields.h"
+#include "models/scenario.h"
+
+namespace spoke::spatial {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// For visit_fields().
+struct FieldWriter {
+  Json& json;
+
+  template <class Range>
+  void operator()(std::string_view key, double value, const Range&, Presence) const {
+    json[std::string(key)] = value;
+  }
+  void operator()(std::string_view key, int value, const Count&, Presence) const {
+    json[std::string(key)] = value;
+  }
+  void operator()(std::string_view key, const Vector& value, const Quantity&, Presence) const {
+    json[std::string(key)] = to_json(value);
+  }
+};
+
+Json inertia_to_json(const Tensor& t) {
+  return Json::array({t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(0, 2), t(1, 2)});
+}
+
+Json to_json(const VectorCourse& course, std::string_view unit) {
+  Json json;
+  if (const auto* harmonic = std::get_if<VectorHarmonic>(&course)) {
+    visit_fields(*harmonic, unit, FieldWriter{json});
+    return json;
+  }
+  // A component that is not given is zero, and has one point only.
+  const char* names[] = {"x", "y", "z"};
+  const auto& components = std::get<VectorTable>(course).components;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (components[i].times().size() == 1 && components[i].values()[0] == 0.0) continue;
+    json["time"] = components[i].times();
+    json[names[i]] = components[i].values();
+  }
+  if (json.is_null()) return to_json(VectorCourse(VectorHarmonic{}), unit);
+  return json;
+}
+
+Json to_json(const Hub& hub) {
+  Json json = {{"support", name_of(hub.support)}};
+  const bool is_free = hub.support == HubSupport::free;
+  visit_fields(hub, [&](std::string_view key, const auto& value, const auto& range, Presence p) {
+    if (is_free || (key != "velocity" && key != "angular_velocity"))
+      FieldWriter{json}(key, value, range, p);
+  });
+  json["inertia"] = inertia_to_json(hub.inertia);
+  json["drive"] = drive_to_json(hub.drive);
+  if (hub.mount)
+    json["mount"] = {{"translation", to_json(hub.mount->translation, "m")},
+                     {"rotation", to_json(hub.mount->rotation, "rad")}};
+  return json;
+}
+
+Json to_json(const Sections& sections) {
+  Json json = {{"station", sections.station}};
+  const auto numbers = [&](const char* key, const std::vector<double>& values, const Quantity&) {
+    if (!values.empty()) json[key] = values;
+  };
+  const auto offsets = [&](const char* key, const std::vector<Offset>& values, const Quantity&) {
+    for (const Offset& o : values) json[key].push_back(Json::array({o.x(), o.y()}));
+  };
+  const auto matrices = [&](const char* key, const std::vector<SectionMatrix>& values) {
+    for (const SectionMatrix& m : values) {
+      Json entries = Json::array();
+      for (int r = 0; r < 6; ++r)
+        for (int c = 0; c < 6; ++c) entries.push_back(m(r, c));
+      json[key].push_back(entries);
+    }
+  };
+  numbers("mass_per_length", sections.mass_per_length, {});
+  visit_stiffnesses(sections, numbers);
+  visit_shear_stiffnesses(sections, numbers);
+  visit_inertias(sections, numbers);
+  offsets("mass_center", sections.mass_center, {});
+  visit_stiffness_centers(sections, offsets);
+  matrices("stiffness_6x6", sections.stiffness_6x6);
+  matrices("mass_6x6", sections.mass_6x6);
+  visit_shape(sections, numbers);
+  return json;
+}
+
+void add_beam(const Beam& beam, Json& json) {
+  visit_fields(beam, FieldWriter{json});
+  json["sections"] = to_json(beam.sections);
+  json["geometric_stiffening"] = beam.geometric_stiffening;
+  json["reference_frame"] = name_of(beam.reference_frame);
+  for (const PointMass& point : beam.point_masses) {
+    Json mass;
+    visit_fields(point, FieldWriter{mass});
+    mass["inertia"] = inertia_to_json(point.inertia);
+    json["point_mass"].push_back(mass);
+  }
+}
+
+Json to_json(const Blade& blade) {
+  Json json;
+  add_beam(blade.beam, json);
+  visit_fields(blade, FieldWriter{json});
+  for (const BladeJoint& joint : blade.joints) {
+    Json table = {{"station", joint.station}};
+    add_joint(joint.joint, table);
+    json["joint"].push_back(table);
+  }
+  return json;
+}
+
+Json to_json(const Body& body) {
+  Json json = {{"name", body.name}};
+  if (const auto* beam = std::get_if<Beam>(&body.shape)) {
+    json["kind"] = "beam";
+    add_beam(*beam, json);
+    return json;
+  }
+  const auto& rigid = std::get<RigidBody>(body.shape);
+  json["kind"] = "rigid";
+  visit_fields(rigid, FieldWriter{json});
+  json["inertia"] = inertia_to_json(rigid.inertia);
+  return json;
+}
+
+Json to_json(const Subsystem& subsystem) {
+  Json json = {{"name", subsystem.name}};
+  for (const Body& body : subsystem.bodies) json["body"].push_back(to_json(body));
+  for (const SubsystemJoint& joint : subsystem.joints) {
+    Json table = {{"parent", joint.parent}, {"child", joint.child}};
+    if (joint.station) table["station"] = *joint.station;
+    add_joint(joint.joint, table);
+    json["joint"].push_back(table);
+  }
+  return json;
+}
+
+void add_place(const LoadPlace& place, Json& json) {
+  if (place.subsystem.empty()) {
+    json["blade"] = place.blade.is_all() ? Json("all") : Json(place.blade.number());
+    return;
+  }
+  json["subsystem"] = place.subsystem;
+  json["body"] = place.body;
+}
+
+template <class Load>
+void add_course(const Load& load, Json& json) {
+  json["frame"] = name_of(load.frame);
+  visit_fields(load, FieldWriter{json});
+  json["time"] = load.factor.times();
+  json["factor"] = load.factor.values();
+}
+
+Json to_json(const PointLoad& load) {
+  Json json;
+  add_place(load.place, json);
+  if (load.position) json["position"] = *load.position;
+  if (!load.point.isZero(0.0)) json["point"] = spatial::to_json(load.point);
+  add_course(load, json);
+  return json;
+}
+
+Json to_json(const DistributedLoad& load) {
+  Json json;
+  add_place(load.place, json);
+  json["from"] = load.from;
+  if (load.to) json["to"] = *load.to;
+  add_course(load, json);
+  return json;
+}
+
+Json to_json(const HubLoad& load) {
+  Json json;
+  add_course(load, json);
+  return json;
+}
+
+template <class Items>
+void add_list(const char* key, const Items& items, Json& json) {
+  for (const auto& item : items) json[key].push_back(to_json(item));
+}
+
+}  // namespace
+
+void add_model(const Model& model, Json& json) {
+  json["world"] = "space";
+  json["hub"] = to_json(model.hub);
+  add_list("blades", model.blades, json);
+  add_list("subsystem", model.subsystems, json);
+  json["gravity"] = {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}};
+  json["damping"] = {{"mass_factor", model.damping.mass_factor},
+                     {"stiffness_factor", model.damping.stiffness_factor}};
+  add_list("load", model.loads, json);
+  add_list("distributed_load", model.distributed_loads, json);
+  add_list("hub_load", model.hub_loads, json);
+}
+
+}  // namespace spoke::spatial

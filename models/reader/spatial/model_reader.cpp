@@ -1,0 +1,135 @@
+// Reads the tables of a model in space that are not its bodies.
+
+#include "models/reader/spatial/model_reader.h"
+
+#include "models/reader/blade_choice_reader.h"
+#include "models/reader/scenario_rotor.h"
+#include "models/reader/spatial/body_reader.h"
+#include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/vector_reader.h"
+#include "models/scenario.h"
+
+namespace spoke::spatial {
+namespace {
+
+Hub read_hub(const TomlSection& root) {
+  const TomlSection section =
+      root.section("hub", {"support", "axis", "radius", "mass", "center", "inertia", "drive",
+                           "mount", "velocity", "angular_velocity"});
+  Hub hub;
+  hub.support = section.choice("support", {HubSupport::axle, HubSupport::free}, hub.support);
+  const bool is_free = hub.support == HubSupport::free;
+  visit_fields(hub, VectorReader{section});
+  if (is_free || section.has("inertia"))
+    hub.inertia = read_inertia(section, "inertia", is_free ? Isotropy::refused : Isotropy::allowed);
+  if (!is_free || section.has("drive")) hub.drive = read_drive(section);
+  if (section.has("mount")) {
+    const TomlSection mount = section.section("mount", {"translation", "rotation"});
+    if (!mount.has("translation") && !mount.has("rotation"))
+      mount.fail("", "has neither translation nor rotation, expected at least one of them");
+    hub.mount =
+        MountMotion{read_course(mount, "translation", "m"), read_course(mount, "rotation", "rad")};
+  }
+  if (const Fault fault = find_fault(hub)) section.fail_at(fault.path, fault.text);
+  return hub;
+}
+
+LoadPlace read_place(const TomlSection& section, const Model& model) {
+  LoadPlace place;
+  place.subsystem = section.text("subsystem", "");
+  place.body = section.text("body", "");
+  if (section.has("subsystem") && section.has("blade"))
+    section.fail("blade", "given along with subsystem, expected only one of them");
+  if (!section.has("subsystem") && !model.blades.empty())
+    place.blade = read_blade(section, model.blades.size());
+  return place;
+}
+
+void require_one(const TomlSection& section, std::string_view first, std::string_view second) {
+  if (section.has(first) || section.has(second)) return;
+  section.fail("", "has neither " + std::string(first) + " nor " + std::string(second) +
+                       ", expected one of them as [x, y, z]");
+}
+
+LoadFrame read_frame(const TomlSection& section, LoadFrame fallback) {
+  return section.choice("frame",
+                        {LoadFrame::inertial, LoadFrame::hub, LoadFrame::body, LoadFrame::section},
+                        fallback);
+}
+
+template <class Load>
+void finish_load(const TomlSection& section, const Model& model, Load& load) {
+  visit_fields(load, VectorReader{section});
+  load.factor = read_factor(section);
+  if (const Fault fault = find_fault(load, model)) section.fail_at(fault.path, fault.text);
+}
+
+void read_point_loads(const TomlSection& root, Model& model) {
+  for (const TomlSection& section :
+       root.sections("load", {"blade", "subsystem", "body", "position", "point", "frame", "force",
+                              "moment", "ramp", "time", "factor"})) {
+    PointLoad load;
+    require_one(section, "force", "moment");
+    load.place = read_place(section, model);
+    if (section.has("position")) load.position = section.number("position", kStation);
+    if (section.has("point")) load.point = read_vector(section, "point", kLength);
+    load.frame = read_frame(section, load.frame);
+    finish_load(section, model, load);
+    model.loads.push_back(std::move(load));
+  }
+}
+
+void read_distributed_loads(const TomlSection& root, Model& model) {
+  for (const TomlSection& section :
+       root.sections("distributed_load",
+                     {"blade", "subsystem", "body", "from", "to", "frame", "force_per_length",
+                      "moment_per_length", "ramp", "time", "factor"})) {
+    DistributedLoad load;
+    require_one(section, "force_per_length", "moment_per_length");
+    load.place = read_place(section, model);
+    load.from = section.number("from", kStation, 0.0);
+    if (section.has("to")) load.to = section.number("to", kStation);
+    load.frame = read_frame(section, load.frame);
+    finish_load(section, model, load);
+    model.distributed_loads.push_back(std::move(load));
+  }
+}
+
+void read_hub_loads(const TomlSection& root, Model& model) {
+  for (const TomlSection& section : root.sections(
+           "hub_load", {"position", "frame", "force", "torque", "ramp", "time", "factor"})) {
+    HubLoad load;
+    require_one(section, "force", "torque");
+    if (section.has("position") && !section.has("force"))
+      section.fail("position", "would be ignored, expected only with \"force\"");
+    load.frame = section.choice("frame", {LoadFrame::hub, LoadFrame::inertial}, load.frame);
+    finish_load(section, model, load);
+    model.hub_loads.push_back(std::move(load));
+  }
+}
+
+}  // namespace
+
+Model read_model(const TomlSection& root) {
+  Model model;
+  model.hub = read_hub(root);
+  model.blades = read_blades(root);
+  model.subsystems = read_subsystems(root);
+  if (model.blades.empty() && model.subsystems.empty())
+    root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
+  const std::string size_fault = find_size_fault(model);
+  if (!size_fault.empty()) root.fail(root.has("blade") ? "blade" : "", size_fault);
+  const TomlSection gravity = root.section("gravity", {"acceleration", "ramp"});
+  if (gravity.has("acceleration")) model.gravity = read_vector(gravity, "acceleration", kGravity);
+  model.gravity_ramp = gravity.number("ramp", kRamp, model.gravity_ramp);
+  const TomlSection damping = root.section("damping", {"mass_factor", "stiffness_factor"});
+  visit_fields(model.damping, FieldReader{damping});
+  const std::string damping_fault = find_mass_factor_fault(model);
+  if (!damping_fault.empty()) damping.fail("mass_factor", damping_fault);
+  read_point_loads(root, model);
+  read_distributed_loads(root, model);
+  read_hub_loads(root, model);
+  return model;
+}
+
+}  // namespace spoke::spatial

@@ -1,0 +1,14 @@
+#pragma once
+
+// The model in space of a scenario file.
+
+#include "models/reader/toml_section.h"
+#include "models/spatial_model.h"
+
+namespace spoke::spatial {
+
+/// Reads hub, blades, subsystems, gravity, damping and loads from a scenario's root. Throws
+/// InputError.
+Model read_model(const TomlSection& root);
+
+}  // namespace spoke::spatial

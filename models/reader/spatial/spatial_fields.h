@@ -1,0 +1,172 @@
+#pragma once
+
+// What each number of a model in space must be, as scenario_fields.h has it for the plane: the
+// reader of files, the check of what is filled in code and the writer all go by it.
+// visit_fields() calls visit(key, value, range, presence) for the numbers and vectors of a
+// structure, in the order of the file.
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "models/reader/scenario_fields.h"
+#include "models/spatial_model.h"
+
+namespace spoke::spatial {
+
+inline constexpr Quantity kAngle = Quantity::any("rad");
+inline constexpr Quantity kInertia = Quantity::any("kg m^2");
+inline constexpr Quantity kDirection = Quantity::any("");
+inline constexpr Quantity kVelocity = Quantity::any("m/s");
+inline constexpr Quantity kMoment = Quantity::any("N m");
+inline constexpr Quantity kMomentPerLength = Quantity::any("N");
+
+/// The units of a coordinate of a joint.
+struct CoordinateUnits {
+  std::string_view position, speed, effort, stiffness, damping;
+};
+inline constexpr CoordinateUnits kAngleUnits{"rad", "rad/s", "N m", "N m/rad", "N m s/rad"};
+inline constexpr CoordinateUnits kWayUnits{"m", "m/s", "N", "N/m", "N s/m"};
+
+/// Whether a coordinate of a joint is a way; else it is an angle.
+inline bool is_way(JointKind kind, int coordinate) {
+  return kind == JointKind::prismatic || (kind == JointKind::cylindrical && coordinate == 1);
+}
+inline const CoordinateUnits& units_of(JointKind kind, int coordinate) {
+  return is_way(kind, coordinate) ? kWayUnits : kAngleUnits;
+}
+
+template <PerhapsConst<Hub> H, class Visit>
+void visit_fields(H& hub, const Visit& visit) {
+  const bool is_free = hub.support == HubSupport::free;
+  visit("axis", hub.axis, kDirection, Presence::optional);
+  visit("radius", hub.radius, Quantity::not_negative("m"), Presence::optional);
+  visit("mass", hub.mass, is_free ? Quantity::positive("kg") : Quantity::not_negative("kg"),
+        is_free ? Presence::required : Presence::optional);
+  visit("center", hub.center, kLength, Presence::optional);
+  visit("velocity", hub.velocity, kVelocity, Presence::optional);
+  visit("angular_velocity", hub.angular_velocity, kSpeed, Presence::optional);
+}
+
+template <PerhapsConst<VectorHarmonic> V, class Visit>
+void visit_fields(V& course, std::string_view unit, const Visit& visit) {
+  visit("amplitude", course.amplitude, Quantity::any(unit), Presence::required);
+  visit("frequency", course.frequency, kSpeed, Presence::required);
+  visit("phase", course.phase, kAngle, Presence::optional);
+}
+
+template <PerhapsConst<Beam> B, class Visit>
+void visit_fields(B& beam, const Visit& visit) {
+  visit("length", beam.length, Quantity::positive("m"), Presence::required);
+  visit("bodies", beam.bodies, Count{1, kMostOfAKind}, Presence::optional);
+  visit("elements", beam.elements, Count{1, kMostOfAKind}, Presence::optional);
+}
+
+template <PerhapsConst<Blade> B, class Visit>
+void visit_fields(B& blade, const Visit& visit) {
+  visit("azimuth", blade.azimuth, kAngle, Presence::optional);
+  visit("precone", blade.precone, kAngle, Presence::optional);
+}
+
+template <PerhapsConst<PointMass> P, class Visit>
+void visit_fields(P& point, const Visit& visit) {
+  visit("position", point.position, kStation, Presence::required);
+  visit("mass", point.mass, Quantity::positive("kg"), Presence::required);
+  visit("offset", point.offset, kLength, Presence::optional);
+}
+
+template <PerhapsConst<RigidBody> R, class Visit>
+void visit_fields(R& body, const Visit& visit) {
+  visit("mass", body.mass, Quantity::positive("kg"), Presence::required);
+  visit("center", body.center, kLength, Presence::optional);
+}
+
+/// The arrays of sections that hold a number for each station. visit(key, values, quantity); the
+/// material is all but the shape.
+template <PerhapsConst<Sections> S, class Visit>
+void visit_stiffnesses(S& s, const Visit& visit) {
+  visit("axial_stiffness", s.axial_stiffness, Quantity::positive("N"));
+  visit("flap_stiffness", s.flap_stiffness, Quantity::positive("N m^2"));
+  visit("lag_stiffness", s.lag_stiffness, Quantity::positive("N m^2"));
+  visit("torsion_stiffness", s.torsion_stiffness, Quantity::positive("N m^2"));
+}
+template <PerhapsConst<Sections> S, class Visit>
+void visit_shear_stiffnesses(S& s, const Visit& visit) {
+  visit("flap_shear_stiffness", s.flap_shear_stiffness, Quantity::positive("N"));
+  visit("lag_shear_stiffness", s.lag_shear_stiffness, Quantity::positive("N"));
+}
+template <PerhapsConst<Sections> S, class Visit>
+void visit_inertias(S& s, const Visit& visit) {
+  visit("flap_inertia", s.flap_inertia, Quantity::positive("kg m"));
+  visit("lag_inertia", s.lag_inertia, Quantity::positive("kg m"));
+}
+template <PerhapsConst<Sections> S, class Visit>
+void visit_shape(S& s, const Visit& visit) {
+  visit("twist", s.twist, kAngle);
+  visit("sweep", s.sweep, kLength);
+  visit("prebend", s.prebend, kLength);
+  visit("chord", s.chord, Quantity::not_negative("m"));
+  visit("thickness", s.thickness, Quantity::not_negative("m"));
+}
+/// The arrays that hold two numbers for each station.
+template <PerhapsConst<Sections> S, class Visit>
+void visit_stiffness_centers(S& s, const Visit& visit) {
+  visit("tension_center", s.tension_center, kLength);
+  visit("shear_center", s.shear_center, kLength);
+}
+
+template <PerhapsConst<Stop> S, class Visit>
+void visit_fields(S& stop, const CoordinateUnits& unit, const Visit& visit) {
+  visit("lower", stop.lower, Quantity::any(unit.position), Presence::required);
+  visit("upper", stop.upper, Quantity::any(unit.position), Presence::required);
+  visit("stiffness", stop.stiffness, Quantity::positive(unit.stiffness), Presence::required);
+  visit("damping", stop.damping, Quantity::not_negative(unit.damping), Presence::optional);
+  visit("width", stop.width, Quantity::positive(unit.position), Presence::required);
+}
+
+template <PerhapsConst<AzimuthMotion> M, class Visit>
+void visit_fields(M& motion, const CoordinateUnits& unit, const Visit& visit) {
+  visit("mean", motion.mean, Quantity::any(unit.position), Presence::optional);
+  visit("cosine", motion.cosine, Quantity::any(unit.position), Presence::optional);
+  visit("sine", motion.sine, Quantity::any(unit.position), Presence::optional);
+}
+
+/// The numbers of a coordinate that are keys of its joint.
+template <PerhapsConst<JointCoordinate> C, class Visit>
+void visit_fields(C& coordinate, const CoordinateUnits& unit, const Visit& visit) {
+  visit("stiffness", coordinate.stiffness, Quantity::not_negative(unit.stiffness));
+  visit("damping", coordinate.damping, Quantity::not_negative(unit.damping));
+  visit("rest", coordinate.rest, Quantity::any(unit.position));
+  visit("initial", coordinate.initial, Quantity::any(unit.position));
+  visit("initial_speed", coordinate.initial_speed, Quantity::any(unit.speed));
+}
+
+template <PerhapsConst<Joint> J, class Visit>
+void visit_fields(J& joint, const Visit& visit) {
+  visit("offset", joint.offset, kLength, Presence::optional);
+  visit("orientation", joint.orientation, kAngle, Presence::optional);
+}
+
+template <PerhapsConst<PointLoad> L, class Visit>
+void visit_fields(L& load, const Visit& visit) {
+  visit("force", load.force, kForce, Presence::optional);
+  visit("moment", load.moment, kMoment, Presence::optional);
+  visit("ramp", load.ramp, kRamp, Presence::optional);
+}
+
+template <PerhapsConst<DistributedLoad> L, class Visit>
+void visit_fields(L& load, const Visit& visit) {
+  visit("force_per_length", load.force_per_length, kForcePerLength, Presence::optional);
+  visit("moment_per_length", load.moment_per_length, kMomentPerLength, Presence::optional);
+  visit("ramp", load.ramp, kRamp, Presence::optional);
+}
+
+template <PerhapsConst<HubLoad> L, class Visit>
+void visit_fields(L& load, const Visit& visit) {
+  visit("position", load.position, kLength, Presence::optional);
+  visit("force", load.force, kForce, Presence::optional);
+  visit("torque", load.torque, kMoment, Presence::optional);
+  visit("ramp", load.ramp, kRamp, Presence::optional);
+}
+
+}  // namespace spoke::spatial

@@ -1,0 +1,60 @@
+// Arrays of three and six numbers.
+
+#include "models/reader/spatial/vector_reader.h"
+
+#include "models/reader/curve_reader.h"
+
+namespace spoke::spatial {
+
+void VectorReader::operator()(std::string_view key, Vector& value, const Quantity& quantity,
+                              Presence presence) const {
+  if (presence == Presence::required || section.has(key))
+    value = read_vector(section, key, quantity);
+}
+
+Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity) {
+  const std::vector<double> values = section.numbers(key, quantity, 3);
+  return Vector::Map(values.data());
+}
+
+Tensor read_inertia(const TomlSection& section, std::string_view key, Isotropy isotropy) {
+  const std::string expected = "3 moments of inertia, or 6 entries xx, yy, zz, xy, xz, yz (kg m^2)";
+  if (!section.has(key)) section.fail(key, "is missing, expected " + expected);
+  if (isotropy == Isotropy::allowed && !section.is_array(key))
+    return section.number(key, Quantity::positive("kg m^2")) * Tensor::Identity();
+  if (!section.is_array(key)) section.fail_expected(key, expected);
+  const std::vector<double> v = section.numbers(key, kInertia);
+  if (v.size() != 3 && v.size() != 6) section.fail_expected(key, expected);
+  Tensor tensor = Vector(v[0], v[1], v[2]).asDiagonal();
+  if (v.size() == 3) return tensor;
+  tensor(0, 1) = tensor(1, 0) = v[3];
+  tensor(0, 2) = tensor(2, 0) = v[4];
+  tensor(1, 2) = tensor(2, 1) = v[5];
+  return tensor;
+}
+
+Curve read_factor(const TomlSection& section) {
+  if (!section.has("time") && !section.has("factor")) return Curve(1.0);
+  return read_curve(section, "time", kTime, "factor", kFactor);
+}
+
+VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit) {
+  if (!section.has(key)) return VectorHarmonic{};
+  const TomlSection table =
+      section.section(key, {"time", "x", "y", "z", "amplitude", "frequency", "phase"});
+  if (table.has("time")) {
+    for (const char* other : {"amplitude", "frequency", "phase"})
+      if (table.has(other)) table.fail(other, "given along with time, expected only one of them");
+    VectorTable course;
+    const char* names[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (table.has(names[i]))
+        course.components[i] = read_curve(table, "time", kTime, names[i], Quantity::any(unit));
+    return course;
+  }
+  VectorHarmonic course;
+  visit_fields(course, unit, VectorReader{table});
+  return course;
+}
+
+}  // namespace spoke::spatial

@@ -1,0 +1,41 @@
+#pragma once
+
+// Reading of what has several components: vectors, tensors, curves of vectors.
+
+#include <string_view>
+
+#include "models/reader/field_reader.h"
+#include "models/reader/spatial/spatial_fields.h"
+#include "models/reader/toml_section.h"
+
+namespace spoke::spatial {
+
+/// For visit_fields() of structures with vectors; FieldReader for the numbers.
+struct VectorReader {
+  const TomlSection& section;
+
+  template <class Number, class Range>
+  void operator()(std::string_view key, Number& value, const Range& range,
+                  Presence presence) const {
+    FieldReader{section}(key, value, range, presence);
+  }
+  void operator()(std::string_view key, Vector& value, const Quantity& quantity,
+                  Presence presence) const;
+};
+
+/// An array of three numbers.
+Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity);
+
+/// An inertia tensor: three moments, or the six entries xx, yy, zz, xy, xz, yz; where one number is
+/// allowed, that about every axis.
+enum class Isotropy { refused, allowed };
+Tensor read_inertia(const TomlSection& section, std::string_view key, Isotropy isotropy);
+
+/// The keys "time" and "factor" of a load; 1 if there are none.
+Curve read_factor(const TomlSection& section);
+
+/// The table `key`, with "time" and arrays x, y, z, or with "amplitude" and "frequency"; zero if it
+/// is missing.
+VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit);
+
+}  // namespace spoke::spatial

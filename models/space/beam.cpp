@@ -1,0 +1,57 @@
+// What lies between the stations of a beam.
+
+#include "models/space/beam.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "models/space/rotation_vector.h"
+
+namespace spoke::space {
+
+std::size_t Beam::interval(double x) const {
+  assert(station.size() > 1);
+  const auto beyond = std::upper_bound(station.begin() + 1, station.end() - 1, x);
+  return static_cast<std::size_t>(beyond - station.begin()) - 1;
+}
+
+SectionMatrices Beam::section(double x) const {
+  const std::size_t k = interval(x);
+  const double t = (x - station[k]) / (station[k + 1] - station[k]);
+  if (!matrices.empty()) return reduce(interpolate(matrices[k], matrices[k + 1], t));
+  return reduce(interpolate(properties[k], properties[k + 1], t));
+}
+
+double Beam::twist_at(double x) const {
+  if (twist.empty()) return 0.0;
+  const std::size_t k = interval(x);
+  const double t = (x - station[k]) / (station[k + 1] - station[k]);
+  return twist[k] + t * (twist[k + 1] - twist[k]);
+}
+
+SectionAt Beam::geometry(double x) const {
+  SectionAt at{curve.at(x), curve.slope(x), {}};
+  at.axes = smallest_rotation(Position::UnitX(), at.tangent.normalized()) *
+            exponential(Position(twist_at(x), 0.0, 0.0));
+  return at;
+}
+
+std::vector<double> Beam::breaks(double from, double to) const {
+  std::vector<double> places{from, to};
+  const auto add = [&](double x) {
+    if (x > from && x < to) places.push_back(x);
+  };
+  for (const double x : station) add(x);
+  for (const Position& point : curve.points()) add(point.x());
+  for (const PointMass& point : masses) add(point.station);
+  std::sort(places.begin(), places.end());
+  // What lies closer together than this is one place, rounded.
+  const double shortest = 1e-12 * (to - from);
+  const auto last = std::unique(places.begin(), places.end(),
+                                [&](double a, double b) { return b - a < shortest; });
+  places.erase(last, places.end());
+  places.back() = to;
+  return places;
+}
+
+}  // namespace spoke::space

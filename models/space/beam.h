@@ -1,0 +1,54 @@
+#pragma once
+
+// A beam in space as it is described: a reference curve, and along it sections, twist and small
+// masses (docs/formulation.md, section 10). Places are given by the station x [m], the coordinate
+// along the x axis of the beam's frame.
+
+#include <vector>
+
+#include "models/space/reference_curve.h"
+#include "models/space/section_matrices.h"
+
+namespace spoke::space {
+
+/// A small rigid mass fixed to a section.
+struct PointMass {
+  double station = 0.0;  ///< [m]
+  /// About the section's reference point, in its axes.
+  MassMoments moments;
+};
+
+/// What a beam is made of at a station.
+struct SectionAt {
+  Position p;        ///< reference point, beam's frame [m]
+  Position tangent;  ///< dp/dx: of length 1 if the beam is straight
+  Rotation axes;     ///< from section axes to the beam's frame
+};
+
+/// Stations ascend; of sections and twist there is one for each station, but either `properties` or
+/// `matrices` is empty, and `twist` may be.
+struct Beam {
+  std::vector<double> station;                ///< from the first to the last place of the beam [m]
+  std::vector<SectionProperties> properties;  ///< linear between stations
+  std::vector<StiffnessAndMass> matrices;     ///< linear between stations
+  /// Of the sections about the tangent, right-handed, from the beam's y and z axes [rad]; linear
+  /// between stations.
+  std::vector<double> twist;
+  ReferenceCurve curve;
+  std::vector<PointMass> masses;
+  /// Damping in proportion to the stiffness, a factor [s] for each strain.
+  Twist damping = Twist::Zero();
+
+  SectionMatrices section(double x) const;
+  double twist_at(double x) const;
+  SectionAt geometry(double x) const;
+
+  /// Stations between `from` and `to` [m] at which a property, the twist, the curve or the mass
+  /// outboard changes its law, both ends included, in order.
+  std::vector<double> breaks(double from, double to) const;
+
+ private:
+  std::size_t interval(double x) const;
+};
+
+}  // namespace spoke::space

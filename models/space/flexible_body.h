@@ -1,0 +1,80 @@
+#pragma once
+
+// A flexible body in space in its floating frame B, as the constants that its equations of motion
+// need (docs/formulation.md, section 10). Node k = 0..E has the coordinates (u, v, w, tx, ty, tz),
+// displacement and small rotation, in B. A flex vector holds them node after node, without those
+// that the reference frame fixes.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "models/rotor.h"
+#include "models/space/beam_element.h"
+#include "models/space/block_tridiagonal.h"
+
+namespace spoke::space {
+
+/// The slots of a body. Their components are multiplied by one constant scalar matrix m, whatever
+/// the direction, so that no motion of the frame can deform the body. The slots of a node are its
+/// place and its axes along x, y, z of B; what an element's stretch adds to the tangents at its two
+/// nodes is a slot of the element, sigma = e1 e1.(u_2 - u_1)/l.
+struct SlotMasses {
+  using NodeBlock = std::array<double, kNodeSlots * kNodeSlots>;  ///< row by row [kg, kg m, kg m^2]
+  std::vector<NodeBlock> own;                                     ///< of a node with itself
+  std::vector<NodeBlock> next;  ///< rows of node e, columns of node e + 1
+  /// Row of an element's stretch: with the slots of its inner and of its outer node.
+  std::vector<std::array<double, kElementSlots>> stretch;
+  std::vector<double> stretch_own;
+  /// The places and x axes, the y axes and the z axes do not meet: the body is straight, and its
+  /// sections are symmetric about the y and z axes of B.
+  bool is_decoupled = false;
+};
+
+/// C_t of a node: how its coordinates' accelerations count in the body's momentum (transposed).
+using NodeMomentum = Eigen::Matrix<double, kTwist, 3, Eigen::DontAlign>;
+
+struct FlexibleBody {
+  ReferenceFrame reference_frame = ReferenceFrame::clamped;
+  int elements = 0;
+  Pose pose;                     ///< of B, undeformed, in the frame of the beam
+  std::vector<Position> nodes;   ///< undeformed places in B, the first at its origin [m]
+  std::vector<double> stations;  ///< of the nodes on the beam [m]
+  std::vector<BeamElement> beam;
+  bool is_straight = false;  ///< the axes of all elements are those of B
+  bool is_damped = false;    ///< D is not zero
+  /// Nodes at which joints hold the body: first node 0 (the inboard handle), then others,
+  /// ascending.
+  std::vector<int> handles;
+
+  double mass = 0.0;               ///< [kg]
+  Position S0 = Position::Zero();  ///< undeformed first moment [kg m]
+  Matrix3 J0 = Matrix3::Zero();    ///< undeformed int r r^T dm [kg m^2]
+  SlotMasses slots;
+  std::vector<NodeMomentum> C_t;  ///< by node [kg, kg m]
+  // All coordinates of all nodes; those that the frame fixes have rows too.
+  BlockTridiagonal M;  ///< Mff [kg, kg m, kg m^2]
+  BlockTridiagonal K;  ///< elastic stiffness [N/m, N, N m]
+  BlockTridiagonal D;  ///< damping of the sections [N s/m, N s, N m s]
+
+  /// From the first to the last node [m].
+  double length() const { return nodes.back().x(); }
+  int node_count() const { return elements + 1; }
+  /// The first node that has coordinates.
+  int first_node() const { return reference_frame == ReferenceFrame::clamped ? 1 : 0; }
+  /// nf: deformation coordinates.
+  int coordinates() const { return kTwist * elements; }
+  /// Index of a coordinate of a node in flex vectors; -1 if the reference frame fixes it. `clamped`
+  /// fixes node 0; `chord` u, v, w, tx of node 0, and v, w of node E.
+  int coordinate(int node, int component) const;
+};
+
+/// Assembles the constants of a body, element by element. Throws nothing; preconditions: compliance
+/// and mass are positive definite but for what is rigid in shear; handles as in FlexibleBody.
+FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
+                            ReferenceFrame reference_frame, std::vector<int> handles);
+
+/// Stations of a body's nodes with elements of equal length.
+std::vector<double> equal_stations(double from, double to, int elements);
+
+}  // namespace spoke::space

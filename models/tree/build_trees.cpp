@@ -1,0 +1,181 @@
+// Makes bodies and joints of blades and subsystems.
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include "models/space/reference_curve.h"
+#include "models/space/rotation_vector.h"
+#include "models/tree/beam_cuts.h"
+#include "models/tree/tree.h"
+
+namespace spoke::spatial {
+namespace {
+
+Tensor rotation_of(const Vector& rotation_vector) {
+  return space::exponential(rotation_vector).axes;
+}
+
+/// A place where something is joined to: of the hub, a rigid body, or a node.
+struct Handle {
+  int body = -1;
+  std::size_t node = 0;
+};
+
+/// The node of a body at a station, if it has one there.
+std::optional<std::size_t> find_node(const FlexibleBody& body, double station, double resolution) {
+  for (std::size_t k = 0; k < body.nodes.size(); ++k)
+    if (std::abs(body.nodes[k] - station) <= resolution) return k;
+  return std::nullopt;
+}
+
+/// Adds a body on a handle. The joint's offset and orientation become the placement.
+int add_body(Tree& tree, std::string name, std::variant<FlexibleBody, RigidBody> shape,
+             const Handle& parent, Placement placement, Joint joint) {
+  placement = placement * Placement{joint.offset, rotation_of(joint.orientation)};
+  joint.offset = joint.orientation = Vector::Zero();
+  tree.bodies.push_back(
+      {std::move(name), std::move(shape), parent.body, parent.node, placement, std::move(joint)});
+  return static_cast<int>(tree.bodies.size()) - 1;
+}
+
+/// The joints within a beam, and what it is joined to.
+struct BeamRoot {
+  Handle parent;        ///< of its first body
+  Placement placement;  ///< in the parent's frame
+  Joint joint;          ///< of its first body, if no joint of `inner` is at the root
+};
+
+/// Adds the bodies of a beam; `inner` joints part it, `places` need nodes.
+void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamRoot& root,
+              const std::vector<BladeJoint>& inner, const std::vector<double>& places) {
+  std::vector<double> cuts;
+  for (const BladeJoint& joint : inner) cuts.push_back(joint.station);
+  const std::size_t index = tree.beams.size();
+  tree.beams.push_back(beam);
+  const std::vector<std::vector<double>> all_nodes = cut_beam(beam, cuts, places);
+  Handle parent = root.parent;
+  Placement placement = root.placement;
+  for (std::size_t i = 0; i < all_nodes.size(); ++i) {
+    const std::vector<double>& nodes = all_nodes[i];
+    const auto here = std::find_if(inner.begin(), inner.end(), [&](const BladeJoint& joint) {
+      return std::abs(joint.station - nodes.front()) <= resolution_of(beam);
+    });
+    const Joint joint = here != inner.end() ? here->joint : i == 0 ? root.joint : Joint{};
+    const std::string label = all_nodes.size() == 1 ? name
+                                                    : name + (name.empty() ? "body " : " / body ") +
+                                                          std::to_string(i + 1);
+    const int body = add_body(tree, label, FlexibleBody{index, nodes}, parent, placement, joint);
+    parent = {body, nodes.size() - 1};
+    placement = {};
+  }
+}
+
+Tree build_tree(const Blade& blade, const Hub& hub, std::size_t number) {
+  Tree tree;
+  tree.name = "blade " + std::to_string(number);
+  tree.azimuth = blade.azimuth;
+  const Tensor turned =
+      rotation_of(blade.azimuth * Vector::UnitZ()) * rotation_of(-blade.precone * Vector::UnitY());
+  const Placement root =
+      rotor_placement(hub) * Placement{turned * (hub.radius * Vector::UnitX()), turned};
+  add_beam(tree, blade.beam, "", {{}, root, {}}, blade.joints, {});
+  if (tree.bodies.size() == 1) tree.bodies[0].name = "body 1";
+  return tree;
+}
+
+/// Adds the bodies of a subsystem, each after its parent.
+class SubsystemBuilder {
+ public:
+  explicit SubsystemBuilder(const Subsystem& subsystem) : subsystem_(subsystem) {
+    tree_.name = subsystem.name;
+    for (const SubsystemJoint& joint : subsystem.joints) children_.emplace(joint.parent, &joint);
+  }
+
+  Tree build() && {
+    // Depth first, siblings in the order in which they are given.
+    std::vector<const SubsystemJoint*> next = children_of("hub");
+    std::reverse(next.begin(), next.end());
+    while (!next.empty()) {
+      const SubsystemJoint& joint = *next.back();
+      next.pop_back();
+      add(joint);
+      const auto further = children_of(joint.child);
+      next.insert(next.end(), further.rbegin(), further.rend());
+    }
+    return std::move(tree_);
+  }
+
+ private:
+  struct Added {
+    std::size_t first, last;  ///< its bodies in the tree
+  };
+
+  std::vector<const SubsystemJoint*> children_of(const std::string& name) const {
+    std::vector<const SubsystemJoint*> joints;
+    const auto [begin, end] = children_.equal_range(name);
+    for (auto it = begin; it != end; ++it) joints.push_back(it->second);
+    return joints;
+  }
+
+  const Body& body(const std::string& name) const {
+    return *std::find_if(subsystem_.bodies.begin(), subsystem_.bodies.end(),
+                         [&](const Body& b) { return b.name == name; });
+  }
+
+  /// What a joint is on: of a beam the innermost body with a node there.
+  Handle handle_of(const SubsystemJoint& joint) const {
+    if (joint.parent == "hub") return {};
+    const Added& parent = added_.at(joint.parent);
+    const auto* beam = std::get_if<Beam>(&body(joint.parent).shape);
+    if (beam == nullptr) return {static_cast<int>(parent.first), 0};
+    for (std::size_t i = parent.first; i <= parent.last; ++i) {
+      const auto node = find_node(std::get<FlexibleBody>(tree_.bodies[i].shape),
+                                  joint.station.value_or(beam->length), resolution_of(*beam));
+      if (node) return {static_cast<int>(i), *node};
+    }
+    assert(false && "places of children are nodes");
+    return {};
+  }
+
+  void add(const SubsystemJoint& joint) {
+    const Body& child = body(joint.child);
+    const std::size_t first = tree_.bodies.size();
+    if (const auto* beam = std::get_if<Beam>(&child.shape)) {
+      std::vector<double> places;
+      for (const SubsystemJoint* further : children_of(child.name))
+        places.push_back(further->station.value_or(beam->length));
+      add_beam(tree_, *beam, child.name, {handle_of(joint), {}, joint.joint}, {}, places);
+    } else {
+      add_body(tree_, child.name, std::get<RigidBody>(child.shape), handle_of(joint), {},
+               joint.joint);
+    }
+    added_[child.name] = {first, tree_.bodies.size() - 1};
+  }
+
+  const Subsystem& subsystem_;
+  std::multimap<std::string, const SubsystemJoint*> children_;  ///< by the name of the parent
+  std::map<std::string, Added> added_;
+  Tree tree_;
+};
+
+}  // namespace
+
+Placement rotor_placement(const Hub& hub) {
+  const Vector axis = hub.axis.normalized();
+  // Of all half turns that take z to -z: the one about x.
+  if (axis.z() < -1.0 + 1e-14) return {Vector::Zero(), Vector(1.0, -1.0, -1.0).asDiagonal()};
+  return {Vector::Zero(), space::smallest_rotation(Vector::UnitZ(), axis).axes};
+}
+
+std::vector<Tree> build_trees(const Model& model) {
+  std::vector<Tree> trees;
+  for (std::size_t i = 0; i < model.blades.size(); ++i)
+    trees.push_back(build_tree(model.blades[i], model.hub, i + 1));
+  for (const Subsystem& subsystem : model.subsystems)
+    trees.push_back(SubsystemBuilder(subsystem).build());
+  return trees;
+}
+
+}  // namespace spoke::spatial

@@ -1,0 +1,59 @@
+// Places and masses of the bodies of a tree.
+
+#include "models/tree/tree.h"
+
+#include "models/tree/space_beam.h"
+
+namespace spoke::spatial {
+namespace {
+
+/// Where a node's frame is in that of its body.
+Placement placement_of(const Tree& tree, const TreeBody& body, std::size_t node) {
+  const auto* flexible = std::get_if<FlexibleBody>(&body.shape);
+  if (flexible == nullptr) return {};
+  const space::ReferenceCurve axis = make_space_beam(tree.beams[flexible->beam], 0.0).curve;
+  return {axis.at(flexible->nodes[node]) - axis.at(flexible->nodes.front()), Tensor::Identity()};
+}
+
+}  // namespace
+
+std::vector<Placement> calc_placements(const Tree& tree) {
+  std::vector<Placement> placements;
+  for (const TreeBody& body : tree.bodies) {
+    if (body.parent < 0) {
+      placements.push_back(body.placement);
+      continue;
+    }
+    const auto parent = static_cast<std::size_t>(body.parent);
+    placements.push_back(placements[parent] *
+                         placement_of(tree, tree.bodies[parent], body.parent_node) *
+                         body.placement);
+  }
+  return placements;
+}
+
+MassProperties calc_mass_properties(const Tree& tree, const TreeBody& body) {
+  if (const auto* rigid = std::get_if<RigidBody>(&body.shape))
+    return make_mass_properties(rigid->mass, rigid->center, rigid->inertia);
+  const auto& flexible = std::get<FlexibleBody>(body.shape);
+  const space::Beam beam = make_space_beam(tree.beams[flexible.beam], 0.0);
+  const double from = flexible.nodes.front(), to = flexible.nodes.back();
+  return calc_mass_properties(beam, from, to)
+      .seen_from_outside({-beam.curve.at(from), Tensor::Identity()});
+}
+
+MassProperties calc_mass_properties(const Tree& tree) {
+  const std::vector<Placement> placements = calc_placements(tree);
+  MassProperties total;
+  for (std::size_t i = 0; i < tree.bodies.size(); ++i)
+    total += calc_mass_properties(tree, tree.bodies[i]).seen_from_outside(placements[i]);
+  return total;
+}
+
+MassProperties calc_mass_properties(const Hub& hub, const std::vector<Tree>& trees) {
+  MassProperties total = make_mass_properties(hub.mass, hub.center, hub.inertia);
+  for (const Tree& tree : trees) total += calc_mass_properties(tree);
+  return total;
+}
+
+}  // namespace spoke::spatial

@@ -1,0 +1,71 @@
+// Models in space on the command line.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/cli/program.h"
+
+TEST_CASE("check prints the tree of a model in space, and its mass") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("articulated_rotor")}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* part :
+       {"Articulated rotor with cyclic pitch\n", "in space, 4 trees, 24 bodies, 588 coordinates\n",
+        "  blade 1         body 1 (beam, 0 to 0.3 m, 4 elements), on the hub: fixed\n",
+        "                    body 2 (beam, 0.3 to 0.4 m, 4 elements), on body 1 at 0.3 m: hinges, "
+        "universal about [0, -1, 0], [0, 0, 1], free and free\n",
+        "                      body 3 ... body 6 (beam, 0.4 to 7.3 m, 16 elements), on body 2 at "
+        "0.4 m: pitch, revolute about [1, 0, 0], prescribed\n",
+        "67.16 kg, first moment [242.47, 0, 0] kg m\n", "  blade 4         as blade 1\n",
+        "  all             268.64 kg, first moment [0, 0, 0] kg m\n"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("check prints branches behind the body that they are on") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("tree_of_bodies")}, folder);
+  CHECK(ended.status == 0);
+  std::size_t at = 0;
+  for (const char* line :
+       {"boom / body 1 ... boom / body 2 (beam, 0 to 6 m, 8 elements), on the hub",
+        "  bracket (rigid, 2 kg), on boom / body 1 at 3 m: bracket, fixed",
+        "    panel (beam, 0 to 4 m, 6 elements), on bracket: panel, revolute",
+        "  antenna (rigid, 9 kg), on boom / body 2 at 6 m: gimbal, universal"}) {
+    CAPTURE(line);
+    at = ended.out.find(line, at);
+    CHECK(at != std::string::npos);
+  }
+}
+
+TEST_CASE("check accepts every shipped scenario in space, with overrides") {
+  const WorkFolder folder;
+  for (const char* name :
+       {"nrel_5mw_rotor", "drone_rotor", "satellite_booms", "heavy_top", "spatial_wu_haug"}) {
+    CAPTURE(name);
+    CHECK(run_spoke({"check", shipped(name)}, folder).status == 0);
+  }
+  const Ended ended = run_spoke(
+      {"check", shipped("nrel_5mw_rotor"), "--set", "blade.bodies=8", "--set", "blade.count=2"},
+      folder);
+  CHECK(ended.out.find("2 trees, 16 bodies") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("heavy_top"), "--set", "subsystem.1.body.1.inertia=[1,1,0]"},
+                  folder)
+            .status == 2);
+}
+
+TEST_CASE("what simulates refuses a model in space in one line") {
+  const WorkFolder folder;
+  for (const char* command : {"run", "compare", "predict", "trace"}) {
+    CAPTURE(command);
+    const Ended ended = run_spoke({command, shipped("heavy_top")}, folder);
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find("world: is \"space\"") != std::string::npos);
+    CHECK(ended.err.find('\n') == ended.err.size() - 1);
+  }
+  CHECK(folder.entries() == 0);
+}

@@ -1,0 +1,296 @@
+#include "engine/space/body_terms.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+
+#include "engine/space/body_energies.h"
+#include "engine/space/dense_body.h"
+#include "models/system/beam_elements.h"
+#include "tests/engine/space/bodies.h"
+
+// Within the namespace: the plane's types have the same names.
+namespace spoke::space::test {
+namespace {
+
+/// All that a body's kinetic energy depends on: twist of its frame, of the hub, deformation.
+struct Motion {
+  Twist twist;
+  Angular hub_w;
+  Eigen::VectorXd q, v;
+};
+
+/// Velocities of a motion: (v0, w, q', w0).
+Eigen::VectorXd momenta(const TestBody& test, const Motion& motion) {
+  const auto nf = motion.v.size();
+  Eigen::VectorXd p(kTwist + nf + 3);
+  const auto energy = [&](Eigen::Index i, double step) {
+    Motion moved = motion;
+    if (i < kTwist)
+      moved.twist[i] += step;
+    else if (i < kTwist + nf)
+      moved.v[i - kTwist] += step;
+    else
+      moved.hub_w[i - kTwist - nf] += step;
+    return calc_kinetic(test, moved.twist, moved.hub_w, moved.q, moved.v);
+  };
+  // T is quadratic in the velocities: the central difference is exact.
+  for (Eigen::Index i = 0; i < p.size(); ++i) p[i] = 0.5 * (energy(i, 1.0) - energy(i, -1.0));
+  return p;
+}
+
+/// d/dt of the momenta along accelerations (X_t - w x v0, alpha, q'', w0'), extrapolated.
+Eigen::VectorXd momenta_rate(const TestBody& test, const Motion& motion, const Twist& twist_rate,
+                             const Eigen::VectorXd& a, const Angular& hub_a) {
+  const auto difference = [&](double h) -> Eigen::VectorXd {
+    const auto at = [&](double t) {
+      return momenta(test, {motion.twist + t * twist_rate, motion.hub_w + t * hub_a,
+                            motion.q + t * motion.v + 0.5 * t * t * a, motion.v + t * a});
+    };
+    return (at(h) - at(-h)) / (2.0 * h);
+  };
+  const double h = 2e-3;
+  return (4.0 * difference(h) - difference(2.0 * h)) / 3.0;
+}
+
+/// d(T - V)/dq: both are polynomials of second degree in q, or of no higher with this accuracy.
+Eigen::VectorXd lagrangian_slope(const TestBody& test, const Motion& motion) {
+  Eigen::VectorXd slope(motion.q.size());
+  const auto value = [&](Eigen::Index i, double step) {
+    Eigen::VectorXd q = motion.q;
+    q[i] += step;
+    return calc_kinetic(test, motion.twist, motion.hub_w, q, motion.v) -
+           calc_potential(test, test.motion.gravity, q);
+  };
+  for (Eigen::Index i = 0; i < slope.size(); ++i) slope[i] = 0.5 * (value(i, 1.0) - value(i, -1.0));
+  return slope;
+}
+
+Motion draw_motion(const TestBody& test, std::mt19937& random) {
+  Motion motion{make_twist(draw_vector(20.0, random), test.motion.w), test.motion.hub_w, test.q,
+                test.v};
+  return motion;
+}
+
+const std::vector<BeamOptions> kStraightAndBent{{false, false, true}, {true, true, true}};
+
+}  // namespace
+
+TEST_CASE("terms of a spatial body are those of the Boltzmann-Hamel equations, at any velocity") {
+  std::mt19937 random(21);
+  for (const BeamOptions& options : kStraightAndBent)
+    for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
+      for (const int elements : {1, 3}) {
+        CAPTURE(elements);
+        const auto test = make_random_body(options, elements, frame, random);
+        test->follow();
+        test->damping = {};
+        for (BeamElement& element : test->body.beam) element.damping.setZero();
+        test->calc_terms();
+        const Motion motion = draw_motion(*test, random);
+        const Position v0 = linear(motion.twist);
+        const Angular w = angular(motion.twist);
+        const Twist X = make_twist(draw_vector(5.0, random), draw_vector(5.0, random));
+        const Eigen::VectorXd a = Eigen::VectorXd::Random(motion.q.size());
+        const Angular hub_a = draw_vector(2.0, random);
+        const auto nf = a.size();
+
+        const Eigen::VectorXd p = momenta(*test, motion);
+        Eigen::VectorXd expected =
+            momenta_rate(*test, motion, make_twist(linear(X) - cross(w, v0), angular(X)), a, hub_a);
+        const Position p_t = p.head<3>(), p_w = p.segment<3>(3), p_hub = p.tail<3>();
+        expected.head<3>() += cross(w, p_t);
+        expected.segment<3>(3) += cross(w, p_w) + cross(v0, p_t);
+        expected.segment(kTwist, nf) -= lagrangian_slope(*test, motion);
+        expected.tail<3>() += cross(motion.hub_w, p_hub);
+
+        Eigen::MatrixXd mass(kTwist + nf, kTwist + nf);
+        Eigen::VectorXd force(kTwist + nf), acceleration(kTwist + nf);
+        calc_dense_mass(test->body, test->terms, test->work,
+                        make_dense_elastic_block(test->body, kExplicit), mass);
+        calc_dense_force(test->body, test->terms, test->work, force);
+        acceleration << X, a;
+        const Eigen::VectorXd found = mass * acceleration - force;
+        const double scale = expected.lpNorm<Eigen::Infinity>();
+        CHECK((found - expected.head(kTwist + nf)).lpNorm<Eigen::Infinity>() < 1e-9 * scale);
+        // What the stiffening leaves to the hub.
+        const HubShare& hub = test->terms.hub;
+        const Angular& w0 = motion.hub_w;
+        const Position share =
+            -hub.Lambda * hub_a - hub.Lambda_rate * w0 - cross(w0, Position(hub.Lambda * w0));
+        CHECK((share - expected.tail<3>()).norm() < 1e-9 * scale);
+      }
+}
+
+TEST_CASE("energies of a spatial body are the sums over its slots and elements") {
+  std::mt19937 random(22);
+  for (const BeamOptions& options : kStraightAndBent) {
+    const auto test = make_random_body(options, 4, ReferenceFrame::chord, random);
+    const Motion motion = draw_motion(*test, random);
+    const double kinetic = calc_kinetic(*test, motion.twist, motion.hub_w, motion.q, motion.v);
+    const double potential = calc_potential(*test, test->motion.gravity, motion.q);
+    test->calc_terms();
+    const BodyEnergies energies =
+        calc_body_energies(test->model, test->state(), motion.twist, test->motion, test->work);
+    CHECK(std::abs(energies.kinetic - kinetic) < 1e-14 * kinetic);
+    CHECK(std::abs(energies.strain + energies.tension - potential) < 1e-13 * potential);
+    CHECK(calc_strain_energy(test->body, test->q.data(), test->work) == energies.strain);
+    CHECK((energies.S - test->terms.S).norm() == 0.0);
+    // The energy of gravity's tension is g . gamma.
+    CHECK(energies.tension ==
+          doctest::Approx(test->motion.gravity.dot(test->terms.hub.gamma)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("damping takes the power that its force has") {
+  std::mt19937 random(23);
+  const auto test = make_random_body({true, true, true}, 3, ReferenceFrame::clamped, random);
+  test->follow();
+  const Eigen::VectorXd damped = test->deformation_force();
+  const double dissipation = test->terms.dissipation;
+  const Eigen::MatrixXd D = 0.3 * to_dense(test->body, test->body.M) +
+                            2e-3 * to_dense(test->body, test->body.K) +
+                            to_dense(test->body, test->body.D);
+  test->damping = {};
+  for (BeamElement& element : test->body.beam) element.damping.setZero();
+  const Eigen::VectorXd force = damped - test->deformation_force();
+  CHECK((force + D * test->v).norm() < 1e-12 * (D * test->v).norm());
+  CHECK(dissipation == doctest::Approx(test->v.dot(D * test->v)).epsilon(1e-12));
+}
+
+TEST_CASE("implicit steps take elastic and damping forces where they are told to") {
+  std::mt19937 random(24);
+  const auto test = make_random_body({false, false, false}, 3, ReferenceFrame::chord, random);
+  const Eigen::VectorXd force = test->deformation_force();
+  const Eigen::VectorXd q_elastic = test->q_elastic, v_elastic = test->v_elastic;
+  test->follow();
+  const Eigen::MatrixXd K = to_dense(test->body, test->body.K);
+  const Eigen::MatrixXd D =
+      0.3 * to_dense(test->body, test->body.M) + 2e-3 * K + to_dense(test->body, test->body.D);
+  const Eigen::VectorXd expected =
+      test->deformation_force() + K * (test->q - q_elastic) + D * (test->v - v_elastic);
+  CHECK((force - expected).norm() < 1e-12 * expected.norm());
+}
+
+TEST_CASE("a handle's Jacobian and bias give its acceleration, by differences of its motion") {
+  std::mt19937 random(25);
+  const auto test = make_random_body({true, true, false}, 4, ReferenceFrame::chord, random);
+  const Eigen::VectorXd q = test->q, v = test->v, a = Eigen::VectorXd::Random(q.size());
+  const Position v0 = draw_vector(3.0, random);
+  const Twist X = make_twist(draw_vector(5.0, random), draw_vector(5.0, random));
+  const Angular w = test->motion.w;
+  test->calc_terms();
+  for (std::size_t h = 0; h < test->body.handles.size(); ++h) {
+    CAPTURE(h);
+    // Twist of the handle in B at time t; the rotation's rate by the tangent map.
+    const auto twist_at = [&](double t) {
+      test->q = q + t * v + 0.5 * t * t * a;
+      test->v = v + t * a;
+      test->motion.w = w + t * angular(X);
+      test->calc_terms();
+      const HandleMotion& handle = test->work.handles[h];
+      const Position v0_t = v0 + t * (linear(X) - cross(w, v0));
+      Twist twist = handle.twist();
+      linear(twist) += v0_t + cross(test->motion.w, handle.s);
+      angular(twist) += test->motion.w;
+      return twist;
+    };
+    const double step = 1e-3;
+    const Twist coarse = (twist_at(2.0 * step) - twist_at(-2.0 * step)) / (4.0 * step);
+    const Twist fine = (twist_at(step) - twist_at(-step)) / (2.0 * step);
+    const Twist twist = twist_at(0.0);
+    // d/dt in B, and what B's turning adds.
+    const Twist expected =
+        (4.0 * fine - coarse) / 3.0 + make_twist(cross(w, linear(twist)), cross(w, angular(twist)));
+    Eigen::MatrixXd J(kTwist, dense_size(test->body));
+    calc_handle_jacobian(test->body, static_cast<int>(h), test->work, J);
+    Eigen::VectorXd accelerations(dense_size(test->body));
+    accelerations << X, a;
+    const Twist found = J * accelerations + test->work.handles[h].bias(w);
+    CHECK((found - expected).norm() < 1e-8 * expected.norm());
+    // The rate of the orientation is w + H th'.
+    const Matrix3 R = test->work.handles[h].turn.R.axes;
+    const Angular turning = test->work.handles[h].turn.velocity;
+    twist_at(step);
+    const Matrix3 after = test->work.handles[h].turn.R.axes;
+    twist_at(-step);
+    const Matrix3 rate = (after - test->work.handles[h].turn.R.axes) / (2.0 * step);
+    CHECK((rate - skew(turning) * R).norm() < 1e-4);
+    twist_at(0.0);
+  }
+}
+
+TEST_CASE("a straight body that moves in its plane has the mass and forces of the planar body") {
+  std::mt19937 random(26);
+  const double m = 0.7, EA = 5e5, EI = 300.0, L = 2.0;
+  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
+    const int E = 4;
+    const spoke::FlexibleBody planar = spoke::make_beam_body({L, E, m, EA, EI, frame});
+    SectionProperties section{m, EA, EI, 0.4 * EI, 0.0, 100.0};
+    section.lag_inertia = section.flap_inertia = 1e-12;
+    TestBody test(
+        make_beam_body(make_uniform_beam(section, L), equal_stations(0.0, L, E), frame, {0, E}));
+    test.model.tension = nullptr;
+    const double w = 2.3;
+    test.motion.w = {0.0, 0.0, w};
+    // The planar coordinates (u, v, psi), axial before bending, among the spatial ones.
+    std::vector<int> places(static_cast<std::size_t>(planar.coordinates()));
+    for (int node = 0; node <= E; ++node)
+      for (const auto& [c, spatial] : {std::pair{0, 0}, {1, 1}, {2, 5}})
+        if (const int at = planar.coordinate(node, c); at >= 0)
+          places[static_cast<std::size_t>(at)] = test.body.coordinate(node, spatial);
+    for (const int place : places) {
+      test.q[place] = draw_vector(0.1, random).x();
+      test.v[place] = draw_vector(1.0, random).x();
+    }
+    test.follow();
+    test.calc_terms();
+    Eigen::MatrixXd mass(dense_size(test.body), dense_size(test.body));
+    Eigen::VectorXd force(dense_size(test.body));
+    calc_dense_mass(test.body, test.terms, test.work,
+                    make_dense_elastic_block(test.body, kExplicit), mass);
+    calc_dense_force(test.body, test.terms, test.work, force);
+
+    // docs/formulation.md, section 2.
+    const int n = planar.coordinates(), axial = planar.axial();
+    const Eigen::VectorXd q = test.q(places), v = test.v(places);
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n), K = M, G = M, S = Eigen::MatrixXd::Zero(2, n);
+    M.topLeftCorner(axial, axial) = planar.M_axial.to_dense();
+    M.bottomRightCorner(n - axial, n - axial) = planar.M_bending.to_dense();
+    K.topLeftCorner(axial, axial) = planar.K_axial.to_dense();
+    K.bottomRightCorner(n - axial, n - axial) = planar.K_bending.to_dense();
+    S.row(0).head(axial) = planar.S_axial.head(axial);
+    S.row(1).tail(n - axial) = planar.S_bending;
+    Eigen::VectorXd d0 = Eigen::VectorXd::Zero(n), c0 = d0;
+    d0.head(axial) = planar.d_axial.head(axial);
+    c0.tail(n - axial) = planar.c_bending;
+    for (int i = 0; i < axial; ++i)
+      for (int k = 0; k < spoke::AxialBendingCoupling::kWidth; ++k) {
+        const int column = 2 * i + planar.H.offset + k;
+        if (column < 0 || column >= n - axial) continue;
+        G(i, axial + column) = planar.H.rows[i * spoke::AxialBendingCoupling::kWidth + k];
+        G(axial + column, i) = -G(i, axial + column);
+      }
+    const Eigen::Vector2d first = planar.S0 + S * q, first_rate = S * v;
+    const Eigen::Vector2d Q_t =
+        w * w * first - 2.0 * w * Eigen::Vector2d(-first_rate.y(), first_rate.x());
+    const Eigen::VectorXd Q_f = w * w * (d0 + M * q) + 2.0 * w * G * v - K * q;
+    const double tolerance = 1e-9;
+    CHECK((force.head<2>() - Q_t).norm() < tolerance * Q_t.norm());
+    CHECK(force[5] == doctest::Approx(-2.0 * w * (d0 + M * q).dot(v)).epsilon(tolerance));
+    std::vector<int> rows;
+    for (const int place : places) rows.push_back(kTwist + place);
+    CHECK((force(rows) - Q_f).norm() < tolerance * Q_f.norm());
+    CHECK((mass(rows, rows) - M).norm() < tolerance * M.norm());
+    CHECK((mass(std::vector{0, 1}, rows) - S).norm() < tolerance * S.norm());
+    const Eigen::VectorXd c = c0 + G.transpose() * q;
+    CHECK((mass(rows, std::vector{5}) - c).norm() < tolerance * c.norm());
+    CHECK(mass(5, 5) == doctest::Approx(planar.I0 + (2.0 * d0 + M * q).dot(q)).epsilon(tolerance));
+    CHECK((mass.block<1, 2>(5, 0) - Eigen::RowVector2d(-first.y(), first.x())).norm() < tolerance);
+    // Nothing leads out of the plane.
+    const double out = std::abs(force[2]) + std::abs(force[3]) + std::abs(force[4]);
+    CHECK(out < 1e-9 * force.norm());
+  }
+}
+
+}  // namespace spoke::space::test
