@@ -1,4 +1,4 @@
-// Walks along the primitives of a joint, outward: docs/formulation_space.md, section 3. The columns
+// Walks along the primitives of a joint, outward: docs/formulation.md, section 11. The columns
 // of those ahead are zero until they are reached.
 
 #include "engine/space/joint_motion.h"
