@@ -1,5 +1,5 @@
-// Walks along the primitives of a joint, outward. The columns of those ahead are zero until they
-// are reached.
+// Walks along the primitives of a joint, outward: docs/formulation.md, section 11. The columns
+// of those ahead are zero until they are reached.
 
 #include "engine/space/joint_motion.h"
 

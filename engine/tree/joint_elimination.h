@@ -1,7 +1,8 @@
 #pragma once
 
 // Elimination of the joints of a tree, from its tips to the root: the block elimination of
-// Phi M^-1 Phi^T, (P 8) and (P 10), once for plane and space.
+// Phi M^-1 Phi^T, (P 8) and (P 10), once for plane and space (docs/formulation.md, sections 4.1
+// and 11).
 //
 // The joint of a child at handle o of its parent, R from the child's frame to the parent's, p from
 // the handle to the child's origin, X = [1, p~; 0, 1], all in the parent's frame, ' of the child:
