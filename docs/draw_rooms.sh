@@ -22,7 +22,7 @@ graph/tune/	auto
 graph/viewer/	the page of a trace
 models/reader/	scenario files
 models/system/	constants of bodies
-models/space/	rotations, joints in space
+models/space/	bodies, joints in space
 engine/support/	memory, vectors, log
 engine/body/	elastic blocks of a body
 engine/tree/	elimination of joints

@@ -134,6 +134,34 @@ void add_propellers(const BeamElement& element, bool is_straight, const Position
   add_tensor(element, is_straight, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
 }
 
+/// Lambda of a second moment P that turns by a, or its bilinear form in a and b:
+/// a.b (tr(P) 1 - P) - (a.P b) 1 + 1/4 [a (P b)^T + b (P a)^T + transposes].
+Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) {
+  const Position P_a = P.lazyProduct(a), P_b = P.lazyProduct(b);
+  const Matrix3 half = a * P_b.transpose() + b * P_a.transpose();
+  Matrix3 inertia = 0.25 * (half + half.transpose()) - a.dot(b) * P;
+  inertia.diagonal().array() += a.dot(b) * P.trace() - a.dot(P_b);
+  return inertia;
+}
+
+/// Small masses, to second order in the rotation th of their section: T gets
+/// - 1/2 th^T [tr(P W0) 1 - 1/2 (W0 P + P W0)] th.
+void add_inertias(const BeamElement& element, const Position& w, const double* q, const double* v,
+                  double* force, StiffeningSums& sums) {
+  using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
+  for (const PointInertia& point : element.inertias) {
+    const Matrix3& P = point.second;
+    const Position th = point.rotation.lazyProduct(Eigen::Map<const Coordinates>(q));
+    const Position rate = point.rotation.lazyProduct(Eigen::Map<const Coordinates>(v));
+    const Matrix3 W0 = w.squaredNorm() * Matrix3::Identity() - w * w.transpose();
+    const Matrix3 W0_P = W0.lazyProduct(P);
+    const Position moment = W0_P.trace() * th - 0.5 * (W0_P + W0_P.transpose()).lazyProduct(th);
+    Eigen::Map<Coordinates>(force, 2 * kTwist) -= point.rotation.transpose().lazyProduct(moment);
+    sums.value.inertias += turning_inertia(P, th, th);
+    sums.rate.inertias += turning_inertia(P, th, rate);
+  }
+}
+
 }  // namespace
 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
@@ -153,6 +181,7 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
     }
     add_propellers(element, body.is_straight, weights.w, x, rate, f, sums);
     subtract_forces(element, body.is_straight, f, force);
+    add_inertias(element, weights.w, q, v, force, sums);
     q += kTwist;
     v += kTwist;
     force += kTwist;
@@ -179,7 +208,8 @@ Matrix3 calc_inertia(const TensionPlace& place, const StiffeningForms& forms) {
   const Position e = Position::UnitX();
   const Position c = forms.tension[0] * place.outboard_moment + forms.tension[1] * place.origin +
                      forms.tension[2] * e;
-  Matrix3 inertia = -0.5 * (e * c.transpose() + c * e.transpose()) - forms.propeller;
+  Matrix3 inertia =
+      -0.5 * (e * c.transpose() + c * e.transpose()) - forms.propeller + forms.inertias;
   inertia.diagonal().array() += c.x() + forms.propeller.trace();
   return inertia;
 }

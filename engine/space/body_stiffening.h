@@ -7,11 +7,11 @@
 
 namespace spoke::space {
 
-/// Quadratic forms of the stiffening in two flex vectors: q^T K q' of the matrices K1, KL, Kx, and
-/// of the propeller matrices as a symmetric tensor F in B.
+/// Quadratic forms of the stiffening in two flex vectors.
 struct StiffeningForms {
-  Position tension = Position::Zero();
-  Matrix3 propeller = Matrix3::Zero();
+  Position tension = Position::Zero();  ///< q^T K q' of the matrices K1, KL, Kx
+  Matrix3 propeller = Matrix3::Zero();  ///< of the propeller matrices, a symmetric tensor in B
+  Matrix3 inertias = Matrix3::Zero();   ///< of small masses: their share of Lambda, in B
 };
 
 /// Sums of q^T K q and of q^T K q'.

@@ -9,19 +9,10 @@
 namespace spoke::space {
 namespace {
 
-/// Rows of a shape in the element's axes, to B on either side.
-Section::Shape to_body(const BeamElement& element, const Section::Shape& local) {
-  Section::Shape shape = element.axes * local;
-  for (int block = 0; block < 4; ++block)
-    shape.middleCols<3>(3 * block) =
-        (shape.middleCols<3>(3 * block) * element.axes.transpose()).eval();
-  return shape;
-}
-
 /// Displacement of the point at the offset o from the chord at xi, in the element's axes.
-Section::Shape displacement_shape(double xi, double l, const Position& o) {
+ElementShape displacement_shape(double xi, double l, const Position& o) {
   const Eigen::Vector4d h = hermite(xi, l);
-  Section::Shape N = Section::Shape::Zero();
+  ElementShape N = ElementShape::Zero();
   // r and t by Hermite's cubics; along the chord, t is 1 + (u_2 - u_1)/l at both nodes.
   const double stretch = (h[1] + h[3]) / l;
   for (int node = 0; node < 2; ++node) {
@@ -41,19 +32,6 @@ Section::Shape displacement_shape(double xi, double l, const Position& o) {
   return N;
 }
 
-Section::Shape rotation_shape(double xi, double l) {
-  const Eigen::Vector4d slope = hermite_slope(xi, l);
-  Section::Shape N = Section::Shape::Zero();
-  for (int node = 0; node < 2; ++node) {
-    const int u = kTwist * node, th = u + kRotation;
-    N(0, th) = node == 0 ? 1.0 - xi : xi;
-    N(2, u + 1) = slope[2 * node];  // tz = v', ty = -w'
-    N(1, u + 2) = -slope[2 * node];
-    N(1, th + 1) = N(2, th + 2) = slope[2 * node + 1];
-  }
-  return N;
-}
-
 /// Coordinates of both nodes of an element, in B.
 struct ElementCoordinates {
   double values[2 * kTwist];
@@ -65,7 +43,7 @@ struct ElementCoordinates {
         values[kTwist * node + c] = at < 0 ? 0.0 : flex[at];
       }
   }
-  Position times(const Section::Shape& N) const {
+  Position times(const ElementShape& N) const {
     return N.lazyProduct(Eigen::Map<const Eigen::Matrix<double, 2 * kTwist, 1>>(values));
   }
 };
@@ -88,7 +66,7 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
   const double xi = element.axes.col(0).dot(along) / element.length;
   const Position offset = element.axes.transpose() * (along - xi * element.chord);
   section.N = to_body(element, displacement_shape(xi, element.length, offset));
-  section.N_th = to_body(element, rotation_shape(xi, element.length));
+  section.N_th = section_rotation(element, xi);
   const Matrix3 turn = section.axes.axes.transpose();
   section.W.topLeftCorner<3, 3>() = section.W.bottomRightCorner<3, 3>() = turn;
   section.W.bottomLeftCorner<3, 3>() = turn * skew(body.nodes[e + 1] - section.s0);

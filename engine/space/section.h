@@ -10,13 +10,11 @@ namespace spoke::space {
 /// is s0 + N q, by the field of the slots, and its rotation vector N_th q, whose bending part is
 /// the slope of that field.
 struct Section {
-  using Shape = Eigen::Matrix<double, 3, 2 * kTwist, Eigen::DontAlign>;
-
   int element = 0;
   Position s0 = Position::Zero();  ///< undeformed place of its reference point in B [m]
   Rotation axes;                   ///< undeformed, to B
-  Shape N = Shape::Zero();
-  Shape N_th = Shape::Zero();
+  ElementShape N = ElementShape::Zero();
+  ElementShape N_th = ElementShape::Zero();
   /// Resultants in the section's axes by the wrench on the element's outer node, in B.
   TwistMatrix W = TwistMatrix::Zero();
   TwistMatrix compliance = TwistMatrix::Zero();  ///< strains by resultants, section axes

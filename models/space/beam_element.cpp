@@ -190,6 +190,13 @@ void add_propeller(const PlacedMass& dm, ElementStiffening& stiffening) {
   }
 }
 
+void add_point_mass(const PlacedMass& dm, BeamElement& element) {
+  add_mass(dm, element.length, element.mass);
+  if (dm.moments.second.isZero(0.0)) return;
+  element.inertias.push_back({section_rotation(element, dm.xi),
+                              element.axes * dm.moments.second * element.axes.transpose()});
+}
+
 /// An element of the right geometry, its integrals still zero.
 BeamElement make_empty_element(const Position& inner, const Position& outer) {
   BeamElement element;
@@ -218,10 +225,6 @@ BeamElement make_element(const Beam& beam, const BodyGeometry& geometry,
                          const MassDistribution& distribution, std::size_t e) {
   const Position &inner = geometry.nodes[e], &outer = geometry.nodes[e + 1];
   BeamElement element = make_empty_element(inner, outer);
-  const auto add = [&](const PlacedMass& dm) {
-    add_mass(dm, element.length, element.mass);
-    add_propeller(dm, element.stiffening);
-  };
   Flexibility flexibility;
   const double from = geometry.station[e], to = geometry.station[e + 1];
   const std::vector<double> breaks = beam.breaks(from, to);
@@ -229,11 +232,13 @@ BeamElement make_element(const Beam& beam, const BodyGeometry& geometry,
     visit_slices(beam, geometry, breaks[k], breaks[k + 1], [&](const Slice& slice) {
       flexibility.add(slice, outer, beam.damping);
       const PlacedMass dm = place(element, inner, slice);
-      add(dm);
+      add_mass(dm, element.length, element.mass);
+      add_propeller(dm, element.stiffening);
       add_tension(element, slice, dm.xi, distribution.beyond(slice.station), element.stiffening);
     });
   for (const PointMass& point : beam.masses)
-    if (holds(beam, from, to, point)) add(place(element, inner, make_slice(beam, geometry, point)));
+    if (holds(beam, from, to, point))
+      add_point_mass(place(element, inner, make_slice(beam, geometry, point)), element);
   const Matrix6 stiffness = flexibility.elastic.llt().solve(Matrix6::Identity());
   element.stiffness = 0.5 * (stiffness + stiffness.transpose());
   element.damping = stiffness * flexibility.damping * stiffness;
@@ -252,6 +257,27 @@ Eigen::Vector4d hermite_slope(double xi, double length) {
   const double xi2 = xi * xi;
   return {6.0 * (xi2 - xi) / length, 1.0 - 4.0 * xi + 3.0 * xi2, 6.0 * (xi - xi2) / length,
           3.0 * xi2 - 2.0 * xi};
+}
+
+ElementShape to_body(const BeamElement& element, const ElementShape& local) {
+  ElementShape shape = element.axes * local;
+  for (int block = 0; block < 4; ++block)
+    shape.middleCols<3>(3 * block) =
+        (shape.middleCols<3>(3 * block) * element.axes.transpose()).eval();
+  return shape;
+}
+
+ElementShape section_rotation(const BeamElement& element, double xi) {
+  const Eigen::Vector4d slope = hermite_slope(xi, element.length);
+  ElementShape N = ElementShape::Zero();
+  for (int node = 0; node < 2; ++node) {
+    const int u = kTwist * node, th = u + kRotation;
+    N(0, th) = node == 0 ? 1.0 - xi : xi;
+    N(2, u + 1) = slope[2 * node];  // tz = v', ty = -w'
+    N(1, u + 2) = -slope[2 * node];
+    N(1, th + 1) = N(2, th + 2) = slope[2 * node + 1];
+  }
+  return to_body(element, N);
 }
 
 BodyGeometry make_body_geometry(const Beam& beam, std::vector<double> stations) {

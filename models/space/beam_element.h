@@ -36,6 +36,15 @@ struct ElementStiffening {
   std::array<std::array<double, 3>, kMoments> propeller{};
 };
 
+/// A linear map of an element's coordinates (u, th of both nodes) to a vector.
+using ElementShape = Eigen::Matrix<double, 3, 2 * kTwist, Eigen::DontAlign>;
+
+/// A small rigid mass on an element, as far as it turns with its section.
+struct PointInertia {
+  ElementShape rotation;  ///< of the section by the element's coordinates, in B
+  Matrix3 second;         ///< P: second moment about the chord's point, in B [kg m^2]
+};
+
 struct BeamElement {
   double length = 0.0;  ///< between its nodes [m]
   Matrix3 axes;         ///< columns: e1 (from node to node), e2, e3, in B
@@ -46,6 +55,7 @@ struct BeamElement {
   TwistMatrix damping;  ///< likewise by its velocity [N s/m, N s, N m s]
   SlotMatrix mass;      ///< one matrix for all three components of the slots [kg, kg m, kg m^2]
   ElementStiffening stiffening;
+  std::vector<PointInertia> inertias;
 };
 
 /// Where a body lies on a beam: stations of its nodes, and its frame B in the beam's.
@@ -66,5 +76,12 @@ std::vector<BeamElement> make_beam_elements(const Beam& beam, const BodyGeometry
 /// derivatives along it.
 Eigen::Vector4d hermite(double xi, double length);
 Eigen::Vector4d hermite_slope(double xi, double length);
+
+/// Rotation of the section at xi by the element's coordinates, in B: about the chord linear between
+/// the nodes, across it the slope of the cubics.
+ElementShape section_rotation(const BeamElement& element, double xi);
+
+/// A map in the element's axes, rows and coordinates, to B.
+ElementShape to_body(const BeamElement& element, const ElementShape& local);
 
 }  // namespace spoke::space

@@ -43,8 +43,8 @@ struct FlexibleBody {
   std::vector<BeamElement> beam;
   bool is_straight = false;  ///< the axes of all elements are those of B
   bool is_damped = false;    ///< D is not zero
-  /// Nodes at which joints hold the body: first node 0 (the inboard handle), then others,
-  /// ascending.
+  /// Nodes at which joints hold the body: first node 0 (the inboard handle), then one for each
+  /// child in the children's order; these may repeat.
   std::vector<int> handles;
 
   double mass = 0.0;               ///< [kg]

@@ -11,10 +11,13 @@
 #include <vector>
 
 #include "engine/simulation.h"
+#include "engine/space/body_energies.h"
 #include "engine/space/hub_equation.h"
 #include "engine/space/joint_terms.h"
+#include "engine/space/section.h"
 #include "engine/tree/joint_recovery.h"
 #include "tests/engine/rotors.h"
+#include "tests/engine/space/bodies.h"
 #include "tests/engine/space/random_joint.h"
 #include "tests/models/space/random_space.h"
 
@@ -259,6 +262,42 @@ TEST_CASE("joints of trees in space are eliminated and recovered without allocat
     const space::Joint joint = space::testing::make_random_joint(kind, random);
     const long before = allocations.load();
     evaluate_joint(joint, random);
+    CHECK(allocations.load() == before);
+  }
+}
+
+namespace {
+
+/// All that an evaluation does to one flexible body.
+void evaluate_body(spoke::space::test::TestBody& test, const space::Section& section,
+                   std::vector<space::Twist>& wrenches, Eigen::VectorXd& a) {
+  using namespace spoke::space;
+  test.calc_terms();
+  const HandleMotion motion = calc_section_motion(test.body, section, test.q.data(), test.v.data());
+  add_section_wrench(section, motion, wrenches[0], test.terms, test.work);
+  for (const bool implicit : {false, true}) {
+    condense_body(test.model, test.terms, test.motion.w, implicit, test.work);
+    recover_body(test.model, wrenches.data(), implicit, test.work, a.data());
+  }
+  calc_body_energies(test.model, test.state(), wrenches[0], test.motion, test.work);
+}
+
+}  // namespace
+
+TEST_CASE("a flexible body in space is evaluated without allocation, however fine its mesh") {
+  namespace bodies = spoke::space::test;
+  std::mt19937 random(2);
+  for (const int elements : {1, 32}) {
+    const space::Beam beam = bodies::make_random_beam({true, true, true}, random);
+    bodies::TestBody test(
+        space::make_beam_body(beam, bodies::make_unequal_stations(beam, elements, random),
+                              ReferenceFrame::chord, {0, elements}));
+    bodies::randomize_state(random, test);
+    const space::Section section = space::make_section(beam, test.body, 0.3);
+    std::vector<space::Twist> wrenches(2, space::Twist::Ones());
+    Eigen::VectorXd a(test.q.size());
+    const long before = allocations.load();
+    evaluate_body(test, section, wrenches, a);
     CHECK(allocations.load() == before);
   }
 }

@@ -63,6 +63,21 @@ double propeller_form(const ElementStiffening& matrices, const Position& w,
   return sum;
 }
 
+/// Twice the energy that the turning of small masses takes, to second order; `q`: of both nodes, in
+/// B. A vector a of the section becomes a + th x a + 1/2 th x (th x a).
+double inertia_form(const BeamElement& element, const Position& w, const ElementValues& local) {
+  double sum = 0.0;
+  ElementValues q;
+  for (int block = 0; block < 4; ++block)
+    q.segment<3>(3 * block) = element.axes * local.segment<3>(3 * block);
+  for (const PointInertia& point : element.inertias) {
+    const Matrix3 th = skew(point.rotation * q), W = skew(w);
+    // |w x a|^2 to second order, summed over a a^T = P, less |w x (th x a)|^2, which slots have.
+    sum -= (W * th * th * point.second * W.transpose()).trace();
+  }
+  return sum;
+}
+
 }  // namespace
 
 Position draw_vector(double size, std::mt19937& random) {
@@ -142,7 +157,8 @@ double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub
         sum += element.mass(static_cast<int>(i), static_cast<int>(j)) * V[i].dot(V[j]);
     if (test.model.tension)
       sum -= tension_form(element.stiffening, weights, x) +
-             propeller_form(element.stiffening, to_element * hub, x);
+             propeller_form(element.stiffening, to_element * hub, x) +
+             inertia_form(element, hub, x);
   }
   return 0.5 * sum;
 }

@@ -3,10 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 
 #include "engine/space/body_energies.h"
 #include "engine/space/dense_body.h"
-#include "models/system/beam_elements.h"
 #include "tests/engine/space/bodies.h"
 
 // Within the namespace: the plane's types have the same names.
@@ -146,6 +146,25 @@ TEST_CASE("energies of a spatial body are the sums over its slots and elements")
   }
 }
 
+TEST_CASE("the mass matrix of a spatial body is that of its kinetic energy") {
+  std::mt19937 random(27);
+  for (const BeamOptions& options : kStraightAndBent)
+    for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
+      const auto test = make_random_body(options, 5, frame, random);
+      test->model.tension = nullptr;
+      test->calc_terms();
+      const Motion motion = draw_motion(*test, random);
+      Eigen::MatrixXd mass(dense_size(test->body), dense_size(test->body));
+      calc_dense_mass(test->body, test->terms, test->work,
+                      make_dense_elastic_block(test->body, kExplicit), mass);
+      Eigen::VectorXd y(mass.rows());
+      y << motion.twist, motion.v;
+      const double expected = calc_kinetic(*test, motion.twist, motion.hub_w, motion.q, motion.v);
+      CHECK(std::abs(0.5 * y.dot(mass * y) - expected) < 1e-14 * expected);
+      CHECK((mass - mass.transpose()).norm() < 1e-15 * mass.norm());
+    }
+}
+
 TEST_CASE("damping takes the power that its force has") {
   std::mt19937 random(23);
   const auto test = make_random_body({true, true, true}, 3, ReferenceFrame::clamped, random);
@@ -221,79 +240,6 @@ TEST_CASE("a handle's Jacobian and bias give its acceleration, by differences of
     const Matrix3 rate = (after - test->work.handles[h].turn.R.axes) / (2.0 * step);
     CHECK((rate - skew(turning) * R).norm() < 1e-4);
     twist_at(0.0);
-  }
-}
-
-TEST_CASE("a straight body that moves in its plane has the mass and forces of the planar body") {
-  std::mt19937 random(26);
-  const double m = 0.7, EA = 5e5, EI = 300.0, L = 2.0;
-  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
-    const int E = 4;
-    const spoke::FlexibleBody planar = spoke::make_beam_body({L, E, m, EA, EI, frame});
-    SectionProperties section{m, EA, EI, 0.4 * EI, 0.0, 100.0};
-    section.lag_inertia = section.flap_inertia = 1e-12;
-    TestBody test(
-        make_beam_body(make_uniform_beam(section, L), equal_stations(0.0, L, E), frame, {0, E}));
-    test.model.tension = nullptr;
-    const double w = 2.3;
-    test.motion.w = {0.0, 0.0, w};
-    // The planar coordinates (u, v, psi), axial before bending, among the spatial ones.
-    std::vector<int> places(static_cast<std::size_t>(planar.coordinates()));
-    for (int node = 0; node <= E; ++node)
-      for (const auto& [c, spatial] : {std::pair{0, 0}, {1, 1}, {2, 5}})
-        if (const int at = planar.coordinate(node, c); at >= 0)
-          places[static_cast<std::size_t>(at)] = test.body.coordinate(node, spatial);
-    for (const int place : places) {
-      test.q[place] = draw_vector(0.1, random).x();
-      test.v[place] = draw_vector(1.0, random).x();
-    }
-    test.follow();
-    test.calc_terms();
-    Eigen::MatrixXd mass(dense_size(test.body), dense_size(test.body));
-    Eigen::VectorXd force(dense_size(test.body));
-    calc_dense_mass(test.body, test.terms, test.work,
-                    make_dense_elastic_block(test.body, kExplicit), mass);
-    calc_dense_force(test.body, test.terms, test.work, force);
-
-    // docs/formulation.md, section 2.
-    const int n = planar.coordinates(), axial = planar.axial();
-    const Eigen::VectorXd q = test.q(places), v = test.v(places);
-    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n), K = M, G = M, S = Eigen::MatrixXd::Zero(2, n);
-    M.topLeftCorner(axial, axial) = planar.M_axial.to_dense();
-    M.bottomRightCorner(n - axial, n - axial) = planar.M_bending.to_dense();
-    K.topLeftCorner(axial, axial) = planar.K_axial.to_dense();
-    K.bottomRightCorner(n - axial, n - axial) = planar.K_bending.to_dense();
-    S.row(0).head(axial) = planar.S_axial.head(axial);
-    S.row(1).tail(n - axial) = planar.S_bending;
-    Eigen::VectorXd d0 = Eigen::VectorXd::Zero(n), c0 = d0;
-    d0.head(axial) = planar.d_axial.head(axial);
-    c0.tail(n - axial) = planar.c_bending;
-    for (int i = 0; i < axial; ++i)
-      for (int k = 0; k < spoke::AxialBendingCoupling::kWidth; ++k) {
-        const int column = 2 * i + planar.H.offset + k;
-        if (column < 0 || column >= n - axial) continue;
-        G(i, axial + column) = planar.H.rows[i * spoke::AxialBendingCoupling::kWidth + k];
-        G(axial + column, i) = -G(i, axial + column);
-      }
-    const Eigen::Vector2d first = planar.S0 + S * q, first_rate = S * v;
-    const Eigen::Vector2d Q_t =
-        w * w * first - 2.0 * w * Eigen::Vector2d(-first_rate.y(), first_rate.x());
-    const Eigen::VectorXd Q_f = w * w * (d0 + M * q) + 2.0 * w * G * v - K * q;
-    const double tolerance = 1e-9;
-    CHECK((force.head<2>() - Q_t).norm() < tolerance * Q_t.norm());
-    CHECK(force[5] == doctest::Approx(-2.0 * w * (d0 + M * q).dot(v)).epsilon(tolerance));
-    std::vector<int> rows;
-    for (const int place : places) rows.push_back(kTwist + place);
-    CHECK((force(rows) - Q_f).norm() < tolerance * Q_f.norm());
-    CHECK((mass(rows, rows) - M).norm() < tolerance * M.norm());
-    CHECK((mass(std::vector{0, 1}, rows) - S).norm() < tolerance * S.norm());
-    const Eigen::VectorXd c = c0 + G.transpose() * q;
-    CHECK((mass(rows, std::vector{5}) - c).norm() < tolerance * c.norm());
-    CHECK(mass(5, 5) == doctest::Approx(planar.I0 + (2.0 * d0 + M * q).dot(q)).epsilon(tolerance));
-    CHECK((mass.block<1, 2>(5, 0) - Eigen::RowVector2d(-first.y(), first.x())).norm() < tolerance);
-    // Nothing leads out of the plane.
-    const double out = std::abs(force[2]) + std::abs(force[3]) + std::abs(force[4]);
-    CHECK(out < 1e-9 * force.norm());
   }
 }
 
