@@ -31,8 +31,8 @@ using Offset = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 /// Six by six components in section axes, in the order (x, y, z, about x, about y, about z).
 using SectionMatrix = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
-/// What a beam is made of from root to tip: values at stations, linear between them (the axis:
-/// smooth). As many of each as there are stations; what is optional may be empty.
+/// What a beam is made of from root to tip: values at stations, linear between them (the axis: a
+/// natural cubic spline). As many of each as there are stations; what is optional may be empty.
 ///
 /// A beam's frame has x along the undeformed beam from the root, for a blade y in the plane of
 /// rotation and z along the axis of rotation. Stations are x coordinates. The section axes are the
@@ -89,8 +89,7 @@ struct Beam {
   /// Flexible bodies along the beam; where joints part it, each part has as many as keep bodies as
   /// short as that, and one or more.
   int bodies = 4;
-  /// Finite elements per body; more where a body carries point masses or other bodies, as these
-  /// are at nodes.
+  /// Finite elements per body; more where a body carries many other ones, as these are at nodes.
   int elements = 4;
   Sections sections{};  ///< what it is made of
   /// Of each of its bodies.

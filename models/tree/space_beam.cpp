@@ -90,22 +90,6 @@ space::MassMoments make_moments(const PointMass& point, const space::Rotation& a
   return moments;
 }
 
-space::JointPrimitive make_primitive(space::JointPrimitive::Kind kind, const Vector& axis,
-                                     const JointCoordinate& coordinate) {
-  space::JointPrimitive primitive;
-  primitive.kind = kind;
-  if (kind != space::JointPrimitive::Kind::spherical) primitive.axis = axis.normalized();
-  primitive.is_driven = coordinate.motion.has_value();
-  primitive.stiffness = coordinate.stiffness;
-  primitive.damping = coordinate.damping;
-  primitive.rest = coordinate.rest;
-  if (coordinate.stop) {
-    const Stop& stop = *coordinate.stop;
-    primitive.stop = {stop.lower, stop.upper, stop.stiffness, stop.damping, stop.width};
-  }
-  return primitive;
-}
-
 }  // namespace
 
 space::Beam make_space_beam(const Beam& beam, double stiffness_factor) {
@@ -128,37 +112,6 @@ space::Beam make_space_beam(const Beam& beam, double stiffness_factor) {
         {point.position, make_moments(point, made.geometry(point.position).axes)});
   made.damping.setConstant(stiffness_factor);
   return made;
-}
-
-space::Joint make_space_joint(const TreeBody& body) {
-  using Kind = space::JointPrimitive::Kind;
-  const Joint& joint = body.joint;
-  std::vector<space::JointPrimitive> primitives;
-  const auto add = [&](Kind kind, std::size_t axis, std::size_t coordinate) {
-    primitives.push_back(make_primitive(kind, joint.axes[axis], joint.coordinates[coordinate]));
-  };
-  switch (joint.kind) {
-    case JointKind::fixed:
-      break;
-    case JointKind::revolute:
-      add(Kind::revolute, 0, 0);
-      break;
-    case JointKind::universal:
-      add(Kind::revolute, 0, 0);
-      add(Kind::revolute, 1, 1);
-      break;
-    case JointKind::spherical:
-      add(Kind::spherical, 0, 0);
-      break;
-    case JointKind::prismatic:
-      add(Kind::prismatic, 0, 0);
-      break;
-    case JointKind::cylindrical:
-      add(Kind::revolute, 0, 0);
-      add(Kind::prismatic, 0, 1);
-      break;
-  }
-  return space::make_joint({body.placement.position, {body.placement.rotation}}, primitives);
 }
 
 }  // namespace spoke::spatial

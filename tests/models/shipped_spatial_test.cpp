@@ -49,14 +49,15 @@ std::string document_of(const std::string& json) {
 
 /// The keys of all tables within.
 void check_documented(const Json& json, const std::string& documentation) {
-  for (const auto& [key, value] : json.items()) {
+  for (const auto& item : json.items()) {
     if (json.is_object()) {
+      const std::string& key = item.key();
       CAPTURE(key);
       const bool named = documentation.find('`' + key + '`') != std::string::npos ||
                          documentation.find(key + ']') != std::string::npos;
       CHECK(named);
     }
-    if (value.is_structured()) check_documented(value, documentation);
+    if (item.value().is_structured()) check_documented(item.value(), documentation);
   }
 }
 
