@@ -127,7 +127,7 @@ class SPOKE_EXPORT Simulation {
   /// Goes back, or on, to a saved state of any simulation of the same model, formulation and step
   /// size, whatever its executor, threads and window: what follows has the bits of the run that was
   /// saved. Also after DivergenceError. Throws InputError, saying what differs, if the state is of
-  /// another model; the simulation then stays as it is.
+  /// another model, or if a number of it is not finite; the simulation then stays as it is.
   void restore(const SavedState& state);
 
   /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual", further
