@@ -62,8 +62,9 @@ const graph::StepGraph& Simulation::step_graph() const { return core_->runner->s
 const graph::StepGraph& Simulation::run_graph() const { return core_->runner->run_graph(); }
 
 LinearProperties Simulation::linear_properties() const {
-  const FrequencyRange range = calc_frequency_range(core_->scenario.rotor);
-  return {range.lowest, range.highest, calc_rk4_largest_step(range, core_->scenario.rotor.damping)};
+  const Rotor& rotor = core_->scenario.rotor;
+  const FrequencyRange range = calc_frequency_range(rotor);
+  return {range.lowest, range.highest, calc_rk4_largest_step(range, calc_total_damping(rotor))};
 }
 
 std::string_view Simulation::executor_name() const { return core_->runner->executor_name(); }

@@ -27,7 +27,8 @@ namespace spoke {
 struct LinearProperties {
   double lowest_frequency = 0.0;   ///< natural, of the vibrations [rad/s]
   double highest_frequency = 0.0;  ///< [rad/s]
-  double rk4_largest_step = 0.0;   ///< [s], with damping; without, 2 sqrt(2) / highest_frequency
+  /// With damping and linear drag [s]; without, 2 sqrt(2) / highest_frequency.
+  double rk4_largest_step = 0.0;
 };
 
 /// A view of one body's deformation coordinates: 3 E values, the E axial ones (u) first, then the
