@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/simulation.h"
@@ -31,6 +33,7 @@ std::vector<Sensor> every_sensor() {
     sensors.push_back(sensor);
   }
   sensors[3].position = 0.7;
+  sensors[4].joint = JointChoice::number(1);
   return sensors;
 }
 
@@ -110,8 +113,15 @@ TEST_CASE("sensors that are none are refused when they are filled in code") {
         "them");
   CHECK(message_of([](Sensor& s) { s.frame = SensorFrame::section; }) ==
         "sensor.1.frame: is \"section\", which does not belong to quantity \"displacement\"");
-  CHECK(message_of([](Sensor& s) {
-          s.quantity = Quantity::joint_reaction;
-          s.joint = 2;
-        }) == "sensor.1.joint: is index 2, expected 0 to 1");
+  CHECK(message_of([](Sensor& s) { s.quantity = Quantity::joint_reaction; }) ==
+        "sensor.1.joint: is missing, expected a whole number from 1 to 2");
+  for (const int number : {0, 3})
+    CHECK(message_of([number](Sensor& s) {
+            s.quantity = Quantity::joint_reaction;
+            s.joint = JointChoice::number(number);
+          }) ==
+          "sensor.1.joint: is " + std::to_string(number) + ", expected a whole number from 1 to 2");
+  // An index, from 0, is no number.
+  static_assert(!std::is_convertible_v<int, JointChoice>);
+  static_assert(!std::is_assignable_v<std::optional<JointChoice>&, int>);
 }
