@@ -91,9 +91,11 @@ std::optional<Warning> warn_of_speed_jump(const Scenario& scenario, double step_
     std::ostringstream text;
     text << "at t = " << change.time << " s the drive changes the speed by " << change.change
          << " rad/s within " << change.duration << " s, less than " << kLeastSteps
-         << " steps: the energy of that comes from nowhere; take a longer ramp, or an "
-            "integration.step of "
-         << change.duration / kLeastSteps << " s or less";
+         << " steps: the energy of that comes from nowhere; let the change take "
+         << kLeastSteps * step_size << " s or more";
+    // Of a ramp shorter than a step, steps short enough for it are hardly meant.
+    if (change.duration > step_size)
+      text << ", or take an integration.step of " << change.duration / kLeastSteps << " s or less";
     return Warning{WarningKind::speed_jump, change.time, text.str()};
   }
   return {};

@@ -325,6 +325,11 @@ TEST_CASE("a drive that changes the speed within less than four steps is warned 
   CHECK(contains(warning_of(SpeedTable{Curve({0.0, 1.0, 1.001}, {0.0, 0.0, 3.0})}),
                  "at t = 1 s the drive changes the speed by 3 rad/s within 0.001"));
   CHECK(warning_of(SpinUp{4.0, 0.02}).empty());
+  // Smaller steps are advised where they are within reason.
+  CHECK(warning_of(SpinUp{4.0, 1e-9}).ends_with("; let the change take 0.02 s or more"));
+  CHECK(warning_of(SpinUp{4.0, 0.01})
+            .ends_with("; let the change take 0.02 s or more, or take an integration.step of "
+                       "0.0025 s or less"));
   CHECK(warning_of(SpinUp{0.0, 1e-9}).empty());
   CHECK(warning_of(SpinUpHoldSpinDown{4.0, 1.0, 5.0, 0.01}).empty());  // after the end
   CHECK(warning_of(SpeedTable{Curve({0.0, 1.0, 2.0}, {0.0, 0.0, 3.0})}).empty());
