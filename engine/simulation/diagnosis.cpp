@@ -291,6 +291,8 @@ std::string find_cause(const Scenario& scenario, const StepContext& context,
         blame_iteration(context, failed),
         blame_deflection(scenario, failed, step_size(context.integrator))})
     if (!cause.empty()) return cause;
+  if (failed.outcome == StepOutcome::energy_grew)
+    return advise_on_growth(scenario, step_size(context.integrator), failed.seen);
   return "take a smaller integration.step, more bodies per blade, or smaller loads";
 }
 

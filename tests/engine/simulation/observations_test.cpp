@@ -304,6 +304,28 @@ TEST_CASE("energy that comes from nowhere does not raise its own limit") {
   CHECK(seen.growth.energy == approx(1.2));
 }
 
+TEST_CASE("where a drive that jumps makes energy, smaller steps are not the advice") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(1, 2), 0.005);
+  scenario.rotor.hub.drive = SpeedTable{Curve({0.0, 0.1, 0.1 + 1e-9}, {0.0, 0.0, 4.0})};
+  scenario.integration.duration = 0.2;
+  const std::string advice =
+      "the drive's speed jumps at t = 0.1 s, let the change take 0.02 s or more";
+  const Shown warned = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
+  REQUIRE(warned.texts.size() == 2);
+  CHECK(contains(warned.texts[0], "the energy has grown by "));
+  CHECK(warned.texts[0].ends_with(advice));
+  CHECK(warned.texts[1].ends_with("; let the change take 0.02 s or more"));
+  scenario.limits.on_energy_growth = EnergyGrowth::stop;
+  const Shown stopped = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
+  CHECK(stopped.divergence.ends_with(advice));
+  // Growth that has nothing to do with the jump.
+  Observations seen;
+  for (const double step : {10.0, 100.0}) {
+    seen.growth.step = step;
+    CHECK(advise_on_growth(scenario, 0.005, seen) == "take a smaller integration.step");
+  }
+}
+
 TEST_CASE("a drive that changes the speed within less than four steps is warned of") {
   const auto warning_of = [](const Drive& drive) -> std::string {
     Scenario scenario;
