@@ -9,6 +9,7 @@
 
 #include "engine/kernels/load_terms.h"
 #include "engine/kernels/natural_frequencies.h"
+#include "engine/simulation/sensor_columns.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
 #include "models/error.h"
@@ -53,7 +54,8 @@ ModelSize Simulation::size() const {
   size.graph_nodes = core_->runner->step_graph().node_count();
   size.graph_edges = core_->runner->step_graph().edge_count();
   size.memory_bytes =
-      static_cast<std::size_t>(estimate_model_memory(system, core_->context.formulation));
+      static_cast<std::size_t>(estimate_model_memory(system, core_->context.formulation)) +
+      count_mass_bytes(core_->context.data);
   return size;
 }
 

@@ -99,6 +99,7 @@ std::vector<MassPoint> make_mass_points(const FlexibleBody& body, const FlexLayo
     if (point.x >= from - 1e-9 * body.length)
       points.push_back(
           {point.mass, point.inertia, make_section(body, layout, point.x / body.length)});
+  points.shrink_to_fit();
   return points;
 }
 

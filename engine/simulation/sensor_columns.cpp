@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "engine/kernels/section_balance.h"
@@ -152,6 +153,18 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const R
     blade.reading_ring =
         ArenaVector<double>(blade.reading_count * blade.samples.size(), 0.0, *blade.arena);
   return columns;
+}
+
+std::size_t count_mass_bytes(const StepData& data) {
+  std::set<const void*> counted;
+  std::size_t bytes = 0;
+  for (const SubsystemData& blade : data.subsystems)
+    for (const Reading& reading : blade.readings)
+      for (const MassPoints& points : reading.masses) {
+        bytes += sizeof(MassPoints);
+        if (counted.insert(points.get()).second) bytes += points->size() * sizeof(MassPoint);
+      }
+  return bytes;
 }
 
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
