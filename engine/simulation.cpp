@@ -66,7 +66,7 @@ const graph::StepGraph& Simulation::run_graph() const { return core_->runner->ru
 LinearProperties Simulation::linear_properties() const {
   const Rotor& rotor = core_->scenario.rotor;
   const FrequencyRange range = calc_frequency_range(rotor);
-  return {range.lowest, range.highest, calc_rk4_largest_step(range, calc_total_damping(rotor))};
+  return {range.lowest, range.highest, calc_rk4_step_with_drag(range, rotor)};
 }
 
 std::string_view Simulation::executor_name() const { return core_->runner->executor_name(); }

@@ -182,4 +182,16 @@ double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping
   return largest;
 }
 
+double calc_rk4_step_with_drag(const FrequencyRange& range, const Rotor& rotor) {
+  constexpr int kShares = 8;
+  const double drag = calc_total_damping(rotor).mass_factor - rotor.damping.mass_factor;
+  double largest = calc_rk4_largest_step(range, rotor.damping);
+  for (int k = 1; drag > 0.0 && k <= kShares; ++k) {
+    const double factor = rotor.damping.mass_factor + drag * k / kShares;
+    largest = std::min(
+        largest, calc_rk4_largest_step(range, Damping{factor, rotor.damping.stiffness_factor}));
+  }
+  return largest;
+}
+
 }  // namespace spoke

@@ -37,4 +37,8 @@ Damping calc_total_damping(const Rotor& rotor);
 /// z^4/24, at both roots of s^2 + (mass_factor + stiffness_factor w^2) s + w^2 = 0 for both ends w.
 double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping);
 
+/// The same for a rotor with linear drag, which damps some vibrations by all of what it adds at
+/// most, others by a part or not at all: the least of shares in eighths.
+double calc_rk4_step_with_drag(const FrequencyRange& range, const Rotor& rotor);
+
 }  // namespace spoke

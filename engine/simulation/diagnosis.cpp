@@ -202,7 +202,7 @@ std::string blame_rk4(const Scenario& scenario, const StepContext& context) {
   const FrequencyRange range = calc_frequency_range(scenario.rotor);
   const Damping& damping = scenario.rotor.damping;
   const Damping total = calc_total_damping(scenario.rotor);
-  const double limit = calc_rk4_largest_step(range, total);
+  const double limit = calc_rk4_step_with_drag(range, scenario.rotor);
   if (rk4->step <= limit) return {};
   std::ostringstream text;
   text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
