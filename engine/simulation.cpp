@@ -9,6 +9,7 @@
 
 #include "engine/kernels/load_terms.h"
 #include "engine/kernels/natural_frequencies.h"
+#include "engine/simulation/sensor_columns.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
 #include "models/error.h"
@@ -53,7 +54,8 @@ ModelSize Simulation::size() const {
   size.graph_nodes = core_->runner->step_graph().node_count();
   size.graph_edges = core_->runner->step_graph().edge_count();
   size.memory_bytes =
-      static_cast<std::size_t>(estimate_model_memory(system, core_->context.formulation));
+      static_cast<std::size_t>(estimate_model_memory(system, core_->context.formulation)) +
+      count_mass_bytes(core_->context.data);
   return size;
 }
 
@@ -62,8 +64,9 @@ const graph::StepGraph& Simulation::step_graph() const { return core_->runner->s
 const graph::StepGraph& Simulation::run_graph() const { return core_->runner->run_graph(); }
 
 LinearProperties Simulation::linear_properties() const {
-  const FrequencyRange range = calc_frequency_range(core_->scenario.rotor);
-  return {range.lowest, range.highest, calc_rk4_largest_step(range, core_->scenario.rotor.damping)};
+  const Rotor& rotor = core_->scenario.rotor;
+  const FrequencyRange range = calc_frequency_range(rotor);
+  return {range.lowest, range.highest, calc_rk4_step_with_drag(range, rotor)};
 }
 
 std::string_view Simulation::executor_name() const { return core_->runner->executor_name(); }

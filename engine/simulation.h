@@ -27,7 +27,8 @@ namespace spoke {
 struct LinearProperties {
   double lowest_frequency = 0.0;   ///< natural, of the vibrations [rad/s]
   double highest_frequency = 0.0;  ///< [rad/s]
-  double rk4_largest_step = 0.0;   ///< [s], with damping; without, 2 sqrt(2) / highest_frequency
+  /// With damping and linear drag [s]; without, 2 sqrt(2) / highest_frequency.
+  double rk4_largest_step = 0.0;
 };
 
 /// A view of one body's deformation coordinates: 3 E values, the E axial ones (u) first, then the
@@ -127,7 +128,7 @@ class SPOKE_EXPORT Simulation {
   /// Goes back, or on, to a saved state of any simulation of the same model, formulation and step
   /// size, whatever its executor, threads and window: what follows has the bits of the run that was
   /// saved. Also after DivergenceError. Throws InputError, saying what differs, if the state is of
-  /// another model; the simulation then stays as it is.
+  /// another model, or if a number of it is not finite; the simulation then stays as it is.
   void restore(const SavedState& state);
 
   /// Sensor names in the order of sensor_values(): "blade1.tip.x", ..., "energy.residual", further

@@ -34,13 +34,30 @@ enum class SensorFrame {
   section,   ///< turns with the cross section
 };
 
+/// A joint of a blade by its number, from 1 at the root, as in files. Whole numbers do not convert:
+/// an index, from 0, is no number.
+class JointChoice {
+ public:
+  /// Joint `number`, inboard of body `number`.
+  static constexpr JointChoice number(int number) { return JointChoice(number); }
+
+  constexpr int number() const { return number_; }  ///< from 1
+  /// Of the body outboard of it, from 0.
+  constexpr int body() const { return number_ - 1; }
+
+ private:
+  explicit constexpr JointChoice(int number) : number_(number) {}
+
+  int number_;
+};
+
 /// One sensor, on one blade or on every blade.
 struct Sensor {
   SensorQuantity quantity = SensorQuantity::displacement;  ///< what it measures
   std::string name;  ///< in the names of its columns; empty: the quantity's
   BladeChoice blade = BladeChoice::all();
   std::optional<double> position;    ///< from the blade's root [m]; empty: the tip
-  int joint = 0;                     ///< of a joint's reaction: index from 0, at the root
+  std::optional<JointChoice> joint;  ///< of a joint's reaction, which needs one
   std::optional<SensorFrame> frame;  ///< empty: the quantity's usual one, see frame_of()
 };
 

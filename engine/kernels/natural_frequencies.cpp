@@ -104,6 +104,23 @@ double find_rk4_limit(Complex root) {
   return low;
 }
 
+/// Smallest mass per length of a blade [kg/m].
+double least_mass_per_length(const Blade& blade) {
+  const std::vector<double>& masses = blade.sections.mass_per_length;
+  if (masses.empty()) return blade.density * blade.area;
+  return *std::min_element(masses.begin(), masses.end());
+}
+
+/// What linear drag adds to the mass factor of a blade's damping, at most [1/s].
+double calc_drag_factor(const Drag& drag, const Blade& blade) {
+  constexpr double kAtPoint = 16.0;  // of cubic shape functions, at the ends of an element
+  const std::vector<double>& factors = drag.factor.values();
+  const double share = std::max(0.0, *std::max_element(factors.begin(), factors.end()));
+  const double element = blade.length / blade.bodies / blade.elements;
+  return share * (drag.linear_per_length + kAtPoint * drag.linear / element) /
+         least_mass_per_length(blade);
+}
+
 }  // namespace
 
 int count_frequencies_below(const Rotor& rotor, double frequency) {
@@ -144,6 +161,17 @@ double calc_first_frequency(const Blade& blade) {
   return find_frequency(rotor, 1);
 }
 
+Damping calc_total_damping(const Rotor& rotor) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
+    double sum = 0.0;
+    for (const Drag& drag : rotor.drags)
+      if (drag.blade.holds(i)) sum += calc_drag_factor(drag, rotor.blades[i]);
+    largest = std::max(largest, sum);
+  }
+  return {rotor.damping.mass_factor + largest, rotor.damping.stiffness_factor};
+}
+
 double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping) {
   if (damping.mass_factor == 0.0 && damping.stiffness_factor == 0.0)
     return 2.0 * std::sqrt(2.0) / range.highest;
@@ -151,6 +179,18 @@ double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping
   for (const double frequency : {range.lowest, range.highest})
     for (const Complex root : find_roots(frequency, damping))
       largest = std::min(largest, find_rk4_limit(root));
+  return largest;
+}
+
+double calc_rk4_step_with_drag(const FrequencyRange& range, const Rotor& rotor) {
+  constexpr int kShares = 8;
+  const double drag = calc_total_damping(rotor).mass_factor - rotor.damping.mass_factor;
+  double largest = calc_rk4_largest_step(range, rotor.damping);
+  for (int k = 1; drag > 0.0 && k <= kShares; ++k) {
+    const double factor = rotor.damping.mass_factor + drag * k / kShares;
+    largest = std::min(
+        largest, calc_rk4_largest_step(range, Damping{factor, rotor.damping.stiffness_factor}));
+  }
   return largest;
 }
 

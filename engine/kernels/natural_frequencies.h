@@ -25,9 +25,20 @@ double calc_first_frequency(const Blade& blade);
 /// included.
 int count_frequencies_below(const Rotor& rotor, double frequency);
 
+/// The rotor's damping, with what linear drag adds to mass_factor, at most: in every element that
+/// it acts on the ratio of its matrix c N^T N to the mass matrix, for bounds of the sums over
+/// elements. That is c / rhoA for drag per length (all of it, where both are uniform), and 16 c /
+/// (rhoA l) for drag at a point of an element of length l, the largest of N M^-1 N^T. Quadratic
+/// drag is none at rest.
+Damping calc_total_damping(const Rotor& rotor);
+
 /// Largest step at which rk4 is stable for the vibrations of the range [s]: undamped 2 sqrt(2) /
 /// highest frequency; damped, the largest h for which |R(h s)| <= 1, R(z) = 1 + z + z^2/2 + z^3/6 +
 /// z^4/24, at both roots of s^2 + (mass_factor + stiffness_factor w^2) s + w^2 = 0 for both ends w.
 double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping);
+
+/// The same for a rotor with linear drag, which damps some vibrations by all of what it adds at
+/// most, others by a part or not at all: the least of shares in eighths.
+double calc_rk4_step_with_drag(const FrequencyRange& range, const Rotor& rotor);
 
 }  // namespace spoke

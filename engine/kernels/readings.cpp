@@ -68,7 +68,8 @@ Twist calc_force(const System<Plane>& system, std::size_t i, const StepData<Plan
       return blade.root_load;
     return from_hub(asked.frame, subsystem, *blade.hub) * (subsystem.root.R * blade.root_load);
   }
-  const Twist load = calc_section_load(system, i, data, t, asked.body, asked.section);
+  const Twist load =
+      calc_section_load(system, i, data, t, asked.body, asked.section, *asked.masses[0]);
   if (asked.frame == SensorFrame::section) {
     const double angle =
         section_values(asked.section, blade.bodies[asked.body].coordinates.q)[kRotation];
@@ -88,7 +89,7 @@ Twist calc_reading(const System<Plane>& system, std::size_t i, const StepData<Pl
              (blade.poses[asked.body].R * blade.joint_loads[asked.body]);
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
-      return calc_momentum(blade);
+      return calc_momentum(blade, asked.masses);
     default:
       return calc_motion(system, i, data, t, asked);
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "models/system/gauss_rule.h"
+
 namespace spoke {
 namespace {
 
@@ -106,10 +108,9 @@ RelativeMotion calc_shown_motion(const Subsystem<Plane>& subsystem,
   return motion;
 }
 
-// By a rule of three points, which is exact for the square of a slope.
+// By Gauss's rule of three points, which is exact for the square of a slope.
 Foreshortening calc_foreshortening(const BodyData<Plane>& body, double station) noexcept {
-  static constexpr std::array<double, 3> places{0.11270166537925831, 0.5, 0.88729833462074169};
-  static constexpr std::array<double, 3> weights{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  using Rule = GaussRuleOfThree;
   const FlexibleBody& model = *body.model->body;
   const CoordinateBlock& c = body.coordinates;
   Foreshortening sum;
@@ -117,11 +118,11 @@ Foreshortening calc_foreshortening(const BodyData<Plane>& body, double station) 
     const double begin = static_cast<double>(e) / model.elements;
     const double length = std::min(station, (e + 1.0) / model.elements) - begin;
     if (length <= 0.0) break;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const Section at = make_section(model, body.layout, begin + places[k] * length);
+    for (std::size_t k = 0; k < Rule::kPoints; ++k) {
+      const Section at = make_section(model, body.layout, begin + Rule::places[k] * length);
       const double slope = value_at(at.slope, at.bending_at, c.q);
       const double rate = value_at(at.slope, at.bending_at, c.v);
-      const double share = 0.5 * weights[k] * length * model.length;
+      const double share = 0.5 * Rule::weights[k] * length * model.length;
       sum.length += share * slope * slope;
       sum.rate += 2.0 * share * slope * rate;
       sum.acceleration +=

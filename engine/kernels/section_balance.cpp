@@ -13,38 +13,17 @@ namespace {
 
 double cross(const Position& a, const Position& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Calls visit(mass, inertia, section) for points from `from` to `to` [m] along an element, with
-/// the share of the mass that each stands for; `density` is the mass per length at a place [kg/m].
-template <class Density, class Visit>
-void visit_stretch(const BodyData<Plane>& body, double from, double to, const Density& density,
-                   const Visit& visit) {
+/// Adds points between `from` and `to` [m], with the share of the mass that each stands for;
+/// `density` is the mass per length at a place [kg/m].
+template <class Density>
+void add_stretch(const FlexibleBody& body, const FlexLayout& layout, double from, double to,
+                 const Density& density, std::vector<MassPoint>& points) {
   if (to <= from) return;
-  const FlexibleBody& model = *body.model->body;
   for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
     const double x = from + GaussRule::places[k] * (to - from);
-    visit(GaussRule::weights[k] * (to - from) * density(x), 0.0,
-          make_section(model, body.layout, x / model.length));
+    points.push_back({GaussRule::weights[k] * (to - from) * density(x), 0.0,
+                      make_section(body, layout, x / body.length)});
   }
-}
-
-/// The same along a body from `from` [m] to its outboard end, then for the point masses there.
-template <class Visit>
-void visit_mass(const BodyData<Plane>& body, double from, const Visit& visit) {
-  const FlexibleBody& model = *body.model->body;
-  const double l = model.length / model.elements, uniform = model.mass / model.length;
-  for (int e = 0; e < model.elements; ++e) {
-    const double begin = std::max(from, e * l), end = (e + 1) * l;
-    if (model.pieces.empty())
-      visit_stretch(
-          body, begin, end, [uniform](double) { return uniform; }, visit);
-    for (const BeamPiece& piece : model.pieces)
-      visit_stretch(
-          body, std::max(begin, piece.begin), std::min(end, piece.end),
-          [&piece](double x) { return piece.at(piece.mass_per_length, x); }, visit);
-  }
-  for (const BodyMass& point : model.masses)
-    if (point.x >= from - 1e-9 * model.length)
-      visit(point.mass, point.inertia, make_section(model, body.layout, point.x / model.length));
 }
 
 /// Place of a section in its body's frame.
@@ -102,8 +81,31 @@ void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& d
       inertia * (*data.hub_acceleration)[kRotation] + 2.0 * data.hub->twist[kRotation] * rate;
 }
 
+std::vector<MassPoint> make_mass_points(const FlexibleBody& body, const FlexLayout& layout,
+                                        double from) {
+  std::vector<MassPoint> points;
+  const double l = body.length / body.elements, uniform = body.mass / body.length;
+  for (int e = 0; e < body.elements; ++e) {
+    const double begin = std::max(from, e * l), end = (e + 1) * l;
+    if (body.pieces.empty())
+      add_stretch(
+          body, layout, begin, end, [uniform](double) { return uniform; }, points);
+    for (const BeamPiece& piece : body.pieces)
+      add_stretch(
+          body, layout, std::max(begin, piece.begin), std::min(end, piece.end),
+          [&piece](double x) { return piece.at(piece.mass_per_length, x); }, points);
+  }
+  for (const BodyMass& point : body.masses)
+    if (point.x >= from - 1e-9 * body.length)
+      points.push_back(
+          {point.mass, point.inertia, make_section(body, layout, point.x / body.length)});
+  points.shrink_to_fit();
+  return points;
+}
+
 Twist calc_section_load(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
-                        double t, int body, const Section& section) noexcept {
+                        double t, int body, const Section& section,
+                        std::span<const MassPoint> outboard) noexcept {
   const Subsystem<Plane>& subsystem = system.subsystems[i];
   const SubsystemData<Plane>& blade = data.subsystems[i];
   const BodyData<Plane>& member = blade.bodies[body];
@@ -115,7 +117,7 @@ Twist calc_section_load(const System<Plane>& system, std::size_t i, const StepDa
   const Position at = place_of(section, c.q);
   Position force = Position::Zero();
   double moment = 0.0;
-  visit_mass(member, section.x, [&](double mass, double inertia, const Section& p) {
+  for (const auto& [mass, inertia, p] : outboard) {
     const Position s = place_of(p, c.q);
     const Position s_rate = section_values(p, c.v).head<kPosition>();
     const Twist relative = section_values(p, c.a);
@@ -124,7 +126,7 @@ Twist calc_section_load(const System<Plane>& system, std::size_t i, const StepDa
                        Position(relative.head<kPosition>());
     force -= mass * a;
     moment -= mass * cross(s - at, a) + inertia * (frame.angular + relative[kRotation]);
-  });
+  }
   const Twist applied = calc_applied_beyond(t, section, body, blade);
   force += applied.head<kPosition>();
   moment += applied[kRotation];
@@ -137,7 +139,7 @@ Twist calc_section_load(const System<Plane>& system, std::size_t i, const StepDa
   return {force.x(), force.y(), moment};
 }
 
-Twist calc_momentum(const SubsystemData<Plane>& data) noexcept {
+Twist calc_momentum(const SubsystemData<Plane>& data, std::span<const MassPoints> masses) noexcept {
   const HubState<Plane>& hub = *data.hub;
   Position linear = Position::Zero();
   double angular = 0.0;
@@ -146,14 +148,14 @@ Twist calc_momentum(const SubsystemData<Plane>& data) noexcept {
     const Twist& twist = data.twists[j];
     Position momentum = Position::Zero();
     double about_frame = 0.0;
-    visit_mass(body, 0.0, [&](double mass, double inertia, const Section& p) {
+    for (const auto& [mass, inertia, p] : *masses[j]) {
       const Position s = place_of(p, body.coordinates.q);
       const Twist relative = section_values(p, body.coordinates.v);
       const Position v = Position(twist.head<kPosition>()) + twist[kRotation] * quarter_turn(s) +
                          Position(relative.head<kPosition>());
       momentum += mass * v;
       about_frame += mass * cross(s, v) + inertia * (twist[kRotation] + relative[kRotation]);
-    });
+    }
     const Position origin = hub.p + hub.R * data.poses[j].p;
     const Position P = hub.R * (data.poses[j].R * momentum);
     linear += P;

@@ -110,7 +110,9 @@ report::BarChart check_chart(const Prediction& prediction) {
     for (const Point& point : series.points) add(series.executor, point);
   report::Range values;
   for (const auto* bars : {&predicted.bars, &measured.bars})
-    for (const auto& bar : *bars) values.add(bar->value);
+    for (const auto& bar : *bars)  // a single slow quartile flattens the others, too
+      for (const std::optional<double>& value : {std::optional(bar->value), bar->low, bar->high})
+        if (value) values.add(*value);
   chart.value.kind = report::scale_for(values);
   chart.series = {std::move(predicted), std::move(measured)};
   return chart;
@@ -146,7 +148,8 @@ constexpr const char* kMethod =
     "is taken to grow as the logarithm of the threads. The band of an executor is what its "
     "measured points have: their quartiles, and beyond them their largest deviation once more with "
     "each doubling of threads; it stays within the bounds of any greedy schedule, max(T1/P, Tinf) "
-    "and (T1 - Tinf)/P + Tinf, which are also the band where nothing was measured. That processors "
+    "and (T1 - Tinf)/P + Tinf, which are also the band where nothing was measured, unless the "
+    "runtime's costs are beyond them. That processors "
     "share cache capacity, memory and power is not modelled.";
 
 }  // namespace

@@ -88,8 +88,11 @@ void narrow_band(const Deviation& deviation, Point& point) {
   } else if (point.threads > 1) {
     const double doublings = std::log2(point.threads);
     const auto reach = [&](double factor) { return step.expected * std::pow(factor, doublings); };
+    // Where the runtime's costs are beyond the bound of a greedy schedule, that bounds nothing.
+    const bool is_bound = step.pessimistic > step.expected;
     step.optimistic = std::max(step.optimistic, reach(deviation.low));
-    step.pessimistic = std::min(step.pessimistic, reach(deviation.high));
+    step.pessimistic =
+        is_bound ? std::min(step.pessimistic, reach(deviation.high)) : reach(deviation.high);
   }
 }
 

@@ -62,6 +62,17 @@ Sample largest(const SensorRange& range) {
   return {range.t_max, range.max};
 }
 
+/// Of any tip, across its blade [m].
+double largest_deflection(const Simulation& simulation, const SensorStatistics& statistics) {
+  double found = 0.0;
+  for (std::size_t i = 0; i < simulation.scenario().rotor.blades.size(); ++i) {
+    const std::string tip = "blade" + std::to_string(i + 1) + ".tip.across";
+    const double value = largest(range_of(simulation, statistics, tip)).value;
+    if (std::abs(value) > std::abs(found)) found = value;
+  }
+  return found;
+}
+
 double relative_residual(const Simulation& simulation, const SensorStatistics& statistics) {
   const double residual = largest(range_of(simulation, statistics, "energy.residual")).value;
   const double kinetic = largest(range_of(simulation, statistics, "energy.kinetic")).value;
@@ -74,7 +85,8 @@ std::vector<report::Tile> make_tiles(const Simulation& simulation,
   std::vector<report::Tile> tiles;
   if (!tips.empty()) {
     const auto split = tips.front().find(" at ");
-    tiles.push_back({"Largest tip deflection", tips.front().substr(0, split),
+    const double deflection = largest_deflection(simulation, statistics);
+    tiles.push_back({"Largest tip deflection", report::quantity(deflection, "m", 5),
                      split == std::string::npos ? "" : tips.front().substr(split + 1)});
   }
   const auto at = [](const Sample& sample) { return fmt::format("at {} s", number(sample.t)); };

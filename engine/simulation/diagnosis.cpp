@@ -201,17 +201,22 @@ std::string blame_rk4(const Scenario& scenario, const SystemContext<Plane>& cont
   if (!rk4) return {};
   const FrequencyRange range = calc_frequency_range(scenario.rotor);
   const Damping& damping = scenario.rotor.damping;
-  const double limit = calc_rk4_largest_step(range, damping);
+  const Damping total = calc_total_damping(scenario.rotor);
+  const double limit = calc_rk4_step_with_drag(range, scenario.rotor);
   if (rk4->step <= limit) return {};
   std::ostringstream text;
   text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
        << " s (";
-  if (damping.stiffness_factor == 0.0 && damping.mass_factor == 0.0)
+  if (total.stiffness_factor == 0.0 && total.mass_factor == 0.0)
     text << "2 sqrt(2) by the highest natural frequency, " << range.highest << " rad/s";
   else
-    text << "the highest natural frequency is " << range.highest << " rad/s, its damping ratio by "
-         << "[damping] "
+    text << "the highest natural frequency is " << range.highest << " rad/s";
+  if (damping.stiffness_factor > 0.0 || damping.mass_factor > 0.0)
+    text << ", its damping ratio by [damping] "
          << 0.5 * (damping.mass_factor / range.highest + damping.stiffness_factor * range.highest);
+  if (total.mass_factor > damping.mass_factor)
+    text << ", and linear drag slows the motion down at up to "
+         << total.mass_factor - damping.mass_factor << " 1/s";
   text << "): take a smaller integration.step, or generalized_alpha";
   return text.str();
 }
@@ -230,6 +235,23 @@ std::string blame_stiffening(const Scenario& scenario, const SystemContext<Plane
        << speed << " rad/s, " << (speed > first ? "above" : "near")
        << " the blade's first natural frequency of " << first
        << " rad/s: set geometric_stiffening = true, or cut the blade into more bodies";
+  return text.str();
+}
+
+/// Drag is not in the implicit part: the iteration contracts by gamma' h times its rate.
+std::string blame_drag(const Scenario& scenario, const SystemContext<Plane>& context,
+                       const FailedStep& failed) {
+  constexpr double kGood = 0.2;
+  const auto* method = std::get_if<GeneralizedAlpha>(&context.integrator.method);
+  if (failed.outcome == StepOutcome::energy_grew || !method) return {};
+  const double rate =
+      calc_total_damping(scenario.rotor).mass_factor - scenario.rotor.damping.mass_factor;
+  const double contraction = method->velocity_gain * rate;
+  if (contraction < (failed.outcome == StepOutcome::not_converged ? 2.0 * kGood : 1.0)) return {};
+  std::ostringstream text;
+  text << "linear drag slows the motion down at up to " << rate
+       << " 1/s, which the iteration has to follow: set integration.step to "
+       << kGood / contraction * method->step << " or less";
   return text.str();
 }
 
@@ -265,9 +287,12 @@ std::string find_cause(const Scenario& scenario, const SystemContext<Plane>& con
                        const FailedStep& failed, const FailureSite& site) {
   for (const std::string& cause :
        {blame_input(context, site), blame_rk4(scenario, context),
-        blame_stiffening(scenario, context, site), blame_iteration(context, failed),
+        blame_stiffening(scenario, context, site), blame_drag(scenario, context, failed),
+        blame_iteration(context, failed),
         blame_deflection(scenario, failed, step_size(context.integrator))})
     if (!cause.empty()) return cause;
+  if (failed.outcome == StepOutcome::energy_grew)
+    return advise_on_growth(scenario, step_size(context.integrator), failed.seen);
   return "take a smaller integration.step, more bodies per blade, or smaller loads";
 }
 

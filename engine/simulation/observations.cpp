@@ -44,17 +44,6 @@ Warning warn_of_deflection(const Scenario& scenario, double step_size, const Obs
   return {WarningKind::linear_range, time, text.str()};
 }
 
-Warning warn_of_growth(const Scenario& scenario, double step_size, const Observations& seen) {
-  const double time = seen.growth.step * step_size;
-  std::ostringstream text;
-  text << "at t = " << time << " s " << describe_growth(scenario, seen);
-  if (seen.growth.largest_step > seen.growth.step)
-    text << ", and by " << seen.growth.largest_residual
-         << " J at t = " << seen.growth.largest_step * step_size << " s";
-  text << ": take a smaller integration.step";
-  return {WarningKind::energy_growth, time, text.str()};
-}
-
 /// A change of the prescribed speed.
 struct SpeedChange {
   double time = 0.0;      ///< at which it begins [s]
@@ -76,27 +65,47 @@ std::vector<SpeedChange> find_speed_changes(const Drive& drive) {
   return changes;
 }
 
-/// The work of the drive is integrated over steps: of a jump it sees next to nothing.
-std::optional<Warning> warn_of_speed_jump(const Scenario& scenario, double step_size) {
-  constexpr double kLeastSteps = 4.0;
+constexpr double kLeastSteps = 4.0;  ///< of a change of the speed
+
+/// The first change within so few steps that they see next to nothing of the drive's work.
+std::optional<SpeedChange> find_speed_jump(const Scenario& scenario, double step_size) {
   constexpr double kNotable = 0.01;  // by the largest change
   const std::vector<SpeedChange> changes = find_speed_changes(scenario.rotor.hub.drive);
   double largest = 0.0;
   for (const SpeedChange& change : changes) largest = std::max(largest, std::abs(change.change));
-  for (const SpeedChange& change : changes) {
-    const bool is_jump = change.duration < kLeastSteps * step_size &&
-                         change.time < scenario.integration.duration &&
-                         std::abs(change.change) > kNotable * largest;
-    if (!is_jump) continue;
-    std::ostringstream text;
-    text << "at t = " << change.time << " s the drive changes the speed by " << change.change
-         << " rad/s within " << change.duration << " s, less than " << kLeastSteps
-         << " steps: the energy of that comes from nowhere; take a longer ramp, or an "
-            "integration.step of "
-         << change.duration / kLeastSteps << " s or less";
-    return Warning{WarningKind::speed_jump, change.time, text.str()};
-  }
+  for (const SpeedChange& change : changes)
+    if (change.duration < kLeastSteps * step_size && change.time < scenario.integration.duration &&
+        std::abs(change.change) > kNotable * largest)
+      return change;
   return {};
+}
+
+std::string advise_on_jump(const SpeedChange& change, double step_size) {
+  std::ostringstream text;
+  text << "let the change take " << kLeastSteps * step_size << " s or more";
+  // Of a ramp shorter than a step, steps short enough for it are hardly meant.
+  if (change.duration > step_size)
+    text << ", or take an integration.step of " << change.duration / kLeastSteps << " s or less";
+  return text.str();
+}
+
+Warning warn_of_speed_jump(const SpeedChange& change, double step_size) {
+  std::ostringstream text;
+  text << "at t = " << change.time << " s the drive changes the speed by " << change.change
+       << " rad/s within " << change.duration << " s, less than " << kLeastSteps
+       << " steps: the energy of that comes from nowhere; " << advise_on_jump(change, step_size);
+  return {WarningKind::speed_jump, change.time, text.str()};
+}
+
+Warning warn_of_growth(const Scenario& scenario, double step_size, const Observations& seen) {
+  const double time = seen.growth.step * step_size;
+  std::ostringstream text;
+  text << "at t = " << time << " s " << describe_growth(scenario, seen);
+  if (seen.growth.largest_step > seen.growth.step)
+    text << ", and by " << seen.growth.largest_residual
+         << " J at t = " << seen.growth.largest_step * step_size << " s";
+  text << ": " << advise_on_growth(scenario, step_size, seen);
+  return {WarningKind::energy_growth, time, text.str()};
 }
 
 }  // namespace
@@ -185,7 +194,8 @@ std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,
   const bool warns_of_growth = scenario.limits.on_energy_growth == EnergyGrowth::warn;
   if (seen.growth.step >= 0.0 && warns_of_growth)
     warnings.push_back(warn_of_growth(scenario, step_size, seen));
-  if (const auto jump = warn_of_speed_jump(scenario, step_size)) warnings.push_back(*jump);
+  if (const auto jump = find_speed_jump(scenario, step_size))
+    warnings.push_back(warn_of_speed_jump(*jump, step_size));
   return warnings;
 }
 
@@ -195,6 +205,17 @@ std::string describe_growth(const Scenario& scenario, const Observations& seen) 
   text << "the energy has grown by " << seen.growth.residual
        << " J beyond the work done, more than " << 100.0 * scenario.limits.energy_growth
        << " % of the largest energy that start and work explain, " << seen.growth.energy << " J";
+  return text.str();
+}
+
+std::string advise_on_growth(const Scenario& scenario, double step_size, const Observations& seen) {
+  const std::optional<SpeedChange> jump = find_speed_jump(scenario, step_size);
+  const double since = jump ? seen.growth.step * step_size - jump->time : -1.0;
+  if (since < 0.0 || since > 2.0 * kLeastSteps * step_size)
+    return "take a smaller integration.step";
+  std::ostringstream text;
+  text << "the drive's speed jumps at t = " << jump->time << " s, "
+       << advise_on_jump(*jump, step_size);
   return text.str();
 }
 

@@ -85,5 +85,7 @@ std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,
 
 /// One sentence about growth of the energy, without advice. Precondition: it has grown.
 std::string describe_growth(const Scenario& scenario, const Observations& seen);
+/// What to do about it: if the drive has jumped just before, let it jump less.
+std::string advise_on_growth(const Scenario& scenario, double step_size, const Observations& seen);
 
 }  // namespace spoke

@@ -4,6 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "engine/kernels/section_balance.h"
 
 namespace spoke {
 namespace {
@@ -24,12 +30,40 @@ bool needs_reading(SensorQuantity quantity) {
   return quantity != SensorQuantity::hub_reaction && quantity != SensorQuantity::kinetic_energy;
 }
 
+/// Makes the mass points that sensors integrate over, once for all bodies that are alike.
+class MassPointMaker {
+ public:
+  MassPoints outboard_of(double from, const BodyData<Plane>& body) {
+    const FlexibleBody& model = *body.model->body;
+    MassPoints& made = made_[{&model, from}];
+    if (!made)
+      made = std::make_shared<const std::vector<MassPoint>>(
+          make_mass_points(model, body.layout, from));
+    return made;
+  }
+
+ private:
+  std::map<std::pair<const FlexibleBody*, double>, MassPoints> made_;
+};
+
+/// What a reading integrates over.
+std::vector<MassPoints> find_masses(const Reading<Plane>& reading, const SubsystemData<Plane>& data,
+                                    MassPointMaker& maker) {
+  std::vector<MassPoints> masses;
+  if (reading.quantity == SensorQuantity::section_force)
+    masses.push_back(maker.outboard_of(reading.section.x, data.bodies[reading.body]));
+  if (reading.quantity == SensorQuantity::momentum ||
+      reading.quantity == SensorQuantity::blade_momentum)
+    for (const BodyData<Plane>& body : data.bodies) masses.push_back(maker.outboard_of(0.0, body));
+  return masses;
+}
+
 /// Where two bodies meet, the inner one: what acts there then is outboard of the section.
 Reading<Plane> make_reading(const Sensor& sensor, const Blade& blade,
                             const SubsystemData<Plane>& data) {
   constexpr double kSlack = 1e-9;
-  Reading<Plane> reading{sensor.quantity, frame_of(sensor), 0, 0.0, {}, data.reading_count};
-  if (sensor.quantity == SensorQuantity::joint_reaction) reading.body = sensor.joint;
+  Reading<Plane> reading{sensor.quantity, frame_of(sensor), 0, 0.0, {}, data.reading_count, {}};
+  if (sensor.quantity == SensorQuantity::joint_reaction) reading.body = sensor.joint->body();
   if (!has_position(sensor.quantity)) return reading;
   const double along = sensor.position.value_or(blade.length) / blade.length * blade.bodies;
   reading.body = std::clamp(static_cast<int>(std::ceil(along - kSlack)) - 1, 0, blade.bodies - 1);
@@ -42,13 +76,15 @@ Reading<Plane> make_reading(const Sensor& sensor, const Blade& blade,
 
 /// The readings of a sensor, and where they are.
 std::vector<std::size_t> add_readings(const Sensor& sensor, const Rotor& rotor,
-                                      StepData<Plane>& data) {
+                                      MassPointMaker& maker, StepData<Plane>& data) {
   std::vector<std::size_t> places;
   if (!needs_reading(sensor.quantity)) return places;
   const auto [first, end] = blades_of(sensor, data.subsystems.size());
   for (std::size_t i = first; i < end; ++i) {
     SubsystemData<Plane>& blade = data.subsystems[i];
-    blade.readings.push_back(make_reading(sensor, rotor.blades[i], blade));
+    Reading<Plane> reading = make_reading(sensor, rotor.blades[i], blade);
+    reading.masses = find_masses(reading, blade, maker);
+    blade.readings.push_back(std::move(reading));
     places.push_back(blade.reading_count);
     blade.reading_count += kTwist;
   }
@@ -102,8 +138,9 @@ std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades) 
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const Rotor& rotor,
                                         StepData<Plane>& data) {
   std::vector<SensorColumn> columns;
+  MassPointMaker maker;
   for (const Sensor& sensor : sensors) {
-    const std::vector<std::size_t> places = add_readings(sensor, rotor, data);
+    const std::vector<std::size_t> places = add_readings(sensor, rotor, maker, data);
     if (!is_of_blade(sensor.quantity)) {
       add_columns(sensor, 0, places, columns);
       continue;
@@ -117,6 +154,18 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const R
     blade.reading_ring =
         ArenaVector<double>(blade.reading_count * blade.samples.size(), 0.0, *blade.arena);
   return columns;
+}
+
+std::size_t count_mass_bytes(const StepData<Plane>& data) {
+  std::set<const void*> counted;
+  std::size_t bytes = 0;
+  for (const SubsystemData<Plane>& blade : data.subsystems)
+    for (const Reading<Plane>& reading : blade.readings)
+      for (const MassPoints& points : reading.masses) {
+        bytes += sizeof(MassPoints);
+        if (counted.insert(points.get()).second) bytes += points->size() * sizeof(MassPoint);
+      }
+  return bytes;
 }
 
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,

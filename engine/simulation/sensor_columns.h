@@ -32,6 +32,9 @@ std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades);
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const Rotor& rotor,
                                         StepData<Plane>& data);
 
+/// Memory of the mass points that readings in the table integrate over [bytes].
+std::size_t count_mass_bytes(const StepData& data);
+
 /// The value of a column at the end of step `step`, of which records, samples and readings must be
 /// in the table.
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,

@@ -32,6 +32,17 @@ Method make_method(const Integration& integration, double step) {
   return make_generalized_alpha(integration.spectral_radius, step);
 }
 
+/// A state that was saved is finite: what has diverged is not saved.
+void require_finite(const SavedState& state) {
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  const auto bad = std::find_if_not(state.values.begin(), state.values.end(), is_finite);
+  if (bad != state.values.end())
+    throw InputError("value " + std::to_string(bad - state.values.begin() + 1) +
+                     " of the saved state is not finite");
+  if (!is_finite(state.work) || !is_finite(state.dissipated))
+    throw InputError("the work of the saved state is not finite");
+}
+
 const Scenario& checked(const Scenario& scenario) {
   check_scenario(scenario);
   if (scenario.space)
@@ -246,6 +257,7 @@ void SimulationCore::restore(const SavedState& state) {
     throw InputError("the saved state has " + counted(std::ssize(state.values), "value") +
                      ", expected " + std::to_string(count) +
                      ", as where loads between blades act on one of the two simulations only");
+  require_finite(state);
   Observations before;
   const std::span<double> observed = doubles(before);
   std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),

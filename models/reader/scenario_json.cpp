@@ -124,7 +124,8 @@ Json to_json(const Sensor& sensor) {
   if (is_of_blade(sensor.quantity))
     json["blade"] = sensor.blade.is_all() ? Json("all") : Json(sensor.blade.number());
   if (has_position(sensor.quantity) && sensor.position) json["position"] = *sensor.position;
-  if (sensor.quantity == SensorQuantity::joint_reaction) json["joint"] = sensor.joint + 1;
+  if (sensor.quantity == SensorQuantity::joint_reaction && sensor.joint)
+    json["joint"] = sensor.joint->number();
   if (frames_of(sensor.quantity).size() > 1) json["frame"] = name_of(frame_of(sensor));
   return json;
 }

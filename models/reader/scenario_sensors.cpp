@@ -128,7 +128,8 @@ Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades)
   sensor.blade = read_blade(section, blades.size());
   sensor.frame = read_frame(section, quantity);
   if (has_joint)
-    sensor.joint = section.integer("joint", {1, least_of(sensor, blades, &Blade::bodies)}) - 1;
+    sensor.joint = JointChoice::number(
+        section.integer("joint", {1, least_of(sensor, blades, &Blade::bodies)}));
   if (quantity == SensorQuantity::section_force || section.has("position"))
     sensor.position = section.number("position", place_of(sensor, blades));
   return sensor;
@@ -153,9 +154,10 @@ void check_sensor(const std::string& path, const Sensor& sensor, const std::vect
                               std::string(name_of(sensor.quantity)) + "\"");
   if (sensor.quantity == SensorQuantity::joint_reaction) {
     const int joints = least_of(sensor, blades, &Blade::bodies);
-    if (sensor.joint < 0 || sensor.joint >= joints)
-      fail(path + ".joint", "is index " + std::to_string(sensor.joint) + ", expected 0 to " +
-                                std::to_string(joints - 1));
+    const std::string expected = "expected a whole number from 1 to " + std::to_string(joints);
+    if (!sensor.joint) fail(path + ".joint", "is missing, " + expected);
+    if (const int joint = sensor.joint->number(); joint < 1 || joint > joints)
+      fail(path + ".joint", "is " + std::to_string(joint) + ", " + expected);
   }
   if (!sensor.position) return;
   const std::string expected = place_of(sensor, blades).expectation_instead_of(*sensor.position);

@@ -41,7 +41,7 @@ Scenario make_scenario(IntegrationMethod method, bool has_free_hub) {
   scenario.integration.method = method;
   if (method == IntegrationMethod::rk4) scenario.integration.step = 5e-5;
   scenario.integration.duration = kSteps * scenario.integration.step;
-  Sensor sensor{SensorQuantity::acceleration, "end", BladeChoice::all(), {}, 0,
+  Sensor sensor{SensorQuantity::acceleration, "end", BladeChoice::all(), {}, {},
                 SensorFrame::inertial};
   scenario.sensors.push_back(sensor);
   sensor.quantity = SensorQuantity::section_force;
@@ -233,8 +233,8 @@ TEST_CASE("what is not a number leaves no trace behind a restored state") {
         SavedState spoiled = saved;
         constexpr auto kObserved =
             static_cast<std::ptrdiff_t>(sizeof(Observations) / sizeof(double));
-        std::fill(spoiled.values.begin(), spoiled.values.end() - kObserved,
-                  std::numeric_limits<double>::quiet_NaN());
+        // Finite, but not its squares.
+        std::fill(spoiled.values.begin(), spoiled.values.end() - kObserved, 1e200);
         simulation.restore(spoiled);
         CHECK_THROWS_AS(simulation.run_until(1.0), DivergenceError);
         simulation.restore(saved);
@@ -369,4 +369,33 @@ TEST_CASE("a saved state that was tampered with is refused") {
     saved.steps = steps;
     CHECK_THROWS_AS(simulation.restore(saved), InputError);
   }
+}
+
+TEST_CASE("a saved state with a number that is not finite is refused, and nothing has changed") {
+  const Scenario scenario = make_scenario(IntegrationMethod::generalized_alpha, true);
+  const Shown whole = run_whole(scenario, Formulation::structured);
+  Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+  const SavedState saved = simulation.save();
+  const auto refusal = [&](const SavedState& state) {
+    return test::message_of([&] { simulation.restore(state); });
+  };
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+    // One of the hub, one in the middle, one of the observations.
+    for (const std::size_t place :
+         {std::size_t{0}, saved.values.size() / 2, saved.values.size() - 1}) {
+      SavedState spoiled = saved;
+      spoiled.values[place] = bad;
+      CHECK(refusal(spoiled) ==
+            "value " + std::to_string(place + 1) + " of the saved state is not finite");
+    }
+    for (double SavedState::*const sum : {&SavedState::work, &SavedState::dissipated}) {
+      SavedState spoiled = saved;
+      spoiled.*sum = bad;
+      CHECK(refusal(spoiled) == "the work of the saved state is not finite");
+    }
+  }
+  Shown rest;
+  run_steps(kSteps, simulation, rest);
+  check_tail(rest, whole);
 }

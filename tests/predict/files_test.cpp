@@ -104,4 +104,10 @@ TEST_CASE("one slow point does not flatten the chart of what was measured") {
   CHECK(make_html(prediction).find(caption) == std::string::npos);
   measure_as(400e-6, 0.025, prediction.series[0].points[1]);
   CHECK(make_html(prediction).find(caption) != std::string::npos);
+  // Nor does a slow quartile.
+  prediction = sample();
+  measure_as(6e-6, 1.7, prediction.series[0].points[1]);
+  CHECK(make_html(prediction).find(caption) == std::string::npos);
+  prediction.series[0].points[1].measured->step.high = 400e-6;
+  CHECK(make_html(prediction).find(caption) != std::string::npos);
 }

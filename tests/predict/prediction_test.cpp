@@ -130,6 +130,21 @@ TEST_CASE("measured points fill the band of their executor") {
   CHECK(others[1].step.pessimistic > 1.001 * others[1].step.expected);  // nothing measured
 }
 
+TEST_CASE("a band has width where costs of the runtime are beyond the bound of a greedy schedule") {
+  Prediction prediction = predict_with(0.0, {1, 2, 4});
+  Series* flow_graph = nullptr;
+  for (Series& series : prediction.series)
+    if (series.executor == ExecutorKind::flow_graph) flow_graph = &series;
+  REQUIRE(flow_graph != nullptr);
+  graph::PredictedRun& four = flow_graph->points[2].step;
+  four.expected = four.pessimistic = 10.0 * four.pessimistic;
+  const double two = flow_graph->points[1].step.expected;
+  add_measured(prediction,
+               {measurement_of(ExecutorKind::serial, 1, {12e-6, 12e-6}),
+                measurement_of(ExecutorKind::flow_graph, 2, {1.5 * two, 1.5 * two, 1.5 * two})});
+  CHECK(four.pessimistic == approx(2.25 * four.expected));
+}
+
 TEST_CASE("at capacity a bound has less than the number of threads, as far as it was measured") {
   Prediction prediction = predict_with(0.0, {1, 2, 4});
   const Point& two = series_of(ExecutorKind::flow_graph, prediction).points[1];

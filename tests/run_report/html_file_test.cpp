@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/report/markup.h"
 #include "tests/approx.h"
 #include "tests/run_report/scenarios.h"
 
@@ -98,12 +99,18 @@ TEST_CASE("the page has the model's numbers, settings and extremes, and escapes 
   const std::string html = make_html(run.simulation, run.statistics, {0.5, ""},
                                      {"-0.1 m at 1 s (blades 1-2)"}, run.recorder);
   for (const char* part :
-       {"two &lt;/script&gt; blades", "2 s in 200 steps of 0.01 s", "<strong>-0.1 m</strong>",
-        "at 1 s (blades 1-2)", "beam elements</dt><dd>12<", "structured", "blade2.tip.y",
+       {"two &lt;/script&gt; blades", "2 s in 200 steps of 0.01 s", "at 1 s (blades 1-2)",
+        "beam elements</dt><dd>12<", "structured", "blade2.tip.y",
         "The plots show every row of sensors.csv.", "The animation has 21 pictures"}) {
     CAPTURE(part);
     CHECK(html.find(part) != std::string::npos);
   }
+  // Both blades lag alike, by some millimetres.
+  const double lag = run.statistics.ranges()[run.simulation.sensor_index("blade2.tip.across")].min;
+  const std::string tile = "<strong>" + report::quantity(lag, "m", 5) + "</strong>";
+  CAPTURE(tile);
+  CHECK(tile.ends_with(" mm</strong>"));
+  CHECK(html.find(tile) != std::string::npos);
   CHECK(html.find("note bad") == std::string::npos);
   CHECK(html.find("note warning\">\n") == std::string::npos);
 }

@@ -200,6 +200,32 @@ TEST_CASE("both methods converge at their order") {
   CHECK(std::log2(coarse / fine) == approx(4.0).epsilon(0.05));
 }
 
+TEST_CASE("generalized_alpha lengthens the period and damps by its closed forms") {
+  constexpr double kAngle = 0.08;  // w h
+  for (const double radius : {0.0, 0.3, 0.5, 0.8, 1.0}) {
+    CAPTURE(radius);
+    const GeneralizedAlpha method = make_generalized_alpha(radius, kAngle);
+    Vibration y(1.0);
+    start(method, y);
+    for (int n = 0; n < 100; ++n) step(method, y);  // till the method's third root is gone
+    std::array<double, 4> q{};
+    for (double& value : q) {
+      value = *y.block.q;
+      step(method, y);
+    }
+    // q_n+1 = sum q_n - product q_n-1, of the two roots exp((-ratio +- i) angle).
+    const double determinant = q[0] * q[2] - q[1] * q[1];
+    const double product = (q[1] * q[3] - q[2] * q[2]) / determinant;
+    const double sum = (q[0] * q[3] - q[1] * q[2]) / determinant;
+    const double angle = std::acos(0.5 * sum / std::sqrt(product));
+    const double d = (1.0 - radius) / (1.0 + radius);
+    CHECK(kAngle / angle - 1.0 ==
+          approx((1.0 / 12 + 0.375 * d * d) * kAngle * kAngle).epsilon(0.02));
+    const double ratio = -0.5 * std::log(product) / kAngle;
+    CHECK(ratio == approx(0.5 * std::pow(d * kAngle, 3)).epsilon(0.04).scale(1e-6));
+  }
+}
+
 TEST_CASE("rk4 is stable up to 2 sqrt(2) over the frequency and not beyond") {
   const double limit = 2.0 * std::sqrt(2.0);
   for (const double factor : {0.99, 1.01}) {

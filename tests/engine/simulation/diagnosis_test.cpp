@@ -117,6 +117,24 @@ TEST_CASE("rk4 above its stability limit by damping is named with it") {
                number(0.5e-3 * range.highest).c_str()});
 }
 
+TEST_CASE("strong linear drag is named, with a step that it allows") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(4, 4), 0.005);
+  const Blade& blade = scenario.rotor.blades[0];
+  const double mass = blade.density * blade.area;
+  scenario.rotor.drags = {{.linear_per_length = 1000.0 * mass}};
+  const std::string message = diverge(scenario);
+  constexpr const char* advice = "set integration.step to ";
+  check_parts(message, {"linear drag slows the motion down at up to 1000 1/s", advice});
+  scenario.integration.step = std::stod(message.substr(message.find(advice) + 24));
+  scenario.integration.duration = 500.0 * scenario.integration.step;
+  Simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1}).run_until(1.0);
+
+  scenario.integration.method = IntegrationMethod::rk4;
+  scenario.integration.step = 0.004;
+  check_parts(diverge(scenario), {"stability limit of rk4",
+                                  ", and linear drag slows the motion down at up to 1000 1/s"});
+}
+
 TEST_CASE("a linear body above its first natural frequency is named with both speeds") {
   Blade blade = wu_haug_blade(1, 4);
   blade.geometric_stiffening = false;

@@ -304,6 +304,28 @@ TEST_CASE("energy that comes from nowhere does not raise its own limit") {
   CHECK(seen.growth.energy == approx(1.2));
 }
 
+TEST_CASE("where a drive that jumps makes energy, smaller steps are not the advice") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(1, 2), 0.005);
+  scenario.rotor.hub.drive = SpeedTable{Curve({0.0, 0.1, 0.1 + 1e-9}, {0.0, 0.0, 4.0})};
+  scenario.integration.duration = 0.2;
+  const std::string advice =
+      "the drive's speed jumps at t = 0.1 s, let the change take 0.02 s or more";
+  const Shown warned = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
+  REQUIRE(warned.texts.size() == 2);
+  CHECK(contains(warned.texts[0], "the energy has grown by "));
+  CHECK(warned.texts[0].ends_with(advice));
+  CHECK(warned.texts[1].ends_with("; let the change take 0.02 s or more"));
+  scenario.limits.on_energy_growth = EnergyGrowth::stop;
+  const Shown stopped = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
+  CHECK(stopped.divergence.ends_with(advice));
+  // Growth that has nothing to do with the jump.
+  Observations seen;
+  for (const double step : {10.0, 100.0}) {
+    seen.growth.step = step;
+    CHECK(advise_on_growth(scenario, 0.005, seen) == "take a smaller integration.step");
+  }
+}
+
 TEST_CASE("a drive that changes the speed within less than four steps is warned of") {
   const auto warning_of = [](const Drive& drive) -> std::string {
     Scenario scenario;
@@ -325,6 +347,11 @@ TEST_CASE("a drive that changes the speed within less than four steps is warned 
   CHECK(contains(warning_of(SpeedTable{Curve({0.0, 1.0, 1.001}, {0.0, 0.0, 3.0})}),
                  "at t = 1 s the drive changes the speed by 3 rad/s within 0.001"));
   CHECK(warning_of(SpinUp{4.0, 0.02}).empty());
+  // Smaller steps are advised where they are within reason.
+  CHECK(warning_of(SpinUp{4.0, 1e-9}).ends_with("; let the change take 0.02 s or more"));
+  CHECK(warning_of(SpinUp{4.0, 0.01})
+            .ends_with("; let the change take 0.02 s or more, or take an integration.step of "
+                       "0.0025 s or less"));
   CHECK(warning_of(SpinUp{0.0, 1e-9}).empty());
   CHECK(warning_of(SpinUpHoldSpinDown{4.0, 1.0, 5.0, 0.01}).empty());  // after the end
   CHECK(warning_of(SpeedTable{Curve({0.0, 1.0, 2.0}, {0.0, 0.0, 3.0})}).empty());

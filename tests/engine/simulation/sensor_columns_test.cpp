@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/simulation.h"
@@ -31,6 +33,7 @@ std::vector<Sensor> every_sensor() {
     sensors.push_back(sensor);
   }
   sensors[3].position = 0.7;
+  sensors[4].joint = JointChoice::number(1);
   return sensors;
 }
 
@@ -87,6 +90,31 @@ TEST_CASE("a state goes on in a simulation with other sensors") {
   CHECK(measured.state_hash() == plain.state_hash());
 }
 
+TEST_CASE("the memory told has what sensors integrate over, once for bodies that are alike") {
+  const auto extra_memory = [](bool is_tapered) {
+    Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.02);
+    Blade blade = scenario.rotor.blades[0];
+    blade.bodies = 30;
+    blade.elements = 5;
+    if (is_tapered) {
+      blade.density = blade.area = blade.second_moment = blade.youngs_modulus = 0.0;
+      blade.sections = {{0.0, blade.length}, {1.0, 0.5}, {1e6, 5e5}, {1e3, 5e2}};
+    }
+    scenario.rotor.blades = {blade};
+    const auto memory = [](const Scenario& asked) {
+      return Simulation(asked, serial(Formulation::structured)).size().memory_bytes;
+    };
+    const std::size_t before = memory(scenario);
+    scenario.sensors.resize(2);
+    scenario.sensors[0].quantity = Quantity::momentum;
+    scenario.sensors[1].quantity = Quantity::blade_momentum;
+    return memory(scenario) - before;
+  };
+  constexpr std::size_t kPointers = 2 * 30 * sizeof(MassPoints), kBody = 5 * 4 * sizeof(MassPoint);
+  CHECK(extra_memory(false) == kPointers + kBody);
+  CHECK(extra_memory(true) == kPointers + 30 * kBody);
+}
+
 TEST_CASE("sensors that are none are refused when they are filled in code") {
   const auto message_of = [](const std::function<void(Sensor&)>& spoil) -> std::string {
     Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.02);
@@ -110,8 +138,15 @@ TEST_CASE("sensors that are none are refused when they are filled in code") {
         "them");
   CHECK(message_of([](Sensor& s) { s.frame = SensorFrame::section; }) ==
         "sensor.1.frame: is \"section\", which does not belong to quantity \"displacement\"");
-  CHECK(message_of([](Sensor& s) {
-          s.quantity = Quantity::joint_reaction;
-          s.joint = 2;
-        }) == "sensor.1.joint: is index 2, expected 0 to 1");
+  CHECK(message_of([](Sensor& s) { s.quantity = Quantity::joint_reaction; }) ==
+        "sensor.1.joint: is missing, expected a whole number from 1 to 2");
+  for (const int number : {0, 3})
+    CHECK(message_of([number](Sensor& s) {
+            s.quantity = Quantity::joint_reaction;
+            s.joint = JointChoice::number(number);
+          }) ==
+          "sensor.1.joint: is " + std::to_string(number) + ", expected a whole number from 1 to 2");
+  // An index, from 0, is no number.
+  static_assert(!std::is_convertible_v<int, JointChoice>);
+  static_assert(!std::is_assignable_v<std::optional<JointChoice>&, int>);
 }

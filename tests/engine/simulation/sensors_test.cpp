@@ -178,7 +178,7 @@ TEST_CASE("behind a joint the balance of all that acts outboard is what the join
           make_sensor(Quantity::joint_reaction, "joint", SensorFrame::hub),
           // Beside the joint: at it, the section is the root or that of the body inboard.
           make_sensor(Quantity::section_force, "section", SensorFrame::hub, at + 1e-9)};
-      scenario.sensors[0].joint = at == 0.0 ? 0 : 1;
+      scenario.sensors[0].joint = JointChoice::number(at == 0.0 ? 1 : 2);
       Simulation simulation(scenario, serial(way.formulation));
       simulation.run_until(0.015);
       const Values values = values_of(simulation);
@@ -346,7 +346,7 @@ TEST_CASE("section forces are continuous where bodies meet, and turn with their 
       scenario.sensors.push_back(make_sensor(
           Quantity::section_force, "s." + std::string(name_of(frame)), frame, 1.0 + 2e-8));
     Sensor joint = make_sensor(Quantity::joint_reaction, "joint", SensorFrame::blade);
-    joint.joint = 1;
+    joint.joint = JointChoice::number(2);
     scenario.sensors.push_back(joint);
     scenario.sensors.push_back(
         make_sensor(Quantity::displacement, "turned", SensorFrame::blade, 1.0));

@@ -70,7 +70,7 @@ frame = "inertial"
   CHECK(force.position == 3.0);
   CHECK(frame_of(force) == SensorFrame::section);
   CHECK(prefix_of(force, 1) == "blade2.mid-span");
-  CHECK(scenario.sensors[2].joint == 1);
+  CHECK(scenario.sensors[2].joint->number() == 2);
   CHECK(frame_of(scenario.sensors[2]) == SensorFrame::inertial);
 }
 
