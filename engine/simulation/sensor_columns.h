@@ -33,7 +33,7 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const R
                                         StepData<Plane>& data);
 
 /// Memory of the mass points that readings in the table integrate over [bytes].
-std::size_t count_mass_bytes(const StepData& data);
+std::size_t count_mass_bytes(const StepData<Plane>& data);
 
 /// The value of a column at the end of step `step`, of which records, samples and readings must be
 /// in the table.

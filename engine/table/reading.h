@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "engine/body/body_types.h"
+#include "engine/body/section.h"
 #include "models/sensor.h"
 
 namespace spoke {
 
-/// Mass at a section, a point of an integral over a body or a point mass.
+/// Mass at a section of a planar body, a point of an integral over it or a point mass.
 struct MassPoint {
   double mass = 0.0;     ///< [kg]
   double inertia = 0.0;  ///< [kg m^2]

@@ -11,6 +11,7 @@
 #include "models/error.h"
 #include "models/tree/mass_properties.h"
 #include "models/tree/space_beam.h"
+#include "models/tree/space_joint.h"
 #include "models/tree/tree.h"
 
 namespace spoke {
@@ -135,7 +136,8 @@ class SubsystemMaker {
     TreeBody<Space>& made = made_.bodies[j];
     const space::Pose at = pose_of(body(j).placement);
     const space::Rotation own = frame_of(j);
-    space::Joint& joint = made.joint.joint = spatial::make_space_joint(body(j));
+    space::Joint& joint = made.joint.joint =
+        spatial::make_space_joint(body(j).joint, body(j).placement);
     if (made.parent < 0) {
       joint.offset = {to_axis_ * at.p, to_axis_ * at.R * own};
     } else {
