@@ -44,18 +44,15 @@ const Scenario& Simulation::scenario() const { return core_->scenario; }
 const SimulationOptions& Simulation::options() const { return core_->options; }
 
 ModelSize Simulation::size() const {
-  const System<Plane>& system = core_->context.system;
+  const ModelExtent extent = core_->model->extent();
   ModelSize size;
-  size.subsystems = static_cast<int>(system.subsystems.size());
-  size.bodies = system.body_count();
-  size.coordinates = system.deformation_count();
-  for (int c = 0; c < kTwist; ++c) size.coordinates += !is_prescribed(system.hub, c);
+  size.subsystems = extent.subsystems;
+  size.bodies = extent.bodies;
+  size.coordinates = extent.coordinates;
   size.joints = size.bodies;
   size.graph_nodes = core_->runner->step_graph().node_count();
   size.graph_edges = core_->runner->step_graph().edge_count();
-  size.memory_bytes =
-      static_cast<std::size_t>(estimate_model_memory(system, core_->context.formulation)) +
-      count_mass_bytes(core_->context.data);
+  size.memory_bytes = static_cast<std::size_t>(core_->model->memory_bytes());
   return size;
 }
 
@@ -64,6 +61,7 @@ const graph::StepGraph& Simulation::step_graph() const { return core_->runner->s
 const graph::StepGraph& Simulation::run_graph() const { return core_->runner->run_graph(); }
 
 LinearProperties Simulation::linear_properties() const {
+  core_->plane("frequencies at rest");
   const Rotor& rotor = core_->scenario.rotor;
   const FrequencyRange range = calc_frequency_range(rotor);
   return {range.lowest, range.highest, calc_rk4_step_with_drag(range, rotor)};
@@ -101,8 +99,12 @@ StepTrace Simulation::trace(std::int64_t step_count, const StepObserver& observe
 
 SimulationCore& core_of(Simulation& simulation) { return *simulation.core_; }
 
-const std::vector<std::string>& Simulation::sensor_names() const { return core_->sensors.names(); }
-const std::vector<std::string>& Simulation::sensor_units() const { return core_->sensors.units(); }
+const std::vector<std::string>& Simulation::sensor_names() const {
+  return core_->model->sensor_names();
+}
+const std::vector<std::string>& Simulation::sensor_units() const {
+  return core_->model->sensor_units();
+}
 
 std::span<const double> Simulation::sensor_values() const { return core_->values(); }
 
@@ -121,12 +123,12 @@ std::vector<Warning> Simulation::warnings() const {
   return make_warnings(core_->scenario, core_->step_size, core_->seen);
 }
 
-const Drive& Simulation::drive() const { return core_->context.system.hub.drive; }
+const Drive& Simulation::drive() const { return core_->model->drive(); }
 
 void Simulation::set_drive(const Drive& drive) {
   core_->require_state("go on from with another drive");
   check_drive(drive);
-  Drive& in_force = core_->context.system.hub.drive;
+  Drive& in_force = core_->model->drive();
   check_continuation(in_force, drive, time());
   const Drive before = std::exchange(in_force, drive);
   try {
@@ -139,7 +141,7 @@ void Simulation::set_drive(const Drive& drive) {
 
 void Simulation::set_load(int index, std::shared_ptr<const Load> load) {
   core_->require_state("go on from with another load");
-  LoadData<Plane>& data = find_load(index, core_->context.data);
+  LoadData<Plane>& data = find_load(index, core_->plane("loads").data);
   require_same_markers(load, data);
   data.load.swap(load);
   try {

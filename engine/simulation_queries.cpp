@@ -24,7 +24,7 @@ Wrench wrench_in_space(const Twist& wrench) {
 }  // namespace
 
 HubMotion Simulation::hub() const {
-  const CoordinateBlock& hub = core_->context.data.hub_coordinates;
+  const CoordinateBlock& hub = core_->plane("the planar view of the hub").data.hub_coordinates;
   return {Twist(hub.q[0], hub.q[1], hub.q[2]), Twist(hub.v[0], hub.v[1], hub.v[2]),
           Twist(hub.a[0], hub.a[1], hub.a[2])};
 }
@@ -37,7 +37,7 @@ BodyState Simulation::body(int blade, int body) const {
 
 void Simulation::calc_shape(int blade, BladeShape& shape) const {
   core_->find_body(blade, 0);
-  SystemContext<Plane>& context = core_->context;
+  SystemContext<Plane>& context = core_->plane("the shape of a blade");
   const auto index = static_cast<std::size_t>(blade);
   spoke::calc_shape(core_->scenario.rotor.blades[index], context.system.subsystems[index],
                     context.data.subsystems[index], shape);
@@ -46,10 +46,10 @@ void Simulation::calc_shape(int blade, BladeShape& shape) const {
 MarkerState Simulation::marker(const Marker& marker) const {
   const PlacedMarker<Plane> placed = core_->place(marker);
   core_->evaluate();
-  const System<Plane>& system = core_->context.system;
+  const System<Plane>& system = core_->plane("markers").system;
   const auto blade = static_cast<std::size_t>(marker.blade);
   const Subsystem<Plane>& subsystem = system.subsystems[blade];
-  const SubsystemData<Plane>& data = core_->context.data.subsystems[blade];
+  const SubsystemData<Plane>& data = core_->plane("sections").data.subsystems[blade];
   MarkerState state{calc_marker_motion(subsystem, data, placed)};
   const Twist acceleration = calc_marker_acceleration(system.gravity_at(time()), data, placed);
   state.acceleration = in_space(Position(acceleration.head<kPosition>()));
@@ -68,16 +68,17 @@ Wrench Simulation::joint_reaction(int blade, int joint) const {
   core_->place({blade, joint, 0.0});
   core_->evaluate();
   const SubsystemData<Plane>& data =
-      core_->context.data.subsystems[static_cast<std::size_t>(blade)];
+      core_->plane("joints").data.subsystems[static_cast<std::size_t>(blade)];
   const Twist& wrench = data.wrenches[static_cast<std::size_t>(joint)].inboard;
   return wrench_in_space(data.hub->R * calc_rotation_to_hub(data, joint) * wrench);
 }
 
 Wrench Simulation::hub_reaction() const {
+  const StepData<Plane>& data = core_->plane("the planar view of the hub").data;
   core_->evaluate();
-  Twist wrench = core_->context.data.evaluated.reaction;
-  wrench[kRotation] += core_->context.data.evaluated.applied_torque;
-  return wrench_in_space(core_->context.data.subsystems.front().hub->R * wrench);
+  Twist wrench = data.evaluated.reaction;
+  wrench[kRotation] += data.evaluated.applied_torque;
+  return wrench_in_space(data.subsystems.front().hub->R * wrench);
 }
 
 Wrench Simulation::section_force(const Marker& marker) const {
@@ -85,11 +86,11 @@ Wrench Simulation::section_force(const Marker& marker) const {
   core_->evaluate();
   const auto blade = static_cast<std::size_t>(marker.blade);
   return wrench_in_space(calc_section_force(
-      core_->scenario.rotor.blades[blade], core_->context.system.damping,
-      core_->context.data.subsystems[blade].bodies[static_cast<std::size_t>(marker.body)],
+      core_->scenario.rotor.blades[blade], core_->plane("sections").system.damping,
+      core_->plane("sections").data.subsystems[blade].bodies[static_cast<std::size_t>(marker.body)],
       placed.section));
 }
 
-std::uint64_t Simulation::state_hash() const { return hash_state(core_->context.data); }
+std::uint64_t Simulation::state_hash() const { return core_->model->hash(); }
 
 }  // namespace spoke

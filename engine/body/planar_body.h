@@ -103,6 +103,7 @@ struct BodyTypes<Plane> {
   using JointMotion = PlanarJointMotion;
   using HubStiffening = PlanarHubStiffening;
   struct Attitude {};
+  struct RecordedRotation {};
 };
 
 FlexLayout make_layout(const FlexibleBody& body);

@@ -42,10 +42,12 @@ Animation::Animation(const Simulation& simulation)
     nodes += blade.undeformed.size();
     blades_.push_back(std::move(blade));
   }
-  most_frames_ = std::clamp(kMostNumbers / (2 * nodes), kFewestFrames, kMostFrames);
+  // A model in space has no planar shapes, and no frames.
+  if (nodes > 0) most_frames_ = std::clamp(kMostNumbers / (2 * nodes), kFewestFrames, kMostFrames);
 }
 
 void Animation::add(const Simulation& simulation) {
+  if (blades_.empty()) return;
   if (!times_.empty() && times_.back() == simulation.time()) return;
   const std::size_t before = displacements_.size(), hub_before = hub_.size();
   for (std::size_t i = 0; i < blades_.size(); ++i) {

@@ -60,6 +60,25 @@ void add_plots_of_sensors(const Simulation& simulation, std::vector<Plot>& plots
   }
 }
 
+/// A model in space: a plot for each sensor that trees have, with a curve for each tree, in the
+/// order of the sensors.
+void add_plots_of_trees(const Simulation& simulation, std::vector<Plot>& plots) {
+  const std::vector<std::string>& names = simulation.sensor_names();
+  const std::size_t first = plots.size();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::size_t dot = names[k].find('.');
+    const std::string tree = names[k].substr(0, dot), sensor = names[k].substr(dot + 1);
+    if (tree == "energy" || names[k] == "hub.speed" || names[k] == "hub.torque") continue;
+    const std::string title = tree == "hub" ? "Hub: " + sensor : sensor;
+    const auto same = std::find_if(plots.begin() + static_cast<std::ptrdiff_t>(first), plots.end(),
+                                   [&](const Plot& plot) { return plot.title == title; });
+    Plot& plot = same != plots.end()
+                     ? *same
+                     : plots.emplace_back(Plot{title, simulation.sensor_units()[k], {}});
+    plot.channels.push_back({tree, k});
+  }
+}
+
 }  // namespace
 
 std::vector<Plot> make_plots(const Simulation& simulation) {
@@ -67,8 +86,11 @@ std::vector<Plot> make_plots(const Simulation& simulation) {
     return Channel{name, simulation.sensor_index(sensor)};
   };
   std::vector<Plot> plots;
-  plots.push_back(plot_of_tips(simulation, "Tip deflection across the blade", true));
-  plots.push_back(plot_of_tips(simulation, "Tip displacement along the blade", false));
+  const bool is_in_space = simulation.scenario().space.has_value();
+  if (!is_in_space) {
+    plots.push_back(plot_of_tips(simulation, "Tip deflection across the blade", true));
+    plots.push_back(plot_of_tips(simulation, "Tip displacement along the blade", false));
+  }
   plots.push_back({"Hub speed", "rad/s", {one("speed", "hub.speed")}});
   plots.push_back({"Torque on the hub", "N m", {one("torque", "hub.torque")}});
   if (simulation.scenario().rotor.hub.support == HubSupport::free)
@@ -78,6 +100,10 @@ std::vector<Plot> make_plots(const Simulation& simulation) {
                    {one("kinetic", "energy.kinetic"), one("strain", "energy.strain"),
                     one("work", "energy.work"), one("dissipated", "energy.dissipated")}});
   plots.push_back({"Energy residual", "J", {one("residual", "energy.residual")}});
+  if (is_in_space) {
+    add_plots_of_trees(simulation, plots);
+    return plots;
+  }
   plots.push_back(plot_of_blades(simulation, "Axial force at the root", "N", ".root.x"));
   plots.push_back(plot_of_blades(simulation, "Bending moment at the root", "N m", ".root.moment"));
   add_plots_of_sensors(simulation, plots);

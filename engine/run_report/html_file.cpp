@@ -125,10 +125,28 @@ int count_elements(const Simulation& simulation) {
   return elements;
 }
 
-report::FactGroup model_facts(const Simulation& simulation) {
+std::string describe_hub(const Scenario& scenario) {
+  if (scenario.space)
+    return scenario.space->hub.support == HubSupport::free ? "free in space" : "on an axle";
+  return scenario.rotor.hub.support == HubSupport::free ? "free in the plane" : "on an axle";
+}
+
+report::FactGroup spatial_facts(const Simulation& simulation) {
   const ModelSize size = simulation.size();
-  const Rotor& rotor = simulation.scenario().rotor;
-  const bool is_free = rotor.hub.support == HubSupport::free;
+  return {
+      "Model",
+      {{"trees", std::to_string(size.subsystems)},
+       {"bodies", std::to_string(size.bodies)},
+       {"coordinates", std::to_string(size.coordinates)},
+       {"joints", std::to_string(size.joints)},
+       {"hub", describe_hub(simulation.scenario())},
+       {"step graph", counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge")},
+       {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
+}
+
+report::FactGroup model_facts(const Simulation& simulation) {
+  if (simulation.scenario().space) return spatial_facts(simulation);
+  const ModelSize size = simulation.size();
   return {
       "Model",
       {{"blades", std::to_string(size.subsystems)},
@@ -136,7 +154,7 @@ report::FactGroup model_facts(const Simulation& simulation) {
        {"beam elements", std::to_string(count_elements(simulation))},
        {"coordinates", std::to_string(size.coordinates)},
        {"joints", std::to_string(size.joints)},
-       {"hub", is_free ? "free in the plane" : "on an axle"},
+       {"hub", describe_hub(simulation.scenario())},
        {"step graph", counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge")},
        {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -19,7 +20,22 @@ std::string name_body(const Observations::Deflection& seen) {
   return text.str();
 }
 
+/// Of a body in space.
+Warning warn_of_spatial_deflection(double limit, double step_size, const Observations& seen) {
+  const Observations::Deflection &first = seen.first_deflection, &largest = seen.largest_deflection;
+  const double time = first.step * step_size;
+  std::ostringstream text;
+  text << name_body(first) << " bends by " << 100.0 * first.ratio
+       << " % of its length at t = " << time << " s, more than " << 100.0 * limit
+       << " %, up to which its linear elasticity holds; at most by " << 100.0 * largest.ratio
+       << " % (" << name_body(largest) << ", t = " << largest.step * step_size
+       << " s): cut the beam into more bodies";
+  return {WarningKind::linear_range, time, text.str()};
+}
+
 Warning warn_of_deflection(const Scenario& scenario, double step_size, const Observations& seen) {
+  if (scenario.space)
+    return warn_of_spatial_deflection(scenario.limits.deflection, step_size, seen);
   const double limit = scenario.limits.deflection;
   const auto blade_of = [&](const Observations::Deflection& at) -> const Blade& {
     return scenario.rotor.blades.at(static_cast<std::size_t>(at.blade));
@@ -110,14 +126,14 @@ Warning warn_of_growth(const Scenario& scenario, double step_size, const Observa
 
 }  // namespace
 
-bool is_possible(const Observations& seen, const Rotor& rotor) {
-  const auto is_index = [](double value, std::size_t count) {
-    return value >= 0.0 && value < static_cast<double>(count) && value == std::floor(value);
+bool is_possible(const Observations& seen,
+                 const std::function<bool(std::int64_t, std::int64_t)>& has_body) {
+  const auto is_index = [](double value) {
+    return value >= 0.0 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
   };
   const auto names_body = [&](const Observations::Deflection& at) {
-    return at.step >= 0.0 && at.ratio > 0.0 && is_index(at.blade, rotor.blades.size()) &&
-           is_index(at.body, static_cast<std::size_t>(
-                                 rotor.blades[static_cast<std::size_t>(at.blade)].bodies));
+    return at.step >= 0.0 && at.ratio > 0.0 && is_index(at.blade) && is_index(at.body) &&
+           has_body(static_cast<std::int64_t>(at.blade), static_cast<std::int64_t>(at.body));
   };
   const bool is_none = seen.first_deflection.step == -1.0 && seen.largest_deflection.step == -1.0;
   return is_none || (names_body(seen.first_deflection) && names_body(seen.largest_deflection));

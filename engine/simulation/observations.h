@@ -4,6 +4,7 @@
 // whether the energy has grown beyond the work done. A function of the steps alone, whatever runs
 // them. Doubles only, for saved states carry it.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,10 @@ struct Observations {
   Growth growth;
 };
 
-/// Whether these may be observations of a rotor: the bodies that they name exist.
-bool is_possible(const Observations& seen, const Rotor& rotor);
+/// Whether these may be observations of a model: the bodies that they name, by the indices of blade
+/// and body, exist.
+bool is_possible(const Observations& seen,
+                 const std::function<bool(std::int64_t, std::int64_t)>& has_body);
 
 /// Takes the record of a step, in order of steps.
 void observe_step(double step, const StepRecord& record, Observations& seen);

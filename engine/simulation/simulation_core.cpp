@@ -45,9 +45,6 @@ void require_finite(const SavedState& state) {
 
 const Scenario& checked(const Scenario& scenario) {
   check_scenario(scenario);
-  if (scenario.space)
-    throw InputError(
-        "world: is \"space\", which spoke check prints; expected \"plane\" to simulate");
   return scenario;
 }
 
@@ -77,37 +74,27 @@ SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& c
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
       identity(std::make_shared<const std::string>(
-          make_identity(scenario, options.formulation, step_size))),
-      sensors(context.system, prepare(loads)) {
+          make_identity(scenario, options.formulation, step_size))) {
+  prepare(loads);
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
-  sensors.start(context.system, context.data);
-  observe_start(sensors.initial_energy(), seen);
-  energy_resolution = calc_energy_resolution(scenario);
+  observe_start(model->start_sensors(), seen);
+  energy_resolution = model->energy_resolution();
   complete_step(0, {});
 }
 
-std::vector<SensorColumn> SimulationCore::prepare(const Loads& loads) {
-  if (scenario.limits.deflection > 0.0) context.linear_range = scenario.limits.deflection;
-  context.system = make_system(scenario.rotor);
-  context.formulation = options.formulation;
-  context.integrator = {make_method(scenario.integration, step_size),
-                        {scenario.integration.tolerance, scenario.integration.iterations,
-                         scenario.integration.max_iterations}};
-  require_memory(context.system, context.formulation);
+void SimulationCore::prepare(const Loads& loads) {
+  const Integrator integrator{make_method(scenario.integration, step_size),
+                              {scenario.integration.tolerance, scenario.integration.iterations,
+                               scenario.integration.max_iterations}};
+  model = make_model(scenario, options.formulation, integrator, loads);
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
                           options.threads, options.window, planned_steps, options.make_executor};
-  const std::vector<AskedLoad> asked = ask_loads(loads);
-  context.loads_tie_blades = ties_blades(asked);
-  const std::size_t readings = count_readings(scenario.sensors, scenario.rotor.blades.size());
-  allocate(context, window_records(how, ring_bytes(context.system, readings)));
-  place_loads(asked, context.data);
-  std::vector<SensorColumn> columns = place_sensors(scenario.sensors, scenario.rotor, context.data);
-  runner = std::make_unique<StepRunner>(context, how);
+  model->allocate(window_records(how, model->ring_bytes()));
+  runner = std::make_unique<StepRunner>(model->context(), how);
 #ifndef NDEBUG
   require_kept_declarations();
 #endif
-  return columns;
 }
 
 /// Debug builds run every node once on its declared data alone.
@@ -116,7 +103,7 @@ std::vector<SensorColumn> SimulationCore::prepare(const Loads& loads) {
   if (runner->step_graph().node_count() > kLargest) return;
   for (const graph::DeclarationFault& fault : graph::check_declarations(runner->step_graph()))
     throw Error(ErrorCode::internal, fault.message);
-  context.data.clear_load_failures();
+  model->context().table().clear_load_failures();
 }
 
 void SimulationCore::step() {
@@ -168,21 +155,22 @@ void SimulationCore::open_window() {
 }
 
 void SimulationCore::require_state(const char* use) const {
-  const StepData<Plane>& data = context.data;
+  const StepTable& data = model->context().table();
   if (!are_together(data) || last_complete_step(data) != runner->steps())
     throw StateError(std::string("there is no state to ") + use +
                      ": a step failed or was not brought to its end");
 }
 
 void SimulationCore::sample(std::int64_t step) {
-  Sensors::sample(context.system, step, static_cast<double>(step) * step_size, context.data);
+  model->sample(step, static_cast<double>(step) * step_size);
 }
 
 const std::vector<double>& SimulationCore::values() {
   if (measured_step == runner->steps()) return sensor_values;
-  if (loads_are_stale && context.data.has_loads() && !scenario.sensors.empty()) evaluate_again();
+  if (loads_are_stale && model->context().table().has_loads() && !scenario.sensors.empty())
+    evaluate_again();
   sample(runner->steps());
-  sensor_values = sensors.measure(context.system, work, runner->steps(), context.data);
+  sensor_values = model->measure(work, runner->steps());
   measured_step = runner->steps();
   return sensor_values;
 }
@@ -208,12 +196,19 @@ void SimulationCore::renew() {
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
 }
 
+SystemContext<Plane>& SimulationCore::plane(const char* what) const {
+  SystemContext<Plane>* context = model->plane();
+  if (!context)
+    throw InputError(std::string(what) + ": the model is in space, expected a rotor in the plane");
+  return *context;
+}
+
 PlacedMarker<Plane> SimulationCore::place(const Marker& marker) const {
-  return place_marker("the marker", marker, context.data);
+  return place_marker("the marker", marker, plane("markers").data);
 }
 
 const BodyData<Plane>& SimulationCore::find_body(int blade, int body) const {
-  const auto& blades = context.data.subsystems;
+  const auto& blades = plane("the view of a body").data.subsystems;
   require_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
   const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
   require_range("the index of the body", body, 0, static_cast<std::int64_t>(bodies.size()) - 1);
@@ -234,14 +229,14 @@ SavedState SimulationCore::save() {
 
 /// The values of the table, then what was observed.
 std::vector<double> SimulationCore::take_values(std::int64_t steps) {
-  std::vector<double> values = take_state_values(steps, context.data);
+  std::vector<double> values = take_state_values(steps, model->context().table());
   const std::span<const double> observed = doubles(seen);
   values.insert(values.end(), observed.begin(), observed.end());
   return values;
 }
 
 void SimulationCore::restore(const SavedState& state) {
-  StepData<Plane>& data = context.data;
+  StepTable& data = model->context().table();
   constexpr std::int64_t most_steps = std::int64_t{1} << 53;  // values are doubles
   if (!state.model) throw InputError("the saved state is empty");
   if (state.steps < 0 || state.steps > most_steps)
@@ -251,7 +246,7 @@ void SimulationCore::restore(const SavedState& state) {
     const std::string difference = find_difference(*state.model, *identity);
     if (!difference.empty()) throw InputError("the saved state is of another model: " + difference);
   }
-  const std::size_t table_count = count_state_values(data);
+  const std::size_t table_count = model->count_state();
   const std::size_t count = table_count + doubles(seen).size();
   if (state.values.size() != count)
     throw InputError("the saved state has " + counted(std::ssize(state.values), "value") +
@@ -262,7 +257,9 @@ void SimulationCore::restore(const SavedState& state) {
   const std::span<double> observed = doubles(before);
   std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),
             observed.begin());
-  if (!is_possible(before, scenario.rotor))
+  if (!is_possible(before, [this](std::int64_t blade, std::int64_t body) {
+        return model->has_body(blade, body);
+      }))
     throw InputError("the saved state names a body that there is not");
   seen = before;
   data.put_state(std::span(state.values).first(table_count), state.steps);
@@ -294,7 +291,7 @@ void SimulationCore::require_done(const Advance& advance) {
 }
 
 void SimulationCore::count_step(std::int64_t step) {
-  const StepRecord& record = of_step(context.data.records, step).step;
+  const StepRecord& record = model->record(step);
   evaluations += record.passes;
   work.add(record);
   observe_step(static_cast<double>(step), record, seen);
@@ -305,8 +302,8 @@ void SimulationCore::complete_step(std::int64_t step, const StepObserver& observ
   count_step(step);
   log_news();
   if (!observe && !stops_on_growth()) return;
-  const std::vector<double>& values = sensors.measure(context.system, work, step, context.data);
-  const bool has_grown = observe_energy(static_cast<double>(step), sensors.balance(),
+  const std::vector<double>& values = model->measure(work, step);
+  const bool has_grown = observe_energy(static_cast<double>(step), model->balance(),
                                         {scenario.limits.energy_growth, energy_resolution}, seen);
   if (has_grown) log_news();
   if (observe) observe(static_cast<double>(step) * step_size, values);
@@ -326,12 +323,12 @@ void SimulationCore::throw_failure(StepOutcome outcome, std::int64_t step) {
   if (outcome == StepOutcome::load_failed) {
     std::ostringstream at;
     at << "at t = " << static_cast<double>(step) * step_size << " s, step " << step;
-    const std::string text = describe_failed_load(context.data, at.str());
+    const std::string text = model->describe_failed_load(at.str());
     SimulationLog::log_failure(scenario, text);
     throw LoadError(text);
   }
-  const std::string text = describe_failure(
-      scenario, context, {outcome, static_cast<double>(step) * step_size, step, seen});
+  const std::string text =
+      model->describe_failure({outcome, static_cast<double>(step) * step_size, step, seen});
   SimulationLog::log_failure(scenario, text);
   throw DivergenceError(text);
 }

@@ -14,6 +14,7 @@
 #include "engine/saved_state.h"
 #include "engine/simulation/observations.h"
 #include "engine/simulation/sensors.h"
+#include "engine/simulation/simulated_model.h"
 #include "engine/simulation/simulation_log.h"
 #include "engine/simulation_options.h"
 #include "engine/step/pass_integration.h"
@@ -47,6 +48,9 @@ class SimulationCore {
   void evaluate();
   /// The same, after a force has changed: the next step starts from it.
   void renew();
+  /// A rotor in the plane. Throws InputError if the model is in space: `what` is then refused.
+  SystemContext<Plane>& plane(const char* what) const;
+  // Of a rotor in the plane.
   PlacedMarker<Plane> place(const Marker& marker) const;
   const BodyData<Plane>& find_body(int blade, int body) const;
 
@@ -55,24 +59,24 @@ class SimulationCore {
   std::int64_t planned_steps;
   double step_size;
   std::shared_ptr<const std::string> identity;
-  SystemContext<Plane> context;
+  std::unique_ptr<SimulatedModel> model;
   std::unique_ptr<StepRunner> runner;
   std::int64_t evaluations = 0;
   WorkDone work;
   Observations seen;
   double energy_resolution = 0.0;  ///< [J]
   SimulationLog log;
-  Sensors sensors;
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
   std::int64_t measured_step = -1;
   /// What loads of the user's exert, as the table has it, is not that of the state.
   bool loads_are_stale = false;
-  /// The step at whose end accelerations and wrenches were evaluated (see StepData::evaluated).
+  /// The step at whose end accelerations and wrenches were evaluated (see
+  /// StepTable::take_evaluated_record).
   std::int64_t evaluated_step = -1;
 
  private:
-  std::vector<SensorColumn> prepare(const Loads& loads);
+  void prepare(const Loads& loads);
   void sample(std::int64_t step);
   void evaluate_again();
   void require_kept_declarations();

@@ -99,6 +99,7 @@ struct BodyTypes<Space> {
   using JointMotion = space::JointMotion;
   using HubStiffening = space::HubStiffening;
   using Attitude = space::RotationState;
+  using RecordedRotation = space::Rotation;
 };
 
 }  // namespace spoke

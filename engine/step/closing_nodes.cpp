@@ -3,6 +3,7 @@
 #include "engine/step/closing_nodes.h"
 
 #include "engine/kernels/hub_solve.h"
+#include "engine/kernels/joint_values.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
@@ -63,7 +64,11 @@ void keep_readings(const SystemContext<Plane>& c, std::size_t i, std::int64_t st
   if (!table.subsystems[i].readings.empty())
     calc_readings(c.system, i, step, static_cast<double>(step) * step_size(c.integrator), table);
 }
-void keep_readings(const SystemContext<Space>&, std::size_t, std::int64_t, StepData<Space>&) {}
+void keep_readings(const SystemContext<Space>& c, std::size_t i, std::int64_t step,
+                   StepData<Space>& table) {
+  if (table.subsystems[i].reading_count > 0)
+    keep_joint_values(c.system.subsystems[i], step, table.subsystems[i]);
+}
 
 }  // namespace
 
@@ -116,7 +121,7 @@ void add_sensors(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = table.subsystems[i];
   const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
   PartList outputs{blade.poses, blade.samples, blade.joint_loads};
-  if (!data.readings.empty()) outputs.push_back(blade.readings);
+  if (data.reading_count > 0) outputs.push_back(blade.readings);
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
   const PartList inputs{blade.rotations, blade.twists};
   if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());

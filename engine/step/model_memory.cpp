@@ -46,5 +46,7 @@ void require_memory(const System<World>& system, Formulation formulation) {
 
 template double estimate_model_memory(const System<Plane>&, Formulation);
 template void require_memory(const System<Plane>&, Formulation);
+template double estimate_model_memory(const System<Space>&, Formulation);
+template void require_memory(const System<Space>&, Formulation);
 
 }  // namespace spoke

@@ -273,6 +273,7 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   }
   record.reaction = hub.reaction;
   record.applied_torque = hub.applied_torque;
+  if constexpr (World::kMostJointCoordinates > 0) record.hub_rotation = calc_hub_state(data).R;
   record.position = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.q);
   record.velocity = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.v);
 }
@@ -297,6 +298,8 @@ void record_reactions(const System<World>& system, const Integrator& integrator,
     const RotationOf<World> R =
         needs_rotation ? rotation_of(system.hub, hub.q[World::kAxial]) : RotationOf<World>{};
     const TwistOf<World> a = calc_prescribed_acceleration(system, t, R, hub.a[World::kAxial]);
+    if constexpr (World::kMostJointCoordinates > 0)
+      record.hub_rotation = rotation_of(system.hub, hub.q[World::kAxial]);
     record.reaction = calc_hub_mass(system.hub) * a -
                       calc_hub_load(system, t, HubState<World>{no_position, R, record.velocity});
     for (std::size_t i = 0; i < data.subsystems.size(); ++i)

@@ -215,7 +215,7 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   parts.samples = add_ring(name + "samples", data.samples, builder);
   parts.joint_loads = builder.add_part(
       name + "joint loads", {bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)});
-  if (!data.readings.empty())
+  if (data.reading_count > 0)
     parts.readings = builder.add_part(name + "readings",
                                       {bytes_of(data.reading_ring[0], data.reading_ring.size())},
                                       data.reading_count * sizeof(double));

@@ -23,6 +23,9 @@ int to_whole(double value) {
   return value >= 0.0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
 }
 
+template <class World>
+constexpr bool has_attitude = !std::is_empty_v<typename BodyTypes<World>::Attitude>;
+
 /// The values of a record, some of which are no doubles in the table, as they stand in the state:
 /// lets `exchange` take each from the record or put it there.
 template <class World, class Exchange>
@@ -46,10 +49,9 @@ void for_each_value(SystemRecord<World>& record, Exchange&& exchange) {
   exchange(record.applied_torque);
   exchange_all(record.position);
   exchange_all(record.velocity);
+  if constexpr (has_attitude<World>)
+    for (double& value : record.hub_rotation.axes.reshaped()) exchange(value);
 }
-
-template <class World>
-constexpr bool has_attitude = !std::is_empty_v<typename BodyTypes<World>::Attitude>;
 
 template <class Apply>
 void apply_to_block(const CoordinateBlock& block, Apply&& apply) {

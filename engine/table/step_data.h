@@ -76,6 +76,8 @@ struct SystemRecord : ReactionRecord<World> {
   /// Of the hub, inertial frame: x, y [m], angle [rad].
   TwistOf<World> position = TwistOf<World>::Zero();
   TwistOf<World> velocity = TwistOf<World>::Zero();  ///< [m/s, rad/s]
+  /// Hub frame to inertial frame, in space; in the plane nothing.
+  [[no_unique_address]] typename BodyTypes<World>::RecordedRotation hub_rotation;
 };
 
 /// One subsystem's share of the table; vectors by body, root to tip.

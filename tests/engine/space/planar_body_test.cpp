@@ -125,7 +125,7 @@ TEST_CASE("tension stiffens a straight body in its plane as it does the planar b
     const std::vector<int> places = find_places(planar, test.body);
     for (const int place : places) test.q[place] = draw_vector(0.1, random).x();
     Eigen::VectorXd force = test.deformation_force();
-    const Matrix3 Lambda = test.terms.hub.Lambda;
+    const Matrix3 Lambda = test.terms.stiffening.inertia;
     test.model.tension = nullptr;
     force -= test.deformation_force();
     const Eigen::MatrixXd KG =

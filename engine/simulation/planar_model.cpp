@@ -1,0 +1,103 @@
+// A rotor in the plane, as a simulation sees it.
+
+#include "engine/simulation/planar_model.h"
+
+#include <optional>
+#include <utility>
+
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/step/model_memory.h"
+#include "engine/table/state_values.h"
+
+namespace spoke {
+namespace {
+
+class PlanarModel final : public SimulatedModel {
+ public:
+  PlanarModel(const Scenario& scenario, Formulation formulation, const Integrator& integrator,
+              const Loads& loads)
+      : scenario_(scenario), loads_(ask_loads(loads)) {
+    if (scenario.limits.deflection > 0.0) context_.linear_range = scenario.limits.deflection;
+    context_.system = make_system(scenario.rotor);
+    context_.formulation = formulation;
+    context_.integrator = integrator;
+    context_.loads_tie_blades = ties_blades(loads_);
+    require_memory(context_.system, formulation);
+  }
+
+  StepContext& context() override { return context_; }
+  SystemContext<Plane>* plane() override { return &context_; }
+
+  double ring_bytes() const override {
+    return spoke::ring_bytes(context_.system,
+                             count_readings(scenario_.sensors, scenario_.rotor.blades.size()));
+  }
+  void allocate(int records) override {
+    spoke::allocate(context_, records);
+    place_loads(loads_, context_.data);
+    sensors_.emplace(context_.system,
+                     place_sensors(scenario_.sensors, scenario_.rotor, context_.data));
+  }
+
+  ModelExtent extent() const override {
+    const System<Plane>& system = context_.system;
+    ModelExtent extent{static_cast<int>(system.subsystems.size()), system.body_count(),
+                       system.deformation_count()};
+    for (int c = 0; c < kTwist; ++c) extent.coordinates += !is_prescribed(system.hub, c);
+    return extent;
+  }
+  double memory_bytes() const override {
+    return estimate_model_memory(context_.system, context_.formulation) +
+           static_cast<double>(count_mass_bytes(context_.data));
+  }
+  std::size_t count_state() override { return count_state_values(context_.data); }
+  std::uint64_t hash() const override { return hash_state(context_.data); }
+  bool has_body(std::int64_t blade, std::int64_t body) const override {
+    const auto& blades = context_.system.subsystems;
+    return blade >= 0 && blade < std::ssize(blades) && body >= 0 &&
+           body < std::ssize(blades[static_cast<std::size_t>(blade)].bodies);
+  }
+  Drive& drive() override { return context_.system.hub.drive; }
+
+  const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
+  const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
+  double start_sensors() override {
+    sensors_->start(context_.system, context_.data);
+    return sensors_->initial_energy();
+  }
+  double energy_resolution() const override { return calc_energy_resolution(scenario_); }
+  void sample(std::int64_t step, double t) override {
+    Sensors::sample(context_.system, step, t, context_.data);
+  }
+  const std::vector<double>& measure(const WorkDone& work, std::int64_t step) override {
+    return sensors_->measure(context_.system, work, step, context_.data);
+  }
+  const EnergyBalance& balance() const override { return sensors_->balance(); }
+  const StepRecord& record(std::int64_t step) const override {
+    return of_step(context_.data.records, step).step;
+  }
+
+  std::string describe_failure(const FailedStep& failed) const override {
+    return spoke::describe_failure(scenario_, context_, failed);
+  }
+  std::string describe_failed_load(const std::string& at) const override {
+    return spoke::describe_failed_load(context_.data, at);
+  }
+
+ private:
+  const Scenario& scenario_;
+  SystemContext<Plane> context_;
+  std::vector<AskedLoad> loads_;
+  std::optional<Sensors> sensors_;  // once there is a table
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedModel> make_planar_model(const Scenario& scenario, Formulation formulation,
+                                                  const Integrator& integrator,
+                                                  const Loads& loads) {
+  return std::make_unique<PlanarModel>(scenario, formulation, integrator, loads);
+}
+
+}  // namespace spoke

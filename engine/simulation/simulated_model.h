@@ -1,0 +1,76 @@
+#pragma once
+
+// A model on the table, whatever its world: what a simulation asks of it besides its steps.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/load.h"
+#include "engine/simulation/diagnosis.h"
+#include "engine/simulation/sensors.h"
+#include "engine/simulation_options.h"
+#include "engine/step/step_context.h"
+#include "models/drive.h"
+#include "models/scenario.h"
+
+namespace spoke {
+
+/// How large a model is.
+struct ModelExtent {
+  int subsystems = 0;
+  int bodies = 0;
+  int coordinates = 0;  ///< deformations, joints and the free ones of the hub
+};
+
+/// The data of a model, its sensors, and words about it.
+class SimulatedModel {
+ public:
+  virtual ~SimulatedModel() = default;
+  SimulatedModel() = default;
+  SimulatedModel(const SimulatedModel&) = delete;
+  SimulatedModel& operator=(const SimulatedModel&) = delete;
+
+  virtual StepContext& context() = 0;
+  const StepContext& context() const { return const_cast<SimulatedModel*>(this)->context(); }
+  /// Null if the model is in space.
+  virtual SystemContext<Plane>* plane() { return nullptr; }
+
+  /// What the rings of the table hold of a step [bytes].
+  virtual double ring_bytes() const = 0;
+  /// Allocates the table with so many records, and places loads and sensors. Once, first.
+  virtual void allocate(int records) = 0;
+
+  virtual ModelExtent extent() const = 0;
+  virtual double memory_bytes() const = 0;
+  virtual std::size_t count_state() = 0;
+  virtual std::uint64_t hash() const = 0;
+  /// Whether there is such a body, counted from 0.
+  virtual bool has_body(std::int64_t blade, std::int64_t body) const = 0;
+  virtual Drive& drive() = 0;
+
+  // Sensors, see Sensors.
+  virtual const std::vector<std::string>& sensor_names() const = 0;
+  virtual const std::vector<std::string>& sensor_units() const = 0;
+  /// Takes the state at the start as reference of energy; returns that energy [J].
+  virtual double start_sensors() = 0;
+  /// Strain energy that the iteration's tolerance leaves open, see calc_energy_resolution() [J].
+  virtual double energy_resolution() const = 0;
+  virtual void sample(std::int64_t step, double t) = 0;
+  virtual const std::vector<double>& measure(const WorkDone& work, std::int64_t step) = 0;
+  virtual const EnergyBalance& balance() const = 0;
+  /// Of a complete step.
+  virtual const StepRecord& record(std::int64_t step) const = 0;
+
+  /// See describe_failure() and describe_failed_load().
+  virtual std::string describe_failure(const FailedStep& failed) const = 0;
+  virtual std::string describe_failed_load(const std::string& at) const = 0;
+};
+
+/// The model of a scenario. Throws InputError if the scenario, its loads or the formulation cannot
+/// be simulated. `scenario` must outlive it.
+std::unique_ptr<SimulatedModel> make_model(const Scenario& scenario, Formulation formulation,
+                                           const Integrator& integrator, const Loads& loads);
+
+}  // namespace spoke

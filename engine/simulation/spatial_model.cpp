@@ -1,0 +1,193 @@
+// A model in space, as a simulation sees it.
+
+#include "engine/simulation/spatial_model.h"
+
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/joint_values.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/spatial_samples.h"
+#include "engine/simulation/spatial_sensors.h"
+#include "engine/space/deformation_limits.h"
+#include "engine/step/model_memory.h"
+#include "engine/table/state_values.h"
+#include "models/count_text.h"
+#include "models/error.h"
+#include "models/system/spatial_system.h"
+
+namespace spoke {
+namespace {
+
+/// "rotation ty of node 3".
+std::string name_coordinate(const space::LimitViolation& at) {
+  static constexpr const char* kNames[] = {"displacement u", "displacement v", "displacement w",
+                                           "rotation tx",    "rotation ty",    "rotation tz"};
+  return std::string(kNames[at.component]) + " of node " + std::to_string(at.node);
+}
+
+class SpatialModel final : public SimulatedModel {
+ public:
+  SpatialModel(const Scenario& scenario, Formulation formulation, const Integrator& integrator)
+      : scenario_(scenario), trees_(build_trees(*scenario.space)) {
+    if (scenario.limits.deflection > 0.0) context_.linear_range = scenario.limits.deflection;
+    context_.system = make_system(*scenario.space);
+    context_.formulation = formulation;
+    context_.integrator = integrator;
+    require_memory(context_.system, formulation);
+  }
+
+  StepContext& context() override { return context_; }
+
+  double ring_bytes() const override {
+    std::size_t values = 0;
+    for (const Subsystem<Space>& subsystem : context_.system.subsystems)
+      values += static_cast<std::size_t>(count_joint_values(subsystem));
+    return spoke::ring_bytes(context_.system, values);
+  }
+  void allocate(int records) override {
+    spoke::allocate(context_, records);
+    for (std::size_t i = 0; i < context_.data.subsystems.size(); ++i) {
+      SubsystemData<Space>& data = context_.data.subsystems[i];
+      data.reading_count =
+          static_cast<std::size_t>(count_joint_values(context_.system.subsystems[i]));
+      data.reading_ring =
+          ArenaVector<double>(data.reading_count * data.samples.size(), 0.0, *data.arena);
+    }
+    sensors_.emplace(context_.system, trees_);
+  }
+
+  ModelExtent extent() const override {
+    const System<Space>& system = context_.system;
+    ModelExtent extent{static_cast<int>(system.subsystems.size()), system.body_count(),
+                       system.deformation_count()};
+    for (const Subsystem<Space>& subsystem : system.subsystems)
+      for (const TreeBody<Space>& body : subsystem.bodies)
+        extent.coordinates += body.joint.joint.coordinates;
+    for (int c = 0; c < Space::kTwist; ++c) extent.coordinates += !is_prescribed(system.hub, c);
+    return extent;
+  }
+  double memory_bytes() const override {
+    return estimate_model_memory(context_.system, context_.formulation);
+  }
+  std::size_t count_state() override { return count_state_values(context_.data); }
+  std::uint64_t hash() const override { return hash_state(context_.data); }
+  bool has_body(std::int64_t blade, std::int64_t body) const override {
+    const auto& trees = context_.system.subsystems;
+    return blade >= 0 && blade < std::ssize(trees) && body >= 0 &&
+           body < std::ssize(trees[static_cast<std::size_t>(blade)].bodies);
+  }
+  Drive& drive() override { return context_.system.hub.drive; }
+
+  const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
+  const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
+  double start_sensors() override {
+    sample(0, 0.0);
+    sensors_->start(context_.system, context_.data);
+    return sensors_->initial_energy();
+  }
+  double energy_resolution() const override {
+    const double tolerance = scenario_.integration.tolerance;
+    double stiffness = 0.0;
+    for (const Subsystem<Space>& subsystem : context_.system.subsystems)
+      for (const TreeBody<Space>& body : subsystem.bodies)
+        if (const space::FlexibleBody* flexible = body.body->flexible())
+          for (const space::TwistMatrix& block : flexible->K.diagonal) stiffness += block.trace();
+    return 0.5 * stiffness * tolerance * tolerance;
+  }
+  void sample(std::int64_t step, double t) override {
+    for (std::size_t i = 0; i < context_.data.subsystems.size(); ++i) {
+      const Subsystem<Space>& subsystem = context_.system.subsystems[i];
+      SubsystemData<Space>& data = context_.data.subsystems[i];
+      prescribe_joints(context_.system, t, subsystem, data);
+      update_kinematics(subsystem, data);
+      of_step(data.samples, step) = calc_sample(context_.system, i, data);
+      keep_joint_values(subsystem, step, data);
+    }
+  }
+  const std::vector<double>& measure(const WorkDone& work, std::int64_t step) override {
+    return sensors_->measure(context_.system, work, step, context_.data);
+  }
+  const EnergyBalance& balance() const override { return sensors_->balance(); }
+  const StepRecord& record(std::int64_t step) const override {
+    return of_step(context_.data.records, step).step;
+  }
+
+  std::string describe_failure(const FailedStep& failed) const override {
+    std::ostringstream text;
+    text << "diverged at t = " << failed.time << " s, step " << failed.step << ": "
+         << describe_finding(failed) << "; take a smaller integration.step, more bodies per beam, "
+         << "geometric_stiffening where a body turns fast, or smaller loads";
+    return text.str();
+  }
+  std::string describe_failed_load(const std::string&) const override {
+    return {};  // functions are refused as loads
+  }
+
+ private:
+  std::string name_body(std::size_t i, std::size_t j) const {
+    return trees_[i].name + " / " + trees_[i].bodies[j].name;
+  }
+
+  std::string describe_finding(const FailedStep& failed) const {
+    if (failed.outcome == StepOutcome::energy_grew) return describe_growth(scenario_, failed.seen);
+    if (failed.outcome == StepOutcome::not_converged) {
+      std::ostringstream text;
+      text << "the iteration does not converge to " << context_.integrator.limits.tolerance
+           << " within " << counted(context_.integrator.limits.most, "iteration")
+           << " (node \"finish\")";
+      return text.str();
+    }
+    for (std::size_t i = 0; i < trees_.size(); ++i)
+      for (std::size_t j = 0; j < trees_[i].bodies.size(); ++j) {
+        const std::string finding = describe_body(i, j);
+        if (!finding.empty()) return finding;
+      }
+    return "the acceleration of the hub is not finite (node \"hub solve\")";
+  }
+
+  /// What is wrong with a body; nothing if it is fine.
+  std::string describe_body(std::size_t i, std::size_t j) const {
+    const BodyData<Space>& body = context_.data.subsystems[i].bodies[j];
+    std::ostringstream text;
+    const std::string node = " (node \"" + name_body(i, j) + " / recovery\")";
+    if (const space::FlexibleBody* flexible = body.model->body->flexible()) {
+      const auto at = space::find_limit_violation(*flexible, body.coordinates.q);
+      if (at.node >= 0) {
+        text << name_body(i, j) << ": " << name_coordinate(at);
+        if (std::isfinite(at.value))
+          text << " = " << at.value << " is beyond what its linear model can mean (limit "
+               << at.limit << ")";
+        else
+          text << " is not finite";
+        return text.str() + node;
+      }
+    }
+    if (!std::isfinite(body.X.sum()))
+      return name_body(i, j) + ": the acceleration of its frame is not finite" + node;
+    return {};
+  }
+
+  const Scenario& scenario_;
+  std::vector<spatial::Tree> trees_;
+  SystemContext<Space> context_;
+  std::optional<SpatialSensors> sensors_;  // once there is a table
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedModel> make_spatial_model(const Scenario& scenario,
+                                                   Formulation formulation,
+                                                   const Integrator& integrator,
+                                                   const Loads& loads) {
+  if (formulation != Formulation::structured)
+    throw InputError("the formulation is \"" + std::string(name_of(formulation)) +
+                     "\", expected \"structured\" for a model in space");
+  if (!loads.empty())
+    throw InputError("there are loads that are functions, expected none on a model in space");
+  return std::make_unique<SpatialModel>(scenario, formulation, integrator);
+}
+
+}  // namespace spoke
