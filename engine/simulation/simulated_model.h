@@ -68,9 +68,4 @@ class SimulatedModel {
   virtual std::string describe_failed_load(const std::string& at) const = 0;
 };
 
-/// The model of a scenario. Throws InputError if the scenario, its loads or the formulation cannot
-/// be simulated. `scenario` must outlive it.
-std::unique_ptr<SimulatedModel> make_model(const Scenario& scenario, Formulation formulation,
-                                           const Integrator& integrator, const Loads& loads);
-
 }  // namespace spoke

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/kernels/load_terms.h"
-#include "engine/simulation/diagnosis.h"
+#include "engine/simulation/make_model.h"
 #include "engine/simulation/model_identity.h"
 #include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"

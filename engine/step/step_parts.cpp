@@ -188,9 +188,10 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
   parts.history = builder.add_part(name + "history", history);
   parts.accelerations = builder.add_part(name + "accelerations", accelerations);
   parts.terms = builder.add_part(name + "terms", memory_of_terms(data));
-  parts.report = builder.add_part(
-      name + "report", {bytes_of(data.report.change), bytes_of(data.report.deflection),
-                        bytes_of(data.report.drive_power), bytes_of(data.report.failed)});
+  Memory report{bytes_of(data.report.change), bytes_of(data.report.deflection),
+                bytes_of(data.report.failed)};
+  if constexpr (kSharesWorkspace<World>) report.push_back(bytes_of(data.report.drive_power));
+  parts.report = builder.add_part(name + "report", report);
   if constexpr (kSharesWorkspace<World>)
     add_body_ports(context, i, j, name, builder, parts);
   else

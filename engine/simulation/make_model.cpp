@@ -1,6 +1,6 @@
 // Chooses the world of a scenario's model.
 
-#include "engine/simulation/simulated_model.h"
+#include "engine/simulation/make_model.h"
 
 #include "engine/simulation/planar_model.h"
 #include "engine/simulation/spatial_model.h"
