@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "engine/kernels/kinematics.h"
 #include "engine/space/body_terms.h"
 
 namespace spoke {
@@ -36,6 +37,66 @@ void add_joint_forces(double t, const space::ImplicitShares& shares, BodyData<Sp
   body.terms.dissipation += calc_dissipation(model.joint, state);
 }
 
+/// From the frame in which a load is resolved to B.
+space::Rotation resolve(spatial::LoadFrame frame, const space::Rotation& R_HB,
+                        const space::Rotation& R_0, const space::Rotation& section) {
+  switch (frame) {
+    case spatial::LoadFrame::inertial:
+      return (R_0 * R_HB).inverse();
+    case spatial::LoadFrame::hub:
+      return R_HB.inverse();
+    case spatial::LoadFrame::body:
+      return {};
+    case spatial::LoadFrame::section:
+      break;
+  }
+  return section;
+}
+
+space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) {
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
+  space::HandleMotion motion{};
+  motion.s = section.s0;
+  return motion;
+}
+
+/// Adds a wrench in B, and its power.
+void add_wrench(const space::Section& section, const space::HandleMotion& motion,
+                const space::Twist& wrench, const space::Twist& twist, BodyData<Space>& body) {
+  if (body.model->body->flexible())
+    add_section_wrench(section, motion, wrench, body.terms, body.work);
+  else
+    body.terms.Q += translate(motion.s, wrench);
+  space::Twist velocity = twist + motion.twist();
+  linear(velocity) += cross(angular(twist), motion.s);
+  body.terms.load_power += wrench.dot(velocity);
+}
+
+void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
+               const space::Twist& twist, BodyData<Space>& body) {
+  for (const auto& [load, sections] : body.loads) {
+    const double factor = load->course->value(t);
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+      const space::HandleMotion motion = motion_at(body, sections[k]);
+      const space::Rotation R = resolve(load->frame, R_HB, R_0, motion.turn.R * sections[k].axes);
+      const space::Twist wrench =
+          factor * load->points[k].weight * (R * make_wrench(load->force, load->moment));
+      add_wrench(sections[k], motion, wrench, twist, body);
+    }
+  }
+}
+
+/// Power of gravity, where it rises; its force is none, see solve_hub().
+void add_gravity_power(const space::Position& gravity, const space::Twist& twist,
+                       BodyData<Space>& body) {
+  const space::Body& model = *body.model->body;
+  const double mass = model.flexible() ? model.flexible()->mass : model.rigid()->mass;
+  const space::Position momentum =
+      mass * linear(twist) + cross(angular(twist), body.terms.S) + body.terms.S_rate;
+  body.terms.load_power += gravity.dot(momentum);
+}
+
 }  // namespace
 
 space::BodyModel body_model_of(const BodyData<Space>& body) {
@@ -55,8 +116,8 @@ space::JointState joint_state_of(const BodyData<Space>& body) {
           body.joint.driven};
 }
 
-void calc_terms(const System<Space>& system, double t, const space::ImplicitShares& shares, int j,
-                SubsystemData<Space>& data) noexcept {
+void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, double t,
+                const space::ImplicitShares& shares, int j, SubsystemData<Space>& data) noexcept {
   BodyData<Space>& body = data.bodies[j];
   const space::Twist& twist = data.twists[j];
   if (const space::RigidBody* rigid = body.model->body->rigid()) {
@@ -69,6 +130,12 @@ void calc_terms(const System<Space>& system, double t, const space::ImplicitShar
                                  body.work);
   }
   add_joint_forces(t, shares, body);
+  if (body.loads.empty() && system.gravity_ramp == 0.0) return;
+  const space::Rotation R_HB = calc_rotation_to_hub(subsystem, data, j);
+  add_loads(t, R_HB, data.hub->R, twist, body);
+  if (system.gravity_ramp > 0.0)
+    add_gravity_power((data.hub->R * R_HB).inverse() * space::Position(system.gravity_at(t)), twist,
+                      body);
 }
 
 }  // namespace spoke

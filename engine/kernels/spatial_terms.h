@@ -13,8 +13,8 @@ space::JointState joint_state_of(const BodyData<Space>& body);
 
 /// Calculates the terms of body `j` at the state in the table, (P 3) in space, and the forces of
 /// its joint at time t [s]. `shares`: those of stiffness and damping that an implicit pass leaves
-/// to the unknown accelerations. Without loads.
-void calc_terms(const System<Space>& system, double t, const space::ImplicitShares& shares, int j,
-                SubsystemData<Space>& data) noexcept;
+/// to the unknown accelerations.
+void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, double t,
+                const space::ImplicitShares& shares, int j, SubsystemData<Space>& data) noexcept;
 
 }  // namespace spoke

@@ -65,8 +65,9 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   bool needs_rotations = has_rising_gravity;
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
   for (const BodyLoad<World>& load : member.loads) {
-    needs_rotations |= load.frame != LoadFrame::section;
-    needs_hub |= load.frame == LoadFrame::inertial;
+    using Frame = decltype(load.frame);
+    needs_rotations |= load.frame == Frame::hub || load.frame == Frame::inertial;
+    needs_hub |= load.frame == Frame::inertial;
   }
   if (std::any_of(member.drags.begin(), member.drags.end(),
                   [](const BodyDrag<World>& drag) { return drag.relative_to == DragFrame::hub; })) {
@@ -94,20 +95,22 @@ void add_forces(const System<Plane>& system, int j, SubsystemData<Plane>& blade)
 
 // The terms of a body and of what acts on it, by world.
 
-void calc_mass_terms(const SystemContext<Plane>& c, int j, SubsystemData<Plane>& blade) noexcept {
+void calc_mass_terms(const SystemContext<Plane>& c, int, int j,
+                     SubsystemData<Plane>& blade) noexcept {
   calc_body_terms({angular(blade.twists[j]), angular(blade.hub->twist)}, c.system.damping,
                   blade.bodies[j]);
   add_forces(c.system, j, blade);
 }
 
-void calc_mass_terms(const SystemContext<Space>& c, int j, SubsystemData<Space>& blade) noexcept {
+void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
+                     SubsystemData<Space>& blade) noexcept {
   const PassControl& control = blade.progress->control;
   space::ImplicitShares shares;
   if (control.is_implicit) {
     const auto& alpha = std::get<GeneralizedAlpha>(c.integrator.method);
     shares = {alpha.position_gain, alpha.velocity_gain};
   }
-  calc_terms(c.system, control.time, shares, j, blade);
+  calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, blade);
 }
 
 template <class World>
@@ -117,9 +120,10 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   const BodyParts& parts = g.blade(i).bodies[j];
   PartList outputs{parts.terms};
   if constexpr (kSharesWorkspace<World>) outputs.push_back(parts.workspace);
-  g.builder.add_node(
-      g.label("mass", i, j), reads(terms_inputs(g, i, j)), writes(outputs),
-      unless_halted(*blade.progress, [&c, &blade, j]() noexcept { calc_mass_terms(c, j, blade); }));
+  g.builder.add_node(g.label("mass", i, j), reads(terms_inputs(g, i, j)), writes(outputs),
+                     unless_halted(*blade.progress, [&c, &blade, i, j]() noexcept {
+                       calc_mass_terms(c, i, j, blade);
+                     }));
 }
 
 template <class World>

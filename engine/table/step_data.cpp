@@ -30,6 +30,13 @@ Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
   section.x = point.x;
   return section;
 }
+space::Section make_load_section(const BodyData<Space>& data, const BodyLoad<Space>::Point& point) {
+  if (data.model->body->flexible())
+    return space::make_section(*data.model->body, point.element, point.s);
+  space::Section at;  // of a rigid body, with which it moves
+  at.s0 = point.place;
+  return at;
+}
 space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& point) {
   return space::make_section(*data.model->body, point.element, point.s);
 }
@@ -97,7 +104,7 @@ std::vector<PlacedLoad<World, Load>> place(const std::vector<Load>& loads,
   std::vector<PlacedLoad<World, Load>> placed;
   for (const Load& load : loads) {
     placed.push_back({&load, {}});
-    for (const LoadPoint& point : load.points) {
+    for (const auto& point : load.points) {
       placed.back().sections.push_back(make_load_section(data, point));
     }
   }

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "models/rotor.h"
+#include "models/space/space.h"
+#include "models/spatial_model.h"
 #include "models/system/plane.h"
 
 namespace spoke {
@@ -40,6 +42,24 @@ struct BodyLoad {
   LoadFrame frame = LoadFrame::hub;
   PositionOf<World> force = PositionOf<World>::Zero();  ///< [N], or [N/m]
   AngularOf<World> moment{};                            ///< [N m], or [N]
+  std::shared_ptr<const LoadCourse> course;
+};
+
+/// A force and a moment on one body in space.
+template <>
+struct BodyLoad<Space> {
+  /// Where it acts, as LoadPoint; on a rigid body at `place` in its frame [m].
+  struct Point {
+    int element = 0;
+    double s = 0.0;
+    double weight = 1.0;
+    space::Position place = space::Position::Zero();
+  };
+  std::vector<Point> points;
+  /// In which both are resolved: hub is H, body is B, section the axes of the loaded section.
+  spatial::LoadFrame frame = spatial::LoadFrame::hub;
+  space::Position force = space::Position::Zero();  ///< [N], or [N/m]
+  space::Angular moment = space::Angular::Zero();   ///< [N m], or [N]
   std::shared_ptr<const LoadCourse> course;
 };
 

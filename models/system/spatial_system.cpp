@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "models/error.h"
+#include "models/system/spatial_loads.h"
 #include "models/tree/mass_properties.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/space_joint.h"
@@ -64,11 +65,13 @@ class SubsystemMaker {
       beams_.push_back(std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0)));
   }
 
-  Subsystem<Space> make() {
+  /// `loads`: by body, as the description resolves them.
+  Subsystem<Space> make(std::vector<std::vector<BodyLoad<Space>>> loads) {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
     add_tension();
+    for (std::size_t j = 0; j < loads.size(); ++j) add_loads(j, std::move(loads[j]));
     const auto last = tree_.bodies.size() - 1;
     made_.tip = place_of(last) * tip_of(last);
     return std::move(made_);
@@ -197,6 +200,18 @@ class SubsystemMaker {
     }
   }
 
+  /// Takes their vectors to H and B.
+  void add_loads(std::size_t j, std::vector<BodyLoad<Space>> loads) {
+    for (BodyLoad<Space>& load : loads) {
+      space::Rotation R;
+      if (load.frame == spatial::LoadFrame::hub) R = to_axis_;
+      if (load.frame == spatial::LoadFrame::body) R = frame_of(j).inverse();
+      load.force = R * space::Position(load.force);
+      load.moment = R * space::Angular(load.moment);
+    }
+    made_.bodies[j].loads = std::move(loads);
+  }
+
   const spatial::Tree& tree_;
   space::Rotation to_axis_;
   std::vector<Placement> placements_;  ///< in the frame of the description's hub
@@ -211,8 +226,6 @@ void refuse(bool is_there, const char* key, const char* what) {
 
 void require_simulated(const spatial::Model& model) {
   refuse(model.hub.mount.has_value(), "hub.mount", "the axle's mount moves");
-  refuse(!model.loads.empty(), "load", "there are loads on bodies");
-  refuse(!model.distributed_loads.empty(), "distributed_load", "there are loads on bodies");
 }
 
 void require_known_azimuth(const System<Space>& system) {
@@ -238,8 +251,10 @@ System<Space> make_system(const spatial::Model& model) {
   system.damping = model.damping;
   for (const spatial::HubLoad& load : model.hub_loads)
     system.hub_loads.push_back(make_hub_load(load, to_axis));
-  for (const spatial::Tree& tree : build_trees(model))
-    system.subsystems.push_back(SubsystemMaker(tree, to_axis).make());
+  const std::vector<spatial::Tree> trees = build_trees(model);
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    system.subsystems.push_back(
+        SubsystemMaker(trees[i], to_axis).make(make_body_loads(model, trees[i], i)));
   require_known_azimuth(system);
   return system;
 }

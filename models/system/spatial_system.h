@@ -14,7 +14,7 @@ namespace spoke {
 
 /// Builds the constants of a model. Preconditions: check_model() accepts it; each subsystem has one
 /// body on the hub. Throws InputError, naming the key, for what the engine does not simulate:
-/// motions of the mount, loads on bodies, and pitch by the azimuth of a hub whose rotation is free.
+/// motions of the mount, and pitch by the azimuth of a hub whose rotation is free.
 System<Space> make_system(const spatial::Model& model);
 
 }  // namespace spoke

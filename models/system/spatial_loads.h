@@ -1,0 +1,20 @@
+#pragma once
+
+// Where the loads of a model in space act on the bodies of its trees.
+
+#include <vector>
+
+#include "models/spatial_model.h"
+#include "models/system/blade_loads.h"
+#include "models/tree/tree.h"
+
+namespace spoke {
+
+/// The loads on each body of tree number `index`, of a model's trees in their order; forces in the
+/// frames of the description. What is per length acts at the points of Gauss's rule of four in each
+/// element, or part of one, by the length along the beam's x axis.
+std::vector<std::vector<BodyLoad<Space>>> make_body_loads(const spatial::Model& model,
+                                                          const spatial::Tree& tree,
+                                                          std::size_t index);
+
+}  // namespace spoke
