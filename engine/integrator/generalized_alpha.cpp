@@ -88,7 +88,7 @@ void hold(CoordinateBlock& block) {
 void clear_accelerations(CoordinateBlock& block) {
   block.for_parts([&](int first, int n) {
     std::fill_n(block.a + first, n, 0.0);
-    std::fill_n(block.history[GeneralizedAlpha::carry] + first, n, 0.0);
+    std::fill_n(block.history[GeneralizedAlpha::carry_over] + first, n, 0.0);
   });
 }
 
@@ -105,7 +105,7 @@ void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block) {
 
 void complete_restart(const GeneralizedAlpha& method, const double* a,
                       CoordinateBlock& block) noexcept {
-  double* carry = block.history[GeneralizedAlpha::carry];
+  double* carry = block.history[GeneralizedAlpha::carry_over];
   block.for_parts([&](int first, int n) {
     for (int i = first; i < first + n; ++i) {
       carry[i] += (1.0 - method.k) * (a[i] - block.a[i]);  // al = carry + k A
@@ -117,7 +117,7 @@ void complete_restart(const GeneralizedAlpha& method, const double* a,
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept {
   double *qp = block.history[GeneralizedAlpha::predicted_q],
          *vp = block.history[GeneralizedAlpha::predicted_v],
-         *carry = block.history[GeneralizedAlpha::carry];
+         *carry = block.history[GeneralizedAlpha::carry_over];
   block.for_parts([&](int first, int n) {
     predict_values(method, n, block.q + first, block.v + first, block.a + first, qp + first,
                    vp + first, carry + first);

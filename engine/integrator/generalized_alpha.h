@@ -24,7 +24,7 @@ struct GeneralizedAlpha {
   double gamma = 0.0;
 
   /// Names for the history vectors of a CoordinateBlock.
-  enum History { predicted_q, predicted_v, carry, count };
+  enum History { predicted_q, predicted_v, carry_over, count };
 };
 
 /// Coefficients for spectral radius `radius` at infinite frequency, 0 <= radius <= 1, and step [s].
