@@ -1,0 +1,100 @@
+// What motions in space conserve, and how the energy changes where there is work.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/engine/space/system/models.h"
+#include "tests/engine/space/system/runs.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+/// Changes within a flight of what it conserves.
+struct Drift {
+  double energy = 0.0, linear = 0.0, angular = 0.0;
+};
+
+Drift fly(const std::string& text, const Method& method, double seconds) {
+  Run<Space> run(make_system(parse_model(text)), {method});
+  const double energy = calc_energy(run);
+  const space::Twist momentum = calc_momentum(run);
+  run.advance_for(seconds);
+  const space::Twist change = calc_momentum(run) - momentum;
+  return {std::abs(calc_energy(run) - energy), space::linear(change).norm(),
+          space::angular(change).norm()};
+}
+
+/// Energy, less what was done, over a run [J].
+double calc_residual(const std::string& text, const Method& method, double seconds) {
+  Run<Space> run(make_system(parse_model(text)), {method});
+  const double energy = calc_energy(run);
+  run.advance_for(seconds);
+  CHECK(std::abs(run.work) > 0.1);
+  return std::abs(calc_energy(run) - energy - run.work + run.dissipated);
+}
+
+}  // namespace
+
+TEST_CASE("a free flight keeps energy and momentum: rk4, of order 4") {
+  for (const std::string& bodies : {kBooms, kTree}) {
+    const std::string text = make_text(kFlyingHub, bodies);
+    const Drift whole = fly(text, Rk4{1e-3}, 0.2), half = fly(text, Rk4{5e-4}, 0.2);
+    MESSAGE("energy " << whole.energy << " " << half.energy << ", momentum " << whole.linear << " "
+                      << half.linear << ", " << whole.angular << " " << half.angular);
+    CHECK(half.energy < 1e-6);
+    CHECK(whole.energy / half.energy > 13.0);
+    CHECK(half.linear < 1e-7);
+    CHECK(half.angular < 1e-7);
+  }
+}
+
+TEST_CASE("a free flight keeps energy and momentum: generalized_alpha, of order 2") {
+  for (const std::string& bodies : {kBooms, kTree}) {
+    const std::string text = make_text(kFlyingHub, bodies);
+    const auto run = [&](double h) { return fly(text, make_generalized_alpha(1.0, h), 0.2); };
+    const Drift whole = run(2e-3), half = run(1e-3);
+    MESSAGE("energy " << whole.energy << " " << half.energy << ", momentum " << whole.linear << " "
+                      << half.linear << ", " << whole.angular << " " << half.angular);
+    CHECK(whole.energy / half.energy > 3.5);
+  }
+}
+
+TEST_CASE("the energy in space grows by what drives, motors, loads and dampers do") {
+  const std::string load = "[[hub_load]]\nposition = [0.1, 0.2, 0.0]\nforce = [1.0, 2.0, 3.0]\n"
+                           "torque = [0.5, 0.3, 0.8]\n";
+  const std::string texts[] = {
+      make_text(kDrivenHub, kBooms + kHinges, kGravity),
+      make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity),
+      make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + load),
+      make_text(kFlyingHub, kTree + kMotors, kGravity + load),
+      make_text(kFlyingHub, kMotors, kRisingGravity + load),
+      make_text(kDrivenHub, kMotors, kRisingGravity)};
+  for (const std::string& text : texts) {
+    const double whole = calc_residual(text, Rk4{1e-3}, 0.2);
+    const double half = calc_residual(text, Rk4{5e-4}, 0.2);
+    const double alpha = calc_residual(text, make_generalized_alpha(1.0, 2e-3), 0.2);
+    const double alpha_half = calc_residual(text, make_generalized_alpha(1.0, 1e-3), 0.2);
+    MESSAGE("residual " << whole << " " << half << ", " << alpha << " " << alpha_half);
+  }
+}
+
+TEST_CASE("a flight deforms alike at another velocity of all") {
+  for (const std::string& bodies : {kBooms, kTree}) {
+    const auto fly_at = [&](const spatial::Vector& velocity) {
+      spatial::Model model = parse_model(make_text(kFlyingHub, bodies));
+      model.hub.velocity += velocity;
+      Run<Space> run(make_system(model), {Rk4{1e-3}});
+      run.advance_for(0.2);
+      return deformations(run);
+    };
+    const Eigen::VectorXd slow = fly_at(spatial::Vector::Zero());
+    const Eigen::VectorXd fast = fly_at({7.0, -3.0, 4.0});
+    CHECK(slow.norm() > 0.01);
+    MESSAGE((slow - fast).cwiseAbs().maxCoeff());
+    CHECK((slow - fast).cwiseAbs().maxCoeff() < 1e-12);
+  }
+}

@@ -1,0 +1,111 @@
+// What the nodes of step graphs in space declare to read and write.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "engine/step/step_graph_builder.h"
+#include "graph/declaration_check.h"
+#include "tests/engine/space/system/models.h"
+#include "tests/engine/space/system/runs.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+const std::string kDamping = "[damping]\nmass_factor = 0.1\nstiffness_factor = 1e-4\n";
+const std::string kHubLoads = R"(
+[[hub_load]]
+position = [0.1, 0.2, 0.3]
+force = [1.0, 2.0, 3.0]
+[[hub_load]]
+frame = "inertial"
+torque = [0.4, 0.5, 0.6]
+)";
+
+struct Case {
+  const char* name;
+  std::string text;
+  Method method;
+  std::vector<PassControl> controls;
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  const std::pair<const char*, std::string> models[] = {
+      {"booms, driven", make_text(kDrivenHub, kBooms, kGravity + kDamping)},
+      {"blades, driven", make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity + kDamping)},
+      {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + kHubLoads)},
+      {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity + kDamping + kHubLoads)},
+      {"motors, driven", make_text(kDrivenHub, kMotors + kTree, kRisingGravity + kDamping)}};
+  for (const auto& [name, text] : models) {
+    cases.push_back(
+        {name, text, Rk4{1e-5}, {{0.1, 1, false}, {0.1, 2, false}, {0.1, 0, false}}});
+    cases.push_back({name,
+                     text,
+                     make_generalized_alpha(0.8, 0.005),
+                     {{0.1, 0, true}, {0.1, 1, true}, {0.1, -1, false}}});
+  }
+  return cases;
+}
+
+void fill(double* values, int n, double size, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-size, size);
+  if (values) std::generate_n(values, n, [&] { return unit(random); });
+}
+
+/// A state with histories and accelerations as after some steps.
+void randomize(CoordinateBlock& block, double size, std::mt19937& random) {
+  for (double* values : {block.q, block.v, block.a}) fill(values, block.size, size, random);
+  for (double* history : block.history) fill(history, block.size, size, random);
+}
+
+void prepare(const Case& which, SystemContext<Space>& context) {
+  context.system = make_system(parse_model(which.text));
+  context.integrator = {which.method, {1e-10, 0, 50}};
+  allocate(context);
+  std::mt19937 random(4);
+  StepData<Space>& data = context.data;
+  randomize(data.hub_coordinates, 0.5, random);
+  data.hub_attitude.sum = space::make_quaternion(space::Angular(0.1, 0.2, 0.3));
+  for (SubsystemData<Space>& subsystem : data.subsystems)
+    for (BodyData<Space>& body : subsystem.bodies) {
+      randomize(body.coordinates, 1e-2, random);
+      randomize(body.joint.coordinates, 0.3, random);
+      body.joint.rotation->sum = space::make_quaternion(space::Angular(0.2, -0.1, 0.3));
+    }
+}
+
+/// Sets all progress to a pass within step 20, after work was done, as wide as one step.
+void set_progress(const PassControl& control, SystemContext<Space>& context) {
+  for (StepProgress& progress : context.data.progress) {
+    progress = {};
+    progress.control = control;
+    progress.step = control.stage == PassControl::kEvaluateOnly ? 0 : 20;
+    progress.passes = 1;
+    progress.power = {3.0, 2.0};
+    progress.work = 0.3;
+    progress.dissipated = 0.2;
+  }
+  context.data.window = {20, 20, true};
+  // The second iteration completes its step.
+  context.integrator.limits.tolerance = control.stage == 1 ? 1e9 : 0.0;
+}
+
+}  // namespace
+
+TEST_CASE("every node of a step graph in space declares what it reads and writes") {
+  for (const Case& which : all_cases())
+    for (const PassControl& control : which.controls) {
+      CAPTURE(which.name);
+      SystemContext<Space> context;
+      prepare(which, context);
+      const graph::StepGraph graph = build_step_graph(context);
+      set_progress(control, context);
+      for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
+        FAIL_CHECK(fault.message);
+      CHECK(graph::conflicts_are_ordered(graph));
+    }
+}

@@ -1,0 +1,80 @@
+// A run in space ends in the same bits whatever executes it, and wherever it is interrupted.
+
+#include <doctest/doctest.h>
+
+#include "engine/table/state_values.h"
+#include "tests/engine/space/system/models.h"
+#include "tests/engine/space/system/runs.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+constexpr int kSteps = 40;
+
+struct Case {
+  const char* name;
+  System<Space> system;
+  Method method;
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  const std::pair<const char*, std::string> models[] = {
+      {"blades, driven", make_text(kDrivenHub, kBooms + kHinges + kPitch, kGravity)},
+      {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kRisingGravity)},
+      {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity)},
+      {"trees, driven", make_text(kDrivenHub, kMotors + kTree, kGravity)}};
+  for (const auto& [name, text] : models)
+    for (const Method& method : {Method{Rk4{1e-3}}, Method{make_generalized_alpha(0.8, 5e-3)}})
+      cases.push_back({name, make_system(parse_model(text)), method});
+  return cases;
+}
+
+std::uint64_t end_of(const Case& which, const RunSetup& setup) {
+  Run<Space> run(which.system, setup);
+  run.advance(kSteps);
+  return run.hash();
+}
+
+}  // namespace
+
+TEST_CASE("a run in space has one state, whatever executes it") {
+  for (const Case& which : all_cases()) {
+    CAPTURE(which.name);
+    RunSetup setup{which.method, 1e-10};
+    const std::uint64_t expected = end_of(which, setup);
+    using Kind = graph::ExecutorKind;
+    for (const Kind kind : {Kind::serial, Kind::flow_graph, Kind::openmp_levels, Kind::openmp_scheme1})
+      for (const int window : {1, 7}) {
+        CAPTURE(name_of(kind));
+        CAPTURE(window);
+        setup.executor = kind;
+        setup.threads = {kind == Kind::serial ? 1 : 2};
+        setup.window = window;
+        CHECK(expected == end_of(which, setup));
+      }
+  }
+}
+
+TEST_CASE("a run in space goes on from a state that was taken as if it had not been interrupted") {
+  for (const Case& which : all_cases()) {
+    CAPTURE(which.name);
+    const RunSetup setup{which.method, 1e-10};
+    Run<Space> whole(which.system, setup);
+    whole.advance(kSteps);
+    for (const int split : {0, 1, 13}) {
+      Run<Space> first(which.system, setup), second(which.system, setup);
+      first.advance(split);
+      const std::vector<double> state = take_state_values(split, first.context.data);
+      second.context.data.put_state(state, split);
+      second.runner->continue_from(split);
+      second.advance(kSteps - split);
+      CHECK(second.hash() == whole.hash());
+      CHECK(take_state_values(kSteps, second.context.data) ==
+            take_state_values(kSteps, whole.context.data));
+      CHECK(second.trace.back() == whole.trace.back());
+    }
+  }
+}

@@ -1,0 +1,264 @@
+#pragma once
+
+// Models in space that several tests run, as scenario files.
+
+#include <string>
+
+namespace spoke::test {
+
+/// A hub free in space, which spins and moves.
+inline const std::string kFlyingHub = R"(
+[hub]
+support = "free"
+mass = 3.0
+center = [0.05, -0.02, 0.1]
+inertia = [0.4, 0.5, 0.6]
+velocity = [0.3, -0.2, 0.5]
+angular_velocity = [1.5, -1.0, 2.5]
+)";
+
+/// A hub on an axle that is tilted against gravity and turns as prescribed.
+inline const std::string kDrivenHub = R"(
+[hub]
+axis = [0.2, 0.3, 1.0]
+radius = 0.1
+mass = 2.0
+center = [0.03, 0.02, 0.0]
+inertia = 0.5
+[hub.drive]
+kind = "spin_up"
+speed = 8.0
+ramp = 1.0
+)";
+
+/// The same hub, turned by a torque.
+inline const std::string kTurnedHub = R"(
+[hub]
+axis = [0.2, 0.3, 1.0]
+radius = 0.1
+mass = 2.0
+center = [0.03, 0.02, 0.0]
+inertia = 0.5
+[hub.drive]
+kind = "torque"
+torque = 3.0
+initial_speed = 4.0
+)";
+
+inline const std::string kGravity = R"(
+[gravity]
+acceleration = [0.5, 1.0, -9.81]
+)";
+
+/// Gravity that sets in over a while.
+inline const std::string kRisingGravity = R"(
+[gravity]
+acceleration = [0.5, 1.0, -9.81]
+ramp = 0.5
+)";
+
+/// Two soft beams of 2 m, straight and without joints. What follows is of the blades.
+inline const std::string kBooms = R"(
+[blade]
+count = 2
+length = 2.0
+bodies = 2
+elements = 2
+precone = 0.1
+[blade.sections]
+mass_per_length = 1.0
+axial_stiffness = 2e4
+lag_stiffness = 40.0
+flap_stiffness = 30.0
+torsion_stiffness = 30.0
+)";
+
+/// The joints of an articulated blade: flap and lag with springs, dampers and a stop.
+inline const std::string kHinges = R"(
+[[blade.joint]]
+name = "hinges"
+station = 0.2
+kind = "universal"
+axes = [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]
+stiffness = [30.0, 20.0]
+damping = [0.4, 0.6]
+initial_speed = [0.5, 0.2]
+stop = [{ lower = -0.02, upper = 0.5, stiffness = 300.0, damping = 0.5, width = 0.02 }, {}]
+)";
+
+/// A pitch bearing outboard of these, which follows the azimuth.
+inline const std::string kPitch = R"(
+[[blade.joint]]
+name = "pitch"
+station = 0.3
+kind = "revolute"
+axis = [1.0, 0.0, 0.0]
+motion = { mean = 0.14, cosine = 0.1, sine = -0.15 }
+)";
+
+/// A tree with joints of every kind, on beams and on rigid bodies, without what drives or damps.
+inline const std::string kTree = R"(
+[[subsystem]]
+name = "arm"
+[[subsystem.body]]
+name = "boom"
+kind = "beam"
+length = 2.0
+bodies = 1
+elements = 2
+[subsystem.body.sections]
+mass_per_length = 1.0
+axial_stiffness = 2e4
+lag_stiffness = 40.0
+flap_stiffness = 30.0
+torsion_stiffness = 30.0
+[[subsystem.body]]
+name = "bracket"
+kind = "rigid"
+mass = 0.5
+center = [0.0, 0.1, 0.05]
+inertia = [0.02, 0.01, 0.02]
+[[subsystem.body]]
+name = "mirror"
+kind = "rigid"
+mass = 0.8
+center = [0.1, 0.0, 0.1]
+inertia = [0.03, 0.05, 0.04]
+[[subsystem.body]]
+name = "slider"
+kind = "rigid"
+mass = 0.4
+center = [0.0, 0.0, 0.1]
+inertia = [0.01, 0.02, 0.02]
+[[subsystem.body]]
+name = "whip"
+kind = "beam"
+length = 1.0
+bodies = 1
+elements = 2
+reference_frame = "chord"
+[subsystem.body.sections]
+mass_per_length = 0.6
+axial_stiffness = 1e4
+lag_stiffness = 20.0
+flap_stiffness = 15.0
+torsion_stiffness = 12.0
+[[subsystem.body]]
+name = "screw"
+kind = "rigid"
+mass = 0.3
+center = [0.05, 0.05, 0.0]
+inertia = [0.01, 0.01, 0.02]
+[[subsystem.joint]]
+parent = "hub"
+child = "boom"
+kind = "universal"
+axes = [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]
+offset = [0.3, 0.1, 0.0]
+orientation = [0.3, 0.1, 0.4]
+stiffness = [40.0, 30.0]
+initial_speed = [0.5, -0.4]
+[[subsystem.joint]]
+parent = "boom"
+station = 1.0
+child = "bracket"
+kind = "revolute"
+axis = [1.0, 1.0, 0.0]
+stiffness = 5.0
+initial = 0.3
+initial_speed = 1.0
+[[subsystem.joint]]
+parent = "boom"
+child = "mirror"
+kind = "spherical"
+stiffness = 3.0
+initial = [0.2, -0.3, 0.1]
+initial_speed = [1.0, 2.0, -1.5]
+[[subsystem.joint]]
+parent = "bracket"
+child = "slider"
+kind = "prismatic"
+offset = [0.0, 0.2, 0.0]
+axis = [0.0, 1.0, 0.5]
+stiffness = 60.0
+initial_speed = 0.4
+[[subsystem.joint]]
+parent = "mirror"
+child = "whip"
+kind = "fixed"
+offset = [0.1, 0.0, 0.2]
+orientation = [0.0, 0.4, 0.0]
+[[subsystem.joint]]
+parent = "bracket"
+child = "screw"
+kind = "cylindrical"
+offset = [0.0, 0.2, 0.1]
+axis = [0.0, 0.0, 1.0]
+stiffness = [4.0, 50.0]
+initial_speed = [-2.0, 0.3]
+)";
+
+/// A pendulum on a driven hinge and on one with a motor and a damper.
+inline const std::string kMotors = R"(
+[[subsystem]]
+name = "motors"
+[[subsystem.body]]
+name = "link"
+kind = "rigid"
+mass = 1.0
+center = [0.3, 0.0, 0.05]
+inertia = [0.02, 0.05, 0.05]
+[[subsystem.body]]
+name = "boom"
+kind = "beam"
+length = 1.0
+bodies = 1
+elements = 2
+[subsystem.body.sections]
+mass_per_length = 1.0
+axial_stiffness = 2e4
+lag_stiffness = 40.0
+flap_stiffness = 30.0
+torsion_stiffness = 30.0
+[[subsystem.body]]
+name = "ball"
+kind = "rigid"
+mass = 0.5
+center = [0.1, 0.0, 0.0]
+inertia = [0.01, 0.02, 0.02]
+[[subsystem.joint]]
+parent = "hub"
+child = "link"
+kind = "universal"
+axes = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+offset = [0.2, 0.0, 0.1]
+motion = [{ time = [0.0, 0.2, 0.5, 0.9], value = [0.1, 0.3, -0.2, 0.1] }, {}]
+damping = [0.0, 0.3]
+torque = [0.0, 1.5]
+[[subsystem.joint]]
+parent = "link"
+child = "boom"
+kind = "cylindrical"
+axis = [0.0, 1.0, 0.0]
+offset = [0.6, 0.0, 0.0]
+damping = [0.2, 0.0]
+stiffness = [5.0, 0.0]
+force = 0.0
+motion = [{}, { time = [0.0, 0.4, 0.8], value = [0.0, 0.1, 0.0] }]
+[[subsystem.joint]]
+parent = "boom"
+child = "ball"
+kind = "spherical"
+stiffness = 2.0
+damping = 0.1
+torque = [0.3, -0.2, 0.5]
+initial_speed = [0.5, 0.4, -0.6]
+)";
+
+/// The whole file: a hub, what hangs on it, and what else there is.
+inline std::string make_text(const std::string& hub, const std::string& bodies,
+                             const std::string& more = "") {
+  return "world = \"space\"\n" + hub + bodies + more + "[integration]\nduration = 1.0\n";
+}
+
+}  // namespace spoke::test

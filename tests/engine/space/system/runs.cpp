@@ -1,0 +1,138 @@
+#include "tests/engine/space/system/runs.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "engine/kernels/spatial_samples.h"
+#include "engine/table/state_values.h"
+
+namespace spoke::test {
+namespace {
+
+/// Of the hub itself [J].
+double hub_kinetic(const space::Hub& hub, const space::Twist& twist) {
+  return 0.5 * twist.dot(hub.inertia.matrix() * twist);
+}
+
+/// First moment of the hub's mass, in H [kg m].
+space::Position hub_moment(const space::Hub& hub) {
+  const space::Matrix3& rt = hub.inertia.rt;
+  return {rt(2, 1), rt(0, 2), rt(1, 0)};
+}
+
+/// Kinetic energy if the hub's twist were greater by `more`, all coordinates' velocities the same.
+double kinetic_with(const space::Twist& more, Run<Space>& run) {
+  StepData<Space>& data = run.context.data;
+  const space::Twist kept = data.hub.twist;
+  data.hub.twist += more;
+  double sum = hub_kinetic(run.context.system.hub, data.hub.twist);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    update_kinematics(run.context.system.subsystems[i], data.subsystems[i]);
+    sum += calc_sample(run.context.system, i, data.subsystems[i]).kinetic;
+  }
+  data.hub.twist = kept;
+  return sum;
+}
+
+}  // namespace
+
+spatial::Model parse_model(const std::string& text) {
+  return *parse_scenario(text, "test.toml").space;
+}
+
+Scenario read_model(const std::string& name, const Overrides& overrides) {
+  return read_scenario(SPOKE_MODELS_DIR "/" + name, overrides);
+}
+
+template <class World>
+Run<World>::Run(const System<World>& system, const RunSetup& setup) {
+  context.system = system;
+  context.integrator = {setup.method, {setup.tolerance, 0, 50}};
+  allocate(context, setup.window > 1 ? 2 * setup.window : 1);
+  RunnerOptions options;
+  options.executor = setup.executor;
+  options.threads = setup.threads;
+  options.window = setup.window;
+  options.planned_steps = 1000;
+  runner = std::make_unique<StepRunner>(context, options);
+  REQUIRE(runner->start() == StepOutcome::done);
+}
+
+template <class World>
+void Run<World>::advance(std::int64_t count) {
+  const auto outcome = runner->advance_to(steps() + count, true, [this](std::int64_t step) {
+    const StepRecord& done = of_step(context.data.records, step).step;
+    work += done.work;
+    dissipated += done.dissipated;
+    Eigen::VectorXd all(static_cast<Eigen::Index>(World::kPosition * context.data.subsystems.size()));
+    Eigen::Index next = 0;
+    for (const SubsystemData<World>& subsystem : context.data.subsystems) {
+      all.segment<World::kPosition>(next) = of_step(subsystem.samples, step).tip;
+      next += World::kPosition;
+    }
+    trace.push_back(all);
+  });
+  REQUIRE(outcome == StepOutcome::done);
+}
+
+template <class World>
+void Run<World>::advance_for(double seconds) {
+  advance(std::llround(seconds / step_size(context.integrator)));
+}
+
+template <class World>
+const SubsystemSample<World>& Run<World>::sample(std::size_t i) const {
+  return of_step(context.data.subsystems[i].samples, steps());
+}
+
+template <class World>
+const SystemRecord<World>& Run<World>::record() const {
+  return of_step(context.data.records, steps());
+}
+
+template <class World>
+std::uint64_t Run<World>::hash() const {
+  return hash_state(context.data);
+}
+
+template class Run<Plane>;
+template class Run<Space>;
+
+double calc_energy(const Run<Space>& run) {
+  const System<Space>& system = run.context.system;
+  const StepData<Space>& data = run.context.data;
+  const HubState<Space>& hub = data.is_coupled ? data.hub : *data.subsystems[0].hub;
+  double sum = hub_kinetic(system.hub, hub.twist);
+  if (system.gravity_ramp == 0.0)
+    sum -= system.gravity.dot(system.hub.mass * hub.p + hub.R * hub_moment(system.hub));
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    const SubsystemSample<Space>& sample = run.sample(i);
+    sum += sample.kinetic + sample.strain - sample.gravity;
+  }
+  return sum;
+}
+
+space::Twist calc_momentum(Run<Space>& run) {
+  space::Twist in_hub;
+  for (int c = 0; c < space::kTwist; ++c) {
+    const space::Twist unit = space::Twist::Unit(c);
+    in_hub[c] = 0.5 * (kinetic_with(unit, run) - kinetic_with(-unit, run));
+  }
+  kinetic_with(space::Twist::Zero(), run);
+  const HubState<Space>& hub = run.context.data.hub;
+  const space::Position linear = hub.R * space::Position(spoke::linear(in_hub));
+  const space::Angular angular = hub.R * space::Angular(spoke::angular(in_hub));
+  return space::make_twist(linear, angular + hub.p.cross(linear));
+}
+
+Eigen::VectorXd deformations(const Run<Space>& run) {
+  std::vector<double> all;
+  for (const SubsystemData<Space>& subsystem : run.context.data.subsystems)
+    for (const BodyData<Space>& body : subsystem.bodies)
+      for (const CoordinateBlock* block : {&body.joint.coordinates, &body.coordinates})
+        all.insert(all.end(), block->q, block->q + block->size);
+  return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+}  // namespace spoke::test

@@ -1,0 +1,67 @@
+#pragma once
+
+// Systems that are advanced by their step graph, and what tests measure of them on the way.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/run/step_runner.h"
+#include "models/scenario.h"
+#include "models/system/spatial_system.h"
+
+namespace spoke::test {
+
+/// A model in space as its scenario file says, the text of `text` in TOML.
+spatial::Model parse_model(const std::string& text);
+/// One of the files in models/.
+Scenario read_model(const std::string& name, const Overrides& overrides = {});
+
+/// How steps are made.
+struct RunSetup {
+  Method method;
+  double tolerance = 1e-12;  ///< of generalized_alpha [m, rad]
+  graph::ExecutorKind executor = graph::ExecutorKind::serial;
+  graph::Threads threads{1};
+  int window = 1;
+};
+
+/// A system with what runs it. Stays in place.
+template <class World>
+class Run {
+ public:
+  Run(const System<World>& system, const RunSetup& setup);
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  /// Makes so many steps.
+  void advance(std::int64_t steps);
+  /// The steps of so many seconds.
+  void advance_for(double seconds);
+  std::int64_t steps() const { return runner->steps(); }
+
+  /// Of the last step.
+  const SubsystemSample<World>& sample(std::size_t i) const;
+  const SystemRecord<World>& record() const;
+  std::uint64_t hash() const;
+
+  SystemContext<World> context;
+  std::unique_ptr<StepRunner> runner;
+  double work = 0.0;                   ///< by drives, motors and loads since the start [J]
+  double dissipated = 0.0;             ///< since the start [J]
+  std::vector<Eigen::VectorXd> trace;  ///< displacements of all tips by step, hub frame
+};
+
+extern template class Run<Plane>;
+extern template class Run<Space>;
+
+/// Kinetic and potential energy of all, the hub's own included [J].
+double calc_energy(const Run<Space>& run);
+/// Linear momentum, and angular momentum about the origin of space, in the inertial frame: the
+/// derivatives of the kinetic energy by the hub's twist.
+space::Twist calc_momentum(Run<Space>& run);
+/// Deformation and joint coordinates of all bodies.
+Eigen::VectorXd deformations(const Run<Space>& run);
+
+}  // namespace spoke::test
