@@ -81,7 +81,7 @@ class Run {
   /// Linear momentum, and angular momentum about the origin.
   Twist momentum() const {
     const Eigen::VectorXd y = independent_coordinates(context_);
-    const Eigen::VectorXd p = lagrangian_.momenta(y, independent_velocities(context_));
+    const Twist p = lagrangian_.hub_momenta(y, independent_velocities(context_));
     return {p[0], p[1], y[0] * p[1] - y[1] * p[0] + p[2]};
   }
 

@@ -275,15 +275,21 @@ double Lagrangian::potential_energy(const Eigen::VectorXd& y) const {
   return energy;
 }
 
+double Lagrangian::momentum(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int i) const {
+  Eigen::VectorXd plus = v, minus = v;
+  plus[i] += 1.0;
+  minus[i] -= 1.0;
+  return 0.5 * (kinetic_energy(y, plus) - kinetic_energy(y, minus));
+}
+
 Eigen::VectorXd Lagrangian::momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const {
   Eigen::VectorXd p(size());
-  for (int i = 0; i < size(); ++i) {
-    Eigen::VectorXd plus = v, minus = v;
-    plus[i] += 1.0;
-    minus[i] -= 1.0;
-    p[i] = 0.5 * (kinetic_energy(y, plus) - kinetic_energy(y, minus));
-  }
+  for (int i = 0; i < size(); ++i) p[i] = momentum(y, v, i);
   return p;
+}
+
+Twist Lagrangian::hub_momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const {
+  return {momentum(y, v, 0), momentum(y, v, 1), momentum(y, v, 2)};
 }
 
 Eigen::MatrixXd Lagrangian::mass(const Eigen::VectorXd& y) const {

@@ -32,6 +32,8 @@ class Lagrangian {
   double potential_energy(const Eigen::VectorXd& y) const;
   /// dT/dv: exact, for T is quadratic in v.
   Eigen::VectorXd momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const;
+  /// The hub's components of dT/dv alone.
+  Twist hub_momenta(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const;
   /// d2T/dv2, the mass matrix of the independent coordinates: exact.
   Eigen::MatrixXd mass(const Eigen::VectorXd& y) const;
   /// d/dt dT/dv - dT/dy + dV/dy along accelerations a, by central differences: the generalised
@@ -43,6 +45,9 @@ class Lagrangian {
                         double x) const;
 
  private:
+  /// Component i of dT/dv.
+  double momentum(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int i) const;
+
   const System<Plane>& system_;
   std::span<const Blade> blades_;
 };

@@ -3,6 +3,7 @@ import { existsSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
+import { after } from 'node:test';
 
 // The package is looked for in the working directory first, so that it need not stand in the sources.
 function loadPlaywright() {
@@ -22,14 +23,22 @@ function findChromium() {
   return found;
 }
 
+// One browser per test file, since a start takes longer than most tests.
+let browser = null;
+after(async () => (await browser)?.close());
+
+function startBrowser() {
+  return loadPlaywright().chromium.launch({ executablePath: findChromium(), headless: true, args: FLAGS });
+}
+
 /**
- * Opens a file. `problems` collects errors on the console, exceptions of the page and every request but
+ * Opens a file in a profile of its own, which shares no memory, storage or settings with those before.
+ * `problems` collects errors on the console, exceptions of the page and every request but
  * file:, data: and blob:, as they happen. Call close() at the end.
  */
 export async function openPage(file, { width = 1280, height = 800, scheme = 'light' } = {}) {
-  const { chromium } = loadPlaywright();
-  const browser = await chromium.launch({ executablePath: findChromium(), headless: true, args: FLAGS });
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme });
+  browser ??= startBrowser();
+  const context = await (await browser).newContext({ viewport: { width, height }, colorScheme: scheme });
   const page = await context.newPage();
   const problems = [];
   page.on('console', (message) => {
@@ -40,5 +49,5 @@ export async function openPage(file, { width = 1280, height = 800, scheme = 'lig
     if (!/^(file|data|blob):/.test(request.url())) problems.push(`request: ${request.url()}`);
   });
   await page.goto(pathToFileURL(file).href);
-  return { page, problems, close: () => browser.close() };
+  return { page, problems, close: () => context.close() };
 }
