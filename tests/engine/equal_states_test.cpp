@@ -1,4 +1,4 @@
-// After 1000 steps a model has one state per formulation, to the last bit: with every executor,
+// After 500 steps a model has one state per formulation, to the last bit: with every executor,
 // number of threads, window and plan. Takes long; executor_test.cpp and window_test.cpp look at
 // fewer steps, and at more kinds of models.
 
@@ -23,7 +23,7 @@ using namespace spoke;
 
 namespace {
 
-constexpr int kSteps = 1000;
+constexpr int kSteps = 500;
 
 enum class HubDrive { motion, torque };
 
@@ -166,27 +166,27 @@ void check_all(const Scenario& scenario, Formulation formulation) {
 
 }  // namespace
 
-TEST_CASE("one state after 1000 steps: structured with a prescribed hub") {
+TEST_CASE("one state after 500 steps: structured with a prescribed hub") {
   check_all(make_scenario(HubDrive::motion), Formulation::structured);
 }
 
-TEST_CASE("one state after 1000 steps: structured with a hub driven by a torque") {
+TEST_CASE("one state after 500 steps: structured with a hub driven by a torque") {
   check_all(make_scenario(HubDrive::torque), Formulation::structured);
 }
 
-TEST_CASE("one state after 1000 steps: subsystem with a prescribed hub") {
+TEST_CASE("one state after 500 steps: subsystem with a prescribed hub") {
   check_all(make_scenario(HubDrive::motion), Formulation::subsystem);
 }
 
-TEST_CASE("one state after 1000 steps: subsystem with a hub driven by a torque") {
+TEST_CASE("one state after 500 steps: subsystem with a hub driven by a torque") {
   check_all(make_scenario(HubDrive::torque), Formulation::subsystem);
 }
 
 // One dense system of all coordinates: of 144 as above a run takes many seconds.
-TEST_CASE("one state after 1000 steps: augmented with a prescribed hub") {
+TEST_CASE("one state after 500 steps: augmented with a prescribed hub") {
   check_all(make_scenario(HubDrive::motion, 2, 1), Formulation::augmented);
 }
 
-TEST_CASE("one state after 1000 steps: augmented with a hub driven by a torque") {
+TEST_CASE("one state after 500 steps: augmented with a hub driven by a torque") {
   check_all(make_scenario(HubDrive::torque, 2, 1), Formulation::augmented);
 }
