@@ -32,12 +32,9 @@ Carrier find_carrier(const TreeBody<Space>& body, const SubsystemData<Space>& da
 
 /// A rigid body's handles do not move against its frame.
 void place_rigid_handles(const space::RigidBody& body, HandleMotion* handles) {
-  handles[0] = {};
-  handles[0].turn.H.setIdentity();
-  for (std::size_t h = 0; h < body.outboard.size(); ++h) {
-    handles[h + 1] = handles[0];
-    handles[h + 1].s = body.outboard[h];
-  }
+  handles[0] = space::make_fixed_handle(space::Position::Zero());
+  for (std::size_t h = 0; h < body.outboard.size(); ++h)
+    handles[h + 1] = space::make_fixed_handle(body.outboard[h]);
 }
 
 /// mean + cosine cos(psi) + sine sin(psi) of the azimuth psi.

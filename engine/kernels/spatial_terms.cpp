@@ -56,9 +56,7 @@ space::Rotation resolve(spatial::LoadFrame frame, const space::Rotation& R_HB,
 space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) {
   if (const space::FlexibleBody* flexible = body.model->body->flexible())
     return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
-  space::HandleMotion motion{};
-  motion.s = section.s0;
-  return motion;
+  return space::make_fixed_handle(section.s0);
 }
 
 /// Adds a wrench in B, and its power.

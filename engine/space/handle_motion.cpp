@@ -36,4 +36,8 @@ void calc_handles(const FlexibleBody& body, const double* q, const double* v,
     *handles++ = node < body.first_node() ? at_rest() : calc_handle(body, node, q, v);
 }
 
+HandleMotion make_fixed_handle(const Position& s) noexcept {
+  return {s, Position::Zero(), {{}, Matrix3::Identity(), Angular::Zero(), Angular::Zero()}};
+}
+
 }  // namespace spoke::space

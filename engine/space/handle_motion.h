@@ -21,6 +21,9 @@ struct HandleMotion {
   Twist bias(const Angular& w) const;
 };
 
+/// A place that is fixed in B.
+HandleMotion make_fixed_handle(const Position& s) noexcept;
+
 /// The handles of a body at the flex vectors q and v.
 void calc_handles(const FlexibleBody& body, const double* q, const double* v,
                   HandleMotion* handles) noexcept;
