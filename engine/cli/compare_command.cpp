@@ -32,10 +32,22 @@ constexpr double kSampleSeconds = 0.03;
 constexpr std::int64_t kPlanned = 4;
 constexpr std::size_t kMostConfigurations = 400;  // a process, a socket and some threads each
 
-std::vector<compare::Configuration> choose_configurations(const Arguments& arguments,
+/// What is compared: of a model in space, unless formulations are chosen, the one that it has.
+compare::Axes choose_axes(const Arguments& arguments, const Scenario& scenario) {
+  compare::Axes axes = arguments.compare.axes;
+  if (scenario.space && axes.formulations == compare::Axes().formulations)
+    axes.formulations = {Formulation::structured};
+  return axes;
+}
+
+int count_subsystems(const Scenario& scenario) {
+  if (!scenario.space) return static_cast<int>(scenario.rotor.blades.size());
+  return static_cast<int>(scenario.space->blades.size() + scenario.space->subsystems.size());
+}
+
+std::vector<compare::Configuration> choose_configurations(const compare::Axes& axes,
                                                           const Scenario& scenario, int cores) {
-  auto list = compare::make_configurations(arguments.compare.axes,
-                                           static_cast<int>(scenario.rotor.blades.size()), cores);
+  auto list = compare::make_configurations(axes, count_subsystems(scenario), cores);
   if (list.size() > kMostConfigurations)
     throw InputError(
         fmt::format("{} configurations, expected at most {}: choose fewer executors, "
@@ -100,12 +112,13 @@ int compare(const Arguments& arguments) {
                                                 : fs::path(arguments.out);
   compare::Comparison comparison{.scenario = scenario, .rounds = arguments.compare.rounds};
   comparison.machine = this_machine();
-  const auto configurations = choose_configurations(arguments, scenario, comparison.machine.cores);
+  const compare::Axes axes = choose_axes(arguments, scenario);
+  const auto configurations = choose_configurations(axes, scenario, comparison.machine.cores);
   require_folder(folder);
   const ResultsFolder taken(folder);
   comparison.loads.before = load_average();
   comparison.capacity = measure_capacity();
-  probe_models(comparison, arguments.compare.axes);
+  probe_models(comparison, axes);
   require_memory(comparison, configurations);
   const ChildTask task{.scenario = arguments.scenario,
                        .text = text,

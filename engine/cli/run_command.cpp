@@ -330,6 +330,8 @@ int exit_status(const RunOutcome& outcome) {
 int run(const Arguments& arguments) {
   Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
+  if (arguments.writes_vtk && scenario.space)
+    throw InputError("--vtk: the model is in space, expected a rotor in the plane");
   const fs::path folder = folder_of_results(arguments, scenario);
   const auto start = Clock::now();
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
