@@ -32,8 +32,9 @@ Carrier find_carrier(const TreeBody<Space>& body, const SubsystemData<Space>& da
 
 /// A rigid body's handles do not move against its frame.
 void place_rigid_handles(const space::RigidBody& body, HandleMotion* handles) {
-  handles[0] = {};
-  handles[0].turn.H.setIdentity();
+  handles[0] = {space::Position::Zero(),
+                space::Position::Zero(),
+                {{}, space::Matrix3::Identity(), Angular::Zero(), Angular::Zero()}};
   for (std::size_t h = 0; h < body.outboard.size(); ++h) {
     handles[h + 1] = handles[0];
     handles[h + 1].s = body.outboard[h];
