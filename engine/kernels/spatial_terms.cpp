@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "engine/space/body_energies.h"
 #include "engine/space/body_terms.h"
 
 namespace spoke {
@@ -18,6 +19,27 @@ BodyTerms calc_rigid_terms(const space::RigidBody& body, const space::Twist& twi
   terms.Theta = mass.rr;
   terms.Q = calc_gyroscopic_force(mass, twist);
   return terms;
+}
+
+space::Rotation rotation_to_hub(const SubsystemData<Space>& data, int j) {
+  space::Rotation R = data.joints[j].R;
+  for (j = data.bodies[j].model->parent; j >= 0; j = data.bodies[j].model->parent)
+    R = data.joints[j].R * R;
+  return R;
+}
+
+/// Of gravity that rises, whose work is that of a load.
+void add_gravity_power(const space::Position& gravity_H, const SubsystemData<Space>& data, int j,
+                       BodyData<Space>& body) {
+  const space::Twist& twist = data.twists[j];
+  const space::Position gravity = rotation_to_hub(data, j).inverse() * gravity_H;
+  if (const space::RigidBody* rigid = body.model->body->rigid()) {
+    body.terms.load_power += gravity.dot(space::Position(linear(calc_mass(*rigid) * twist)));
+    return;
+  }
+  const space::BodyMotion motion{angular(twist), angular(data.hub->twist), gravity_H};
+  body.terms.load_power += calc_gravity_power(body_model_of(body), body_state_of(body), twist,
+                                              motion, gravity, body.work);
 }
 
 /// Springs, dampers, stops and motors.
@@ -68,6 +90,8 @@ void calc_terms(const System<Space>& system, double t, const space::ImplicitShar
     body.terms = calc_body_terms(body_model_of(body), body_state_of(body), motion, system.damping,
                                  body.work);
   }
+  if (system.gravity_ramp > 0.0)
+    add_gravity_power(data.hub->R.inverse() * space::Position(system.gravity_at(t)), data, j, body);
   add_joint_forces(t, shares, body);
 }
 
