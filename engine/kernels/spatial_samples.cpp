@@ -47,8 +47,10 @@ space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemDa
   const HubState<Space>& hub = *data.hub;
   if (const space::RigidBody* rigid = body.model->body->rigid())
     return {calc_kinetic_energy(calc_mass(*rigid), twist), 0.0, 0.0, rigid->mass * rigid->centre};
-  const space::BodyMotion motion{angular(twist), angular(hub.twist),
-                                 hub.R.inverse() * space::Position(system.gravity)};
+  // The work of gravity that rises is that of a load.
+  const space::Position gravity =
+      system.gravity_ramp > 0.0 ? space::Position(space::Position::Zero()) : system.gravity;
+  const space::BodyMotion motion{angular(twist), angular(hub.twist), hub.R.inverse() * gravity};
   return calc_body_energies(body_model_of(body), body_state_of(body), twist, motion, body.work);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/space/body_energies.h"
 #include "engine/space/body_terms.h"
 
 namespace spoke {
@@ -85,14 +86,18 @@ void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0
   }
 }
 
-/// Power of gravity, where it rises; its force is none, see solve_hub().
-void add_gravity_power(const space::Position& gravity, const space::Twist& twist,
+/// Of gravity that rises, whose work is that of a load.
+void add_gravity_power(const space::Position& gravity_H, const space::Rotation& R_HB,
+                       const HubState<Space>& hub, const space::Twist& twist,
                        BodyData<Space>& body) {
-  const space::Body& model = *body.model->body;
-  const double mass = model.flexible() ? model.flexible()->mass : model.rigid()->mass;
-  const space::Position momentum =
-      mass * linear(twist) + cross(angular(twist), body.terms.S) + body.terms.S_rate;
-  body.terms.load_power += gravity.dot(momentum);
+  const space::Position gravity = R_HB.inverse() * gravity_H;
+  if (const space::RigidBody* rigid = body.model->body->rigid()) {
+    body.terms.load_power += gravity.dot(space::Position(linear(calc_mass(*rigid) * twist)));
+    return;
+  }
+  const space::BodyMotion motion{angular(twist), angular(hub.twist), gravity_H};
+  body.terms.load_power += calc_gravity_power(body_model_of(body), body_state_of(body), twist,
+                                              motion, gravity, body.work);
 }
 
 }  // namespace
@@ -132,8 +137,8 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
   const space::Rotation R_HB = calc_rotation_to_hub(subsystem, data, j);
   add_loads(t, R_HB, data.hub->R, twist, body);
   if (system.gravity_ramp > 0.0)
-    add_gravity_power((data.hub->R * R_HB).inverse() * space::Position(system.gravity_at(t)), twist,
-                      body);
+    add_gravity_power(data.hub->R.inverse() * space::Position(system.gravity_at(t)), R_HB,
+                      *data.hub, twist, body);
 }
 
 }  // namespace spoke

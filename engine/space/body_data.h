@@ -56,10 +56,9 @@ inline Angular calc_stiffening_moment(const HubStiffening& s, const Angular& w0)
 
 /// Mass terms and right-hand side of a body's frame.
 struct BodyTerms {
-  Position S = Position::Zero();       ///< first moment [kg m]
-  Position S_rate = Position::Zero();  ///< its rate in the frame [kg m/s]
-  Matrix3 Theta = Matrix3::Zero();     ///< inertia about the origin [kg m^2]
-  Twist Q = Twist::Zero();             ///< right-hand side of translation and rotation [N, N m]
+  Position S = Position::Zero();    ///< first moment [kg m]
+  Matrix3 Theta = Matrix3::Zero();  ///< inertia about the origin [kg m^2]
+  Twist Q = Twist::Zero();          ///< right-hand side of translation and rotation [N, N m]
   HubStiffening stiffening;
   double load_power = 0.0;   ///< of applied loads [W]
   double dissipation = 0.0;  ///< q'^T D q' [W]

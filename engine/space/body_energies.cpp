@@ -60,6 +60,25 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
   return energies;
 }
 
+double calc_gravity_power(const BodyModel& model, const BodyState& state, const Twist& twist,
+                          const BodyMotion& motion, const Position& gravity,
+                          const BodyWork& work) noexcept {
+  const FlexibleBody& body = *model.body;
+  double *q = work.nodal[0], *v = work.nodal[1];
+  expand(body, state.q, q);
+  expand(body, state.v, v);
+  const SlotSums sums = calc_slots(body, q, v, work);
+  const Position momentum =
+      body.mass * Position(linear(twist)) + cross(angular(twist), sums.S) + sums.S_rate;
+  const double power = gravity.dot(momentum);
+  if (!model.tension) return power;
+  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
+  StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
+  // gamma is quadratic in q: its rate is that of q^T K q', twice.
+  stiffening.value.tension = 2.0 * stiffening.rate.tension;
+  return power - motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
+}
+
 double calc_strain_energy(const FlexibleBody& body, const double* q,
                           const BodyWork& work) noexcept {
   expand(body, q, work.nodal[0]);

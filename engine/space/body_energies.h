@@ -18,6 +18,12 @@ struct BodyEnergies {
 BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, const Twist& twist,
                                 const BodyMotion& motion, const BodyWork& work) noexcept;
 
+/// Power of gravity on a body, foreshortening included [W]. `gravity`: in its frame, as in `motion`
+/// in H. Uses the memory within kernels of `work`.
+double calc_gravity_power(const BodyModel& model, const BodyState& state, const Twist& twist,
+                          const BodyMotion& motion, const Position& gravity,
+                          const BodyWork& work) noexcept;
+
 /// Elastic energy of a body [J].
 double calc_strain_energy(const FlexibleBody& body, const double* q, const BodyWork& work) noexcept;
 

@@ -190,7 +190,6 @@ BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const 
   calc_rows(body, motion.w, work);
   const Angular& w = motion.w;
   terms.S = sums.S;
-  terms.S_rate = sums.S_rate;
   terms.Theta = sums.inertia();
   // Q_t = -w x (w x S) - 2 w x S',  Q_w = -w x Theta w - 2 (tr(G) w - G^T w)
   terms.Q = make_twist(-cross(w, cross(w, sums.S) + 2.0 * sums.S_rate),

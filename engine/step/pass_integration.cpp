@@ -95,6 +95,26 @@ double work_on_hub(const System<World>& system, double speed_before, double spee
   return 0.5 * axial_inertia(system.hub) * (speed * speed - speed_before * speed_before);
 }
 
+/// Of gravity on the hub itself [W]; hub frame.
+double gravity_power(const Hub& hub, const Position& gravity, const Twist& twist) {
+  return hub.mass * gravity.dot(linear(twist));
+}
+double gravity_power(const space::Hub& hub, const space::Position& gravity,
+                     const space::Twist& twist) {
+  const space::Twist momentum = hub.inertia * twist;
+  return gravity.dot(linear(momentum));
+}
+
+/// Of a hub on an axle, that gravity does where it turns by `angle` [J]; its centre of mass may be
+/// off the axis in space only.
+double gravity_work(const System<Plane>&, double) { return 0.0; }
+double gravity_work(const System<Space>& system, double angle) {
+  if (system.gravity_ramp > 0.0) return 0.0;
+  const space::Matrix3& rt = system.hub.inertia.rt;
+  const space::Position moment(rt(2, 1), rt(0, 2), rt(1, 0));
+  return system.gravity.dot(rotation_of(system.hub, angle) * moment);
+}
+
 /// Begins a block with or without an orientation in it.
 void begin_coordinates(const Method& method, const PassControl& control,
                        const space::RotationBlock& rotation) {
@@ -255,7 +275,7 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   if (system.gravity_ramp > 0.0) {
     const PositionOf<World> gravity =
         data.hub.R.inverse() * system.gravity_at(progress.control.time);
-    report.power.applied += system.hub.mass * gravity.dot(linear(data.hub.twist));
+    report.power.applied += gravity_power(system.hub, gravity, data.hub.twist);
   }
   report.change = hub.change;
   report.failed = !is_finite(hub.acceleration);
@@ -289,12 +309,15 @@ void record_reactions(const System<World>& system, const Integrator& integrator,
   for (std::int64_t step = data.window.first; step <= last; ++step) {
     SystemRecord<World> record;
     const double speed_before = hub.v[World::kAxial];
+    const double lift_before = gravity_work(system, hub.q[World::kAxial]);
     const double t = static_cast<double>(step) * h;
     impose_hub_motion(system, t, hub);
     record.position = Eigen::Map<const TwistOf<World>>(hub.q);
     record.velocity = Eigen::Map<const TwistOf<World>>(hub.v);
     // Its own inertia takes what the subsystems leave of the drive's work.
-    if (step > 0) record.step.work = work_on_hub(system, speed_before, hub.v[World::kAxial]);
+    if (step > 0)
+      record.step.work = work_on_hub(system, speed_before, hub.v[World::kAxial]) + lift_before -
+                         gravity_work(system, hub.q[World::kAxial]);
     const RotationOf<World> R =
         needs_rotation ? rotation_of(system.hub, hub.q[World::kAxial]) : RotationOf<World>{};
     const TwistOf<World> a = calc_prescribed_acceleration(system, t, R, hub.a[World::kAxial]);

@@ -64,15 +64,15 @@ TEST_CASE("a free flight keeps energy and momentum: generalized_alpha, of order 
 }
 
 TEST_CASE("the energy in space grows by what drives, motors, loads and dampers do") {
-  const std::string load = "[[hub_load]]\nposition = [0.1, 0.2, 0.0]\nforce = [1.0, 2.0, 3.0]\n"
-                           "torque = [0.5, 0.3, 0.8]\n";
-  const std::string texts[] = {
-      make_text(kDrivenHub, kBooms + kHinges, kGravity),
-      make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity),
-      make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + load),
-      make_text(kFlyingHub, kTree + kMotors, kGravity + load),
-      make_text(kFlyingHub, kMotors, kRisingGravity + load),
-      make_text(kDrivenHub, kMotors, kRisingGravity)};
+  const std::string load =
+      "[[hub_load]]\nposition = [0.1, 0.2, 0.0]\nforce = [1.0, 2.0, 3.0]\n"
+      "torque = [0.5, 0.3, 0.8]\n";
+  const std::string texts[] = {make_text(kDrivenHub, kBooms + kHinges, kGravity),
+                               make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity),
+                               make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + load),
+                               make_text(kFlyingHub, kTree + kMotors, kGravity + load),
+                               make_text(kFlyingHub, kMotors, kRisingGravity + load),
+                               make_text(kDrivenHub, kMotors, kRisingGravity)};
   for (const std::string& text : texts) {
     const double whole = calc_residual(text, Rk4{1e-3}, 0.2);
     const double half = calc_residual(text, Rk4{5e-4}, 0.2);

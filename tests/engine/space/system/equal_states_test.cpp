@@ -46,7 +46,8 @@ TEST_CASE("a run in space has one state, whatever executes it") {
     RunSetup setup{which.method, 1e-10};
     const std::uint64_t expected = end_of(which, setup);
     using Kind = graph::ExecutorKind;
-    for (const Kind kind : {Kind::serial, Kind::flow_graph, Kind::openmp_levels, Kind::openmp_scheme1})
+    for (const Kind kind :
+         {Kind::serial, Kind::flow_graph, Kind::openmp_levels, Kind::openmp_scheme1})
       for (const int window : {1, 7}) {
         CAPTURE(name_of(kind));
         CAPTURE(window);

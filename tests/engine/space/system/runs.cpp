@@ -65,7 +65,8 @@ void Run<World>::advance(std::int64_t count) {
     const StepRecord& done = of_step(context.data.records, step).step;
     work += done.work;
     dissipated += done.dissipated;
-    Eigen::VectorXd all(static_cast<Eigen::Index>(World::kPosition * context.data.subsystems.size()));
+    Eigen::VectorXd all(
+        static_cast<Eigen::Index>(World::kPosition * context.data.subsystems.size()));
     Eigen::Index next = 0;
     for (const SubsystemData<World>& subsystem : context.data.subsystems) {
       all.segment<World::kPosition>(next) = of_step(subsystem.samples, step).tip;
@@ -99,15 +100,15 @@ std::uint64_t Run<World>::hash() const {
 template class Run<Plane>;
 template class Run<Space>;
 
-double calc_energy(const Run<Space>& run) {
+double calc_energy(Run<Space>& run) {
   const System<Space>& system = run.context.system;
-  const StepData<Space>& data = run.context.data;
-  const HubState<Space>& hub = data.is_coupled ? data.hub : *data.subsystems[0].hub;
+  StepData<Space>& data = run.context.data;
+  const HubState<Space>& hub = *data.subsystems[0].hub;
   double sum = hub_kinetic(system.hub, hub.twist);
   if (system.gravity_ramp == 0.0)
     sum -= system.gravity.dot(system.hub.mass * hub.p + hub.R * hub_moment(system.hub));
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    const SubsystemSample<Space>& sample = run.sample(i);
+    const SubsystemSample<Space> sample = calc_sample(system, i, data.subsystems[i]);
     sum += sample.kinetic + sample.strain - sample.gravity;
   }
   return sum;
@@ -123,7 +124,7 @@ space::Twist calc_momentum(Run<Space>& run) {
   const HubState<Space>& hub = run.context.data.hub;
   const space::Position linear = hub.R * space::Position(spoke::linear(in_hub));
   const space::Angular angular = hub.R * space::Angular(spoke::angular(in_hub));
-  return space::make_twist(linear, angular + hub.p.cross(linear));
+  return space::make_twist(linear, angular + cross(hub.p, linear));
 }
 
 Eigen::VectorXd deformations(const Run<Space>& run) {

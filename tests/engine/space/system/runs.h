@@ -57,7 +57,7 @@ extern template class Run<Plane>;
 extern template class Run<Space>;
 
 /// Kinetic and potential energy of all, the hub's own included [J].
-double calc_energy(const Run<Space>& run);
+double calc_energy(Run<Space>& run);
 /// Linear momentum, and angular momentum about the origin of space, in the inertial frame: the
 /// derivatives of the kinetic energy by the hub's twist.
 space::Twist calc_momentum(Run<Space>& run);
