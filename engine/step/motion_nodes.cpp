@@ -89,11 +89,13 @@ template <class World>
 void add_position(const Assembly<World>& g, int i) {
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
-  g.builder.add_node(g.label("position", i), reads(g.blade(i).progress, chain_coordinates(g, i)),
-                     writes(g.blade(i).rotations),
-                     unless_halted(*data.progress, [&subsystem, &data]() noexcept {
-                       calc_rotations(subsystem, data);
-                     }));
+  PartList inputs = chain_coordinates(g, i);
+  if constexpr (kSharesWorkspace<World>)
+    inputs.push_back(g.blade(i).rotations);  // sets the handles
+  g.builder.add_node(
+      g.label("position", i), reads(g.blade(i).progress, inputs), writes(g.blade(i).rotations),
+      unless_halted(*data.progress,
+                    [&subsystem, &data]() noexcept { calc_rotations(subsystem, data); }));
 }
 
 template <class World>

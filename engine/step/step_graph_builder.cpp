@@ -51,14 +51,27 @@ using graph::reads;
 using graph::StepGraphBuilder;
 using graph::writes;
 
+/// Whether a body's joint has coordinates, whose accelerations then are among those of the body.
+bool has_coordinates(const TreeBody<Plane>&) { return false; }
+bool has_coordinates(const TreeBody<Space>& body) { return body.joint.joint.coordinates > 0; }
+
+/// Whether condensing a body clears rows of its terms: those of coordinates that a chord frame
+/// fixes.
+bool clears_rows(const TreeBody<Space>& body) {
+  const space::FlexibleBody* flexible = body.body->flexible();
+  return flexible && flexible->reference_frame == ReferenceFrame::chord;
+}
+
 /// What a body's terms read: only what its options make them depend on.
 template <class World>
 PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
   const TreeBody<World>& member = g.c.system.subsystems[i].bodies[j];
   PartList inputs{blade.progress, blade.bodies[j].coordinates, blade.twists};
-  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method))
+  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
+    if (has_coordinates(member)) inputs.push_back(blade.bodies[j].accelerations);
+  }
   const PartList loads = loads_on(g, i, j);
   inputs.insert(inputs.end(), loads.begin(), loads.end());
   const bool has_rising_gravity = g.c.system.gravity_ramp > 0.0;
@@ -119,8 +132,12 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   SubsystemData<World>& blade = g.c.data.subsystems[i];
   const BodyParts& parts = g.blade(i).bodies[j];
   PartList outputs{parts.terms};
-  if constexpr (kSharesWorkspace<World>) outputs.push_back(parts.workspace);
-  g.builder.add_node(g.label("mass", i, j), reads(terms_inputs(g, i, j)), writes(outputs),
+  PartList inputs = terms_inputs(g, i, j);
+  if constexpr (kSharesWorkspace<World>) {
+    inputs.push_back(parts.workspace);  // not all of it is overwritten
+    outputs.push_back(parts.workspace);
+  }
+  g.builder.add_node(g.label("mass", i, j), reads(inputs), writes(outputs),
                      unless_halted(*blade.progress, [&c, &blade, i, j]() noexcept {
                        calc_mass_terms(c, i, j, blade);
                      }));
@@ -135,6 +152,7 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
   if constexpr (kSharesWorkspace<World>) {
     inputs.push_back(blade.rotations);
     outputs.push_back(parts.port);
+    if (clears_rows(g.c.system.subsystems[i].bodies[j])) outputs.push_back(parts.terms);
   } else {
     outputs.push_back(parts.workspace);
   }
@@ -255,20 +273,32 @@ PartList inner_ports(const Assembly<World>& g, int i) {
   }
 }
 
+/// Accelerations of joints, which rk4 finds in their place at once.
+template <class World>
+PartList found_with_multipliers(const Assembly<World>& g, int i) {
+  PartList list;
+  if (!std::holds_alternative<Rk4>(g.c.integrator.method)) return list;
+  const std::vector<TreeBody<World>>& bodies = g.c.system.subsystems[i].bodies;
+  for (std::size_t j = 0; j < bodies.size(); ++j)
+    if (has_coordinates(bodies[j])) list.push_back(g.blade(i).bodies[j].accelerations);
+  return list;
+}
+
 template <class World>
 void add_multipliers(const Assembly<World>& g, int i) {
   SystemContext<World>& c = g.c;
   const SubsystemParts& blade = g.blade(i);
   const Subsystem<World>& subsystem = c.system.subsystems[i];
   SubsystemData<World>& data = c.data.subsystems[i];
+  const PartList accelerations = found_with_multipliers(g, i);
   const auto add = [&](const graph::Reads& inputs, auto recover) {
-    g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches),
+    g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches, accelerations),
                        unless_halted(*data.progress, recover));
   };
   switch (c.formulation) {
     case Formulation::structured:
       return add(reads(blade.progress, blade.effective, blade.joints(), inner_ports(g, i),
-                       blade.rotations, blade.hub_state, blade.hub_acceleration),
+                       blade.rotations, blade.hub_state, blade.hub_acceleration, accelerations),
                  [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
                    structured::recover_wrenches(subsystem, work, data);
                  });
@@ -307,8 +337,11 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
     inputs.push_back(body.inverse);
   }
   if constexpr (kSharesWorkspace<World>) {
-    for (const PartId part : {blade.rotations, body.terms}) inputs.push_back(part);
+    for (const PartId part : {blade.rotations, body.terms, body.workspace}) inputs.push_back(part);
     outputs.push_back(body.workspace);
+    if (std::holds_alternative<Rk4>(g.c.integrator.method) &&
+        has_coordinates(g.c.system.subsystems[i].bodies[j]))
+      inputs.push_back(body.accelerations);
   }
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
     inputs.push_back(body.history);

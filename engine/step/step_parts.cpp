@@ -83,7 +83,8 @@ Memory memory_of_wrenches(SubsystemData<Space>& data) {
 }
 
 Memory memory_of_terms(BodyData<Space>& body) {
-  Memory memory{bytes_of(body.terms), bytes_of(*body.joint.forces)};
+  Memory memory{bytes_of(body.terms)};
+  if (body.joint.coordinates.size > 0) memory.push_back(bytes_of(*body.joint.forces));
   if (const space::FlexibleBody* flexible = body.model->body->flexible())
     memory.push_back(memory_of(
         body.work.rows, static_cast<std::size_t>(space::kNodeRows * flexible->node_count())));
@@ -92,10 +93,12 @@ Memory memory_of_terms(BodyData<Space>& body) {
 
 Memory memory_of_inverse(BodyData<Space>& body) {
   const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return {};
   Memory memory{bytes_of(body.work.condensed.S_inverse), bytes_of(body.work.condensed.p)};
-  if (!flexible) return memory;
-  memory.push_back(memory_of(body.work.half,
-                             static_cast<std::size_t>(space::kNodeRows * flexible->node_count())));
+  const int first = flexible->first_node();
+  memory.push_back(
+      memory_of(body.work.half + space::kNodeRows * first,
+                static_cast<std::size_t>(space::kNodeRows * (flexible->node_count() - first))));
   memory.push_back(memory_of(body.work.condensed.X, flexible->handles.size()));
   return memory;
 }

@@ -77,7 +77,7 @@ torsion_stiffness = 30.0
 inline const std::string kHinges = R"(
 [[blade.joint]]
 name = "hinges"
-station = 0.2
+station = 0.0
 kind = "universal"
 axes = [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]
 stiffness = [30.0, 20.0]
@@ -86,11 +86,11 @@ initial_speed = [0.5, 0.2]
 stop = [{ lower = -0.02, upper = 0.5, stiffness = 300.0, damping = 0.5, width = 0.02 }, {}]
 )";
 
-/// A pitch bearing outboard of these, which follows the azimuth.
+/// A pitch bearing in the middle, which follows the azimuth.
 inline const std::string kPitch = R"(
 [[blade.joint]]
 name = "pitch"
-station = 0.3
+station = 1.0
 kind = "revolute"
 axis = [1.0, 0.0, 0.0]
 motion = { mean = 0.14, cosine = 0.1, sine = -0.15 }
