@@ -74,9 +74,12 @@ double calc_gravity_power(const BodyModel& model, const BodyState& state, const 
   if (!model.tension) return power;
   std::fill_n(work.force, kTwist * body.node_count(), 0.0);
   StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
+  // On the hub, which turns gravity in H: g x gamma.
+  const Position gamma = calc_tension_moment(*model.tension, stiffening);
+  const double on_hub = motion.hub_w.dot(cross(motion.gravity, gamma));
   // gamma is quadratic in q: its rate is that of q^T K q', twice.
   stiffening.value.tension = 2.0 * stiffening.rate.tension;
-  return power - motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
+  return power + on_hub - motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
 }
 
 double calc_strain_energy(const FlexibleBody& body, const double* q,

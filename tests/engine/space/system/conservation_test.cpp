@@ -33,7 +33,7 @@ double calc_residual(const std::string& text, const Method& method, double secon
   Run<Space> run(make_system(parse_model(text)), {method});
   const double energy = calc_energy(run);
   run.advance_for(seconds);
-  CHECK(std::abs(run.work) > 0.1);
+  CHECK(std::abs(run.work) > 1e-3);
   return std::abs(calc_energy(run) - energy - run.work + run.dissipated);
 }
 
@@ -43,8 +43,6 @@ TEST_CASE("a free flight keeps energy and momentum: rk4, of order 4") {
   for (const std::string& bodies : {kBooms, kTree}) {
     const std::string text = make_text(kFlyingHub, bodies);
     const Drift whole = fly(text, Rk4{1e-3}, 0.2), half = fly(text, Rk4{5e-4}, 0.2);
-    MESSAGE("energy " << whole.energy << " " << half.energy << ", momentum " << whole.linear << " "
-                      << half.linear << ", " << whole.angular << " " << half.angular);
     CHECK(half.energy < 1e-6);
     CHECK(whole.energy / half.energy > 13.0);
     CHECK(half.linear < 1e-7);
@@ -57,8 +55,6 @@ TEST_CASE("a free flight keeps energy and momentum: generalized_alpha, of order 
     const std::string text = make_text(kFlyingHub, bodies);
     const auto run = [&](double h) { return fly(text, make_generalized_alpha(1.0, h), 0.2); };
     const Drift whole = run(2e-3), half = run(1e-3);
-    MESSAGE("energy " << whole.energy << " " << half.energy << ", momentum " << whole.linear << " "
-                      << half.linear << ", " << whole.angular << " " << half.angular);
     CHECK(whole.energy / half.energy > 3.0);
   }
 }
@@ -73,12 +69,16 @@ TEST_CASE("the energy in space grows by what drives, motors, loads and dampers d
                                make_text(kFlyingHub, kTree + kMotors, kGravity + load),
                                make_text(kFlyingHub, kMotors, kRisingGravity + load),
                                make_text(kDrivenHub, kMotors, kRisingGravity)};
+  // Ends before the first point of a table, where the acceleration that it prescribes jumps.
   for (const std::string& text : texts) {
-    const double whole = calc_residual(text, Rk4{1e-3}, 0.2);
-    const double half = calc_residual(text, Rk4{5e-4}, 0.2);
-    const double alpha = calc_residual(text, make_generalized_alpha(1.0, 2e-3), 0.2);
-    const double alpha_half = calc_residual(text, make_generalized_alpha(1.0, 1e-3), 0.2);
-    MESSAGE("residual " << whole << " " << half << ", " << alpha << " " << alpha_half);
+    const double whole = calc_residual(text, Rk4{1e-3}, 0.16);
+    const double half = calc_residual(text, Rk4{5e-4}, 0.16);
+    const double alpha = calc_residual(text, make_generalized_alpha(1.0, 2e-3), 0.16);
+    const double alpha_half = calc_residual(text, make_generalized_alpha(1.0, 1e-3), 0.16);
+    CHECK(half < 1e-6);
+    CHECK(whole / half > 13.0);
+    CHECK(alpha_half < 2e-3);
+    CHECK(alpha / alpha_half > 1.5);
   }
 }
 
@@ -94,7 +94,6 @@ TEST_CASE("a flight deforms alike at another velocity of all") {
     const Eigen::VectorXd slow = fly_at(spatial::Vector::Zero());
     const Eigen::VectorXd fast = fly_at({7.0, -3.0, 4.0});
     CHECK(slow.norm() > 0.01);
-    MESSAGE((slow - fast).cwiseAbs().maxCoeff());
     CHECK((slow - fast).cwiseAbs().maxCoeff() < 1e-12);
   }
 }

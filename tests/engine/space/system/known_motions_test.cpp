@@ -28,12 +28,10 @@ double top_error(const Method& method) {
 
 TEST_CASE("a heavy top moves as it should") {
   const double whole = top_error(Rk4{1e-3}), half = top_error(Rk4{5e-4});
-  MESSAGE("rk4 " << whole << " " << half);
   CHECK(half < 1e-5);
   CHECK(whole / half > 13.0);
   const double alpha = top_error(make_generalized_alpha(1.0, 1e-3));
   const double alpha_half = top_error(make_generalized_alpha(1.0, 5e-4));
-  MESSAGE("generalized_alpha " << alpha << " " << alpha_half);
   CHECK(alpha_half < 0.1);
   CHECK(alpha / alpha_half > 3.5);
 }

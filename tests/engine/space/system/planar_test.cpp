@@ -59,7 +59,6 @@ TEST_CASE("a rotor that could leave the plane moves as one that cannot") {
     const Trace plane = planar_trace(frame);
     CHECK(plane.back().norm() > 0.1);
     const Departure most = compare(plane, spatial_trace(frame, spatial::Vector::UnitZ()));
-    MESSAGE("tips: " << most.within << " m in the plane, " << most.out << " m out of it");
     CHECK(most.within < 1e-8);
     CHECK(most.out < 1e-12);
   }
