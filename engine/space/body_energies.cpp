@@ -74,9 +74,11 @@ double calc_gravity_power(const BodyModel& model, const BodyState& state, const 
   if (!model.tension) return power;
   std::fill_n(work.force, kTwist * body.node_count(), 0.0);
   StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
-  // gamma is quadratic in q: its rate is that of q^T K q', twice.
+  const Position gamma = calc_tension_moment(*model.tension, stiffening);
+  // gamma is quadratic in q: its rate is that of q^T K q', twice. In H, gravity turns as well.
   stiffening.value.tension = 2.0 * stiffening.rate.tension;
-  return power - motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
+  return power - motion.gravity.dot(calc_tension_moment(*model.tension, stiffening)) +
+         motion.hub_w.dot(cross(motion.gravity, gamma));
 }
 
 double calc_strain_energy(const FlexibleBody& body, const double* q,
