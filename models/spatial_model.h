@@ -1,7 +1,7 @@
 #pragma once
 
 // The description of a model in space, as an engineer gives it: a hub with blades, and trees of
-// bodies for what is no blade. build_trees() (models/tree/build_trees.h) makes one kind of tree of
+// bodies for what is no blade. build_trees() (models/tree/tree.h) makes one kind of tree of
 // both. Vectors are of three components; frames are right-handed.
 
 #include <Eigen/Core>

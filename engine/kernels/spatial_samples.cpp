@@ -46,7 +46,7 @@ space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemDa
   const space::Twist& twist = data.twists[j];
   const HubState<Space>& hub = *data.hub;
   if (const space::RigidBody* rigid = body.model->body->rigid())
-    return {calc_kinetic_energy(calc_mass(*rigid), twist), 0.0, 0.0, rigid->mass * rigid->centre};
+    return {calc_kinetic_energy(rigid_mass_of(body), twist), 0.0, 0.0, rigid->mass * rigid->centre};
   // The work of gravity that rises is that of a load.
   const space::Position gravity =
       system.gravity_ramp > 0.0 ? space::Position(space::Position::Zero()) : system.gravity;

@@ -13,8 +13,8 @@ namespace {
 
 using space::BodyTerms;
 
-BodyTerms calc_rigid_terms(const space::RigidBody& body, const space::Twist& twist) {
-  const space::SymmetricTwistMatrix mass = calc_mass(body);
+BodyTerms calc_rigid_terms(const space::RigidBody& body, const space::SymmetricTwistMatrix& mass,
+                           const space::Twist& twist) {
   BodyTerms terms;
   terms.S = body.mass * body.centre;
   terms.Theta = mass.rr;
@@ -91,8 +91,8 @@ void add_gravity_power(const space::Position& gravity_H, const space::Rotation& 
                        const HubState<Space>& hub, const space::Twist& twist,
                        BodyData<Space>& body) {
   const space::Position gravity = R_HB.inverse() * gravity_H;
-  if (const space::RigidBody* rigid = body.model->body->rigid()) {
-    body.terms.load_power += gravity.dot(space::Position(linear(calc_mass(*rigid) * twist)));
+  if (body.model->body->rigid()) {
+    body.terms.load_power += gravity.dot(space::Position(linear(rigid_mass_of(body) * twist)));
     return;
   }
   const space::BodyMotion motion{angular(twist), angular(hub.twist), gravity_H};
@@ -114,6 +114,10 @@ space::BodyState body_state_of(const BodyData<Space>& body) {
   return {body.coordinates.q, body.coordinates.v, body.q_elastic, body.v_elastic};
 }
 
+const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
+  return body.blocks[0]->rigid->mass;
+}
+
 space::JointState joint_state_of(const BodyData<Space>& body) {
   return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
           body.joint.driven};
@@ -124,7 +128,7 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
   BodyData<Space>& body = data.bodies[j];
   const space::Twist& twist = data.twists[j];
   if (const space::RigidBody* rigid = body.model->body->rigid()) {
-    body.terms = calc_rigid_terms(*rigid, twist);
+    body.terms = calc_rigid_terms(*rigid, rigid_mass_of(body), twist);
   } else {
     const HubState<Space>& hub = *data.hub;
     const space::BodyMotion motion{angular(twist), angular(hub.twist),

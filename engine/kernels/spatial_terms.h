@@ -9,6 +9,8 @@ namespace spoke {
 /// What the kernels of a flexible body read (engine/space/body_data.h). Precondition: it is one.
 space::BodyModel body_model_of(const BodyData<Space>& body);
 space::BodyState body_state_of(const BodyData<Space>& body);
+/// M_RR about the origin of its frame. Precondition: the body is rigid.
+const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
 space::JointState joint_state_of(const BodyData<Space>& body);
 
 /// Calculates the terms of body `j` at the state in the table, (P 3) in space, and the forces of

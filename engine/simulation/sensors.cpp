@@ -21,17 +21,8 @@ Energies calc_hub_energies(const System<Plane>& system, const Twist& position,
           system.gravity_ramp > 0.0 ? 0.0 : hub.mass * system.gravity.dot(p)};
 }
 
-/// Sums over the hub and the samples of a step, in the subsystems' order.
-Energies sum_energies(const System<Plane>& system, const SystemRecord<Plane>& record,
-                      std::int64_t step, const StepData<Plane>& data) {
-  Energies energies = calc_hub_energies(system, record.position, record.velocity);
-  for (const SubsystemData<Plane>& subsystem : data.subsystems) {
-    const SubsystemSample<Plane>& sample = of_step(subsystem.samples, step);
-    energies.kinetic += sample.kinetic;
-    energies.strain += sample.strain;
-    energies.gravity += sample.gravity;
-  }
-  return energies;
+Energies calc_hub_energies(const System<Plane>& system, const SystemRecord<Plane>& record) {
+  return calc_hub_energies(system, record.position, record.velocity);
 }
 
 }  // namespace
@@ -43,17 +34,9 @@ Energies calc_energies(const System<Plane>& system, StepData<Plane>& data) {
                                         Twist(hub.v[0], hub.v[1], hub.v[2]));
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     update_kinematics(system.subsystems[i], data.subsystems[i]);
-    const SubsystemSample<Plane> sample = calc_sample(system, i, data.subsystems[i]);
-    energies.kinetic += sample.kinetic;
-    energies.strain += sample.strain;
-    energies.gravity += sample.gravity;
+    energies = energies + calc_sample(system, i, data.subsystems[i]);
   }
   return energies;
-}
-
-void WorkDone::add(const StepRecord& step) {
-  by_drive_and_loads += step.work;
-  dissipated += step.dissipated;
 }
 
 Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked)
@@ -67,14 +50,7 @@ Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked)
     add("hub.x", "m");
     add("hub.y", "m");
   }
-  add("hub.angle", "rad");
-  add("hub.speed", "rad/s");
-  add("hub.torque", "N m");
-  add("energy.kinetic", "J");
-  add("energy.strain", "J");
-  add("energy.work", "J");
-  add("energy.dissipated", "J");
-  add("energy.residual", "J");
+  add_hub_columns();
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
     const std::string blade = "blade" + std::to_string(i + 1);
     add(blade + ".tip.along", "m");
@@ -86,16 +62,9 @@ Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked)
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
-void Sensors::add(std::string name, std::string unit) {
-  names_.push_back(std::move(name));
-  units_.push_back(std::move(unit));
-}
-
 void Sensors::start(const System<Plane>& system, StepData<Plane>& data) {
   sample(system, 0, 0.0, data);
-  const Energies energies = sum_energies(system, of_step(data.records, 0), 0, data);
-  initial_energy_ = energies.kinetic + energies.strain;
-  initial_gravity_ = energies.gravity;
+  start_balance(sum_energies(calc_hub_energies(system, of_step(data.records, 0)), 0, data));
 }
 
 void Sensors::sample(const System<Plane>& system, std::int64_t step, double t,
@@ -121,7 +90,6 @@ void Sensors::add_blade_values(const System<Plane>& system, std::int64_t step,
 const std::vector<double>& Sensors::measure(const System<Plane>& system, const WorkDone& work,
                                             std::int64_t step, const StepData<Plane>& data) {
   const SystemRecord<Plane>& record = of_step(data.records, step);
-  const Energies energies = sum_energies(system, record, step, data);
   values_.clear();
   for (const SubsystemData<Plane>& subsystem : data.subsystems) {
     const SubsystemSample<Plane>& sample = of_step(subsystem.samples, step);
@@ -130,16 +98,11 @@ const std::vector<double>& Sensors::measure(const System<Plane>& system, const W
   if (system.hub.support == HubSupport::free)
     values_.insert(values_.end(), {record.position[0], record.position[1]});
   const double torque = record.reaction[kRotation] + record.applied_torque;
-  const double done = work.by_drive_and_loads + (energies.gravity - initial_gravity_);
-  const double residual =
-      energies.kinetic + energies.strain - initial_energy_ + work.dissipated - done;
-  values_.insert(values_.end(),
-                 {record.position[kRotation], record.velocity[kRotation], torque, energies.kinetic,
-                  energies.strain, done, work.dissipated, residual});
+  values_.insert(values_.end(), {record.position[kRotation], record.velocity[kRotation], torque});
+  append_energies(sum_energies(calc_hub_energies(system, record), step, data), work);
   add_blade_values(system, step, data);
   for (const SensorColumn& column : asked_)
     values_.push_back(value_of(column, system.hub, step, data));
-  balance_ = {energies.kinetic + energies.strain, residual};
   return values_;
 }
 

@@ -33,7 +33,7 @@ class SpatialModel final : public SimulatedModel {
   SpatialModel(const Scenario& scenario, Formulation formulation, const Integrator& integrator)
       : scenario_(scenario), trees_(build_trees(*scenario.space)) {
     if (scenario.limits.deflection > 0.0) context_.linear_range = scenario.limits.deflection;
-    context_.system = make_system(*scenario.space);
+    context_.system = make_system(*scenario.space, trees_);
     context_.formulation = formulation;
     context_.integrator = integrator;
     require_memory(context_.system, formulation);

@@ -31,19 +31,6 @@ Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space
   return energies;
 }
 
-/// Sums over the hub and the samples of a step, in the subsystems' order.
-Energies sum_energies(const System<Space>& system, const SystemRecord<Space>& record,
-                      std::int64_t step, const StepData<Space>& data) {
-  Energies energies = calc_hub_energies(system, record);
-  for (const SubsystemData<Space>& subsystem : data.subsystems) {
-    const SubsystemSample<Space>& sample = of_step(subsystem.samples, step);
-    energies.kinetic += sample.kinetic;
-    energies.strain += sample.strain;
-    energies.gravity += sample.gravity;
-  }
-  return energies;
-}
-
 }  // namespace
 
 SpatialSensors::SpatialSensors(const System<Space>& system,
@@ -55,25 +42,13 @@ SpatialSensors::SpatialSensors(const System<Space>& system,
     for (const char* axis : {"x", "y", "z"}) add(std::string("hub.rotation.") + axis, "rad");
     for (const char* axis : {"x", "y", "z"}) add(std::string("hub.spin.") + axis, "rad/s");
   }
-  add("hub.angle", "rad");
-  add("hub.speed", "rad/s");
-  add("hub.torque", "N m");
-  add("energy.kinetic", "J");
-  add("energy.strain", "J");
-  add("energy.work", "J");
-  add("energy.dissipated", "J");
-  add("energy.residual", "J");
+  add_hub_columns();
   for (const spatial::Tree& tree : trees) {
     const std::string name = sensor_name_of(tree);
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.force." + axis, "N");
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.moment." + axis, "N m");
     add_joints(name, tree);
   }
-}
-
-void SpatialSensors::add(std::string name, std::string unit) {
-  names_.push_back(std::move(name));
-  units_.push_back(std::move(unit));
 }
 
 /// A joint of one coordinate by its name; of more by number.
@@ -92,16 +67,13 @@ void SpatialSensors::add_joints(const std::string& tree_name, const spatial::Tre
 }
 
 void SpatialSensors::start(const System<Space>& system, const StepData<Space>& data) {
-  const Energies energies = sum_energies(system, of_step(data.records, 0), 0, data);
-  initial_energy_ = energies.kinetic + energies.strain;
-  initial_gravity_ = energies.gravity;
+  start_balance(sum_energies(calc_hub_energies(system, of_step(data.records, 0)), 0, data));
 }
 
 const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
                                                    const WorkDone& work, std::int64_t step,
                                                    const StepData<Space>& data) {
   const SystemRecord<Space>& record = of_step(data.records, step);
-  const Energies energies = sum_energies(system, record, step, data);
   const auto append = [this](const auto& vector) {
     for (const double value : vector) values_.push_back(value);
   };
@@ -117,16 +89,13 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
     append(std::array{record.position[Space::kAxial], record.velocity[Space::kAxial]});
   }
   const double torque = record.reaction[Space::kAxial] + record.applied_torque;
-  const double done = work.by_drive_and_loads + (energies.gravity - initial_gravity_);
-  const double residual =
-      energies.kinetic + energies.strain - initial_energy_ + work.dissipated - done;
-  append(std::array{torque, energies.kinetic, energies.strain, done, work.dissipated, residual});
+  values_.push_back(torque);
+  append_energies(sum_energies(calc_hub_energies(system, record), step, data), work);
   for (const SubsystemData<Space>& subsystem : data.subsystems) {
     append(of_step(subsystem.samples, step).root);
     const double* joints = readings_of(subsystem, step);
     values_.insert(values_.end(), joints, joints + subsystem.reading_count);
   }
-  balance_ = {energies.kinetic + energies.strain, residual};
   return values_;
 }
 

@@ -132,10 +132,7 @@ void begin_coordinates(const Method& method, const PassControl& control,
 /// A joint's coordinates with the orientation of its spherical primitive, if it has one.
 space::RotationBlock rotation_block(BodyData<Space>& body) {
   const space::Joint& joint = body.model->joint.joint;
-  auto frame = space::TurnFrame::child;
-  for (const space::JointPrimitive& primitive : joint.sequence())
-    if (primitive.kind == space::JointPrimitive::Kind::spherical) frame = primitive.frame;
-  return {&body.joint.coordinates, joint.spherical_at, body.joint.rotation, frame};
+  return {&body.joint.coordinates, joint.spherical_at, body.joint.rotation, joint.spherical_frame};
 }
 
 // Of the joints that carry the bodies; those of the plane have no coordinates.

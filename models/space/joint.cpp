@@ -17,6 +17,7 @@ Joint make_joint(const Pose& offset, std::span<const JointPrimitive> primitives)
     if (primitive.kind == JointPrimitive::Kind::spherical) {
       assert(joint.spherical_at < 0 && !primitive.is_driven);
       joint.spherical_at = joint.coordinates;
+      joint.spherical_frame = primitive.frame;
     }
     (primitive.is_driven ? joint.driven : joint.coordinates) += primitive.components();
   }

@@ -54,6 +54,7 @@ struct Joint {
   int coordinates = 0;    ///< n, components that are free
   int driven = 0;         ///< components that are driven
   int spherical_at = -1;  ///< first coordinate of its spherical primitive; -1: there is none
+  TurnFrame spherical_frame = TurnFrame::child;  ///< in which the primitive's velocity is resolved
 
   std::span<const JointPrimitive> sequence() const {
     return {primitives.data(), static_cast<std::size_t>(primitive_count)};

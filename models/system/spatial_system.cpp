@@ -177,21 +177,27 @@ class SubsystemMaker {
     return course;
   }
 
-  /// Mass and first moment about the hub, in H, of a body and of all that it carries.
-  spatial::MassProperties carried_by(std::size_t j) const {
-    spatial::MassProperties sum =
-        calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
-    for (const int c : made_.bodies[j].children) sum += carried_by(static_cast<std::size_t>(c));
-    return sum;
+  /// Of each body: mass and first moment about the hub, in the description's frame of the hub, of
+  /// all that it carries, itself left out.
+  std::vector<spatial::MassProperties> calc_carried() const {
+    std::vector<spatial::MassProperties> carried(tree_.bodies.size());
+    std::vector<spatial::MassProperties> whole(tree_.bodies.size());
+    for (std::size_t j = tree_.bodies.size(); j-- > 0;) {
+      whole[j] = calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
+      for (const int c : made_.bodies[j].children) {
+        carried[j] += whole[static_cast<std::size_t>(c)];
+        whole[j] += whole[static_cast<std::size_t>(c)];
+      }
+    }
+    return carried;
   }
 
   void add_tension() {
+    const std::vector<spatial::MassProperties> carried = calc_carried();
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
       const spatial::FlexibleBody* part = flexible(j);
       if (!part || !tree_.beams[part->beam].geometric_stiffening) continue;
-      spatial::MassProperties outboard;
-      for (const int c : made_.bodies[j].children)
-        outboard += carried_by(static_cast<std::size_t>(c));
+      const spatial::MassProperties& outboard = carried[j];
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
       made_.bodies[j].stiffening = space::TensionPlace{
@@ -241,7 +247,7 @@ void require_known_azimuth(const System<Space>& system) {
 
 }  // namespace
 
-System<Space> make_system(const spatial::Model& model) {
+System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees) {
   require_simulated(model);
   const space::Rotation to_axis = axis_rotation(model.hub).inverse();
   System<Space> system;
@@ -251,12 +257,15 @@ System<Space> make_system(const spatial::Model& model) {
   system.damping = model.damping;
   for (const spatial::HubLoad& load : model.hub_loads)
     system.hub_loads.push_back(make_hub_load(load, to_axis));
-  const std::vector<spatial::Tree> trees = build_trees(model);
   for (std::size_t i = 0; i < trees.size(); ++i)
     system.subsystems.push_back(
         SubsystemMaker(trees[i], to_axis).make(make_body_loads(model, trees[i], i)));
   require_known_azimuth(system);
   return system;
+}
+
+System<Space> make_system(const spatial::Model& model) {
+  return make_system(model, build_trees(model));
 }
 
 }  // namespace spoke

@@ -137,7 +137,7 @@ TEST_CASE("energies of a spatial body are the sums over its slots and elements")
     CHECK(calc_strain_energy(test->body, test->q.data(), test->work) == energies.strain);
     CHECK((energies.S - test->terms.S).norm() == 0.0);
     // Gravity's tension turns the hub as its energy falls, which is linear in gravity.
-    const Angular axis = Angular::Random().normalized();
+    const Angular axis = draw_vector(1.0, random).normalized();
     BodyMotion turned = test->motion;
     turned.gravity = -cross(axis, test->motion.gravity);
     const double change =

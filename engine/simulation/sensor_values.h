@@ -1,0 +1,72 @@
+#pragma once
+
+// What the sensors of every world have in common: columns, and the balance of energy.
+
+#include <string>
+#include <vector>
+
+#include "engine/simulation/observations.h"
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// Energies of a system [J].
+struct Energies {
+  double kinetic = 0.0;  ///< centrifugal stiffening term included
+  double strain = 0.0;
+  double gravity = 0.0;  ///< work of gravity since the undeformed start, -(change of potential)
+};
+
+/// Work done on the system since t = 0, by the quadrature that belongs to the method.
+struct WorkDone {
+  double by_drive_and_loads = 0.0;  ///< [J]; gravity's is a function of the state, see Energies
+  double dissipated = 0.0;          ///< by damping [J]
+
+  void add(const StepRecord& step);
+};
+
+template <class World>
+Energies operator+(Energies energies, const SubsystemSample<World>& sample) {
+  energies.kinetic += sample.kinetic;
+  energies.strain += sample.strain;
+  energies.gravity += sample.gravity;
+  return energies;
+}
+
+/// Adds those of the samples of a step to the hub's, in the subsystems' order.
+template <class World>
+Energies sum_energies(const Energies& hub, std::int64_t step, const StepData<World>& data) {
+  Energies energies = hub;
+  for (const SubsystemData<World>& subsystem : data.subsystems)
+    energies = energies + of_step(subsystem.samples, step);
+  return energies;
+}
+
+/// Names and units of columns, and the values of one step.
+class SensorValues {
+ public:
+  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::string>& units() const { return units_; }
+  double initial_energy() const { return initial_energy_; }  ///< kinetic and strain energy [J]
+  /// Of the step measured last.
+  const EnergyBalance& balance() const { return balance_; }
+
+ protected:
+  void add(std::string name, std::string unit);
+  /// Angle, speed and torque of the hub, then the energies, whose values append_energies() yields.
+  void add_hub_columns();
+  /// Takes the energies at the start as reference.
+  void start_balance(const Energies& energies);
+  void append_energies(const Energies& energies, const WorkDone& work);
+
+  std::vector<double> values_;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::string> units_;
+  EnergyBalance balance_;
+  double initial_energy_ = 0.0;
+  double initial_gravity_ = 0.0;
+};
+
+}  // namespace spoke
