@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/run/time_stepper.h"
 #include "engine/step/step_graph_builder.h"
@@ -16,8 +17,10 @@ constexpr double kStateTime = 5.0;  // s
 
 }  // namespace
 
-EvaluatedModel::EvaluatedModel(const Rotor& rotor, Formulation formulation, const Method& method) {
-  context_.system = make_system(rotor);
+template <class World>
+EvaluatedModel<World>::EvaluatedModel(System<World> system, Formulation formulation,
+                                      const Method& method) {
+  context_.system = std::move(system);
   context_.formulation = formulation;
   context_.integrator.method = method;
   allocate(context_);
@@ -25,7 +28,8 @@ EvaluatedModel::EvaluatedModel(const Rotor& rotor, Formulation formulation, cons
   executor_ = graph::make_executor(*graph_, graph::ExecutorKind::serial);
 }
 
-void EvaluatedModel::integrate() {
+template <class World>
+void EvaluatedModel<World>::integrate() {
   constexpr int kSteps = 500;
   TimeStepper stepper(context_, *graph_);
   const bool fine = stepper.start() == StepOutcome::done &&
@@ -33,32 +37,35 @@ void EvaluatedModel::integrate() {
   if (!fine) throw std::runtime_error("the state to evaluate at cannot be reached");
 }
 
-void EvaluatedModel::disturb() {
+template <class World>
+void EvaluatedModel<World>::disturb() {
   std::mt19937 random(20170941);
   const auto scale = [&](double* values, int size) {
     for (int k = 0; k < size; ++k) values[k] *= 0.9 + 0.2 * random() / double{std::mt19937::max()};
   };
-  for (SubsystemData<Plane>& subsystem : context_.data.subsystems)
-    for (BodyData<Plane>& body : subsystem.bodies) {
+  for (SubsystemData<World>& subsystem : context_.data.subsystems)
+    for (BodyData<World>& body : subsystem.bodies) {
       scale(body.coordinates.q, body.coordinates.size);
       scale(body.coordinates.v, body.coordinates.size);
     }
 }
 
-void EvaluatedModel::take_state(const EvaluatedModel& other) {
+template <class World>
+void EvaluatedModel<World>::take_state(const EvaluatedModel& other) {
   const auto copy = [](const CoordinateBlock& from, CoordinateBlock& to) {
     std::copy_n(from.q, from.size, to.q);
     std::copy_n(from.v, from.size, to.v);
   };
-  StepData<Plane>& data = context_.data;
-  const StepData<Plane>& source = other.context_.data;
+  StepData<World>& data = context_.data;
+  const StepData<World>& source = other.context_.data;
   copy(source.hub_coordinates, data.hub_coordinates);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
       copy(source.subsystems[i].bodies[j].coordinates, data.subsystems[i].bodies[j].coordinates);
 }
 
-void EvaluatedModel::evaluate() {
+template <class World>
+void EvaluatedModel<World>::evaluate() {
   for (StepProgress& progress : context_.data.progress) {
     progress = StepProgress{};
     progress.control.time = kStateTime;
@@ -66,26 +73,35 @@ void EvaluatedModel::evaluate() {
   executor_->run();
 }
 
-Eigen::VectorXd EvaluatedModel::accelerations() const {
+template <class World>
+Eigen::VectorXd EvaluatedModel<World>::accelerations() const {
   std::vector<double> all;
-  for (const SubsystemData<Plane>& subsystem : context_.data.subsystems)
-    for (const BodyData<Plane>& body : subsystem.bodies)
+  for (const SubsystemData<World>& subsystem : context_.data.subsystems)
+    for (const BodyData<World>& body : subsystem.bodies)
       all.insert(all.end(), body.coordinates.a, body.coordinates.a + body.coordinates.size);
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
-std::vector<ModelPointer> make_models(const Rotor& rotor,
-                                      const std::vector<Formulation>& formulations) {
-  EvaluatedModel source(rotor, Formulation::structured, make_generalized_alpha(0.8, 0.01));
+template <class World>
+std::vector<ModelPointer<World>> make_models(const System<World>& system,
+                                             const std::vector<Formulation>& formulations) {
+  EvaluatedModel<World> source(system, Formulation::structured, make_generalized_alpha(0.8, 0.01));
   source.integrate();
   source.disturb();
-  std::vector<ModelPointer> models;
+  std::vector<ModelPointer<World>> models;
   for (const Formulation formulation : formulations) {
     // rk4's table is the one without an implicit method's extras; its step is not used.
-    models.push_back(std::make_shared<EvaluatedModel>(rotor, formulation, Rk4{1e-5}));
+    models.push_back(std::make_shared<EvaluatedModel<World>>(system, formulation, Rk4{1e-5}));
     models.back()->take_state(source);
   }
   return models;
 }
+
+template class EvaluatedModel<Plane>;
+template class EvaluatedModel<Space>;
+template std::vector<ModelPointer<Plane>> make_models(const System<Plane>&,
+                                                      const std::vector<Formulation>&);
+template std::vector<ModelPointer<Space>> make_models(const System<Space>&,
+                                                      const std::vector<Formulation>&);
 
 }  // namespace spoke::bench

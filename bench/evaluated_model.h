@@ -12,10 +12,11 @@
 namespace spoke::bench {
 
 /// A system whose accelerations can be evaluated: one pass of the step graph that only evaluates
-/// (explicit, no integration), run by the serial executor.
+/// (explicit, no integration), run by the serial executor. Of either world.
+template <class World>
 class EvaluatedModel {
  public:
-  EvaluatedModel(const Rotor& rotor, Formulation formulation, const Method& method);
+  EvaluatedModel(System<World> system, Formulation formulation, const Method& method);
 
   /// Integrates from rest to the time at which evaluate() evaluates.
   void integrate();
@@ -29,16 +30,18 @@ class EvaluatedModel {
   Eigen::VectorXd accelerations() const;
 
  private:
-  SystemContext<Plane> context_;
+  SystemContext<World> context_;
   std::unique_ptr<graph::StepGraph> graph_;
   std::unique_ptr<graph::Executor> executor_;
 };
 
-using ModelPointer = std::shared_ptr<EvaluatedModel>;
+template <class World>
+using ModelPointer = std::shared_ptr<EvaluatedModel<World>>;
 
 /// The given formulations of one system, ready to evaluate at the same state: the one that it
-/// reaches at 5 s of its spin-up, each coordinate then disturbed by up to a tenth.
-std::vector<ModelPointer> make_models(const Rotor& rotor,
-                                      const std::vector<Formulation>& formulations);
+/// reaches at 5 s of its motion, each coordinate then disturbed by up to a tenth.
+template <class World>
+std::vector<ModelPointer<World>> make_models(const System<World>& system,
+                                             const std::vector<Formulation>& formulations);
 
 }  // namespace spoke::bench

@@ -32,11 +32,11 @@ double tolerance_for(int elements) { return 1e-11 * std::max(1.0, std::pow(eleme
 
 /// Evaluates all models and demands that they agree with the last one. Returns the largest
 /// difference.
-double require_agreement(const RotorSize& size, const std::vector<ModelPointer>& models) {
-  for (const ModelPointer& model : models) model->evaluate();
+double require_agreement(const RotorSize& size, const std::vector<ModelPointer<Plane>>& models) {
+  for (const ModelPointer<Plane>& model : models) model->evaluate();
   const Eigen::VectorXd reference = models.back()->accelerations();
   double largest = 0.0;
-  for (const ModelPointer& model : models) {
+  for (const ModelPointer<Plane>& model : models) {
     const double difference = (model->accelerations() - reference).lpNorm<Eigen::Infinity>() /
                               reference.lpNorm<Eigen::Infinity>();
     if (!(difference < tolerance_for(size.elements)))
@@ -47,7 +47,7 @@ double require_agreement(const RotorSize& size, const std::vector<ModelPointer>&
   return largest;
 }
 
-Alternative make_alternative(std::string name, const ModelPointer& model) {
+Alternative make_alternative(std::string name, const ModelPointer<Plane>& model) {
   return {std::move(name), [model] { model->evaluate(); }, {}, 1.0, 0};
 }
 
@@ -81,7 +81,7 @@ void compare_formulations(const QuestionOptions& options, Report& report) {
   for (const RotorSize& size : kSizes) {
     show_progress(size.name() + ": building");
     const auto formulations = formulations_for(size, options.quick);
-    const auto models = make_models(paper_rotor(size).rotor, formulations);
+    const auto models = make_models(make_system(paper_rotor(size).rotor), formulations);
     const std::string agreement = scientific(require_agreement(size, models));
     std::vector<Alternative> alternatives;
     for (std::size_t k = 0; k < models.size(); ++k)
@@ -107,7 +107,8 @@ std::vector<Timing> measure_structured(const QuestionOptions& options) {
   for (const RotorSize& size : kSizes)
     for (const bool stiffening : {false, true}) {
       const auto model =
-          make_models(paper_rotor(size, stiffening).rotor, {Formulation::structured}).front();
+          make_models(make_system(paper_rotor(size, stiffening).rotor), {Formulation::structured})
+              .front();
       alternatives.push_back(
           make_alternative(stiffening ? "structured, stiffening" : "structured", model));
       if (stiffening) alternatives.back().reference = static_cast<int>(alternatives.size()) - 2;

@@ -26,6 +26,8 @@ struct Question {
 constexpr std::array kQuestions{
     Question{"formulations", "what one evaluation of the accelerations costs",
              measure_formulations},
+    Question{"spatial_evaluations", "what one evaluation costs in space, against the plane",
+             measure_spatial_evaluations},
     Question{"whole_steps", "what a step costs beside the evaluations it contains",
              measure_whole_steps},
     Question{"time_to_solution", "how long the 20 s spin-up takes at 0.1 % accuracy",
@@ -57,7 +59,7 @@ std::vector<Question> chosen_questions(const std::string& filter) {
 std::string help_footer() {
   std::string text = "Questions:\n";
   for (const Question& question : kQuestions)
-    text += fmt::format("  {:<18}{}\n", question.name, question.text);
+    text += fmt::format("  {:<20}{}\n", question.name, question.text);
   return text +
          "\nA whole run takes four to eight minutes, on up to two threads; leave the machine alone "
          "meanwhile.\n\nExit status: 0 done, whether targets were reached or missed; 1 the "

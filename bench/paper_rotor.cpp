@@ -10,12 +10,18 @@ namespace spoke::bench {
 
 std::string RotorSize::name() const { return fmt::format("({},{},{})", blades, bodies, elements); }
 
+Scenario sized_rotor(const std::string& file, const RotorSize& size, bool stiffening,
+                     std::vector<std::string> assignments) {
+  for (const std::string& assignment :
+       {fmt::format("blade.count={}", size.blades), fmt::format("blade.bodies={}", size.bodies),
+        fmt::format("blade.elements={}", size.elements),
+        fmt::format("blade.geometric_stiffening={}", stiffening)})
+    assignments.push_back(assignment);
+  return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / file, assignments);
+}
+
 Scenario paper_rotor(const RotorSize& size, bool stiffening) {
-  return read_scenario(
-      std::filesystem::path(SPOKE_MODELS_DIR) / "paper_rotor.toml",
-      {fmt::format("blade.count={}", size.blades), fmt::format("blade.bodies={}", size.bodies),
-       fmt::format("blade.elements={}", size.elements),
-       fmt::format("blade.geometric_stiffening={}", stiffening)});
+  return sized_rotor("paper_rotor.toml", size, stiffening);
 }
 
 }  // namespace spoke::bench

@@ -3,6 +3,7 @@
 // The paper's rotor in any size, the model of most benchmarks.
 
 #include <string>
+#include <vector>
 
 #include "models/scenario.h"
 
@@ -19,6 +20,9 @@ struct RotorSize {
   std::string name() const;
 };
 
+/// A rotor of models/ in another size, with further assignments to its keys.
+Scenario sized_rotor(const std::string& file, const RotorSize& size, bool stiffening,
+                     std::vector<std::string> assignments = {});
 /// The paper's rotor (models/paper_rotor.toml) in another size.
 Scenario paper_rotor(const RotorSize& size, bool stiffening = false);
 

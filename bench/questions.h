@@ -13,6 +13,9 @@ struct QuestionOptions {
 /// What does one evaluation of the accelerations cost, by formulation and size?
 void measure_formulations(const QuestionOptions& options, Report& report);
 
+/// What does one evaluation of the accelerations cost in space, against the plane?
+void measure_spatial_evaluations(const QuestionOptions& options, Report& report);
+
 /// What does a whole step cost, with the sensors of every step, beside the evaluations it contains?
 void measure_whole_steps(const QuestionOptions& options, Report& report);
 

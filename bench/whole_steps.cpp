@@ -114,8 +114,8 @@ Alternative make_alternative(const std::shared_ptr<RepeatedSteps>& steps, const 
 
 void measure_size(const RotorSize& size, const Effort& effort, Table& table, Report& report) {
   show_progress(size.name() + ": building");
-  const ModelPointer model =
-      make_models(paper_rotor(size, true).rotor, {Formulation::structured}).front();
+  const ModelPointer<Plane> model =
+      make_models(make_system(paper_rotor(size, true).rotor), {Formulation::structured}).front();
   std::vector<Alternative> alternatives{{"evaluation", [model] { model->evaluate(); }, {}, 1.0, 0}};
   std::vector<double> evaluations{1.0};
   for (const Steps& how : kSteps) {
