@@ -3,6 +3,7 @@
 #include "engine/space/body_slots.h"
 
 #include "engine/space/element_products.h"
+#include "engine/support/unroll.h"
 
 namespace spoke::space {
 namespace {
@@ -50,21 +51,19 @@ void set_slots(const FlexibleBody& body, const double* q, const double* v, doubl
   }
 }
 
-/// Which slots of a node a slot's momentum depends on: all, or those of its kind.
-struct Partners {
-  int begin, end;
+/// Whether the momentum of slot i depends on slot j of a node.
+template <bool kIsDecoupled>
+constexpr bool meet(int i, int j) {
+  return !kIsDecoupled || i == j || (i < 2 && j < 2);
+}
 
-  template <bool kIsDecoupled>
-  static constexpr Partners of(int slot) {
-    if (!kIsDecoupled) return {0, kNodeSlots};
-    return slot < 2 ? Partners{0, 2} : Partners{slot, slot + 1};
-  }
-};
-
-/// Adds one row of a block of masses, `stride` apart, times the slots of a node.
-[[gnu::always_inline]] inline void add_row(const double* m, int stride, const double* slots,
-                                           Partners partners, Double6& sum) {
-  for (int j = partners.begin; j < partners.end; ++j) sum.add(m[stride * j], slots + kSlot * j);
+/// Adds row i of a block of masses, whose entries are `stride` apart, times the slots of a node.
+template <bool kIsDecoupled, int i, int stride>
+[[gnu::always_inline]] inline void add_row(const double* m, const double* slots, Double6& sum) {
+  unroll<kNodeSlots>([&](auto slot) {
+    constexpr int j = slot;
+    if constexpr (meet<kIsDecoupled>(i, j)) sum.add(m[stride * j], slots + kSlot * j);
+  });
 }
 
 /// Momenta of the slots of node k.
@@ -75,23 +74,23 @@ void calc_node_momenta(const FlexibleBody& body, int k, const double* slots, dou
   const double* x = slots + kNode * k;
   const SlotMasses& m = body.slots;
   const bool has_next = k<body.elements, has_before = k> 0;
-  for (int i = 0; i < kNodeSlots; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    const Partners partners = Partners::of<kIsDecoupled>(i);
-    const bool is_stretched = !kIsDecoupled || i < 2;
+  unroll<kNodeSlots>([&](auto slot) {
+    constexpr int i = slot;
+    constexpr bool is_stretched = meet<kIsDecoupled>(0, i);
     Double6 sum;
-    add_row(m.own[node].data() + kNodeSlots * i, 1, x, partners, sum);
+    add_row<kIsDecoupled, i, 1>(m.own[node].data() + kNodeSlots * i, x, sum);
     if (has_next) {
-      add_row(m.next[node].data() + kNodeSlots * i, 1, x + kNode, partners, sum);
-      if (is_stretched) sum.add(m.stretch[node][row], slots + stretch_place(body, k));
+      add_row<kIsDecoupled, i, 1>(m.next[node].data() + kNodeSlots * i, x + kNode, sum);
+      if constexpr (is_stretched)
+        sum.add(m.stretch[node].data()[i], slots + stretch_place(body, k));
     }
     if (has_before) {
-      add_row(m.next[node - 1].data() + i, kNodeSlots, x - kNode, partners, sum);
-      if (is_stretched)
-        sum.add(m.stretch[node - 1][kNodeSlots + row], slots + stretch_place(body, k - 1));
+      add_row<kIsDecoupled, i, kNodeSlots>(m.next[node - 1].data() + i, x - kNode, sum);
+      if constexpr (is_stretched)
+        sum.add(m.stretch[node - 1].data()[kNodeSlots + i], slots + stretch_place(body, k - 1));
     }
     sum.store_to(momenta + kNode * k + kSlot * i);
-  }
+  });
 }
 
 template <bool kIsDecoupled>
@@ -99,10 +98,9 @@ void calc_stretch_momentum(const FlexibleBody& body, int e, const double* slots,
   const auto element = static_cast<std::size_t>(e);
   const double* m = body.slots.stretch[element].data();
   const double* x = slots + kNodeSlots * kSlot * e;
-  const Partners partners = Partners::of<kIsDecoupled>(0);
   Double6 sum;
-  add_row(m, 1, x, partners, sum);
-  add_row(m + kNodeSlots, 1, x + kNodeSlots * kSlot, partners, sum);
+  add_row<kIsDecoupled, 0, 1>(m, x, sum);
+  add_row<kIsDecoupled, 0, 1>(m + kNodeSlots, x + kNodeSlots * kSlot, sum);
   sum.add(body.slots.stretch_own[element], slots + stretch_place(body, e));
   sum.store_to(momenta + stretch_place(body, e));
 }
@@ -144,7 +142,7 @@ struct OuterProducts {
 SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
                     const BodyWork& work) noexcept {
   set_slots(body, q, v, work.slots);
-  if (body.slots.is_decoupled)
+  if (body.is_decoupled)
     calc_momenta<true>(body, work.slots, work.momenta);
   else
     calc_momenta<false>(body, work.slots, work.momenta);

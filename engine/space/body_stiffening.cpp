@@ -26,79 +26,97 @@ Weights calc_weights(const TensionPlace& place, const BodyMotion& motion) {
           w};
 }
 
-/// Coordinates of an element's two nodes along its axes. Both planes lie side by side: (v, w) and
-/// (tz, -ty), the signs of the plane.
+/// Coordinates of an element's two nodes along its axes, as far as tension and torsion feel them.
+/// Both planes lie side by side: (v, w) and (tz, -ty), the signs of the plane.
 struct PlaneCoordinates {
-  Double2 bending[4];
+  Double2 rise;      ///< of the outer node above the inner
+  Double2 slope[2];  ///< by node
   double torsion[2];
 };
 
-PlaneCoordinates in_element_axes(const BeamElement& element, bool is_straight, const double* q) {
+template <bool kIsStraight>
+PlaneCoordinates in_element_axes(const BeamElement& element, const double* q) {
   PlaneCoordinates planes;
-  for (int node = 0; node < 2; ++node, q += kTwist) {
-    if (is_straight) {
-      planes.bending[2 * node] = Double2{q[1], q[2]};
-      planes.bending[2 * node + 1] = Double2{q[5], -q[4]};
+  const double* outer = q + kTwist;
+  if constexpr (kIsStraight) {
+    planes.rise = load(outer + 1) - load(q + 1);
+    for (int node = 0; node < 2; ++node, q += kTwist) {
+      planes.slope[node] = Double2{q[5], -q[4]};
       planes.torsion[node] = q[3];
-      continue;
     }
-    const Matrix3& e = element.axes;
-    const auto along = [&](int axis, const double* x) {
-      return e(0, axis) * x[0] + e(1, axis) * x[1] + e(2, axis) * x[2];
-    };
-    planes.bending[2 * node] = Double2{along(1, q), along(2, q)};
-    planes.bending[2 * node + 1] = Double2{along(2, q + kRotation), -along(1, q + kRotation)};
+    return planes;
+  }
+  const Matrix3& e = element.axes;
+  const auto along = [&](int axis, const double* x) {
+    return e(0, axis) * x[0] + e(1, axis) * x[1] + e(2, axis) * x[2];
+  };
+  planes.rise = Double2{along(1, outer) - along(1, q), along(2, outer) - along(2, q)};
+  for (int node = 0; node < 2; ++node, q += kTwist) {
+    planes.slope[node] = Double2{along(2, q + kRotation), -along(1, q + kRotation)};
     planes.torsion[node] = along(0, q + kRotation);
   }
   return planes;
 }
 
 /// force -= forces along the element's axes.
-void subtract_forces(const BeamElement& element, bool is_straight, const PlaneCoordinates& f,
-                     double* force) {
+template <bool kIsStraight>
+void subtract_forces(const BeamElement& element, const PlaneCoordinates& f, double* force) {
+  const Double2 shear = f.rise;
+  const Matrix3& e = element.axes;
   for (int node = 0; node < 2; ++node, force += kTwist) {
-    const Double2 shear = f.bending[2 * node], moment = f.bending[2 * node + 1];
-    if (is_straight) {
-      force[1] -= shear[0];
-      force[2] -= shear[1];
+    const double sign = node == 0 ? 1.0 : -1.0;
+    const Double2 moment = f.slope[node];
+    if constexpr (kIsStraight) {
+      store(load(force + 1) + sign * shear, force + 1);
       force[3] -= f.torsion[node];
-      force[4] += moment[1];
-      force[5] -= moment[0];
+      store(load(force + 4) + Double2{moment[1], -moment[0]}, force + 4);
       continue;
     }
-    const Matrix3& e = element.axes;
     for (int i = 0; i < 3; ++i) {
-      force[i] -= e(i, 1) * shear[0] + e(i, 2) * shear[1];
+      force[i] += sign * (e(i, 1) * shear[0] + e(i, 2) * shear[1]);
       force[3 + i] -= e(i, 0) * f.torsion[node] - e(i, 1) * moment[1] + e(i, 2) * moment[0];
     }
   }
+}
+
+/// K x for one of an element's tension matrices, which do not feel what moves both nodes alike.
+PlaneCoordinates multiply_planes(const Matrix4& K, const PlaneCoordinates& x) {
+  const Double2 r = x.rise, a = x.slope[0], b = x.slope[1];
+  return {K(2, 2) * r + K(1, 2) * a + K(3, 2) * b,
+          {K(1, 2) * r + K(1, 1) * a + K(3, 1) * b, K(3, 2) * r + K(3, 1) * a + K(3, 3) * b},
+          {}};
+}
+
+/// By plane, the sum of the products of what belongs together.
+Double2 sum_products(const PlaneCoordinates& f, const PlaneCoordinates& x) {
+  return f.rise * x.rise + f.slope[0] * x.slope[0] + f.slope[1] * x.slope[1];
+}
+
+/// Sums of q^T K q and q^T K q' of one tension matrix, in two parts that are added at the end.
+struct TensionSums {
+  Double2 value{}, rate{};
+};
+
+/// Adds factor times one tension matrix times q to f, and its forms to the sums.
+void add_tension(const ElementStiffening& matrices, int k, double factor, const PlaneCoordinates& q,
+                 const PlaneCoordinates& v, PlaneCoordinates& f, TensionSums& sums) {
+  const PlaneCoordinates product =
+      multiply_planes(matrices.bending[static_cast<std::size_t>(k)], q);
+  f.rise += factor * product.rise;
+  for (int node = 0; node < 2; ++node) f.slope[node] += factor * product.slope[node];
+  const double turn = q.torsion[1] - q.torsion[0];
+  const double trapeze = matrices.torsion[static_cast<std::size_t>(k)] * turn;
+  f.torsion[0] -= factor * trapeze;
+  f.torsion[1] += factor * trapeze;
+  sums.value += sum_products(product, q) + Double2{trapeze * turn, 0.0};
+  sums.rate += sum_products(product, v) + Double2{trapeze * (v.torsion[1] - v.torsion[0]), 0.0};
 }
 
 struct PairSums {
   double value = 0.0, rate = 0.0;
 };
 
-/// Adds factor times one tension matrix times q to f; returns q^T K q and q^T K q'.
-PairSums add_tension(const ElementStiffening& matrices, int k, double factor,
-                     const PlaneCoordinates& q, const PlaneCoordinates& v, PlaneCoordinates& f) {
-  const double* K = matrices.bending[static_cast<std::size_t>(k)].data();
-  Double2 value{}, rate{};
-  for (int i = 0; i < 4; ++i, K += 4) {
-    const Double2 product =
-        K[0] * q.bending[0] + K[1] * q.bending[1] + K[2] * q.bending[2] + K[3] * q.bending[3];
-    f.bending[i] += factor * product;
-    value += product * q.bending[i];
-    rate += product * v.bending[i];
-  }
-  const double trapeze = matrices.torsion[static_cast<std::size_t>(k)];
-  const double product = trapeze * (q.torsion[1] - q.torsion[0]);
-  f.torsion[0] -= factor * product;
-  f.torsion[1] += factor * product;
-  return {total(value) + product * (q.torsion[1] - q.torsion[0]),
-          total(rate) + product * (v.torsion[1] - v.torsion[0])};
-}
-
-/// The same of a propeller matrix.
+/// Adds factor times a propeller matrix times q to f; returns its forms.
 PairSums add_propeller(const std::array<double, 3>& K, double factor, const PlaneCoordinates& q,
                        const PlaneCoordinates& v, PlaneCoordinates& f) {
   const double inner = K[0] * q.torsion[0] + K[1] * q.torsion[1];
@@ -109,8 +127,9 @@ PairSums add_propeller(const std::array<double, 3>& K, double factor, const Plan
 }
 
 /// F += sum over ab of f_ab e_a e_b^T, for ab = 22, 23 and 32, 33; `f`: 22, 23, 33.
-void add_tensor(const BeamElement& element, bool is_straight, const Position& f, Matrix3& F) {
-  if (is_straight) {
+template <bool kIsStraight>
+void add_tensor(const BeamElement& element, const Position& f, Matrix3& F) {
+  if constexpr (kIsStraight) {
     F(1, 1) += f[0];
     F(1, 2) += f[1];
     F(2, 1) += f[1];
@@ -121,17 +140,20 @@ void add_tensor(const BeamElement& element, bool is_straight, const Position& f,
   F += e2 * (f[0] * e2 + f[1] * e3).transpose() + e3 * (f[1] * e2 + f[2] * e3).transpose();
 }
 
-/// The propeller terms of an element: (w x e_a).(w x e_b) P_ab, a, b = 2, 3.
-void add_propellers(const BeamElement& element, bool is_straight, const Position& w_B,
+/// The propeller terms of an element: (w x e_a).(w x e_b) P_ab, a, b = 2, 3. Of sections that are
+/// symmetric about both, P_23 is zero.
+template <bool kIsStraight>
+void add_propellers(const BeamElement& element, bool is_symmetric, const Position& w_B,
                     const PlaneCoordinates& q, const PlaneCoordinates& v, PlaneCoordinates& f,
                     StiffeningSums& sums) {
-  const Position w = is_straight ? w_B : Position(element.axes.transpose().lazyProduct(w_B));
+  const Position w = kIsStraight ? w_B : Position(element.axes.transpose().lazyProduct(w_B));
   const auto& K = element.stiffening.propeller;
   const PairSums p22 = add_propeller(K[0], w[0] * w[0] + w[2] * w[2], q, v, f);
-  const PairSums p23 = add_propeller(K[1], -2.0 * w[1] * w[2], q, v, f);
+  PairSums p23;
+  if (!is_symmetric) p23 = add_propeller(K[1], -2.0 * w[1] * w[2], q, v, f);
   const PairSums p33 = add_propeller(K[2], w[0] * w[0] + w[1] * w[1], q, v, f);
-  add_tensor(element, is_straight, {p22.value, p23.value, p33.value}, sums.value.propeller);
-  add_tensor(element, is_straight, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
+  add_tensor<kIsStraight>(element, {p22.value, p23.value, p33.value}, sums.value.propeller);
+  add_tensor<kIsStraight>(element, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
 }
 
 /// Lambda of a second moment P that turns by a, or its bilinear form in a and b:
@@ -162,40 +184,48 @@ void add_inertias(const BeamElement& element, const Position& w, const double* q
   }
 }
 
-}  // namespace
-
-StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
-                              const double* v, double* force) noexcept {
+template <bool kIsStraight>
+StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const double* q,
+                       const double* v, double* force) {
   const FlexibleBody& body = *model.body;
   const Weights weights = calc_weights(*model.tension, motion);
   StiffeningSums sums;
+  TensionSums tension[ElementStiffening::kWeights];
   for (const BeamElement& element : body.beam) {
-    const PlaneCoordinates x = in_element_axes(element, body.is_straight, q);
-    const PlaneCoordinates rate = in_element_axes(element, body.is_straight, v);
+    const PlaneCoordinates x = in_element_axes<kIsStraight>(element, q);
+    const PlaneCoordinates rate = in_element_axes<kIsStraight>(element, v);
     PlaneCoordinates f{};
-    for (int k = 0; k < ElementStiffening::kWeights; ++k) {
-      const double weight = weights.tension[static_cast<std::size_t>(k)];
-      const PairSums pair = add_tension(element.stiffening, k, weight, x, rate, f);
-      sums.value.tension[k] += pair.value;
-      sums.rate.tension[k] += pair.rate;
-    }
-    add_propellers(element, body.is_straight, weights.w, x, rate, f, sums);
-    subtract_forces(element, body.is_straight, f, force);
+    for (int k = 0; k < ElementStiffening::kWeights; ++k)
+      add_tension(element.stiffening, k, weights.tension[static_cast<std::size_t>(k)], x, rate, f,
+                  tension[k]);
+    add_propellers<kIsStraight>(element, body.is_decoupled, weights.w, x, rate, f, sums);
+    subtract_forces<kIsStraight>(element, f, force);
     add_inertias(element, weights.w, q, v, force, sums);
     q += kTwist;
     v += kTwist;
     force += kTwist;
   }
+  for (int k = 0; k < ElementStiffening::kWeights; ++k) {
+    sums.value.tension[k] = total(tension[k].value);
+    sums.rate.tension[k] = total(tension[k].rate);
+  }
   return sums;
+}
+
+}  // namespace
+
+StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
+                              const double* v, double* force) noexcept {
+  return model.body->is_straight ? add_all<true>(model, motion, q, v, force)
+                                 : add_all<false>(model, motion, q, v, force);
 }
 
 double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept {
   Double2 sum{};
   for (const BeamElement& element : body.beam) {
-    const PlaneCoordinates x = in_element_axes(element, body.is_straight, q);
-    const Matrix4& K1 = element.stiffening.bending[0];
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) sum += x.bending[i] * (K1(i, j) * x.bending[j]);
+    const PlaneCoordinates x =
+        body.is_straight ? in_element_axes<true>(element, q) : in_element_axes<false>(element, q);
+    sum += sum_products(multiply_planes(element.stiffening.bending[0], x), x);
     q += kTwist;
   }
   return total(sum);

@@ -23,10 +23,11 @@ struct InertiaForce {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) rows[i][3 + j] = -2.0 * turn[i][j];
   }
+  /// Component i; the rate along i does not count.
   [[gnu::always_inline]] double component(int i, const double* mu) const {
     const double* r = rows[i];
-    return (r[0] * mu[0] + r[1] * mu[1] + r[2] * mu[2]) +
-           (r[3] * mu[3] + r[4] * mu[4] + r[5] * mu[5]);
+    const int j = 3 + (i + 1) % 3, k = 3 + (i + 2) % 3;
+    return (r[0] * mu[0] + r[1] * mu[1] + r[2] * mu[2]) + (r[j] * mu[j] + r[k] * mu[k]);
   }
 };
 
@@ -79,7 +80,36 @@ void calc_rows(const FlexibleBody& body, const Angular& w, const BodyWork& work)
                      work.momenta + stretch_place(body, e), work.rows + kNodeRows * e);
 }
 
+/// force -= K q of one element of a decoupled body, both planes side by side: (v, tz) and (w, -ty).
+void subtract_decoupled(const BeamElement& element, const double* q, double* force) {
+  const TwistMatrix& K = element.stiffness;
+  const double l = element.chord[0];
+  const double axial = K(0, 0) * (q[6] - q[0]), torsion = K(3, 3) * (q[9] - q[3]);
+  const Double2 slope{q[5], -q[4]}, outer_slope{q[11], -q[10]};
+  const Double2 d = load(q + 7) - load(q + 1) - l * slope, turn = outer_slope - slope;
+  const Double2 mixed{K(1, 5), -K(2, 4)};
+  const Double2 shear = Double2{K(1, 1), K(2, 2)} * d + mixed * turn;
+  const Double2 moment = mixed * d + Double2{K(5, 5), K(4, 4)} * turn;
+  const Double2 inner = moment + l * shear;
+  force[0] += axial;
+  force[6] -= axial;
+  store(load(force + 1) + shear, force + 1);
+  store(load(force + 7) - shear, force + 7);
+  force[3] += torsion;
+  force[9] -= torsion;
+  store(load(force + 4) + Double2{-inner[1], inner[0]}, force + 4);
+  store(load(force + 10) - Double2{-moment[1], moment[0]}, force + 10);
+}
+
 void add_elastic_force(const FlexibleBody& body, const double* q, double* force) {
+  if (body.is_decoupled) {
+    for (const BeamElement& element : body.beam) {
+      subtract_decoupled(element, q, force);
+      q += kTwist;
+      force += kTwist;
+    }
+    return;
+  }
   for (const BeamElement& element : body.beam) {
     double d[kTwist], F[kTwist];
     calc_relative(element, q, d);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/space/element_products.h"
+#include "engine/support/unroll.h"
 
 namespace spoke::space {
 namespace {
@@ -52,49 +53,79 @@ void clear_fixed_rows(const FlexibleBody& body, double* rows) {
   std::fill_n(rows + kNodeRows * body.elements + 4, 2 * 4, 0.0);
 }
 
+/// Whether places (i, j) of a node's blocks may hold more than a zero.
+template <bool kIsDecoupled>
+constexpr bool meet(int i, int j) {
+  return !kIsDecoupled || is_one_direction(i, j);
+}
+/// Whether coordinate i moves the body's mass along component c.
+template <bool kIsDecoupled>
+constexpr bool moves_mass(int i, int c) {
+  return !kIsDecoupled || (i != kRotation && is_one_direction(i, c));
+}
+
 /// y_k = L_kk^-1 (b_k - L_k,k-1 y_k-1) for one node; adds its products with y_C.
+template <bool kIsDecoupled>
 void solve_node(const double* below, const double* inverse, const double* b, const double* before,
                 const double* W_t, double* y, Products& products) {
   Lanes rest[kTwist];
-  for (int i = 0; i < kTwist; ++i) {
+  unroll<kTwist>([&](auto row) {
+    constexpr int i = row;
     rest[i] = Lanes::from(b + 4 * i);
-    if (!before) continue;
-    for (int j = 0; j < kTwist; ++j)
-      rest[i].subtract(below[kTwist * i + j], Lanes::from(before + 4 * j));
-  }
-  for (int i = 0; i < kTwist; ++i) {
+  });
+  if (before)
+    unroll<kTwist>([&](auto column) {
+      const Lanes x = Lanes::from(before + 4 * column);
+      unroll<kTwist>([&](auto row) {
+        constexpr int i = row, j = column;
+        if constexpr (meet<kIsDecoupled>(i, j)) rest[i].subtract(below[kTwist * i + j], x);
+      });
+    });
+  unroll<kTwist>([&](auto row) {
+    constexpr int i = row;
     Lanes sum;
-    for (int j = 0; j <= i; ++j) sum.add(inverse[kTwist * i + j], rest[j]);
+    unroll<i + 1>([&](auto column) {
+      constexpr int j = column;
+      if constexpr (meet<kIsDecoupled>(i, j)) sum.add(inverse[kTwist * i + j], rest[j]);
+    });
     sum.store_to(y + 4 * i);
-    for (int c = 0; c < 3; ++c) {
-      products.t[c].add(W_t[3 * i + c], sum);
+    unroll<3>([&](auto component) {
+      constexpr int c = component;
+      if constexpr (moves_mass<kIsDecoupled>(i, c)) products.t[c].add(W_t[3 * i + c], sum);
       products.w[c].add(sum[c], sum);
-    }
-  }
+    });
+  });
 }
 
 /// (1) The half solutions of C_w^T and Q_f, and their products with those of C.
+template <bool kIsDecoupled>
 Products solve_half(const FlexibleBody& body, const ElasticBlock& block, const BodyWork& work) {
   Products products;
   const int first = body.first_node();
   for (int k = first; k < body.node_count(); ++k)
-    solve_node(block.below_of(k), block.inverse_of(k), work.rows + kNodeRows * k,
-               k > first ? work.half + kNodeRows * (k - 1) : nullptr,
-               &block.W_t[static_cast<std::size_t>(3 * kTwist * k)], work.half + kNodeRows * k,
-               products);
+    solve_node<kIsDecoupled>(block.below_of(k), block.inverse_of(k), work.rows + kNodeRows * k,
+                             k > first ? work.half + kNodeRows * (k - 1) : nullptr,
+                             &block.W_t[static_cast<std::size_t>(3 * kTwist * k)],
+                             work.half + kNodeRows * k, products);
   return products;
 }
 
 /// E_h (W_w, z) = y_E^T (y_w, y_Q): six rows, at the node of a handle.
+template <bool kIsDecoupled>
 void calc_handle_response(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
                           const BodyWork& work, Lanes (&response)[kTwist]) {
-  const int node = body.handles[h];
   const double* Z = block.Z[h].data();
-  const double* y = work.half + kNodeRows * node;
-  for (int row = kTwist * node; row < kTwist * body.node_count(); ++row, Z += kTwist, y += 4) {
-    const Lanes lanes = Lanes::from(y);
-    for (int c = 0; c < kTwist; ++c) response[c].add(Z[c], lanes);
-  }
+  const double* y = work.half + kNodeRows * body.handles[h];
+  for (int k = body.handles[h]; k < body.node_count(); ++k, y += kNodeRows)
+    unroll<kTwist>([&](auto row) {
+      constexpr int i = row;
+      const Lanes lanes = Lanes::from(y + 4 * i);
+      unroll<kTwist>([&](auto component) {
+        constexpr int c = component;
+        if constexpr (meet<kIsDecoupled>(i, c)) response[c].add(Z[c], lanes);
+      });
+      Z += kTwist;
+    });
 }
 
 /// diag(1, H) m.
@@ -109,7 +140,10 @@ Matrix turn_rows(const Matrix3& H, const Matrix& m) {
 void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
                      const Angular& w, const BodyWork& work) {
   Lanes response[kTwist]{};
-  calc_handle_response(body, block, h, work, response);
+  if (body.is_decoupled)
+    calc_handle_response<true>(body, block, h, work, response);
+  else
+    calc_handle_response<false>(body, block, h, work, response);
   const HandleMotion& handle = work.handles[h];
   TwistMatrix EW;
   EW.leftCols<3>() = block.Z_W[h];
@@ -131,13 +165,6 @@ SymmetricTwistMatrix turn_handle(const Matrix3& H, const SymmetricTwistMatrix& A
   return {A.tt, H.lazyProduct(A.rt), half.lazyProduct(H.transpose())};
 }
 
-/// A B^T, of which the result is known to be symmetric.
-SymmetricTwistMatrix symmetric_product(const TwistMatrix& A, const TwistMatrix& B) {
-  const auto top = B.topRows<3>().transpose(), bottom = B.bottomRows<3>().transpose();
-  return {A.topRows<3>().lazyProduct(top), A.bottomRows<3>().lazyProduct(top),
-          A.bottomRows<3>().lazyProduct(bottom)};
-}
-
 /// (3) P_ab = diag(1, H_a) Z_ab diag(1, H_b^T) + X_a S_R^-1 X_b^T for all handles a < b, and of b
 /// with itself.
 void calc_compliances(const ElasticBlock& block, std::size_t b, const BodyWork& work) {
@@ -157,8 +184,8 @@ void calc_compliances(const ElasticBlock& block, std::size_t b, const BodyWork& 
     P.leftCols<3>() += Z.leftCols<3>();
     P.rightCols<3>() += Z.rightCols<3>().lazyProduct(H_b.transpose());
   }
-  work.port.diagonal[b] =
-      turn_handle(H_b, block.Z_diagonal[b]) + symmetric_product(X_b, S_X.transpose());
+  work.port.diagonal[b] = turn_handle(H_b, block.Z_diagonal[b]) +
+                          SymmetricTwistMatrix::from_matrix(X_b.lazyProduct(S_X));
 }
 
 }  // namespace
@@ -168,13 +195,14 @@ void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
   clear_fixed_rows(body, work.rows);
-  const Products products = solve_half(body, block, work);
+  const Products products = body.is_decoupled ? solve_half<true>(body, block, work)
+                                              : solve_half<false>(body, block, work);
   // (2) S_R = M_RR - C W and p = Q - C z, M_RR = [m 1, -S~; S~, Theta].
   SymmetricTwistMatrix S_R;
   S_R.tt = body.mass * Matrix3::Identity() - block.C_W;
   S_R.rt = skew(terms.S) - products.columns(products.t).transpose();
   S_R.rr = terms.Theta - products.columns(products.w);
-  work.condensed.S_inverse = invert(S_R);
+  work.condensed.S_inverse = invert(S_R, block.S_tt_inverse);
   work.condensed.p = terms.Q - make_twist(products.last(products.t), products.last(products.w));
   const Twist X_free = work.condensed.S_inverse * work.condensed.p;
   for (std::size_t h = 0; h < body.handles.size(); ++h) {
@@ -193,36 +221,101 @@ void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular
 namespace {
 
 /// Right-hand sides of the pass back: y_Q - y_C X, by node.
+template <bool kIsDecoupled>
 void combine_halves(const FlexibleBody& body, const ElasticBlock& block, const Twist& X,
                     const BodyWork& work, double* b) {
-  const double* W_t = block.W_t.data();
-  for (int row = kTwist * body.first_node(); row < kTwist * body.node_count(); ++row) {
-    const double *t = W_t + 3 * row, *w = work.half + 4 * row;
-    b[row] = w[3] - (t[0] * X[0] + t[1] * X[1] + t[2] * X[2]) -
-             (w[0] * X[3] + w[1] * X[4] + w[2] * X[5]);
-  }
+  const int first = body.first_node();
+  const double* t = block.W_t.data() + 3 * kTwist * first;
+  const double* w = work.half + kNodeRows * first;
+  const double x[kTwist] = {X[0], X[1], X[2], X[3], X[4], X[5]};
+  b += kTwist * first;
+  for (int k = first; k < body.node_count(); ++k, t += 3 * kTwist, w += kNodeRows, b += kTwist)
+    unroll<kTwist>([&](auto row) {
+      constexpr int i = row;
+      double sum = w[4 * i + 3];
+      unroll<3>([&](auto component) {
+        constexpr int c = component;
+        if constexpr (moves_mass<kIsDecoupled>(i, c)) sum -= t[3 * i + c] * x[c];
+      });
+      b[i] = sum - (w[4 * i] * x[3] + w[4 * i + 1] * x[4] + w[4 * i + 2] * x[5]);
+    });
 }
 
 /// b += y_E f, of the six coordinates at one handle.
+template <bool kIsDecoupled>
 void add_wrench(const FlexibleBody& body, const ElasticBlock& block, std::size_t h, const Twist& f,
                 double* b) {
   const double* Z = block.Z[h].data();
-  for (int row = kTwist * body.handles[h]; row < kTwist * body.node_count(); ++row, Z += kTwist)
-    b[row] += (Z[0] * f[0] + Z[1] * f[1] + Z[2] * f[2]) + (Z[3] * f[3] + Z[4] * f[4] + Z[5] * f[5]);
+  const int end = kTwist * body.node_count();
+  for (int node = kTwist * body.handles[h]; node < end; node += kTwist)
+    unroll<kTwist>([&](auto row) {
+      constexpr int i = row;
+      double sum = 0.0;
+      unroll<kTwist>([&](auto component) {
+        constexpr int c = component;
+        if constexpr (meet<kIsDecoupled>(i, c)) sum += Z[c] * f[c];
+      });
+      b[node + i] += sum;
+      Z += kTwist;
+    });
+}
+
+/// Solves one node of L^T x = b in place; the solution of its outer neighbour, if there is one,
+/// stands behind.
+void solve_back_coupled(const double* below_outer, const double* inverse, double* x) {
+  Double6 rest{load(x), load(x + 2), load(x + 4)};
+  if (below_outer)
+    for (int j = 0; j < kTwist; ++j) rest.add(-x[kTwist + j], below_outer + kTwist * j);
+  double sums[kTwist];
+  rest.store_to(sums);
+  // The rows of the inverse are the columns of its transpose.
+  multiply(inverse, sums).store_to(x);
+}
+
+void solve_back_decoupled(const double* below_outer, const double* inverse, double* x) {
+  double rest[kTwist];
+  unroll<kTwist>([&](auto row) {
+    constexpr int i = row;
+    rest[i] = x[i];
+    if (below_outer)
+      unroll<kTwist>([&](auto column) {
+        constexpr int j = column;
+        if constexpr (is_one_direction(i, j))
+          rest[i] -= below_outer[kTwist * j + i] * x[kTwist + j];
+      });
+  });
+  unroll<kTwist>([&](auto row) {
+    constexpr int i = row;
+    double sum = 0.0;
+    unroll<kTwist>([&](auto column) {
+      constexpr int j = column;
+      if constexpr (j >= i && is_one_direction(i, j)) sum += inverse[kTwist * j + i] * rest[j];
+    });
+    x[i] = sum;
+  });
 }
 
 /// Solves L^T x = b in place.
+template <bool kIsDecoupled>
 void solve_back(const FlexibleBody& body, const ElasticBlock& block, double* b) {
-  for (int k = body.elements; k >= body.first_node(); --k) {
-    double* x = b + kTwist * k;
-    Double6 rest{load(x), load(x + 2), load(x + 4)};
-    if (k < body.elements)
-      for (int j = 0; j < kTwist; ++j) rest.add(-x[kTwist + j], block.below_of(k + 1) + kTwist * j);
-    double sums[kTwist];
-    rest.store_to(sums);
-    // The rows of the inverse are the columns of its transpose.
-    multiply(block.inverse_of(k), sums).store_to(x);
+  constexpr auto solve_one = kIsDecoupled ? solve_back_decoupled : solve_back_coupled;
+  for (int k = body.elements; k >= body.first_node(); --k)
+    solve_one(k < body.elements ? block.below_of(k + 1) : nullptr, block.inverse_of(k),
+              b + kTwist * k);
+}
+
+/// The accelerations by node, from those of the frame and the wrenches on the handles.
+template <bool kIsDecoupled>
+void recover_deformation(const FlexibleBody& body, const ElasticBlock& block, const Twist& X,
+                         const Twist* wrenches, const BodyWork& work, double* x) {
+  combine_halves<kIsDecoupled>(body, block, X, work, x);
+  for (std::size_t h = 0; h < body.handles.size(); ++h) {
+    if (block.Z[h].empty()) continue;
+    Twist f = wrenches[h];
+    angular(f) = work.handles[h].turn.H.transpose().lazyProduct(angular(wrenches[h]));
+    add_wrench<kIsDecoupled>(body, block, h, f, x);
   }
+  solve_back<kIsDecoupled>(body, block, x);
 }
 
 }  // namespace
@@ -240,14 +333,10 @@ Twist recover_body(const BodyModel& model, const Twist* wrenches, bool implicit,
       force += condensed.X[h].transpose().lazyProduct(wrenches[h]);
   const Twist X = condensed.S_inverse * force;
   double* x = work.nodal[0];
-  combine_halves(body, block, X, work, x);
-  for (std::size_t h = 0; h < body.handles.size(); ++h) {
-    if (block.Z[h].empty()) continue;
-    Twist f = wrenches[h];
-    angular(f) = work.handles[h].turn.H.transpose().lazyProduct(angular(wrenches[h]));
-    add_wrench(body, block, h, f, x);
-  }
-  solve_back(body, block, x);
+  if (body.is_decoupled)
+    recover_deformation<true>(body, block, X, wrenches, work, x);
+  else
+    recover_deformation<false>(body, block, X, wrenches, work, x);
   compress(body, x, a);
   return X;
 }

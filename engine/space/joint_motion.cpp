@@ -104,7 +104,7 @@ void calc_joint_motion(const Joint& joint, const JointState& state, const Rotati
   motion.columns.setZero();
   motion.bias.setZero();
   Walk walk(joint, state, handle, motion);
-  walk.move_on(joint.offset.p);
+  if (!joint.offset.p.isZero(0.0)) walk.move_on(joint.offset.p);  // none where a beam goes on
   motion.R = motion.R * joint.offset.R;
   for (const JointPrimitive& primitive : joint.sequence()) walk.pass(primitive);
   child = walk.twist();

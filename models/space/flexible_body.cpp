@@ -2,6 +2,7 @@
 
 #include "models/space/flexible_body.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace spoke::space {
@@ -99,7 +100,7 @@ void add_slots(const BeamElement& element, int e, SlotMasses& slots) {
 /// Whether two slots of nodes are of one kind: places and x axes, y axes, or z axes.
 bool is_one_kind(std::size_t a, std::size_t b) { return (a < 2 && b < 2) || a == b; }
 
-bool find_decoupled(const SlotMasses& slots) {
+bool are_decoupled(const SlotMasses& slots) {
   for (const auto* blocks : {&slots.own, &slots.next})
     for (const SlotMasses::NodeBlock& block : *blocks)
       for (std::size_t i = 0; i < kNodeSlots; ++i)
@@ -109,6 +110,20 @@ bool find_decoupled(const SlotMasses& slots) {
     for (std::size_t j = 0; j < kElementSlots; ++j)
       if (!is_one_kind(0, j % kNodeSlots) && row[j] != 0.0) return false;
   return true;
+}
+
+bool is_decoupled(const TwistMatrix& m) {
+  for (int i = 0; i < kTwist; ++i)
+    for (int j = 0; j < kTwist; ++j)
+      if (!is_one_direction(i, j) && m(i, j) != 0.0) return false;
+  return true;
+}
+
+bool find_decoupled(const FlexibleBody& body) {
+  return body.is_straight && are_decoupled(body.slots) &&
+         std::all_of(body.beam.begin(), body.beam.end(), [](const BeamElement& element) {
+           return is_decoupled(element.stiffness) && is_decoupled(element.damping);
+         });
 }
 
 /// A body of the right sizes, its sums still zero.
@@ -156,7 +171,7 @@ FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
     add_inertia(element, e, body);
     add_slots(element, e, body.slots);
   }
-  body.slots.is_decoupled = find_decoupled(body.slots);
+  body.is_decoupled = find_decoupled(body);
   return body;
 }
 

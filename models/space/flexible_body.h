@@ -26,13 +26,16 @@ struct SlotMasses {
   /// Row of an element's stretch: with the slots of its inner and of its outer node.
   std::vector<std::array<double, kElementSlots>> stretch;
   std::vector<double> stretch_own;
-  /// The places and x axes, the y axes and the z axes do not meet: the body is straight, and its
-  /// sections are symmetric about the y and z axes of B.
-  bool is_decoupled = false;
 };
 
 /// C_t of a node: how its coordinates' accelerations count in the body's momentum (transposed).
 using NodeMomentum = Eigen::Matrix<double, kTwist, 3, Eigen::DontAlign>;
+
+/// Whether coordinates i and j of nodes belong to one direction of a decoupled body.
+constexpr bool is_one_direction(int i, int j) {
+  constexpr int kPartner[] = {0, 5, 4, 3, 2, 1};
+  return i == j || i == kPartner[j];
+}
 
 struct FlexibleBody {
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
@@ -42,7 +45,10 @@ struct FlexibleBody {
   std::vector<double> stations;  ///< of the nodes on the beam [m]
   std::vector<BeamElement> beam;
   bool is_straight = false;  ///< the axes of all elements are those of B
-  bool is_damped = false;    ///< D is not zero
+  /// Its directions do not meet: u, tx, (v, tz) and (w, ty) in K and D, and in the slots places and
+  /// x axes, y axes, z axes. The body is straight, and its sections are symmetric about y and z.
+  bool is_decoupled = false;
+  bool is_damped = false;  ///< D is not zero
   /// Nodes at which joints hold the body: first node 0 (the inboard handle), then one for each
   /// child in the children's order; these may repeat.
   std::vector<int> handles;

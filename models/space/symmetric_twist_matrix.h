@@ -87,23 +87,25 @@ inline Matrix3 invert_symmetric(const Matrix3& a) {
   return scale * inverse;
 }
 
-/// Inverse of a positive definite matrix. Not finite if it is singular.
-inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
+/// Inverse of a positive definite matrix, of whose block tt the inverse is known. Not finite if it
+/// is singular.
+inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a, const Matrix3& tt_inverse) {
   // By the Schur complement rr - rt tt^-1 rt^T.
-  const Matrix3 tt_inverse = invert_symmetric(a.tt);
   const Matrix3 y = a.rt.lazyProduct(tt_inverse);
   const Matrix3 rr = invert_symmetric(a.rr - y.lazyProduct(a.rt.transpose()));
   const Matrix3 rt = -rr.lazyProduct(y);
   return {tt_inverse - y.transpose().lazyProduct(rt), rt, rr};
+}
+inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
+  return invert(a, invert_symmetric(a.tt));
 }
 
 /// C - A B A^T: what eliminating a joint of compliance B^-1 leaves of C.
 inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const TwistMatrix& a,
                                       const SymmetricTwistMatrix& b) {
   const TwistMatrix ab = a.lazyProduct(b.matrix());
-  const auto ab_t = ab.topRows<3>(), ab_r = ab.bottomRows<3>();
-  const auto a_t = a.topRows<3>().transpose(), a_r = a.bottomRows<3>().transpose();
-  return {c.tt - ab_t.lazyProduct(a_t), c.rt - ab_r.lazyProduct(a_t), c.rr - ab_r.lazyProduct(a_r)};
+  // All of it: columns of six are products of pairs, blocks of three are not.
+  return c - SymmetricTwistMatrix::from_matrix(ab.lazyProduct(a.transpose()));
 }
 
 }  // namespace spoke::space

@@ -116,9 +116,10 @@ void randomize_state(std::mt19937& random, TestBody& test) {
                   draw_vector(5.0, random), 1.7};
 }
 
-std::unique_ptr<TestBody> make_random_body(const BeamOptions& options, int elements,
-                                           ReferenceFrame frame, std::mt19937& random) {
-  Beam beam = make_random_beam(options, random);
+namespace {
+
+std::unique_ptr<TestBody> make_body(Beam beam, int elements, ReferenceFrame frame,
+                                    std::mt19937& random) {
   beam.damping << 1e-4, 2e-4, 3e-4, 4e-4, 5e-4, 6e-4;
   std::vector<int> handles{0, elements};
   if (elements > 2) handles.insert(handles.begin() + 1, elements / 2);
@@ -127,6 +128,26 @@ std::unique_ptr<TestBody> make_random_body(const BeamOptions& options, int eleme
   test->damping = {0.3, 2e-3};
   randomize_state(random, *test);
   return test;
+}
+
+}  // namespace
+
+std::unique_ptr<TestBody> make_random_body(const BeamOptions& options, int elements,
+                                           ReferenceFrame frame, std::mt19937& random) {
+  return make_body(make_random_beam(options, random), elements, frame, random);
+}
+
+std::unique_ptr<TestBody> make_decoupled_body(int elements, ReferenceFrame frame,
+                                              std::mt19937& random) {
+  SectionProperties section;
+  section.axial_stiffness = 900.0;
+  section.flap_stiffness = 3.0;
+  section.lag_stiffness = 11.0;
+  section.torsion_stiffness = 2.0;
+  section.mass_per_length = 1.7;
+  section.flap_inertia = 0.02;
+  section.lag_inertia = 0.05;
+  return make_body(make_uniform_beam(section, 2.5), elements, frame, random);
 }
 
 double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub_w,

@@ -55,6 +55,9 @@ Position draw_vector(double size, std::mt19937& random);
 /// last and, if it has more than two elements, at one between.
 std::unique_ptr<TestBody> make_random_body(const BeamOptions& options, int elements,
                                            ReferenceFrame frame, std::mt19937& random);
+/// A beam of one symmetric section as such a body: its directions do not meet.
+std::unique_ptr<TestBody> make_decoupled_body(int elements, ReferenceFrame frame,
+                                              std::mt19937& random);
 void randomize_state(std::mt19937& random, TestBody& body);
 
 /// 1/2 sum_ij m_ij V_i . V_j over the slots of all elements, V = e v0 + w x rho + rho', less what

@@ -91,6 +91,41 @@ TEST_CASE("condensing a body and recovering it solves its full equations") {
         }
 }
 
+TEST_CASE("a body whose directions do not meet solves its full equations, too") {
+  std::mt19937 random(33);
+  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
+    for (const int elements : {1, 2, 4, 7})
+      for (const bool implicit : {false, true}) {
+        CAPTURE(elements);
+        CAPTURE(implicit);
+        const auto test = make_decoupled_body(elements, frame, random);
+        REQUIRE(test->body.is_decoupled);
+        check_agreement(*test, implicit, random, 3e-13 + 1.5e-14 * std::pow(elements, 3));
+      }
+}
+
+TEST_CASE("the terms of a body whose directions do not meet are those of any other") {
+  std::mt19937 random(34);
+  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
+    const auto test = make_decoupled_body(4, frame, random);
+    const Eigen::VectorXd force = test->deformation_force();
+    const BodyTerms terms = test->terms;
+    test->body.is_decoupled = test->body.is_straight = false;
+    const double scale = force.lpNorm<Eigen::Infinity>();
+    CHECK((test->deformation_force() - force).lpNorm<Eigen::Infinity>() < 1e-13 * scale);
+    CHECK((test->terms.Q - terms.Q).lpNorm<Eigen::Infinity>() < 1e-13 * scale);
+    CHECK((test->terms.Theta - terms.Theta).norm() < 1e-14 * terms.Theta.norm());
+    CHECK((test->terms.stiffening.rate - terms.stiffening.rate).norm() <
+          1e-13 * terms.stiffening.rate.norm());
+  }
+}
+
+TEST_CASE("twisted and bent bodies have directions that meet") {
+  std::mt19937 random(35);
+  for (const BeamOptions& options : kStraightAndBent)
+    CHECK_FALSE(make_random_body(options, 3, ReferenceFrame::clamped, random)->body.is_decoupled);
+}
+
 TEST_CASE("a kernel's work depends on nothing that was in its memory before") {
   std::mt19937 random(32);
   const auto test = make_random_body({true, true, true}, 3, ReferenceFrame::clamped, random);
