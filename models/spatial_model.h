@@ -81,6 +81,8 @@ struct PointMass {
   double mass = 0.0;                ///< [kg]
   Vector offset = Vector::Zero();   ///< of its centre from the beam's axis, beam frame [m]
   Tensor inertia = Tensor::Zero();  ///< about its centre, beam axes [kg m^2]; may be zero
+
+  friend bool operator==(const PointMass&, const PointMass&) = default;
 };
 
 /// A slender beam, straight or not, cut into flexible bodies.
@@ -96,6 +98,8 @@ struct Beam {
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
   bool geometric_stiffening = true;       ///< whether rotation stiffens bending within a body
   std::vector<PointMass> point_masses{};  ///< that it carries besides its own mass
+
+  friend bool operator==(const Beam&, const Beam&) = default;
 };
 
 /// A rigid body. Its frame is that of the joint that carries it, at joint coordinates of zero.

@@ -3,9 +3,11 @@
 #include "models/system/spatial_system.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "models/error.h"
@@ -56,13 +58,45 @@ space::HubLoad make_hub_load(const spatial::HubLoad& load, const space::Rotation
           load.factor};
 }
 
+/// Beams and their flexible bodies, each made once: equal blades share their constants.
+class Beams {
+ public:
+  using Pointer = std::shared_ptr<const space::Beam>;
+
+  /// `beam` must outlive this.
+  Pointer find_or_make(const spatial::Beam& beam) {
+    const auto at = std::find_if(beams_.begin(), beams_.end(),
+                                 [&beam](const auto& made) { return *made.first == beam; });
+    if (at != beams_.end()) return at->second;
+    auto made = std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0));
+    return beams_.emplace_back(&beam, std::move(made)).second;
+  }
+  /// The body between the first and the last of its nodes, which are stations of the beam.
+  std::shared_ptr<const space::Body> find_or_make_body(const Pointer& beam,
+                                                       const std::vector<double>& nodes,
+                                                       ReferenceFrame frame,
+                                                       const std::vector<int>& handles) {
+    std::shared_ptr<const space::Body>& body = bodies_[{beam.get(), nodes, handles}];
+    if (!body)
+      body = std::make_shared<const space::Body>(
+          space::Body{make_beam_body(*beam, nodes, frame, handles), beam});
+    return body;
+  }
+
+ private:
+  /// The beam has one reference frame.
+  using Key = std::tuple<const space::Beam*, std::vector<double>, std::vector<int>>;
+
+  std::vector<std::pair<const spatial::Beam*, Pointer>> beams_;
+  std::map<Key, std::shared_ptr<const space::Body>> bodies_;
+};
+
 /// Makes the subsystem of one tree.
 class SubsystemMaker {
  public:
-  SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis)
-      : tree_(tree), to_axis_(to_axis), placements_(calc_placements(tree)) {
-    for (const spatial::Beam& beam : tree.beams)
-      beams_.push_back(std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0)));
+  SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis, Beams& made)
+      : tree_(tree), to_axis_(to_axis), placements_(calc_placements(tree)), shared_(made) {
+    for (const spatial::Beam& beam : tree.beams) beams_.push_back(made.find_or_make(beam));
   }
 
   /// `loads`: by body, as the description resolves them.
@@ -117,22 +151,19 @@ class SubsystemMaker {
 
   void add_body(std::size_t j) {
     TreeBody<Space>& made = made_.bodies[j];
-    space::Body constants;
     if (const spatial::FlexibleBody* part = flexible(j)) {
       std::vector<int> handles{0};
       for (const int c : made.children)
         handles.push_back(static_cast<int>(body(static_cast<std::size_t>(c)).parent_node));
-      constants.beam = beams_[part->beam];
-      constants.shape = make_beam_body(*constants.beam, part->nodes,
-                                       tree_.beams[part->beam].reference_frame, handles);
-    } else {
-      const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
-      space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}};
-      for (const int c : made.children)
-        shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
-      constants.shape = std::move(shape);
+      made.body = shared_.find_or_make_body(beams_[part->beam], part->nodes,
+                                            tree_.beams[part->beam].reference_frame, handles);
+      return;
     }
-    made.body = std::make_shared<const space::Body>(std::move(constants));
+    const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
+    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}};
+    for (const int c : made.children)
+      shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
+    made.body = std::make_shared<const space::Body>(space::Body{std::move(shape), nullptr});
   }
 
   void add_joint(std::size_t j) {
@@ -221,7 +252,8 @@ class SubsystemMaker {
   const spatial::Tree& tree_;
   space::Rotation to_axis_;
   std::vector<Placement> placements_;  ///< in the frame of the description's hub
-  std::vector<std::shared_ptr<const space::Beam>> beams_;
+  Beams& shared_;
+  std::vector<Beams::Pointer> beams_;  ///< of the tree
   Subsystem<Space> made_;
 };
 
@@ -257,9 +289,10 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   system.damping = model.damping;
   for (const spatial::HubLoad& load : model.hub_loads)
     system.hub_loads.push_back(make_hub_load(load, to_axis));
+  Beams beams;
   for (std::size_t i = 0; i < trees.size(); ++i)
     system.subsystems.push_back(
-        SubsystemMaker(trees[i], to_axis).make(make_body_loads(model, trees[i], i)));
+        SubsystemMaker(trees[i], to_axis, beams).make(make_body_loads(model, trees[i], i)));
   require_known_azimuth(system);
   return system;
 }
