@@ -54,20 +54,58 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
     }
 }
 
-/// Memory of what bodies of one kind share [bytes]: bands and their factors, some 44 numbers a
-/// coordinate; in the dense formulations two full blocks. Bodies of tapered blades are all of kinds
-/// of their own.
+// Memory of a body's constants, which bodies of one kind share, and of what it has in the table,
+// with the structured formulation's workspace [bytes].
+
+/// Bands and their factors: some 44 numbers a coordinate.
+double estimate_constants(const FlexibleBody& body) {
+  return 44.0 * sizeof(double) * body.coordinates();
+}
+double estimate_table(const TreeBody<Plane>& member) {
+  return 190.0 * member.body->coordinates() + 3100.0;
+}
+
+/// Elements, the matrices M, K and D, slots, and the factors of both constant blocks.
+double estimate_constants(const space::Body& body) {
+  const space::FlexibleBody* flexible = body.flexible();
+  if (flexible == nullptr) return sizeof(space::Body);
+  constexpr double kBlock = Space::kTwist * Space::kTwist;
+  constexpr double kSlots =
+      2.0 * space::kNodeSlots * space::kNodeSlots + space::kElementSlots + 1.0;
+  constexpr double kMomentum = 3.0 * Space::kTwist;
+  const double nodes = flexible->node_count();
+  double numbers = nodes * (6.0 * kBlock + kSlots + kMomentum);  // of the body
+  numbers += 2.0 * nodes * (2.0 * kBlock + kMomentum);           // of its factors
+  for (const int node : flexible->handles)
+    if (node >= flexible->first_node()) numbers += 2.0 * kBlock * (nodes - node);
+  return sizeof(double) * numbers + flexible->elements * sizeof(space::BeamElement);
+}
+double estimate_table(const TreeBody<Space>& member) {
+  const auto history = static_cast<int>(CoordinateBlock{}.history.size());
+  const auto vectors =
+      static_cast<std::size_t>(space::make_layout(*member.body).stride() * (4 + history));
+  const std::size_t numbers =
+      vectors + space::count_fields(*member.body, member.joint.joint, history);
+  // The state from which a failure can be repeated is a copy of these numbers.
+  return static_cast<double>(2 * sizeof(double) * numbers + sizeof(BodyData<Space>) +
+                             sizeof(structured::BodyWork<Space>) + sizeof(space::JointMotion) +
+                             sizeof(space::Pose) + 3 * sizeof(space::Twist));
+}
+
+/// Constants of all kinds of bodies; in the dense formulations two full blocks each. Bodies of
+/// tapered blades are all of kinds of their own.
 template <class World>
 double estimate_constants(const System<World>& system, Formulation formulation) {
   std::set<BodyKey<World>> kinds;
-  double numbers = 0.0;
+  double bytes = 0.0;
   for (const Subsystem<World>& subsystem : system.subsystems)
     for (const TreeBody<World>& member : subsystem.bodies) {
       if (!kinds.insert(member.body.get()).second) continue;
       const double nf = member.body->coordinates();
-      numbers += 44.0 * nf + (formulation == Formulation::structured ? 0.0 : 2.0 * nf * nf);
+      bytes += estimate_constants(*member.body);
+      if (formulation != Formulation::structured) bytes += 2.0 * sizeof(double) * nf * nf;
     }
-  return numbers * sizeof(double);
+  return bytes;
 }
 
 }  // namespace
@@ -115,7 +153,7 @@ double estimate_memory(const System<World>& system, Formulation formulation) {
     for (const TreeBody<World>& member : subsystem.bodies) {
       const double nf = member.body->coordinates();
       unknowns += 2.0 * World::kTwist + nf;
-      bytes += 190.0 * nf + 3100.0;
+      bytes += estimate_table(member);
       if (formulation == Formulation::subsystem) bytes += kNumber * (nf + 3) * (nf + 16);
       constexpr double kPoint = sizeof(LoadPoint) + sizeof(typename BodyTypes<World>::Section);
       for (const BodyLoad<World>& load : member.loads)

@@ -1,6 +1,7 @@
 // A program of its own: it counts every allocation of the process.
 
 #include <doctest/doctest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <atomic>
@@ -254,6 +255,34 @@ void evaluate_joint(const space::Joint& model, std::mt19937& random) {
 }
 
 }  // namespace
+
+namespace {
+
+/// What is allocated now [bytes].
+double live_bytes() {
+  const auto heap = mallinfo2();
+  return static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);
+}
+
+/// What a shipped model is said to take, over what it takes.
+double relative_estimate(const std::string& file, const std::vector<std::string>& size) {
+  const Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + file, size);
+  const double before = live_bytes();
+  const Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+  return static_cast<double>(simulation.size().memory_bytes) / (live_bytes() - before);
+}
+
+}  // namespace
+
+TEST_CASE("the memory of a model is known to a quarter before it is allocated") {
+  const std::vector<std::string> many{"blade.count=24", "blade.bodies=8", "blade.elements=8"};
+  const std::vector<std::string> fine{"blade.count=3", "blade.bodies=4", "blade.elements=64"};
+  for (const auto& size : {many, fine})
+    for (const char* file : {"wu_haug_rotor.toml", "spatial_wu_haug.toml", "nrel_5mw_rotor.toml"}) {
+      CAPTURE(file);
+      CHECK(relative_estimate(file, size) == doctest::Approx(1.0).epsilon(0.25));
+    }
+}
 
 TEST_CASE("joints of trees in space are eliminated and recovered without allocation") {
   std::mt19937 random(1);
