@@ -15,18 +15,23 @@ inline Position calc_outboard_position(const BodyData<Plane>& body) {
 inline Position calc_outboard_velocity(const BodyData<Plane>& body) {
   return {body.coordinates.v[body.outboard_at[0]], body.coordinates.v[body.outboard_at[1]]};
 }
+/// Whether the section of a handle can rotate against the body frame.
+inline bool turns(const Handle& handle) { return handle.coordinate[kRotation] >= 0; }
+inline bool turns_inboard(const FlexibleBody& body) { return turns(body.inboard); }
 /// Rotation of a handle's section relative to the body frame, and its rate [rad/s].
-Rotation calc_inboard_rotation(const BodyData<Plane>& body) noexcept;
-Rotation calc_outboard_rotation(const BodyData<Plane>& body) noexcept;
+inline Rotation calc_inboard_rotation(const BodyData<Plane>& body) {
+  if (!turns_inboard(*body.model->body)) return {};
+  return Rotation::from_angle(body.coordinates.q[body.inboard_at[kRotation]]);
+}
+inline Rotation calc_outboard_rotation(const BodyData<Plane>& body) {
+  if (!turns(body.model->body->outboard)) return {};
+  return Rotation::from_angle(body.coordinates.q[body.outboard_at[kRotation]]);
+}
 inline double calc_inboard_rate(const BodyData<Plane>& body) {
   return body.coordinates.v[body.inboard_at[kRotation]];
 }
 inline double calc_outboard_rate(const BodyData<Plane>& body) {
   return body.coordinates.v[body.outboard_at[kRotation]];
-}
-/// Whether the section of the inboard handle can rotate against the body frame.
-inline bool turns_inboard(const FlexibleBody& body) {
-  return body.inboard.coordinate[kRotation] >= 0;
 }
 
 /// Foreshortening 1/2 int v'^2 dx of a body with geometric stiffening [m]; 0 of a linear one, whose
