@@ -19,6 +19,7 @@
 #include "tests/engine/space/bodies.h"
 #include "tests/engine/space/hub_table.h"
 #include "tests/engine/space/random_joint.h"
+#include "tests/engine/space/system/models.h"
 #include "tests/models/space/random_space.h"
 
 using namespace spoke;
@@ -109,6 +110,18 @@ TEST_CASE("a step of the dense formulations allocates nothing at the paper's siz
       Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
       scenario.integration.method = method;
       if (method == IntegrationMethod::rk4) scenario.integration.step = 8e-5;
+      CAPTURE(name_of(formulation));
+      CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
+    }
+}
+
+TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation") {
+  for (const Formulation formulation :
+       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+    for (const char* method : {"generalized_alpha", "rk4"}) {
+      const Scenario scenario = parse_scenario(make_text(kFlyingHub, kTree + kMotors, kGravity) +
+                                                   "step = 1e-4\nmethod = \"" + method + "\"\n",
+                                               "tree.toml");
       CAPTURE(name_of(formulation));
       CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
     }
