@@ -32,14 +32,6 @@ constexpr double kSampleSeconds = 0.03;
 constexpr std::int64_t kPlanned = 4;
 constexpr std::size_t kMostConfigurations = 400;  // a process, a socket and some threads each
 
-/// What is compared: of a model in space, unless formulations are chosen, the one that it has.
-compare::Axes choose_axes(const Arguments& arguments, const Scenario& scenario) {
-  compare::Axes axes = arguments.compare.axes;
-  if (scenario.space && axes.formulations == compare::Axes().formulations)
-    axes.formulations = {Formulation::structured};
-  return axes;
-}
-
 int count_subsystems(const Scenario& scenario) {
   if (!scenario.space) return static_cast<int>(scenario.rotor.blades.size());
   return static_cast<int>(scenario.space->blades.size() + scenario.space->subsystems.size());
@@ -112,7 +104,7 @@ int compare(const Arguments& arguments) {
                                                 : fs::path(arguments.out);
   compare::Comparison comparison{.scenario = scenario, .rounds = arguments.compare.rounds};
   comparison.machine = this_machine();
-  const compare::Axes axes = choose_axes(arguments, scenario);
+  const compare::Axes& axes = arguments.compare.axes;
   const auto configurations = choose_configurations(axes, scenario, comparison.machine.cores);
   require_folder(folder);
   const ResultsFolder taken(folder);

@@ -2,7 +2,10 @@
 
 #include "engine/formulation/augmented.h"
 
+#include <algorithm>
+
 #include "engine/formulation/dense_body.h"
+#include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 
@@ -17,38 +20,57 @@ void add_body(const BodyData<World>& body, const Eigen::MatrixXd& elastic, int f
   calc_dense_force(body, work.right.segment(first, n));
 }
 
-/// Rows of the joint inboard of body j of subsystem i: child's part, and the parent body's.
-template <class World>
-void add_joint(const SubsystemData<World>& subsystem, int i, int j, Work& work) {
+/// The handle that carries a joint, in the joint's rows from `row` on: R^T T J_h of its body or, at
+/// the hub, R^T T.
+template <class World, class Joint>
+void add_carrier(const SubsystemData<World>& subsystem, const TreeBody<World>& child,
+                 const Joint& joint, int i, int row, Work& work) {
   constexpr int d = World::kTwist;
-  const BodyData<World>& child = subsystem.bodies[j];
-  const int row = work.first_joint[i][j];
-  const int n = dense_size(*child.model->body);
-  auto child_block = work.matrix.block(row, work.first[i][j], d, n);
-  calc_inboard_jacobian(child, child_block);
-  child_block = -child_block;
-  if (j == 0) return;
-  const BodyData<World>& parent = subsystem.bodies[j - 1];
-  const auto back = subsystem.joints[j].R.inverse();
-  const int m = dense_size(*parent.model->body);
-  auto parent_block = work.matrix.block(row, work.first[i][j - 1], d, m);
-  calc_outboard_jacobian(parent, parent_block);
-  for (int c = 0; c < m; ++c) parent_block.col(c) = back * TwistOf<World>(parent_block.col(c));
-  work.right.segment<d>(row) -= back * calc_outboard_bias(parent, angular(subsystem.twists[j - 1]));
+  if (child.parent < 0) {
+    work.matrix.block<d, d>(row, 0) = tree::carrying_matrix<World>(joint);
+    return;
+  }
+  const BodyData<World>& parent = subsystem.bodies[child.parent];
+  const int n = dense_size(*parent.model->body);
+  auto block = work.matrix.block(row, work.first[i][child.parent], d, n);
+  calc_handle_jacobian(parent, child.handle, block);
+  for (int c = 0; c < n; ++c)
+    block.col(c) = tree::carry_to_child<World>(joint, TwistOf<World>(block.col(c)));
+  work.right.segment<d>(row) -= tree::carry_to_child<World>(
+      joint, calc_handle_bias(parent, child.handle, subsystem.twists[child.parent]));
 }
 
-/// The hub's part of the root joint's rows.
+/// The coordinates of a joint, from column `first` on: R^T H in the joint's rows, and as rows of
+/// their own (R^T H)^T F + share q'' = tau.
+template <class World, class Joint>
+void add_coordinates(const Joint& joint, int row, int first, Work& work) {
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    for (int c = 0; c < joint.coordinates; ++c) {
+      const auto k = static_cast<std::size_t>(c);
+      work.matrix.block<World::kTwist, 1>(row, first + c) =
+          joint.R.inverse() * TwistOf<World>(joint.columns.col(c));
+      work.matrix(first + c, first + c) = joint.share[k];
+      work.right[first + c] = joint.tau[k];
+    }
+  }
+}
+
+/// Rows of the joint inboard of body j of subsystem i.
 template <class World>
-void add_root_joint(const Subsystem<World>& subsystem, const SubsystemData<World>& data, int row,
-                    Work& work) {
+void add_joint(const Subsystem<World>& model, const SubsystemData<World>& subsystem, int i, int j,
+               Work& work) {
   constexpr int d = World::kTwist;
-  auto joint = make_root_joint(subsystem, data);
-  const TwistOf<World> none = TwistOf<World>::Zero();
-  work.right.segment<d>(row) -= calc_root_acceleration<World>(joint, none);
-  joint.bias = none;
-  for (int c = 0; c < d; ++c)
-    work.matrix.block<d, 1>(row, c) =
-        calc_root_acceleration<World>(joint, TwistOf<World>(TwistOf<World>::Unit(c)));
+  const auto joint = joint_of(model, subsystem, static_cast<std::size_t>(j));
+  const BodyData<World>& child = subsystem.bodies[j];
+  const int row = work.first_joint[i][j], first = work.first[i][j];
+  const int n = dense_size(*child.model->body);
+  auto block = work.matrix.block(row, first, d, n);
+  calc_handle_jacobian(child, 0, block);
+  block = -block;
+  work.right.segment<d>(row) = calc_handle_bias(child, 0, subsystem.twists[j]) -
+                               joint.R.inverse() * TwistOf<World>(joint.bias);
+  add_carrier(subsystem, model.bodies[j], joint, i, row, work);
+  add_coordinates<World>(joint, row, first + n, work);
 }
 
 template <class World>
@@ -92,7 +114,7 @@ void allocate(const System<World>& system, const StepData<World>& data,
     work.first.emplace_back();
     for (const BodyData<World>& body : subsystem.bodies) {
       work.first.back().push_back(next);
-      next += dense_size(*body.model->body);
+      next += dense_size(*body.model->body) + joint_coordinates(*body.model);
     }
   }
   for (const SubsystemData<World>& subsystem : data.subsystems) {
@@ -120,9 +142,8 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
       add_body(subsystem.bodies[j], *work.elastic[i][j][data.progress[0].control.is_implicit],
                work.first[i][j], work);
-      add_joint(subsystem, static_cast<int>(i), static_cast<int>(j), work);
+      add_joint(system.subsystems[i], subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }
-    add_root_joint(system.subsystems[i], subsystem, work.first_joint[i][0], work);
   }
   copy_lower_to_upper(work);
   work.factor.compute(work.matrix);
@@ -137,15 +158,16 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
 }
 
 template <class World>
-void recover_wrenches(int subsystem, const Work& work, SubsystemData<World>& data) noexcept {
-  constexpr int d = World::kTwist;
-  const std::vector<int>& rows = work.first_joint[subsystem];
-  for (std::size_t j = 0; j < rows.size(); ++j) {
-    data.wrenches[j].inboard = work.solution.segment<d>(rows[j]);
-    data.wrenches[j].outboard.setZero();
-    if (j + 1 < rows.size())
-      data.wrenches[j].outboard =
-          -(data.joints[j + 1].R * TwistOf<World>(work.solution.segment<d>(rows[j + 1])));
+void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work,
+                      SubsystemData<World>& data) noexcept {
+  const std::vector<int>& rows = work.first_joint[i];
+  set_wrenches(
+      subsystem, [&](int j) { return work.solution.segment<World::kTwist>(rows[j]); }, data);
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const TreeBody<World>& body = subsystem.bodies[j];
+    const int first = work.first[i][j] + dense_size(*body.body);
+    std::copy_n(work.solution.data() + first, joint_coordinates(body),
+                joint_accelerations(data.bodies[j]));
   }
 }
 
@@ -159,7 +181,14 @@ void recover_body(int subsystem, int body, const Work& work, BodyData<World>& da
 template void allocate(const System<Plane>&, const StepData<Plane>&,
                        std::vector<std::vector<subsystem::DenseBlocks>>, Work&);
 template void solve(const System<Plane>&, StepData<Plane>&, Work&) noexcept;
-template void recover_wrenches(int, const Work&, SubsystemData<Plane>&) noexcept;
+template void recover_wrenches(int, const Subsystem<Plane>&, const Work&,
+                               SubsystemData<Plane>&) noexcept;
 template void recover_body(int, int, const Work&, BodyData<Plane>&, double*) noexcept;
+template void allocate(const System<Space>&, const StepData<Space>&,
+                       std::vector<std::vector<subsystem::DenseBlocks>>, Work&);
+template void solve(const System<Space>&, StepData<Space>&, Work&) noexcept;
+template void recover_wrenches(int, const Subsystem<Space>&, const Work&,
+                               SubsystemData<Space>&) noexcept;
+template void recover_body(int, int, const Work&, BodyData<Space>&, double*) noexcept;
 
 }  // namespace spoke::augmented

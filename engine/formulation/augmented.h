@@ -6,6 +6,8 @@
 //   [     M     Phi^T      ] [q''   ] = [Q    ]     H: the hub's prescribed components
 //   [PhiY Phi              ] [lambda]   [gamma]
 //   [H                     ] [mu    ]   [given]
+// Joints with coordinates have these among q'', with R^T H in Phi, the implicit shares of their
+// springs and dampers in M and their forces in Q (docs/formulation.md, section 11).
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -17,7 +19,8 @@ namespace spoke::augmented {
 
 struct Work {
   std::vector<std::vector<subsystem::DenseBlocks>> elastic;  ///< by subsystem and body
-  std::vector<std::vector<int>> first;        ///< first row of each body's coordinates
+  /// First row of each body's coordinates: [X; q], behind them those of its inboard joint.
+  std::vector<std::vector<int>> first;
   std::vector<std::vector<int>> first_joint;  ///< first row of each joint's multipliers
   int first_hub_multiplier = 0;
   Eigen::MatrixXd matrix;
@@ -34,9 +37,11 @@ void allocate(const System<World>& system, const StepData<World>& data,
 template <class World>
 void solve(const System<World>& system, StepData<World>& data, Work& work) noexcept;
 
-/// Wrenches on the handles of a subsystem, from the multipliers.
+/// Wrenches on the handles of subsystem i, from the multipliers, and the accelerations of its
+/// joints' coordinates.
 template <class World>
-void recover_wrenches(int subsystem, const Work& work, SubsystemData<World>& data) noexcept;
+void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work,
+                      SubsystemData<World>& data) noexcept;
 
 /// Accelerations of a body, from the solution.
 template <class World>

@@ -1,4 +1,4 @@
-// Assembles the dense matrices from the table's banded and symmetric parts.
+// Assembles the dense matrices of planar bodies from the table's banded and symmetric parts.
 
 #include "engine/formulation/dense_body.h"
 
@@ -59,28 +59,21 @@ void calc_jacobian(const Handle& handle, const Position& s, Eigen::Ref<Eigen::Ma
 
 }  // namespace
 
-void calc_inboard_jacobian(const BodyData<Plane>& data, Eigen::Ref<Eigen::MatrixXd> J) {
-  calc_jacobian(data.model->body->inboard, Position::Zero(), J);
+void calc_handle_jacobian(const BodyData<Plane>& data, int handle, Eigen::Ref<Eigen::MatrixXd> J) {
+  const FlexibleBody& body = *data.model->body;
+  if (handle == 0)
+    calc_jacobian(body.inboard, Position::Zero(), J);
+  else
+    calc_jacobian(body.outboard, calc_outboard_position(data), J);
 }
 
-void calc_outboard_jacobian(const BodyData<Plane>& data, Eigen::Ref<Eigen::MatrixXd> J) {
-  calc_jacobian(data.model->body->outboard, calc_outboard_position(data), J);
-}
-
-Twist calc_outboard_bias(const BodyData<Plane>& data, double speed) {
+Twist calc_handle_bias(const BodyData<Plane>& data, int handle, const Twist& twist) {
   Twist bias = Twist::Zero();
+  if (handle == 0) return bias;  // at the origin
+  const double speed = angular(twist);
   bias.head<kPosition>() = -speed * speed * calc_outboard_position(data) +
                            2.0 * speed * quarter_turn(calc_outboard_velocity(data));
   return bias;
-}
-
-void store_dense_acceleration(const Eigen::Ref<const Eigen::VectorXd>& x, BodyData<Plane>& data,
-                              double* a) {
-  const int E = data.layout.axial;
-  data.X = x.head<kTwist>();
-  Eigen::Map<Eigen::VectorXd>(a + data.layout.u(), E) = x.segment(kTwist, E);
-  Eigen::Map<Eigen::VectorXd>(a + data.layout.v(), data.layout.bending) =
-      x.tail(data.layout.bending);
 }
 
 }  // namespace spoke

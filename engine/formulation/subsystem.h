@@ -3,9 +3,13 @@
 // The paper's subsystem synthesis method, (P 7) to (P 11), with dense blocks: each body's mass
 // matrix is assembled and factorised whole, Phi M^-1 Phi^T of each subsystem is formed and
 // factorised whole. The rows of Phi belong to the joints, resolved in the child's frame:
-//   [R^T J_out(parent), -J_in(child)] q'' = gamma,  with the hub's [R^T T] in front at the root.
+//   [R^T T J_h(parent), -J_0(child)] q'' = gamma,  with the hub's [R^T T] in front at the root.
+// Coordinates q_J of joints have the columns R^T H there, and no mass but the share k^ that springs
+// and dampers have in implicit steps. They are eliminated behind the bodies:
+//   D lambda = Phi_Y Y'' + Phi M^-1 Q - gamma + R^T H q_J'',    (R^T H)^T lambda + k^ q_J'' = tau
 // Sources: subsystem/invert_body, effective_inertia and recovery.
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
 #include <memory>
@@ -14,28 +18,51 @@
 
 namespace spoke::subsystem {
 
+/// Takes the place of the matrix.
+using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
+
 /// Dense elastic blocks by body type: explicit, implicit.
 using DenseBlocks = std::array<std::shared_ptr<const Eigen::MatrixXd>, 2>;
 
-/// Per body: M^-1 applied to what the joints need, and the products of (P 8) and (P 10).
+/// Per body: M^-1 applied to what the joints need, and the products of (P 8) and (P 10). J holds
+/// the rows of all its m handles, the inboard one first.
 template <class World>
 struct BodyWork {
   DenseBlocks elastic;
   Eigen::MatrixXd mass;             ///< n x n; then its Cholesky factor
-  Eigen::MatrixXd jacobians;        ///< [J_in; J_out], 2d x n
-  Eigen::MatrixXd inverse_columns;  ///< M^-1 [J_in^T, J_out^T, Q], n x (2d + 1)
-  Eigen::MatrixXd products;         ///< [J_in; J_out] M^-1 [J_in^T, J_out^T, Q], 2d x (2d + 1)
-  TwistOf<World> bias_out;          ///< acceleration of the outboard handle at zero accelerations
+  Eigen::MatrixXd jacobians;        ///< J, m d x n
+  Eigen::MatrixXd inverse_columns;  ///< M^-1 [J^T, Q], n x (m d + 1)
+  Eigen::MatrixXd products;         ///< J M^-1 [J^T, Q], m d x (m d + 1)
+  Eigen::MatrixXd biases;           ///< by handle: its acceleration at zero accelerations, d x m
+
+  /// J_a M^-1 J_b^T of two handles.
+  auto compliance(int a, int b) const {
+    constexpr int d = World::kTwist;
+    return products.template block<d, d>(d * a, d * b);
+  }
+  /// Acceleration of a handle without wrenches.
+  TwistOf<World> free_acceleration(int handle) const {
+    constexpr int d = World::kTwist;
+    return products.col(products.cols() - 1).template segment<d>(d * handle) + biases.col(handle);
+  }
 };
 
 template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork<World>> bodies;
-  Eigen::MatrixXd D;            ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
-  Eigen::MatrixXd solution;     ///< D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1)
+  Eigen::MatrixXd D;  ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
+  /// D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1); the joints' coordinates follow.
+  Eigen::MatrixXd solution;
   Eigen::VectorXd multipliers;  ///< (P 8), C1
+  // Of the coordinates of all joints, C in number; in the plane 0.
+  std::vector<int> first_coordinate;  ///< of each joint
+  Eigen::MatrixXd columns;            ///< R^T H, C1 x C
+  Eigen::MatrixXd inverse_columns;    ///< D^-1 R^T H, C1 x C
+  Eigen::MatrixXd inertia;   ///< (R^T H)^T D^-1 R^T H + k^, C x C; then its Cholesky factor
+  Eigen::MatrixXd response;  ///< q_J'' by [the root rows' Y'', 1], C x (d + 1)
 };
 
+/// Allocates the work of one subsystem; `elastic`: by body.
 template <class World>
 void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& elastic,
               SubsystemWork<World>& work);
@@ -50,14 +77,15 @@ template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept;
 
-/// Multipliers, (P 8), as wrenches on the handles.
+/// Multipliers, (P 8), as wrenches on the handles, and the accelerations of the joints'
+/// coordinates.
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
 
 /// Accelerations of a body, (P 7).
 template <class World>
-void recover_body(const typename BodyTypes<World>::HandleWrenches& wrenches,
-                  const BodyWork<World>& work, BodyData<World>& data, double* a) noexcept;
+void recover_body(const SubsystemData<World>& subsystem, std::size_t j, const BodyWork<World>& work,
+                  BodyData<World>& data, double* a) noexcept;
 
 }  // namespace spoke::subsystem

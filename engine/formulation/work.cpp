@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/formulation/dense_body.h"
+#include "engine/formulation/tree_joints.h"
 
 namespace spoke {
 namespace {
@@ -126,21 +127,19 @@ template <class World>
 void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,
               StepData<World>& data, FormulationWork<World>& work) {
   const std::size_t count = data.subsystems.size();
+  make_elastic_blocks(implicit, data, work);
   if (formulation == Formulation::structured) {
-    make_elastic_blocks(implicit, data, work);
     work.structured.resize(count);
     for (std::size_t i = 0; i < count; ++i)
       structured::allocate(data.subsystems[i], work.structured[i]);
     return;
   }
-  if constexpr (kHasDenseFormulations<World>) {
-    auto blocks = make_dense_blocks(data, implicit);
-    if (formulation == Formulation::augmented)
-      return augmented::allocate(system, data, std::move(blocks), work.augmented);
-    work.subsystem.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-      subsystem::allocate(data.subsystems[i], blocks[i], work.subsystem[i]);
-  }
+  auto blocks = make_dense_blocks(data, implicit);
+  if (formulation == Formulation::augmented)
+    return augmented::allocate(system, data, std::move(blocks), work.augmented);
+  work.subsystem.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    subsystem::allocate(data.subsystems[i], blocks[i], work.subsystem[i]);
 }
 
 template <class World>
@@ -149,12 +148,15 @@ double estimate_memory(const System<World>& system, Formulation formulation) {
   double bytes = estimate_constants(system, formulation);
   double unknowns = 2.0 * World::kTwist;
   for (const Subsystem<World>& subsystem : system.subsystems) {
-    const double joints = World::kTwist * static_cast<double>(subsystem.bodies.size());
+    double joints = World::kTwist * static_cast<double>(subsystem.bodies.size());
     for (const TreeBody<World>& member : subsystem.bodies) {
-      const double nf = member.body->coordinates();
-      unknowns += 2.0 * World::kTwist + nf;
+      const double nf = member.body->coordinates(), coordinates = joint_coordinates(member);
+      unknowns += 2.0 * World::kTwist + nf + coordinates;
+      joints += coordinates;
       bytes += estimate_table(member);
-      if (formulation == Formulation::subsystem) bytes += kNumber * (nf + 3) * (nf + 16);
+      const double n = World::kTwist + nf;
+      const double rows = World::kTwist * handle_count(*member.body);
+      if (formulation == Formulation::subsystem) bytes += kNumber * n * (n + 2.0 * rows + 1.0);
       constexpr double kPoint = sizeof(LoadPoint) + sizeof(typename BodyTypes<World>::Section);
       for (const BodyLoad<World>& load : member.loads)
         bytes += kPoint * static_cast<double>(load.points.size());

@@ -12,23 +12,20 @@
 
 namespace spoke {
 
-/// Whether bodies of a world have the matrices of the paper's two dense formulations.
-template <class World>
-inline constexpr bool kHasDenseFormulations = World::kMostJointCoordinates == 0;
-
 /// Shares of Mff and K in the constant block Mhat of an implicit step; (1, 0) is the explicit one.
 struct ElasticShares {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;
 };
 
-/// What the chosen formulation keeps besides the table; the others stay empty.
+/// What the chosen formulation keeps besides the table; that of the others stays empty.
 template <class World>
 struct FormulationWork {
   std::vector<structured::SubsystemWork<World>> structured;
   std::vector<subsystem::SubsystemWork<World>> subsystem;
   augmented::Work augmented;
-  /// Constant blocks, shared by bodies of one type: explicit, implicit.
+  /// Constant blocks, shared by bodies of one type: explicit, implicit. Terms of rigid bodies read
+  /// them, whatever the formulation.
   std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
 };
 

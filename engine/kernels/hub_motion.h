@@ -7,15 +7,16 @@
 
 namespace spoke {
 
-/// The joint of a planar subsystem at the hub: its bracket stands at p in the hub frame, to which R
-/// leads from the first body, and has the acceleration `bias` where the hub's is zero.
-struct PlanarRootJoint {
+/// A joint of the plane as that of a planar subsystem at the hub: its bracket stands at p in the
+/// hub frame, to which R leads from the first body, and has the acceleration `bias` where the hub's
+/// is zero.
+struct PlanarJointTerms {
   Rotation R;
   Position p;
   Twist bias;
 };
-inline PlanarRootJoint make_root_joint(const Subsystem<Plane>& subsystem,
-                                       const SubsystemData<Plane>& data) {
+inline PlanarJointTerms make_root_joint(const Subsystem<Plane>& subsystem,
+                                        const SubsystemData<Plane>& data) {
   Twist bias = Twist::Zero();
   linear(bias) = centripetal(angular(data.hub->twist), subsystem.root.p);
   return {data.joints[0].R, subsystem.root.p, bias};

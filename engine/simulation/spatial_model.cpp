@@ -182,9 +182,6 @@ std::unique_ptr<SimulatedModel> make_spatial_model(const Scenario& scenario,
                                                    Formulation formulation,
                                                    const Integrator& integrator,
                                                    const Loads& loads) {
-  if (formulation != Formulation::structured)
-    throw InputError("the formulation is \"" + std::string(name_of(formulation)) +
-                     "\", expected \"structured\" for a model in space");
   if (!loads.empty())
     throw InputError("there are loads that are functions, expected none on a model in space");
   return std::make_unique<SpatialModel>(scenario, formulation, integrator);

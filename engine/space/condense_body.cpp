@@ -188,6 +188,17 @@ void calc_compliances(const ElasticBlock& block, std::size_t b, const BodyWork& 
                           SymmetricTwistMatrix::from_matrix(X_b.lazyProduct(S_X));
 }
 
+/// (3) of a handle that stands where the frame is clamped: X_h = 1.
+void place_frame_handle(std::size_t h, const Twist& X_free, const BodyWork& work) {
+  const SymmetricTwistMatrix& S_inverse = work.condensed.S_inverse;
+  work.condensed.X[h].setIdentity();
+  work.port.free[h] = X_free;
+  work.port.diagonal[h] = S_inverse;
+  for (std::size_t a = 0; a < h; ++a)
+    work.port.between(static_cast<int>(a), static_cast<int>(h)) =
+        work.condensed.X[a].lazyProduct(S_inverse.matrix());
+}
+
 }  // namespace
 
 void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
@@ -206,10 +217,8 @@ void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular
   work.condensed.p = terms.Q - make_twist(products.last(products.t), products.last(products.w));
   const Twist X_free = work.condensed.S_inverse * work.condensed.p;
   for (std::size_t h = 0; h < body.handles.size(); ++h) {
-    if (block.Z[h].empty()) {  // the frame's own handle: X_h = 1
-      work.condensed.X[h].setIdentity();
-      work.port.free[h] = X_free;
-      work.port.diagonal[h] = work.condensed.S_inverse;
+    if (block.Z[h].empty()) {
+      place_frame_handle(h, X_free, work);
       continue;
     }
     calc_handle_map(body, block, h, w, work);

@@ -50,13 +50,13 @@ PartList reading_inputs(const Assembly<Plane>& g, int i) {
   return inputs;
 }
 
-/// In space the scenario has no sensors of its own, and kernels share the workspaces.
+/// In space the scenario has no sensors of its own, and kernels share the scratch of the bodies.
 PartList reading_inputs(const Assembly<Space>&, int) { return {}; }
 
 /// What calculating a sample writes besides it.
 PartList sample_outputs(const Assembly<Plane>&, int) { return {}; }
 PartList sample_outputs(const Assembly<Space>& g, int i) {
-  return g.blade(i).all(&BodyParts::workspace);
+  return g.blade(i).all(&BodyParts::scratch);
 }
 
 void keep_readings(const SystemContext<Plane>& c, std::size_t i, std::int64_t step,

@@ -21,7 +21,7 @@ using graph::writes;
 template <class World>
 PartList chain_coordinates(const Assembly<World>& g, int i) {
   PartList list = g.blade(i).all(&BodyParts::coordinates);
-  if constexpr (!kSharesWorkspace<World>)
+  if constexpr (!tree::kHasJointCoordinates<World>)
     if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
   return list;
 }
@@ -90,7 +90,7 @@ void add_position(const Assembly<World>& g, int i) {
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList inputs = chain_coordinates(g, i);
-  if constexpr (kSharesWorkspace<World>)
+  if constexpr (tree::kHasJointCoordinates<World>)
     inputs.push_back(g.blade(i).rotations);  // sets the handles
   g.builder.add_node(
       g.label("position", i), reads(g.blade(i).progress, inputs), writes(g.blade(i).rotations),
@@ -106,7 +106,8 @@ void add_velocity(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList outputs{blade.twists};
   if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
-  if constexpr (kSharesWorkspace<World>) outputs.push_back(blade.rotations);  // with the joints
+  if constexpr (tree::kHasJointCoordinates<World>)
+    outputs.push_back(blade.rotations);  // with the joints
   g.builder.add_node(
       g.label("velocity", i),
       reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),

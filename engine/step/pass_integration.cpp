@@ -60,7 +60,7 @@ template <class World>
 void add_reports(const SubsystemData<World>& subsystem, PassReport& sum) {
   for (const BodyData<World>& body : subsystem.bodies) {
     sum.power.applied += body.terms.load_power;
-    if constexpr (World::kMostJointCoordinates > 0) sum.power.applied += body.report.drive_power;
+    if constexpr (tree::kHasJointCoordinates<World>) sum.power.applied += body.report.drive_power;
     sum.power.dissipation += body.terms.dissipation;
     sum.change = std::max(sum.change, body.report.change);
     sum.failed |= body.report.failed;
@@ -152,7 +152,7 @@ double complete_joint(const Method& method, const PassControl& control, BodyData
 
 // The hub's free coordinates; those that are prescribed follow.
 
-void begin_hub_coordinates(const Method& method, const PassControl& control,
+void begin_hub_coordinates(const System<Plane>&, const Method& method, const PassControl& control,
                            StepData<Plane>& data) {
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
@@ -163,10 +163,10 @@ void begin_hub_coordinates(const Method& method, const PassControl& control,
 }
 
 /// A free hub has an orientation; the angle about an axle is a plain coordinate.
-void begin_hub_coordinates(const Method& method, const PassControl& control,
-                           StepData<Space>& data) {
+void begin_hub_coordinates(const System<Space>& system, const Method& method,
+                           const PassControl& control, StepData<Space>& data) {
   if (control.is_between_steps()) return;
-  const int at = data.hub_is_free ? space::kPosition : -1;
+  const int at = system.hub.support == HubSupport::free ? space::kPosition : -1;
   begin_coordinates(method, control, {&data.hub_coordinates, at, &data.hub_attitude});
 }
 
@@ -201,7 +201,7 @@ bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
 template <class World>
 void begin_hub(const System<World>& system, const Method& method, StepData<World>& data) noexcept {
   const PassControl& control = data.progress[0].control;
-  begin_hub_coordinates(method, control, data);
+  begin_hub_coordinates(system, method, control, data);
   impose_hub_motion(system, control.time, data.hub_coordinates);
   data.hub = calc_hub_state(data);
 }
@@ -290,7 +290,7 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   }
   record.reaction = hub.reaction;
   record.applied_torque = hub.applied_torque;
-  if constexpr (World::kMostJointCoordinates > 0) record.hub_rotation = calc_hub_state(data).R;
+  if constexpr (tree::kHasJointCoordinates<World>) record.hub_rotation = calc_hub_state(data).R;
   record.position = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.q);
   record.velocity = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.v);
 }
@@ -318,7 +318,7 @@ void record_reactions(const System<World>& system, const Integrator& integrator,
     const RotationOf<World> R =
         needs_rotation ? rotation_of(system.hub, hub.q[World::kAxial]) : RotationOf<World>{};
     const TwistOf<World> a = calc_prescribed_acceleration(system, t, R, hub.a[World::kAxial]);
-    if constexpr (World::kMostJointCoordinates > 0)
+    if constexpr (tree::kHasJointCoordinates<World>)
       record.hub_rotation = rotation_of(system.hub, hub.q[World::kAxial]);
     record.reaction = calc_hub_mass(system.hub) * a -
                       calc_hub_load(system, t, HubState<World>{no_position, R, record.velocity});

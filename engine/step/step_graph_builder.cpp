@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/formulation/tree_joints.h"
 #include "engine/kernels/blade_loads.h"
 #include "engine/kernels/body_terms.h"
 #include "engine/kernels/hub_motion.h"
@@ -52,8 +53,10 @@ using graph::StepGraphBuilder;
 using graph::writes;
 
 /// Whether a body's joint has coordinates, whose accelerations then are among those of the body.
-bool has_coordinates(const TreeBody<Plane>&) { return false; }
-bool has_coordinates(const TreeBody<Space>& body) { return body.joint.joint.coordinates > 0; }
+template <class World>
+bool has_coordinates(const TreeBody<World>& body) {
+  return joint_coordinates(body) > 0;
+}
 
 /// Whether condensing a body clears rows of its terms: those of coordinates that a chord frame
 /// fixes.
@@ -133,9 +136,9 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   const BodyParts& parts = g.blade(i).bodies[j];
   PartList outputs{parts.terms};
   PartList inputs = terms_inputs(g, i, j);
-  if constexpr (kSharesWorkspace<World>) {
-    inputs.push_back(parts.workspace);  // not all of it is overwritten
-    outputs.push_back(parts.workspace);
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    inputs.push_back(parts.scratch);  // not all of it is overwritten
+    outputs.push_back(parts.scratch);
   }
   g.builder.add_node(g.label("mass", i, j), reads(inputs), writes(outputs),
                      unless_halted(*blade.progress, [&c, &blade, i, j]() noexcept {
@@ -143,19 +146,26 @@ void add_mass(const Assembly<World>& g, int i, int j) {
                      }));
 }
 
+/// What condensing or inverting a body writes.
+PartList inverse_outputs(const Assembly<Plane>& g, int i, int j) {
+  const BodyParts& parts = g.blade(i).bodies[j];
+  return {parts.inverse, parts.workspace};
+}
+PartList inverse_outputs(const Assembly<Space>& g, int i, int j) {
+  const BodyParts& parts = g.blade(i).bodies[j];
+  if (g.c.formulation != Formulation::structured) return {parts.inverse, parts.workspace};
+  PartList outputs{parts.inverse, parts.port};
+  if (clears_rows(g.c.system.subsystems[i].bodies[j])) outputs.push_back(parts.terms);
+  return outputs;
+}
+
 template <class World>
 void add_inverse(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& blade = g.blade(i);
   const BodyParts& parts = blade.bodies[j];
   PartList inputs{blade.progress, parts.coordinates, blade.twists, parts.terms};
-  PartList outputs{parts.inverse};
-  if constexpr (kSharesWorkspace<World>) {
-    inputs.push_back(blade.rotations);
-    outputs.push_back(parts.port);
-    if (clears_rows(g.c.system.subsystems[i].bodies[j])) outputs.push_back(parts.terms);
-  } else {
-    outputs.push_back(parts.workspace);
-  }
+  PartList outputs = inverse_outputs(g, i, j);
+  if constexpr (tree::kHasJointCoordinates<World>) inputs.push_back(blade.rotations);  // handles
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto invert, auto& work) {
     g.builder.add_node(g.label("inverse", i, j), reads(inputs), writes(outputs),
@@ -171,8 +181,7 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
           structured::condense_body(body, twist, implicit, work);
         },
         g.c.work.structured[i].bodies[j]);
-  if constexpr (kHasDenseFormulations<World>)
-    add(subsystem::invert_body<World>, g.c.work.subsystem[i].bodies[j]);
+  add(subsystem::invert_body<World>, g.c.work.subsystem[i].bodies[j]);
 }
 
 template <class World>
@@ -193,9 +202,8 @@ void add_effective(const Assembly<World>& g, int i) {
   if (g.c.formulation == Formulation::structured)
     return add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
                writes(blade.effective, blade.workspace, blade.joints(), blade.ports));
-  if constexpr (kHasDenseFormulations<World>)
-    add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
-        writes(blade.effective, blade.workspace));
+  add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
+      writes(blade.effective, blade.workspace));
 }
 
 /// What handing the hub's acceleration to the integrator reads.
@@ -262,7 +270,7 @@ void add_augmented_solve(const Assembly<World>& g) {
 template <class World>
 PartList inner_ports(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
-  if constexpr (kSharesWorkspace<World>) {
+  if constexpr (tree::kHasJointCoordinates<World>) {
     PartList ports = blade.ports;
     for (const PartId terms : blade.all(&BodyParts::terms)) ports.push_back(terms);
     return ports;
@@ -303,19 +311,16 @@ void add_multipliers(const Assembly<World>& g, int i) {
                    structured::recover_wrenches(subsystem, work, data);
                  });
     case Formulation::subsystem:
-      if constexpr (kHasDenseFormulations<World>)
-        add(reads(blade.progress, blade.effective, blade.rotations, blade.hub_acceleration),
-            [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
-              subsystem::recover_wrenches(subsystem, work, data);
-            });
-      return;
+      return add(reads(blade.progress, blade.effective, blade.rotations, blade.hub_acceleration,
+                       accelerations),
+                 [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
+                   subsystem::recover_wrenches(subsystem, work, data);
+                 });
     case Formulation::augmented:
-      if constexpr (kHasDenseFormulations<World>)
-        add(reads(blade.progress, g.parts.augmented_solution, blade.rotations),
-            [i, &data, &work = c.work.augmented]() noexcept {
-              augmented::recover_wrenches(i, work, data);
-            });
-      return;
+      return add(reads(blade.progress, g.parts.augmented_solution, blade.rotations, accelerations),
+                 [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
+                   augmented::recover_wrenches(i, subsystem, work, data);
+                 });
   }
 }
 
@@ -336,11 +341,16 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
     inputs.push_back(blade.wrenches);
     inputs.push_back(body.inverse);
   }
-  if constexpr (kSharesWorkspace<World>) {
-    for (const PartId part : {blade.rotations, body.terms, body.workspace}) inputs.push_back(part);
-    outputs.push_back(body.workspace);
-    if (std::holds_alternative<Rk4>(g.c.integrator.method) &&
-        has_coordinates(g.c.system.subsystems[i].bodies[j]))
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];
+    if (g.c.formulation == Formulation::structured) {
+      for (const PartId part : {blade.rotations, body.terms, body.scratch}) inputs.push_back(part);
+      outputs.push_back(body.scratch);
+    }
+    if (has_coordinates(model)) inputs.push_back(blade.wrenches);  // found with them
+    if (model.joint.joint.driven > 0)
+      for (const PartId part : {blade.rotations, blade.wrenches}) inputs.push_back(part);
+    if (std::holds_alternative<Rk4>(g.c.integrator.method) && has_coordinates(model))
       inputs.push_back(body.accelerations);
   }
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
@@ -362,6 +372,7 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
                        unless_halted(*blade.progress, [&blade, &method, j, recover]() noexcept {
                          BodyData<World>& body = blade.bodies[j];
                          recover(body);
+                         report_drives(static_cast<std::size_t>(j), blade);
                          complete_body(method, blade.progress->control, body);
                        }));
   };
@@ -373,17 +384,14 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
                                      blade.progress->control.is_implicit, body, body.a_found);
           });
     case Formulation::subsystem:
-      if constexpr (kHasDenseFormulations<World>)
-        add([&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
-          subsystem::recover_body(blade.wrenches[j], work, body, body.a_found);
-        });
-      return;
+      return add(
+          [&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
+            subsystem::recover_body(blade, static_cast<std::size_t>(j), work, body, body.a_found);
+          });
     case Formulation::augmented:
-      if constexpr (kHasDenseFormulations<World>)
-        add([i, j, &work = c.work.augmented](BodyData<World>& body) noexcept {
-          augmented::recover_body(i, j, work, body, body.a_found);
-        });
-      return;
+      return add([i, j, &work = c.work.augmented](BodyData<World>& body) noexcept {
+        augmented::recover_body(i, j, work, body, body.a_found);
+      });
   }
 }
 template <class World>
@@ -417,10 +425,10 @@ void add_coupled_pass(const Assembly<World>& g, int blades) {
   for (int i = 0; i < blades; ++i) add_motion(g, i);
   for (int i = 0; i < blades; ++i) add_loads_of_user(g, i);  // which may be between blades
   for (int i = 0; i < blades; ++i) add_condensation(g, i);
-  if (g.c.formulation != Formulation::augmented)
-    add_hub_solve(g);
-  else if constexpr (kHasDenseFormulations<World>)
+  if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
+  else
+    add_hub_solve(g);
   for (int i = 0; i < blades; ++i) add_recoveries(g, i);
   add_finish(g);
   for (int i = 0; i < blades; ++i) add_sensors(g, i);

@@ -112,7 +112,7 @@ Memory memory_of_port(BodyData<Space>& body) {
   return memory;
 }
 
-Memory memory_of_workspace(BodyData<Space>& body) {
+Memory memory_of_scratch(BodyData<Space>& body) {
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return {};
   const auto nodes = static_cast<std::size_t>(flexible->node_count());
@@ -143,31 +143,35 @@ Memory memory_of_workspace(PlanarCondensed& body, const FlexLayout& layout) {
   return {bytes_of(*body.scratch, static_cast<std::size_t>(layout.scratch_size()))};
 }
 
-void add_body_ports(SystemContext<Space>& context, int i, int j, const std::string& name,
-                    StepGraphBuilder& builder, BodyParts& parts) {
+// What the formulation structured keeps of a body besides the elimination of its joint.
+
+void add_condensed_parts(SystemContext<Plane>& context, int i, int j, const std::string& name,
+                         StepGraphBuilder& builder, BodyParts& parts) {
+  structured::BodyWork<Plane>& work = context.work.structured[i].bodies[j];
+  const FlexLayout& layout = context.data.subsystems[i].bodies[j].layout;
+  parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(work, layout));
+  parts.workspace = builder.add_part(name + "workspace", memory_of_workspace(work, layout));
+}
+void add_condensed_parts(SystemContext<Space>& context, int i, int j, const std::string& name,
+                         StepGraphBuilder& builder, BodyParts& parts) {
   BodyData<Space>& body = context.data.subsystems[i].bodies[j];
   parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(body));
-  parts.workspace = builder.add_part(name + "workspace", memory_of_workspace(body));
   parts.port = builder.add_part(name + "port", memory_of_port(body));
-  if (j > 0)
-    parts.joint =
-        builder.add_part(name + "joint", {bytes_of(context.work.structured[i].bodies[j].joint)});
 }
 
 template <class World>
 void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::string& name,
                        StepGraphBuilder& builder, BodyParts& parts) {
   if (context.formulation == Formulation::structured) {
-    structured::BodyWork<World>& work = context.work.structured[i].bodies[j];
-    const auto& layout = context.data.subsystems[i].bodies[j].layout;
-    parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(work, layout));
-    parts.workspace = builder.add_part(name + "workspace", memory_of_workspace(work, layout));
-    if (j > 0) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
+    add_condensed_parts(context, i, j, name, builder, parts);
+    if (j > 0)
+      parts.joint =
+          builder.add_part(name + "joint", {bytes_of(context.work.structured[i].bodies[j].joint)});
   } else if (context.formulation == Formulation::subsystem) {
     subsystem::BodyWork<World>& work = context.work.subsystem[i].bodies[j];
     parts.inverse = builder.add_part(
         name + "inverse",
-        {memory_of(work.inverse_columns), memory_of(work.products), bytes_of(work.bias_out)});
+        {memory_of(work.inverse_columns), memory_of(work.products), memory_of(work.biases)});
     parts.workspace =
         builder.add_part(name + "workspace", {memory_of(work.mass), memory_of(work.jacobians)});
   }
@@ -193,13 +197,25 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
   parts.terms = builder.add_part(name + "terms", memory_of_terms(data));
   Memory report{bytes_of(data.report.change), bytes_of(data.report.deflection),
                 bytes_of(data.report.failed)};
-  if constexpr (kSharesWorkspace<World>) report.push_back(bytes_of(data.report.drive_power));
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    report.push_back(bytes_of(data.report.drive_power));
+    parts.scratch = builder.add_part(name + "scratch", memory_of_scratch(data));
+  }
   parts.report = builder.add_part(name + "report", report);
-  if constexpr (kSharesWorkspace<World>)
-    add_body_ports(context, i, j, name, builder, parts);
-  else
-    add_inverse_parts(context, i, j, name, builder, parts);
+  add_inverse_parts(context, i, j, name, builder, parts);
   return parts;
+}
+
+/// What the subsystem synthesis finds of a whole subsystem, and what it works on.
+template <class World>
+void add_synthesis_memory(subsystem::SubsystemWork<World>& work, Memory& effective,
+                          Memory& workspace) {
+  effective.push_back(memory_of(work.solution));
+  workspace.push_back(memory_of(work.D));
+  if (work.columns.size() == 0) return;
+  effective.push_back(memory_of(work.response));
+  for (Eigen::MatrixXd* matrix : {&work.columns, &work.inverse_columns, &work.inertia})
+    workspace.push_back(memory_of(*matrix));
 }
 
 template <class World>
@@ -224,24 +240,22 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
                                       {bytes_of(data.reading_ring[0], data.reading_ring.size())},
                                       data.reading_count * sizeof(double));
   if (context.formulation != Formulation::augmented) {
-    Memory effective{bytes_of(data.effective)};
+    Memory effective{bytes_of(data.effective)}, workspace;
     if (context.formulation == Formulation::subsystem) {
-      effective.push_back(memory_of(context.work.subsystem[i].solution));
-      parts.workspace =
-          builder.add_part(name + "workspace", {memory_of(context.work.subsystem[i].D)});
+      add_synthesis_memory(context.work.subsystem[i], effective, workspace);
     } else {
       structured::SubsystemWork<World>& work = context.work.structured[i];
       effective.push_back(bytes_of(work.root));
-      Memory branches;
       for (structured::BodyWork<World>& body : work.bodies)
-        branches.push_back(bytes_of(body.branch));
-      parts.workspace = builder.add_part(name + "workspace", branches);
+        workspace.push_back(bytes_of(body.branch));
     }
+    parts.workspace = builder.add_part(name + "workspace", workspace);
     parts.effective = builder.add_part(name + "effective inertia", effective);
   }
   for (std::size_t j = 0; j < count; ++j)
     parts.bodies.push_back(add_body_parts(context, i, static_cast<int>(j), builder));
-  if constexpr (kSharesWorkspace<World>) parts.ports = parts.all(&BodyParts::port);
+  if constexpr (tree::kHasJointCoordinates<World>)
+    if (context.formulation == Formulation::structured) parts.ports = parts.all(&BodyParts::port);
   for (LoadData<World>& load : data.loads)
     parts.loads.push_back(builder.add_part(name + "load " + std::to_string(parts.loads.size() + 1),
                                            {bytes_of(load.wrenches[0], load.wrenches.size())}));
@@ -310,7 +324,7 @@ StepParts add_parts(SystemContext<World>& context, StepGraphBuilder& builder) {
     if (h) history.push_back(bytes_of(*h, World::kTwist));
   Memory coordinates{bytes_of(*hub.q, World::kTwist), bytes_of(*hub.v, World::kTwist),
                      bytes_of(*hub.a, World::kTwist)};
-  if constexpr (kSharesWorkspace<World>) {
+  if constexpr (tree::kHasJointCoordinates<World>) {
     coordinates.push_back(bytes_of(data.hub_attitude.reference));
     history.push_back(bytes_of(data.hub_attitude.sum));
   }

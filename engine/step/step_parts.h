@@ -9,10 +9,6 @@
 
 namespace spoke {
 
-/// Whether the kernels of bodies share a workspace, and change their ports when they are joined.
-template <class World>
-inline constexpr bool kSharesWorkspace = World::kMostJointCoordinates > 0;
-
 /// Handles of the table's parts (see step_data.h), by which the step graph's nodes declare what
 /// they read and write.
 struct BodyParts {
@@ -22,8 +18,9 @@ struct BodyParts {
   graph::PartId terms;          ///< with c_theta and Q_f
   graph::PartId inverse;        ///< two-port, or dense inverse columns
   graph::PartId workspace;      ///< of who makes the inverse
+  graph::PartId scratch;        ///< of the kernels of its terms and of its recovery (space)
   graph::PartId joint;          ///< elimination of the inboard joint (structured, not at the hub)
-  graph::PartId port;           ///< multi-port, which the effective inertia changes (space)
+  graph::PartId port;  ///< multi-port, which the effective inertia changes (structured, space)
   graph::PartId report;
 };
 
@@ -35,7 +32,7 @@ struct SubsystemParts {
   graph::PartId progress, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
   graph::PartId workspace;                              ///< of who makes the effective inertia
-  std::vector<graph::PartId> ports;                     ///< of the bodies, in space
+  std::vector<graph::PartId> ports;                     ///< of the bodies (structured, space)
   std::vector<graph::PartId> loads;                     ///< of the user's: wrenches
 
   /// One member of all bodies, root to tip.

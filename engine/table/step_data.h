@@ -139,7 +139,6 @@ class StepData final : public StepTable {
   std::array<TwistOf<World>, 7> hub_storage;  ///< of hub_coordinates
   /// What the hub's orientation has besides hub_coordinates; nothing in the plane.
   typename BodyTypes<World>::Attitude hub_attitude;
-  bool hub_is_free = false;                    ///< moves in the world, on no axle
   std::vector<std::unique_ptr<Arena>> arenas;  ///< by subsystem; they outlive what lies in them
   std::vector<SubsystemData<World>> subsystems;
   std::vector<SystemRecord<World>> records;  ///< ring by step

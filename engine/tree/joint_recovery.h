@@ -56,4 +56,14 @@ typename World::Twist pass_to_child(const Joint& joint, const typename World::Tw
     return -(joint.R.inverse() * f);
 }
 
+/// The wrench on the parent's handle, in its frame, from that on the child's inboard handle.
+template <class World, class Joint>
+typename World::Twist pass_to_parent(const Joint& joint, const typename World::Twist& F) noexcept {
+  const typename World::Twist f = -(joint.R * F);
+  if constexpr (kHasJointCoordinates<World>)
+    return translate(joint.p, f);
+  else
+    return f;
+}
+
 }  // namespace spoke::tree

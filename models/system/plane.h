@@ -94,13 +94,6 @@ inline SymmetricTwistMatrix rotate(const Rotation& R, const SymmetricTwistMatrix
           s * a.rx + c * a.ry,           a.rr};
 }
 
-/// T = [I, B p; 0, 1]: the twist at a bracket, per twist of the point from which p leads there.
-inline TwistMatrix translation_matrix(const Position& p) {
-  TwistMatrix T = TwistMatrix::Identity();
-  T.col(kRotation).head<kPosition>() = quarter_turn(p);
-  return T;
-}
-
 /// T^T A T with T = [I, B p; 0, 1]: a mass at a bracket, as felt at the point from which p leads
 /// there.
 inline SymmetricTwistMatrix translate(const Position& p, const SymmetricTwistMatrix& a) {

@@ -13,13 +13,14 @@
 
 #include "engine/simulation.h"
 #include "engine/space/body_energies.h"
-#include "engine/space/hub_equation.h"
 #include "engine/space/joint_terms.h"
 #include "engine/space/section.h"
 #include "engine/tree/joint_recovery.h"
 #include "tests/engine/rotors.h"
 #include "tests/engine/space/bodies.h"
+#include "tests/engine/space/hub_table.h"
 #include "tests/engine/space/random_joint.h"
+#include "tests/engine/space/system/models.h"
 #include "tests/models/space/random_space.h"
 
 using namespace spoke;
@@ -110,6 +111,18 @@ TEST_CASE("a step of the dense formulations allocates nothing at the paper's siz
       Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
       scenario.integration.method = method;
       if (method == IntegrationMethod::rk4) scenario.integration.step = 8e-5;
+      CAPTURE(name_of(formulation));
+      CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
+    }
+}
+
+TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation") {
+  for (const Formulation formulation :
+       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+    for (const char* method : {"generalized_alpha", "rk4"}) {
+      const Scenario scenario = parse_scenario(make_text(kFlyingHub, kTree + kMotors, kGravity) +
+                                                   "step = 1e-4\nmethod = \"" + method + "\"\n",
+                                               "tree.toml");
       CAPTURE(name_of(formulation));
       CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
     }
@@ -219,7 +232,8 @@ TEST_CASE("a step on the flow graph allocates nothing once its pools are filled"
 namespace {
 
 /// All that an evaluation does to one joint of a body with three handles, and to the hub.
-void evaluate_joint(const space::Joint& model, std::mt19937& random) {
+void evaluate_joint(const space::Joint& model, space::testing::HubTable& table,
+                    std::mt19937& random) {
   using namespace spoke::space;
   using namespace spoke::space::testing;
   const std::array<double, space::Joint::kMost> q{0.1, 0.2, 0.3}, v{0.4, 0.5, 0.6};
@@ -247,9 +261,8 @@ void evaluate_joint(const space::Joint& model, std::mt19937& random) {
   std::array<double, space::Joint::kMost> a{};
   eliminate_child(2, joint, branch, port, elimination);
   const tree::HubShare<Space> share = eliminate_root(joint, branch, root);
-  const HubEquation equation =
-      sum_hub_equation(random_inertia(random), twist, space::Twist::Zero(), {}, {&share, 1});
-  const HubAcceleration hub = solve_hub(equation, {}, space::Twist::Zero());
+  table.data.subsystems[0].effective = {share.mass.matrix(), share.force, {}};
+  const HubSolution<Space>& hub = table.solve();
   recover_root(joint, root, calc_carried_acceleration(motion, hub.acceleration), a.data());
   recover_child(2, joint, port, elimination, f.data(), a.data());
 }
@@ -289,8 +302,12 @@ TEST_CASE("joints of trees in space are eliminated and recovered without allocat
   for (const char* kind : space::testing::kJointKinds) {
     CAPTURE(std::string(kind));
     const space::Joint joint = space::testing::make_random_joint(kind, random);
+    const tree::HubShare<Space> share{{}, space::Twist::Zero()};
+    space::testing::HubTable table({&share, 1});
+    table.system.hub.support = HubSupport::free;
+    table.system.hub.inertia = space::testing::random_inertia(random);
     const long before = allocations.load();
-    evaluate_joint(joint, random);
+    evaluate_joint(joint, table, random);
     CHECK(allocations.load() == before);
   }
 }

@@ -27,9 +27,6 @@ void recover_children(const Subsystem<Plane>& subsystem, std::size_t j,
   data.wrenches[j + 1].inboard = tree::pass_to_child<Plane>(joint, wrenches.outboard);
 }
 
-/// Joints of the plane have no coordinates.
-double* joint_accelerations(BodyData<Plane>&) { return nullptr; }
-
 }  // namespace
 
 template <class World>

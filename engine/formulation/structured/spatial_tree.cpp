@@ -6,14 +6,6 @@
 #include "engine/space/condense_body.h"
 
 namespace spoke::structured {
-namespace {
-
-space::JointTerms joint_terms_of(const Subsystem<Space>& subsystem,
-                                 const SubsystemData<Space>& data, std::size_t j) {
-  return {subsystem.bodies[j].joint.joint, data.joints[j], *data.bodies[j].joint.forces};
-}
-
-}  // namespace
 
 void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
                    BodyWork<Space>&) noexcept {
@@ -23,19 +15,14 @@ void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implic
     space::condense(*data.blocks[0]->rigid, twist, data.terms.Q, data.work.port);
 }
 
-space::JointTerms make_root_joint(const Subsystem<Space>& subsystem,
-                                  const SubsystemData<Space>& data) {
-  return joint_terms_of(subsystem, data, 0);
-}
-
 tree::Branch<Space> join_children(const Subsystem<Space>& subsystem, std::size_t j,
                                   SubsystemData<Space>& data, SubsystemWork<Space>& work) {
   const tree::MultiPort<Space>& port = data.bodies[j].work.port;
   const std::vector<int>& children = subsystem.bodies[j].children;
   for (std::size_t o = children.size(); o > 0; --o) {
     const auto c = static_cast<std::size_t>(children[o - 1]);
-    tree::eliminate_child(static_cast<int>(o), joint_terms_of(subsystem, data, c),
-                          work.bodies[c].branch, port, work.bodies[c].joint);
+    tree::eliminate_child(static_cast<int>(o), joint_of(subsystem, data, c), work.bodies[c].branch,
+                          port, work.bodies[c].joint);
   }
   return {port.diagonal[0], port.free[0]};
 }
@@ -48,15 +35,15 @@ void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
   const std::vector<int>& children = subsystem.bodies[j].children;
   for (std::size_t o = 1; o <= children.size(); ++o) {
     const auto c = static_cast<std::size_t>(children[o - 1]);
-    const space::JointTerms joint = joint_terms_of(subsystem, data, c);
+    const space::JointTerms joint = joint_of(subsystem, data, c);
     wrenches[o] = tree::recover_child(static_cast<int>(o), joint, body.work.port,
                                       work.bodies[c].joint, wrenches, data.bodies[c].joint.a_found);
     data.wrenches[c].inboard = tree::pass_to_child<Space>(joint, wrenches[o]);
   }
 }
 
-void recover_body(const SubsystemData<Space>& subsystem, std::size_t j, const BodyWork<Space>&,
-                  bool implicit, BodyData<Space>& data, double* a) noexcept {
+void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>&, bool implicit,
+                  BodyData<Space>& data, double* a) noexcept {
   const space::Twist* wrenches = data.work.wrenches;
   if (data.model->body->flexible()) {
     data.X = space::recover_body(body_model_of(data), wrenches, implicit, data.work, a);
@@ -64,9 +51,6 @@ void recover_body(const SubsystemData<Space>& subsystem, std::size_t j, const Bo
     const auto count = static_cast<std::size_t>(data.work.port.handles);
     data.X = space::recover_frame(*data.blocks[0]->rigid, data.terms.Q, {wrenches, count});
   }
-  const TreeBody<Space>& model = *data.model;
-  data.report.drive_power = calc_drive_power(model.joint.joint, joint_state_of(data),
-                                             subsystem.joints[j], subsystem.wrenches[j].inboard);
 }
 
 }  // namespace spoke::structured

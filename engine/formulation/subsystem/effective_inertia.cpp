@@ -4,41 +4,52 @@
 #include <Eigen/Cholesky>
 
 #include "engine/formulation/subsystem.h"
-#include "engine/formulation/subsystem/root_jacobian.h"
-#include "engine/kernels/hub_motion.h"
+#include "engine/formulation/subsystem/joint_coordinates.h"
+#include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_solve.h"
 
 namespace spoke::subsystem {
 namespace {
 
-/// Takes the place of the matrix.
-using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
+/// The rows of the joint that carries body k in D, and in `right`, Phi M^-1 Q - gamma. They hold
+/// -J_0 of this body and C J_h of the parent's handle, C = R^T T. So D couples a joint with that of
+/// its parent's, and with those at other handles of its parent. Only its lower triangle is filled.
+template <class World>
+void add_joint(const Subsystem<World>& subsystem, const SubsystemData<World>& data, int k,
+               SubsystemWork<World>& work) {
+  constexpr int d = World::kTwist;
+  const auto joint = joint_of(subsystem, data, static_cast<std::size_t>(k));
+  const TreeBody<World>& child = subsystem.bodies[k];
+  auto rows = work.D.template middleRows<d>(d * k);
+  auto right = work.solution.col(d).template segment<d>(d * k);
+  rows.template middleCols<d>(d * k) = work.bodies[k].compliance(0, 0);
+  right = -work.bodies[k].free_acceleration(0);
+  right += joint.R.inverse() * TwistOf<World>(joint.bias);
+  place_columns<World>(joint, k, work);
+  if (child.parent < 0) return;
+  const BodyWork<World>& parent = work.bodies[child.parent];
+  const TwistMatrixOf<World> C = tree::carrying_matrix<World>(joint);
+  const int h = child.handle;
+  rows.template middleCols<d>(d * k) += C * parent.compliance(h, h) * C.transpose();
+  rows.template middleCols<d>(d * child.parent) = -C * parent.compliance(h, 0);
+  right += C * parent.free_acceleration(h);
+  for (const int other : subsystem.bodies[child.parent].children) {
+    if (other >= k) continue;
+    const TwistMatrixOf<World> C_other =
+        tree::carrying_matrix<World>(joint_of(subsystem, data, static_cast<std::size_t>(other)));
+    rows.template middleCols<d>(d * other) =
+        C * parent.compliance(h, subsystem.bodies[other].handle) * C_other.transpose();
+  }
+}
 
-/// (1) Fills D and the last column of `solution` with Phi M^-1 Q - gamma. Row k of Phi, of the
-/// joint inboard of body k, has -J_i of this body and R^T J_o of its parent: D is
-/// block-tridiagonal.
+/// (1) Fills D, the last column of `solution`, and the columns of the joints' coordinates.
 template <class World>
 void assemble(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
               SubsystemWork<World>& work) {
-  constexpr int d = World::kTwist;
-  Eigen::MatrixXd& D = work.D;
-  D.setZero();
-  auto right = Eigen::MatrixXd::ColXpr(work.solution.col(d));
-  for (std::size_t j = 0; j < work.bodies.size(); ++j) {
-    const int k = static_cast<int>(j);
-    const Eigen::MatrixXd& child = work.bodies[j].products;
-    D.block<d, d>(d * k, d * k) = child.topLeftCorner<d, d>();
-    right.segment<d>(d * k) = -child.col(2 * d).head<d>();
-    if (j == 0) continue;
-    const TwistMatrixOf<World> R = data.joints[j].R.matrix();
-    const Eigen::MatrixXd& parent = work.bodies[j - 1].products;
-    D.block<d, d>(d * k, d * k) += R.transpose() * parent.block<d, d>(d, d) * R;
-    D.block<d, d>(d * k, d * (k - 1)) = -R.transpose() * parent.block<d, d>(d, 0);
-    D.block<d, d>(d * (k - 1), d * k) = D.block<d, d>(d * k, d * (k - 1)).transpose();
-    right.segment<d>(d * k) +=
-        R.transpose() * (parent.col(2 * d).tail<d>() + work.bodies[j - 1].bias_out);
-  }
-  right.head<d>() += data.joints[0].R.inverse() * make_root_joint(subsystem, data).bias;
+  work.D.setZero();
+  work.columns.setZero();
+  for (std::size_t j = 0; j < work.bodies.size(); ++j)
+    add_joint(subsystem, data, static_cast<int>(j), work);
 }
 
 }  // namespace
@@ -55,17 +66,24 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   solution.leftCols<d>().setZero();
   solution.topLeftCorner<d, d>().setIdentity();
   factor.solveInPlace(solution);
+  if (work.columns.cols() > 0) {
+    work.inverse_columns = work.columns;
+    factor.solveInPlace(work.inverse_columns);
+    eliminate_coordinates(subsystem, data, work);
+  }
 
-  // (3) M^C = Phi_Y^T D^-1 Phi_Y and Q^C = Phi_Y^T D^-1 (gamma - Phi M^-1 Q), Phi_Y = R_PB^T T.
+  // (3) M^C = Phi_Y^T D^-1 Phi_Y and Q^C = Phi_Y^T D^-1 (gamma - Phi M^-1 Q), Phi_Y = R^T T.
   EffectiveInertia<World>& effective = data.effective;
-  const TwistMatrixOf<World> Phi_Y = data.joints[0].R.inverse().matrix() * root_jacobian(subsystem);
+  const TwistMatrixOf<World> Phi_Y = tree::carrying_matrix<World>(joint_of(subsystem, data, 0));
   effective.mass = Phi_Y.transpose() * solution.topLeftCorner<d, d>() * Phi_Y;
   effective.force = -Phi_Y.transpose() * solution.col(d).head<d>();
-  // (4) The terms of geometric stiffening, for the hub's equation: qf^T KG qf and qf^T KG qf'.
+  // (4) The terms of geometric stiffening, for the hub's equation.
   effective.stiffening = sum_stiffening(data.bodies);
 }
 
 template void calc_effective_inertia(const Subsystem<Plane>&, SubsystemData<Plane>&,
                                      SubsystemWork<Plane>&) noexcept;
+template void calc_effective_inertia(const Subsystem<Space>&, SubsystemData<Space>&,
+                                     SubsystemWork<Space>&) noexcept;
 
 }  // namespace spoke::subsystem

@@ -1,37 +1,39 @@
 // One block of (P 11): the mass matrix of a body, inverted and multiplied with the rows of its
 // joints. docs/formulation.md, section 4.2.
 
-#include <Eigen/Cholesky>
-
 #include "engine/formulation/dense_body.h"
 #include "engine/formulation/subsystem.h"
+#include "engine/formulation/tree_joints.h"
 
 namespace spoke::subsystem {
-namespace {
-
-/// Takes the place of the matrix.
-using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
-
-}  // namespace
 
 template <class World>
 void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& elastic,
               SubsystemWork<World>& work) {
   constexpr int d = World::kTwist;
   work.bodies = ArenaVector<BodyWork<World>>(data.bodies.size(), *data.arena);
+  int coordinates = 0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     BodyWork<World>& body = work.bodies[j];
-    const int n = dense_size(*data.bodies[j].model->body);
+    const typename World::Body& model = *data.bodies[j].model->body;
+    const int n = dense_size(model), m = handle_count(model);
     body.elastic = elastic[j];
     body.mass.setZero(n, n);
-    body.jacobians.setZero(2 * d, n);
-    body.inverse_columns.setZero(n, 2 * d + 1);
-    body.products.setZero(2 * d, 2 * d + 1);
+    body.jacobians.setZero(m * d, n);
+    body.inverse_columns.setZero(n, m * d + 1);
+    body.products.setZero(m * d, m * d + 1);
+    body.biases.setZero(d, m);
+    work.first_coordinate.push_back(coordinates);
+    coordinates += joint_coordinates(*data.bodies[j].model);
   }
   const int C1 = d * static_cast<int>(data.bodies.size());
   work.D.setZero(C1, C1);
   work.solution.setZero(C1, d + 1);
   work.multipliers.setZero(C1);
+  work.columns.setZero(C1, coordinates);
+  work.inverse_columns.setZero(C1, coordinates);
+  work.inertia.setZero(coordinates, coordinates);
+  work.response.setZero(coordinates, d + 1);
 }
 
 template <class World>
@@ -41,15 +43,15 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
   // (1) M of (P 3), then its Cholesky factor in place.
   calc_dense_mass(data, *work.elastic[implicit], work.mass);
   const Cholesky factor(work.mass);
-  // (2) The right-hand sides J_i^T, J_o^T and Q.
+  // (2) The right-hand sides J^T and Q.
   Eigen::MatrixXd &J = work.jacobians, &columns = work.inverse_columns;
-  calc_inboard_jacobian(data, J.topRows<d>());
-  calc_outboard_jacobian(data, J.bottomRows<d>());
-  work.bias_out = calc_outboard_bias(data, angular(twist));
-  columns.leftCols<2 * d>() = J.transpose();
-  calc_dense_force(data, columns.col(2 * d));
-  // (3) M^-1 [J_i^T, J_o^T, Q], and [J_i; J_o] times that: the body's share of Phi M^-1 Phi^T and
-  // of Phi M^-1 Q.
+  for (int h = 0; h < work.biases.cols(); ++h) {
+    calc_handle_jacobian(data, h, J.middleRows<d>(d * h));
+    work.biases.col(h) = calc_handle_bias(data, h, twist);
+  }
+  columns.leftCols(J.rows()) = J.transpose();
+  calc_dense_force(data, columns.col(J.rows()));
+  // (3) M^-1 [J^T, Q], and J times that: the body's share of Phi M^-1 Phi^T and of Phi M^-1 Q.
   factor.solveInPlace(columns);
   work.products.noalias() = J.lazyProduct(columns);
 }
@@ -57,5 +59,9 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
 template void allocate(const SubsystemData<Plane>&, const std::vector<DenseBlocks>&,
                        SubsystemWork<Plane>&);
 template void invert_body(const BodyData<Plane>&, const Twist&, bool, BodyWork<Plane>&) noexcept;
+template void allocate(const SubsystemData<Space>&, const std::vector<DenseBlocks>&,
+                       SubsystemWork<Space>&);
+template void invert_body(const BodyData<Space>&, const space::Twist&, bool,
+                          BodyWork<Space>&) noexcept;
 
 }  // namespace spoke::subsystem

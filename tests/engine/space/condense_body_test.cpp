@@ -126,6 +126,17 @@ TEST_CASE("twisted and bent bodies have directions that meet") {
     CHECK_FALSE(make_random_body(options, 3, ReferenceFrame::clamped, random)->body.is_decoupled);
 }
 
+TEST_CASE("a body is condensed with children at its root, and with several at one node") {
+  std::mt19937 random(36);
+  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
+    const Beam beam = make_random_beam({true, true, true}, random);
+    TestBody test(
+        make_beam_body(beam, make_unequal_stations(beam, 3, random), frame, {0, 3, 0, 1, 0, 3}));
+    randomize_state(random, test);
+    check_agreement(test, false, random, 1e-12);
+  }
+}
+
 TEST_CASE("a kernel's work depends on nothing that was in its memory before") {
   std::mt19937 random(32);
   const auto test = make_random_body({true, true, true}, 3, ReferenceFrame::clamped, random);

@@ -17,8 +17,9 @@ namespace {
 /// The top of Exudyn's test model heavyTop, on a spherical joint at its foot.
 RigidTree make_heavy_top(TurnFrame frame) {
   TreeHub hub;
-  hub.prescribed.fill(true);
-  TreeBody top;
+  hub.support = HubSupport::axle;
+  hub.is_driven = true;
+  space::testing::TreeBody top;
   top.body.mass = 15.0;
   top.body.centre = {0.0, 1.0, 0.0};
   top.body.inertia = space::Position(0.234375, 0.46875, 0.234375).asDiagonal();

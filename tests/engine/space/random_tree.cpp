@@ -19,11 +19,6 @@ RigidBody make_random_body(std::mt19937& random) {
   return body;
 }
 
-Prescribed prescribe(HubKind kind) {
-  if (kind == HubKind::free) return {};
-  return {true, true, true, true, true, kind != HubKind::torque};
-}
-
 TreeBody make_random_tree_body(const char* joint, bool is_conservative, std::mt19937& random) {
   TreeBody body;
   body.body = make_random_body(random);
@@ -53,7 +48,8 @@ RigidTree make_random_tree(const RandomTree& kind, std::mt19937& random) {
   const std::vector<const char*>& joints = kind.is_conservative ? conservative : kJointKinds;
   TreeHub hub;
   hub.body = make_random_body(random);
-  hub.prescribed = prescribe(kind.hub);
+  hub.support = kind.hub == HubKind::free ? HubSupport::free : HubSupport::axle;
+  hub.is_driven = kind.hub == HubKind::fixed || kind.hub == HubKind::driven;
   if (kind.hub == HubKind::driven) hub.drive = {0.3, 2.0, 0.7};
   if (kind.hub == HubKind::torque) hub.torque = 1.5;
   std::vector<TreeBody> bodies;
@@ -71,7 +67,7 @@ RigidTree make_random_tree(const RandomTree& kind, std::mt19937& random) {
   Coordinates& place = tree.hub_coordinates;
   place.orientation.reference = make_quaternion(random_vector(random));
   for (std::size_t c = 0; c < kTwist; ++c) {
-    if (hub.prescribed[c]) continue;
+    if (c == Space::kAxial ? hub.is_driven : hub.support == HubSupport::axle) continue;
     place.q[c] = random_number(random);
     place.v[c] = random_number(random);
   }

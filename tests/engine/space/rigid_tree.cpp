@@ -60,13 +60,13 @@ RigidTree::RigidTree(const TreeHub& hub_model, const std::vector<TreeBody>& body
     : hub(hub_model),
       models(body_models),
       gravity(g),
-      hub_coordinates(kTwist, hub.prescribed[3] ? -1 : kPosition),
+      hub_coordinates(kTwist, hub.support == HubSupport::axle ? -1 : kPosition),
       hub_mass_(calc_mass(hub.body)) {
   for (const TreeBody& model : models) bodies.emplace_back(model);
 }
 
 bool RigidTree::is_hub_integrated() const {
-  return std::find(hub.prescribed.begin(), hub.prescribed.end(), false) != hub.prescribed.end();
+  return hub.support == HubSupport::free || !hub.is_driven;
 }
 
 JointState RigidTree::joint_state(std::size_t j) const {
@@ -93,7 +93,7 @@ HubState RigidTree::hub_state() const {
 }
 
 void RigidTree::impose(double t) {
-  if (hub.prescribed[5]) {
+  if (hub.is_driven) {
     const PrescribedMotion motion = hub.drive.at(t);
     hub_coordinates.q[5] = motion.value;
     hub_coordinates.v[5] = motion.rate;
@@ -124,14 +124,15 @@ void RigidTree::update(double t, const ImplicitShares& shares) {
   }
 }
 
-HubEquation RigidTree::sum_hub(std::span<const tree::HubShare<Space>> shares) const {
-  const Twist torque = make_twist(Position::Zero(), {0.0, 0.0, hub.torque});
-  return sum_hub_equation(hub_mass_, hub_state().twist, torque, {}, shares);
-}
-
-Twist RigidTree::hub_given() const {
-  return calc_given(hub.prescribed, hub_state().R, gravity, Position::Zero(),
-                    {0.0, 0.0, drive_acceleration_});
+void RigidTree::place_hub(HubTable& table) const {
+  table.system.gravity = gravity;
+  spoke::space::Hub& model = table.system.hub;
+  model.support = hub.support;
+  model.drive = hub.is_driven ? Drive{FixedDrive{}} : Drive{TorqueDrive{Curve{hub.torque}}};
+  model.inertia = hub_mass_;
+  const HubState state = hub_state();
+  table.data.hub = {state.p, state.R, state.twist};
+  table.data.hub_coordinates.a[Space::kAxial] = drive_acceleration_;
 }
 
 TreeAccelerations RigidTree::eliminate() const {
@@ -155,7 +156,9 @@ TreeAccelerations RigidTree::eliminate() const {
   }
 
   TreeAccelerations found;
-  found.hub = solve_hub(sum_hub(shares), hub.prescribed, hub_given());
+  HubTable table(shares);
+  place_hub(table);
+  found.hub = table.solve();
   found.bodies.resize(count);
   found.wrenches.resize(count);
   found.joints.resize(count);

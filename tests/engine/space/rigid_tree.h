@@ -6,10 +6,12 @@
 #include <array>
 #include <vector>
 
-#include "engine/space/hub_equation.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/space/hub_motion.h"
 #include "engine/space/integrator/rotation.h"
 #include "engine/space/joint_terms.h"
 #include "engine/space/rigid_body_terms.h"
+#include "tests/engine/space/hub_table.h"
 
 namespace spoke::space::testing {
 
@@ -54,14 +56,15 @@ struct TreeBody {
 
 struct TreeHub {
   RigidBody body;
-  Prescribed prescribed{};
-  double torque = 0.0;  ///< about z
-  Course drive;         ///< of a prescribed rotation about z
+  HubSupport support = HubSupport::free;
+  bool is_driven = false;  ///< the rotation about z is prescribed
+  double torque = 0.0;     ///< about z, of a hub that is not driven
+  Course drive;            ///< of a driven hub
 };
 
 /// What one evaluation finds.
 struct TreeAccelerations {
-  HubAcceleration hub;
+  HubSolution<Space> hub;
   std::vector<Twist> bodies;                             ///< X
   std::vector<Twist> wrenches;                           ///< F on inboard handles, bodies' frames
   std::vector<std::array<double, Joint::kMost>> joints;  ///< q''
@@ -117,8 +120,8 @@ class RigidTree {
   /// Index of the body at handle `o` of body j.
   std::size_t child_of(std::size_t j, int o) const;
   HubState hub_state() const;
-  HubEquation sum_hub(std::span<const tree::HubShare<Space>> shares) const;
-  Twist hub_given() const;
+  /// Sets up the hub's equation in a table of its own.
+  void place_hub(HubTable& table) const;
 
   SymmetricTwistMatrix hub_mass_;
   double drive_acceleration_ = 0.0;
@@ -127,8 +130,9 @@ class RigidTree {
 template <class Take>
 void RigidTree::hand_out(const TreeAccelerations& found, Take&& take) {
   if (is_hub_integrated()) {
-    const Twist a = calc_coordinate_accelerations(hub.prescribed, hub_state().R, gravity,
-                                                  found.hub.acceleration);
+    HubTable table;
+    place_hub(table);
+    const Twist a = calc_inertial_acceleration(table.system, 0.0, table.data.hub, found.hub);
     take(hub_coordinates, a.data());
   }
   for (std::size_t j = 0; j < bodies.size(); ++j)

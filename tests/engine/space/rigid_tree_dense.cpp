@@ -37,7 +37,10 @@ TreeAccelerations RigidTree::solve_dense() const {
   const Places places(models);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(places.size, places.size);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(places.size);
-  const HubEquation hub_alone = sum_hub({});
+  HubTable table;
+  place_hub(table);
+  set_applied(table.system, table.data);
+  const HubEquation<Space> hub_alone = sum_hub_equation(table.system, table.data);
   A.topLeftCorner<kTwist, kTwist>() = hub_alone.mass;
   b.head<kTwist>() = hub_alone.force;
   for (std::size_t j = 0; j < bodies.size(); ++j) {
@@ -76,11 +79,12 @@ TreeAccelerations RigidTree::solve_dense() const {
       b[q + c] += body.forces.tau[k];
     }
   }
-  const Twist given = hub_given();
+  const Twist given = calc_prescribed_acceleration(table.system, 0.0, table.data.hub.R,
+                                                   table.data.hub_coordinates.a[Space::kAxial]);
   const Eigen::MatrixXd hub_rows = A.topRows<kTwist>();
   const Twist hub_right = b.head<kTwist>();
   for (int c = 0; c < kTwist; ++c) {
-    if (!hub.prescribed[static_cast<std::size_t>(c)]) continue;
+    if (!is_prescribed(table.system.hub, c)) continue;
     A.row(c).setZero();
     A(c, c) = 1.0;
     b[c] = given[c];

@@ -2,12 +2,12 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <random>
 
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/space/system/models.h"
+#include "tests/engine/space/system/random_system.h"
 #include "tests/engine/space/system/runs.h"
 
 using namespace spoke;
@@ -51,31 +51,13 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-void fill(double* values, int n, double size, std::mt19937& random) {
-  std::uniform_real_distribution<double> unit(-size, size);
-  if (values) std::generate_n(values, n, [&] { return unit(random); });
-}
-
-/// A state with histories and accelerations as after some steps.
-void randomize(CoordinateBlock& block, double size, std::mt19937& random) {
-  for (double* values : {block.q, block.v, block.a}) fill(values, block.size, size, random);
-  for (double* history : block.history) fill(history, block.size, size, random);
-}
-
-void prepare(const Case& which, SystemContext<Space>& context) {
+void prepare(const Case& which, Formulation formulation, SystemContext<Space>& context) {
   context.system = make_system(parse_model(which.text));
+  context.formulation = formulation;
   context.integrator = {which.method, {1e-10, 0, 50}};
   allocate(context);
   std::mt19937 random(4);
-  StepData<Space>& data = context.data;
-  randomize(data.hub_coordinates, 0.5, random);
-  data.hub_attitude.sum = space::make_quaternion(space::Angular(0.1, 0.2, 0.3));
-  for (SubsystemData<Space>& subsystem : data.subsystems)
-    for (BodyData<Space>& body : subsystem.bodies) {
-      randomize(body.coordinates, 1e-2, random);
-      randomize(body.joint.coordinates, 0.3, random);
-      body.joint.rotation->sum = space::make_quaternion(space::Angular(0.2, -0.1, 0.3));
-    }
+  randomize_state(random, context.data);
 }
 
 /// Sets all progress to a pass within step 20, after work was done, as wide as one step.
@@ -98,14 +80,17 @@ void set_progress(const PassControl& control, SystemContext<Space>& context) {
 
 TEST_CASE("every node of a step graph in space declares what it reads and writes") {
   for (const Case& which : all_cases())
-    for (const PassControl& control : which.controls) {
-      CAPTURE(which.name);
-      SystemContext<Space> context;
-      prepare(which, context);
-      const graph::StepGraph graph = build_step_graph(context);
-      set_progress(control, context);
-      for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
-        FAIL_CHECK(fault.message);
-      CHECK(graph::conflicts_are_ordered(graph));
-    }
+    for (const Formulation formulation :
+         {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+      for (const PassControl& control : which.controls) {
+        CAPTURE(which.name);
+        CAPTURE(name_of(formulation));
+        SystemContext<Space> context;
+        prepare(which, formulation, context);
+        const graph::StepGraph graph = build_step_graph(context);
+        set_progress(control, context);
+        for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
+          FAIL_CHECK(fault.message);
+        CHECK(graph::conflicts_are_ordered(graph));
+      }
 }

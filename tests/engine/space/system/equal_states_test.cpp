@@ -41,22 +41,26 @@ std::uint64_t end_of(const Case& which, const RunSetup& setup) {
 }  // namespace
 
 TEST_CASE("a run in space has one state, whatever executes it") {
-  for (const Case& which : all_cases()) {
-    CAPTURE(which.name);
-    RunSetup setup{which.method, 1e-10};
-    const std::uint64_t expected = end_of(which, setup);
-    using Kind = graph::ExecutorKind;
-    for (const Kind kind :
-         {Kind::serial, Kind::flow_graph, Kind::openmp_levels, Kind::openmp_scheme1})
-      for (const int window : {1, 7}) {
-        CAPTURE(name_of(kind));
-        CAPTURE(window);
-        setup.executor = kind;
-        setup.threads = {kind == Kind::serial ? 1 : 2};
-        setup.window = window;
-        CHECK(expected == end_of(which, setup));
-      }
-  }
+  using Kind = graph::ExecutorKind;
+  for (const Case& which : all_cases())
+    for (const Formulation formulation :
+         {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+      CAPTURE(which.name);
+      CAPTURE(name_of(formulation));
+      RunSetup setup{which.method, 1e-10};
+      setup.formulation = formulation;
+      const std::uint64_t expected = end_of(which, setup);
+      for (const Kind kind :
+           {Kind::serial, Kind::flow_graph, Kind::openmp_levels, Kind::openmp_scheme1})
+        for (const int window : {1, 7}) {
+          CAPTURE(name_of(kind));
+          CAPTURE(window);
+          setup.executor = kind;
+          setup.threads = {kind == Kind::serial ? 1 : 2};
+          setup.window = window;
+          CHECK(expected == end_of(which, setup));
+        }
+    }
 }
 
 TEST_CASE("a run in space goes on from a state that was taken as if it had not been interrupted") {

@@ -48,6 +48,7 @@ Scenario read_model(const std::string& name, const Overrides& overrides) {
 template <class World>
 Run<World>::Run(const System<World>& system, const RunSetup& setup) {
   context.system = system;
+  context.formulation = setup.formulation;
   context.integrator = {setup.method, {setup.tolerance, 0, 50}};
   allocate(context, setup.window > 1 ? 2 * setup.window : 1);
   RunnerOptions options;

@@ -25,6 +25,7 @@ struct RunSetup {
   graph::ExecutorKind executor = graph::ExecutorKind::serial;
   graph::Threads threads{1};
   int window = 1;
+  Formulation formulation = Formulation::structured;
 };
 
 /// A system with what runs it. Stays in place.

@@ -1,0 +1,35 @@
+#pragma once
+
+// A hub and what its subsystems make it feel, as the kernels of its equation read them.
+
+#include <span>
+
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/tree/joint_elimination.h"
+
+namespace spoke::space::testing {
+
+/// Stays in place. What is not set is zero; hub.support and hub.drive are to be set.
+struct HubTable {
+  explicit HubTable(std::span<const tree::HubShare<Space>> shares = {}) : data() {
+    data.progress.assign(1, {});
+    data.hub_storage.fill(Twist::Zero());
+    data.hub_coordinates.a = data.hub_storage[2].data();
+    data.hub = {Position::Zero(), {}, Twist::Zero()};
+    data.subsystems = std::vector<SubsystemData<Space>>(shares.size());
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      data.subsystems[i].effective = {shares[i].mass.matrix(), shares[i].force, {}};
+  }
+
+  /// Y'' and the reaction.
+  const HubSolution<Space>& solve() {
+    solve_hub(system, data);
+    return data.hub_solution;
+  }
+
+  System<Space> system;
+  StepData<Space> data;
+};
+
+}  // namespace spoke::space::testing
