@@ -27,15 +27,15 @@ struct JointPosition {
 
 /// What the inner part of a blade exerts on the outer one where a body begins, axes of that body.
 struct SectionLoad {
-  std::string body;                        ///< that begins there
-  double station = 0.0;                    ///< undeformed distance from the root [m]
-  Eigen::Vector3d force{0.0, 0.0, 0.0};    ///< [N]
-  Eigen::Vector3d moment{0.0, 0.0, 0.0};   ///< [N m]
+  std::string body;                       ///< that begins there
+  double station = 0.0;                   ///< undeformed distance from the root [m]
+  Eigen::Vector3d force{0.0, 0.0, 0.0};   ///< [N]
+  Eigen::Vector3d moment{0.0, 0.0, 0.0};  ///< [N m]
 };
 
 /// A blade, or another subsystem, in equilibrium. Vectors are in the hub's frame.
 struct BladeEquilibrium {
-  std::string name;  ///< "blade 1", or the subsystem's
+  std::string name;                                 ///< "blade 1", or the subsystem's
   Eigen::Vector3d tip_displacement{0.0, 0.0, 0.0};  ///< from its undeformed place [m]
   Eigen::Vector3d tip_rotation{0.0, 0.0, 0.0};      ///< rotation vector [rad]
   std::vector<JointPosition> joints;                ///< that are free

@@ -15,7 +15,7 @@ namespace spoke {
 
 /// Which modes.
 struct ModeOptions {
-  SteadyState state;  ///< about which
+  SteadyState state{};  ///< about which
   /// How many, from the lowest frequency on: of each blade where blades do not couple, because the
   /// hub's motion is prescribed, else of the whole model. 1 or more.
   int count = 10;
@@ -37,8 +37,9 @@ struct Mode {
   /// Coordinates in the model's own order, and those of the hub that are free, before them.
   Eigen::VectorXcd coordinates;
 
-  /// Whether it grows: the equilibrium is unstable. A rigid motion does not.
-  bool grows() const { return eigenvalue.real() > 1e-9 * std::abs(eigenvalue); }
+  /// Whether it grows: the equilibrium is unstable. Less than 1e-6 of the eigenvalue is round-off:
+  /// that of rigid motions, which go on at a constant rate, has its square root.
+  bool grows() const { return eigenvalue.real() > 1e-6 * std::abs(eigenvalue); }
 };
 
 /// Modes of a model.
@@ -51,7 +52,8 @@ struct ModesResult {
 /// Finds the lowest modes of a scenario's model about its equilibrium (solve_equilibrium()), in the
 /// frame that turns with the hub, where the linearised system is constant (docs/modes.md). Throws
 /// like solve_equilibrium(), but for what nothing holds: that is a mode of frequency zero. Throws
-/// InputError if fewer modes exist than are asked for, or if forces on a free hub are not in balance.
+/// InputError if fewer modes exist than are asked for, or if forces on a free hub are not in
+/// balance.
 SPOKE_EXPORT ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options = {});
 
 }  // namespace spoke

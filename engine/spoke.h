@@ -4,6 +4,8 @@
 // includes.
 
 #include "engine/checkpoint.h"
+#include "engine/equilibrium.h"
+#include "engine/modes.h"
 #include "engine/results.h"
 #include "engine/simulation.h"
 #include "graph/declaration_check.h"

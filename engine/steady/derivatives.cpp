@@ -50,9 +50,9 @@ Eigen::MatrixXd calc_rough_derivative(std::size_t tree, const TreeState& state,
   for (Eigen::Index k = 0; k < n; ++k) {
     const double h = kRoughStep * coordinates[static_cast<std::size_t>(k)].scale;
     by_q.col(k) = differ(h, [&](double distance) {
-                   moved.q[k] = state.q[k] + distance;
-                   return answer(tree, moved, none, model);
-                 }).head(n);
+                    moved.q[k] = state.q[k] + distance;
+                    return answer(tree, moved, none, model);
+                  }).head(n);
     moved.q[k] = state.q[k];
   }
   answer(tree, state, none, model);

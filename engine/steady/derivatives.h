@@ -1,8 +1,8 @@
 #pragma once
 
-// Derivatives of the forces on a tree and the hub at a state, elastic forces held: these are linear,
-// and their constant matrices known exactly. What is left is smooth on the scale of the coordinates,
-// so that differences lose no digits to the stiffest vibrations.
+// Derivatives of the forces on a tree and the hub at a state, elastic forces held: these are
+// linear, and their constant matrices known exactly. What is left is smooth on the scale of the
+// coordinates, so that differences lose no digits to the stiffest vibrations.
 
 #include "engine/steady/steady_model.h"
 

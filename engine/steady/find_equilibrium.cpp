@@ -114,8 +114,8 @@ class Search {
 
   VectorXd correct(const VectorXd& force) const {
     const VectorXd scaled = scale_.asDiagonal() * force;
-    return scale_.asDiagonal() * (is_singular ? VectorXd(least_squares_.solve(scaled))
-                                              : VectorXd(lu_.solve(scaled)));
+    return scale_.asDiagonal() *
+           (is_singular ? VectorXd(least_squares_.solve(scaled)) : VectorXd(lu_.solve(scaled)));
   }
 
   /// One step with a line search, in which the correction that would follow must shrink.
@@ -163,11 +163,12 @@ class Search {
 [[noreturn]] void give_up(std::size_t tree, const Search& search, double share,
                           const SteadyModel& model) {
   std::ostringstream text;
-  text << "no equilibrium found at " << model.speed() << " rad/s: " << model.name_of(tree) << " / "
-       << model.coordinates(tree)[static_cast<std::size_t>(search.worst)].name
-       << " does not settle at " << 100.0 * share
-       << " % of loads and speed squared; take more bodies per blade, smaller loads, another speed, "
-          "or springs for joints that nothing holds";
+  text
+      << "no equilibrium found at " << model.speed() << " rad/s: " << model.name_of(tree) << " / "
+      << model.coordinates(tree)[static_cast<std::size_t>(search.worst)].name
+      << " does not settle at " << 100.0 * share
+      << " % of loads and speed squared; take more bodies per blade, smaller loads, another speed, "
+         "or springs for joints that nothing holds";
   throw DivergenceError(text.str());
 }
 

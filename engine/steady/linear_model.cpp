@@ -62,16 +62,15 @@ LinearTree linearize_tree(std::size_t i, const Equilibrium& equilibrium, const H
   tree.K = model.stiffness(i) - by.by_q.topRows(n);
   if (!is_coupled) return tree;
   const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
-  const HubColumns column =
-      make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), hub);
+  const HubColumns column = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), hub);
   tree.M_bh = select_columns(column.M, free);
   tree.C_bh = select_columns(column.C, free);
   tree.K_bh = select_columns(column.K, free);
   tree.M_hb = select_rows(M_bh.transpose(), free);
   tree.C_hb = select_rows(-by.by_v.bottomRows(d), free);
   tree.K_hb = select_rows(-by.by_q.bottomRows(d), free);
-  const HubColumns own = make_columns(matrices.mass.topLeftCorner(d, d),
-                                      by.by_turn.bottomRows(d), by.by_twist.bottomRows(d), hub);
+  const HubColumns own = make_columns(matrices.mass.topLeftCorner(d, d), by.by_turn.bottomRows(d),
+                                      by.by_twist.bottomRows(d), hub);
   sum.M += own.M;
   sum.C += own.C;
   sum.K += own.K;

@@ -20,7 +20,7 @@ struct LinearTree {
 /// Trees meet at the hub only, whose free coordinates are small motions in its steady frame: places
 /// and rotations. There are none where support and drive prescribe its motion.
 struct LinearModel {
-  Eigen::MatrixXd M, C, K;       ///< of the hub's free coordinates
+  Eigen::MatrixXd M, C, K;  ///< of the hub's free coordinates
   std::vector<LinearTree> trees;
   /// By tree, the tree that stands for it: where the hub's motion is prescribed those that are
   /// alike are linearised once, and the others are empty.

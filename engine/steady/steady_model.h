@@ -58,11 +58,11 @@ struct TreeMatrices {
 
 /// A node of a body, for pictures and names of shapes; hub frame.
 struct NodePlace {
-  Eigen::Vector3d p;        ///< [m]
-  Eigen::Matrix3d axes;     ///< of its section, columns
-  double mass = 0.0;        ///< lumped [kg]
-  double inertia = 0.0;     ///< about its axis, lumped [kg m^2]
-  int body = 0;             ///< of the tree
+  Eigen::Vector3d p;     ///< [m]
+  Eigen::Matrix3d axes;  ///< of its section, columns
+  double mass = 0.0;     ///< lumped [kg]
+  double inertia = 0.0;  ///< about its axis, lumped [kg m^2]
+  int body = 0;          ///< of the tree
 };
 
 /// The tip of a tree against its undeformed place, hub frame.
@@ -74,9 +74,9 @@ struct TipMotion {
 /// The wrench of a joint on the inboard end of the body that it carries, in the body's frame.
 struct JointLoad {
   std::string body;
-  double station = 0.0;     ///< undeformed distance of that end from the tree's root [m]
-  Eigen::Vector3d force;    ///< [N]
-  Eigen::Vector3d moment;   ///< [N m]
+  double station = 0.0;    ///< undeformed distance of that end from the tree's root [m]
+  Eigen::Vector3d force;   ///< [N]
+  Eigen::Vector3d moment;  ///< [N m]
 };
 
 /// What of a scenario is steady.
@@ -106,7 +106,8 @@ class SteadyModel {
   /// Which of them are unknowns of the model: all of a free hub, the rotation of a driven one.
   virtual const std::vector<int>& free_components() const = 0;
   virtual bool is_hub_free() const = 0;
-  /// Whether the drive's torque depends on nothing but the balance: it is then what holds the speed.
+  /// Whether the drive's torque depends on nothing but the balance: it is then what holds the
+  /// speed.
   virtual bool has_torque_drive() const = 0;
   double speed() const { return speed_; }
 

@@ -104,9 +104,8 @@ void SteadySystem<World>::set_undeformed() {
     std::vector<Eigen::VectorXd>& v = v_elastic_.emplace_back();
     for (std::size_t j = 0; j < data(i).bodies.size(); ++j) {
       BodyData<World>& body = data(i).bodies[j];
-      for (TreeCoordinate& coordinate :
-           name_coordinates(*body.model, static_cast<int>(j), names_[i].bodies[j],
-                            names_[i].joints[j]))
+      for (TreeCoordinate& coordinate : name_coordinates(*body.model, static_cast<int>(j),
+                                                         names_[i].bodies[j], names_[i].joints[j]))
         list.push_back(std::move(coordinate));
       q.push_back(Eigen::VectorXd::Zero(body.layout.size()));
       v.push_back(Eigen::VectorXd::Zero(body.layout.size()));
@@ -272,8 +271,7 @@ Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t tree) {
   const PrescribedHub<World> kept = subsystem.prescribed;
   for (Eigen::Index c = 0; c < twists.cols(); ++c) {
     const bool is_hub = c < World::kTwist;
-    subsystem.prescribed.state.twist =
-        is_hub ? Twist(Twist::Unit(c)) : Twist(Twist::Zero());
+    subsystem.prescribed.state.twist = is_hub ? Twist(Twist::Unit(c)) : Twist(Twist::Zero());
     if (!is_hub) v[c - World::kTwist] = 1.0;
     put_bodies(tree, q, v);
     if (!is_hub) v[c - World::kTwist] = 0.0;
@@ -322,8 +320,7 @@ template <class World>
 HubVector SteadySystem<World>::hub_force(const HubOffset& offset) const {
   const PrescribedHub<World> hub = hub_motion(offset);
   HubSolution<World> applied{};
-  applied.applied_torque =
-      share_ * calc_torque(hub_.drive, kLate, hub.state.twist[World::kAxial]);
+  applied.applied_torque = share_ * calc_torque(hub_.drive, kLate, hub.state.twist[World::kAxial]);
   applied.load = calc_hub_load(context_.system, 0.0, hub.state);
   return calc_hub_force<World>(hub_, hub.state, applied) - calc_hub_mass(hub_) * hub.acceleration;
 }

@@ -84,7 +84,7 @@ class SteadySystem final : public SteadyModel {
   std::vector<std::vector<TreeCoordinate>> coordinates_;
   std::vector<std::vector<Eigen::VectorXd>> q_elastic_, v_elastic_;  ///< flex vectors by body
   std::vector<Eigen::MatrixXd> stiffness_;
-  std::vector<Eigen::Matrix3d> tip_axes_;                            ///< undeformed, by tree
+  std::vector<Eigen::Matrix3d> tip_axes_;  ///< undeformed, by tree
 };
 
 }  // namespace spoke::steady

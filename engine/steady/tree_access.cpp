@@ -76,8 +76,9 @@ std::vector<TreeCoordinate> name_coordinates(const TreeBody<Plane>& model, int i
     for (int c = 0; c < kTwist; ++c) {
       const int at = flexible.coordinate(node, c);
       if (at < 0) continue;
-      list[static_cast<std::size_t>(at)] = {name_node(body, node, kNames[c]), {}, index, node,
-                                            c == kRotation, c == kRotation ? 1.0 : flexible.length};
+      list[static_cast<std::size_t>(at)] = {
+          name_node(body, node, kNames[c]),      {}, index, node, c == kRotation,
+          c == kRotation ? 1.0 : flexible.length};
     }
   return list;
 }
@@ -107,8 +108,8 @@ std::vector<TreeCoordinate> name_coordinates(const TreeBody<Space>& model, int i
       const int at = flexible->coordinate(node, c);
       if (at < 0) continue;
       const bool turns = c >= space::kRotation;
-      list[first + static_cast<std::size_t>(at)] = {name_node(body, node, kNames[c]), {}, index, node,
-                                                    turns, turns ? 1.0 : extent};
+      list[first + static_cast<std::size_t>(at)] = {
+          name_node(body, node, kNames[c]), {}, index, node, turns, turns ? 1.0 : extent};
     }
   return list;
 }
@@ -173,8 +174,8 @@ void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>&
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) {
     const space::RigidBody& rigid = *body.model->body->rigid();
-    places.push_back({pose.p + pose.R * rigid.centre, pose.R.axes, rigid.mass,
-                      rigid.inertia(0, 0), j});
+    places.push_back(
+        {pose.p + pose.R * rigid.centre, pose.R.axes, rigid.mass, rigid.inertia(0, 0), j});
     return;
   }
   const double mass = flexible->mass / flexible->elements;
@@ -188,11 +189,9 @@ void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>&
     const space::Position s = flexible->nodes[k] + space::Position(value.head<3>());
     const bool is_end = node == 0 || node == flexible->elements;
     // The linear shape of torsion spreads a node's inertia by 2/3 to itself.
-    places.push_back({pose.p + pose.R * s,
-                      (pose.R * space::exponential(value.tail<3>())).axes,
+    places.push_back({pose.p + pose.R * s, (pose.R * space::exponential(value.tail<3>())).axes,
                       is_end ? 0.5 * mass : mass,
-                      1.5 * flexible->M.diagonal[k](space::kRotation, space::kRotation),
-                      j});
+                      1.5 * flexible->M.diagonal[k](space::kRotation, space::kRotation), j});
   }
 }
 

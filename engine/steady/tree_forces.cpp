@@ -32,8 +32,8 @@ VectorXd calc_body_force(const BodyData<Plane>& body) {
   force[2] -= S.x() * X[1] - S.y() * X[0] + body.terms.rotary_inertia * X[2];
   for (int k = 0; k < flexible.coordinates(); ++k) {
     const bool is_axial = k < flexible.axial();
-    const double along = is_axial ? flexible.S_axial[k] * X[0]
-                                  : flexible.S_bending[k - flexible.axial()] * X[1];
+    const double along =
+        is_axial ? flexible.S_axial[k] * X[0] : flexible.S_bending[k - flexible.axial()] * X[1];
     force[kTwist + k] -= along + body.c_theta[body.layout.offset(k)] * X[2];
   }
   return force;
@@ -127,8 +127,8 @@ void add_joint_force(const BodyData<Space>& body, const space::JointMotion& moti
                      const space::Twist& force, double* result) {
   const space::Twist turned = motion.R * force;
   for (int c = 0; c < body.model->joint.joint.coordinates; ++c)
-    result[c] = body.joint.forces->tau[static_cast<std::size_t>(c)] +
-                motion.columns.col(c).dot(turned);
+    result[c] =
+        body.joint.forces->tau[static_cast<std::size_t>(c)] + motion.columns.col(c).dot(turned);
 }
 
 template <class World>
@@ -165,8 +165,8 @@ void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
     const auto parent = static_cast<std::size_t>(model.parent);
     forces[parent] += calc_jacobian(data.bodies[parent], model.handle).transpose() * inward;
   }
-  angular(hub) += calc_stiffening_moment(sum_stiffening<World>(data.bodies),
-                                         angular(data.hub->twist));
+  angular(hub) +=
+      calc_stiffening_moment(sum_stiffening<World>(data.bodies), angular(data.hub->twist));
   response.hub_force = hub;
 }
 

@@ -10,8 +10,8 @@
 namespace spoke::steady {
 
 /// Sets the accelerations of all frames for coordinates without any, and the hub's as it is, from
-/// the hub to the tips; then sums forces from the tips to the hub. Kinematics and terms in the table
-/// must be those of the state.
+/// the hub to the tips; then sums forces from the tips to the hub. Kinematics and terms in the
+/// table must be those of the state.
 void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
                  TreeResponse& response);
 void calc_forces(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,

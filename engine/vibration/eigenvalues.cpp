@@ -51,7 +51,8 @@ std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, double ze
   if (factor.info() == Eigen::Success && factor.rcond() > 1e-15) {
     const MatrixXd half = factor.matrixL().solve(M);
     const MatrixXd flexibility = factor.matrixL().solve(half.transpose());
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 * (flexibility + flexibility.transpose()));
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 *
+                                                         (flexibility + flexibility.transpose()));
     for (Index k = K.rows(); k-- > 0 && std::ssize(roots) < count;)
       add(1.0 / solver.eigenvalues()[k], factor.matrixU().solve(solver.eigenvectors().col(k)));
     return roots;
@@ -108,8 +109,8 @@ class Inverse {
   MatrixXd operator*(const MatrixXd& b) const {
     const Index n = pencil_->size();
     MatrixXd y(b.rows(), b.cols());
-    y.topRows(n) = -factor_.solve(pencil_->mass(b.bottomRows(n)) +
-                                  pencil_->damping(shift_, b.topRows(n)));
+    y.topRows(n) =
+        -factor_.solve(pencil_->mass(b.bottomRows(n)) + pencil_->damping(shift_, b.topRows(n)));
     y.bottomRows(n) = b.topRows(n) + shift_ * y.topRows(n);
     return y;
   }
@@ -168,16 +169,16 @@ std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, double z
       values[k] = inverse.shift() + 1.0 / solver.eigenvalues()[k];
     const MatrixXcd vectors = basis * solver.eigenvectors();
     std::vector<Root> roots = choose(values, vectors, zero, count);
-    const MatrixXcd left = image * solver.eigenvectors() - vectors * solver.eigenvalues().asDiagonal();
+    const MatrixXcd left =
+        image * solver.eigenvectors() - vectors * solver.eigenvalues().asDiagonal();
     bool is_done = basis.cols() == size;
     if (!is_done && std::ssize(roots) == count) {
       const double last = std::abs(roots.back().s);
       is_done = true;
       for (Index k = 0; k < values.size(); ++k)
         if (std::abs(values[k]) <= last * (1.0 + 1e-9))
-          is_done = is_done &&
-                    left.col(k).norm() <= 1e-11 * std::abs(solver.eigenvalues()[k]) *
-                                              vectors.col(k).norm();
+          is_done = is_done && left.col(k).norm() <= 1e-11 * std::abs(solver.eigenvalues()[k]) *
+                                                         vectors.col(k).norm();
     }
     if (is_done) {
       for (Root& root : roots) root.x = root.x.head(pencil.size()).eval();

@@ -35,8 +35,8 @@ std::vector<NodeMotion> move(std::size_t tree, const VectorXd& q, const VectorXd
   double largest = 0.0;
   const auto& coordinates = model.coordinates(tree);
   for (Eigen::Index k = 0; k < direction.size(); ++k)
-    largest = std::max(largest, std::abs(direction[k]) /
-                                    coordinates[static_cast<std::size_t>(k)].scale);
+    largest =
+        std::max(largest, std::abs(direction[k]) / coordinates[static_cast<std::size_t>(k)].scale);
   std::vector<NodeMotion> motions;
   const double h = largest > 0.0 ? 1e-5 / largest : 0.0;
   const std::vector<NodePlace> ahead = places_at(tree, q + h * direction, model);
@@ -47,8 +47,8 @@ std::vector<NodeMotion> move(std::size_t tree, const VectorXd& q, const VectorXd
       continue;
     }
     const space::Rotation turn{ahead[k].axes * behind[k].axes.transpose()};
-    motions.push_back({(ahead[k].p - behind[k].p) / (2.0 * h),
-                       Vector3d(space::logarithm(turn)) / (2.0 * h)});
+    motions.push_back(
+        {(ahead[k].p - behind[k].p) / (2.0 * h), Vector3d(space::logarithm(turn)) / (2.0 * h)});
   }
   return motions;
 }
@@ -101,7 +101,8 @@ std::string name_kind(std::size_t tree, const VectorXcd& x, const Eigen::MatrixX
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const steady::TreeCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
     if (coordinate.node >= 0) continue;
-    VectorXcd& only = by_joint.try_emplace(coordinate.body, VectorXcd::Zero(x.size())).first->second;
+    VectorXcd& only =
+        by_joint.try_emplace(coordinate.body, VectorXcd::Zero(x.size())).first->second;
     only[k] = x[k];
     names.try_emplace(coordinate.body, coordinate.joint);
   }
@@ -117,9 +118,9 @@ std::string name_kind(std::size_t tree, const VectorXcd& x, const Eigen::MatrixX
 std::string name_pattern(const std::vector<VectorXcd>& blades,
                          const std::vector<double>& azimuths) {
   if (blades.size() < 2) return {};
-  const auto most = std::max_element(blades.begin(), blades.end(), [](const auto& a, const auto& b) {
-    return a.norm() < b.norm();
-  });
+  const auto most =
+      std::max_element(blades.begin(), blades.end(),
+                       [](const auto& a, const auto& b) { return a.norm() < b.norm(); });
   const int count = static_cast<int>(blades.size());
   VectorXcd amplitudes(count);
   double explained = 0.0, all = 0.0;

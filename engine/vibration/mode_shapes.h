@@ -32,9 +32,9 @@ std::string name_kind(std::size_t tree, const Eigen::VectorXcd& x, const Eigen::
                       const TreeShape& shape, const steady::SteadyModel& model);
 
 /// How equal blades move together: their amplitudes, by the blade that moves most, as sums over
-/// multiples n of the azimuth. "collective" (0), "progressive", "regressive" (whirl with and against
-/// the rotation), "cosine" and "sine" (both alike), "differential" (N/2), "order n" with its sense.
-/// Empty if there are less than two blades, or their amplitudes are no such pattern.
+/// multiples n of the azimuth. "collective" (0), "progressive", "regressive" (whirl with and
+/// against the rotation), "cosine" and "sine" (both alike), "differential" (N/2), "order n" with
+/// its sense. Empty if there are less than two blades, or their amplitudes are no such pattern.
 std::string name_pattern(const std::vector<Eigen::VectorXcd>& blades,
                          const std::vector<double>& azimuths);
 

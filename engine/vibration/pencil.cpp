@@ -68,9 +68,7 @@ MatrixXd Pencil::damping(double s, const MatrixXd& x) const {
 }
 
 MatrixXd Pencil::dense_mass() const { return mass(MatrixXd::Identity(size(), size())); }
-MatrixXd Pencil::dense_damping() const {
-  return damping(0.0, MatrixXd::Identity(size(), size()));
-}
+MatrixXd Pencil::dense_damping() const { return damping(0.0, MatrixXd::Identity(size(), size())); }
 MatrixXd Pencil::dense_stiffness() const {
   return apply(&LinearTree::K, &LinearTree::K_bh, &LinearTree::K_hb, &LinearModel::K,
                MatrixXd::Identity(size(), size()));
@@ -83,8 +81,7 @@ PencilFactor::PencilFactor(const Pencil& pencil, double s) : pencil_(pencil) {
   const auto evaluate = [s](const MatrixXd& M, const MatrixXd& C, const MatrixXd& K) {
     return MatrixXd(s * s * M + s * C + K);
   };
-  MatrixXd hub =
-      of_hub.asDiagonal() * evaluate(model.M, model.C, model.K) * of_hub.asDiagonal();
+  MatrixXd hub = of_hub.asDiagonal() * evaluate(model.M, model.C, model.K) * of_hub.asDiagonal();
   for (std::size_t place = 0; place < pencil.trees_.size(); ++place) {
     const LinearTree& t = model.trees[pencil.trees_[place]];
     const VectorXd scale = pencil.scale_.segment(pencil.starts_[place], t.M.rows());
@@ -94,8 +91,7 @@ PencilFactor::PencilFactor(const Pencil& pencil, double s) : pencil_(pencil) {
     if (h == 0) continue;
     by_hub_.push_back(trees_.back().solve(
         MatrixXd(scale.asDiagonal() * evaluate(t.M_bh, t.C_bh, t.K_bh) * of_hub.asDiagonal())));
-    on_hub_.push_back(of_hub.asDiagonal() * evaluate(t.M_hb, t.C_hb, t.K_hb) *
-                      scale.asDiagonal());
+    on_hub_.push_back(of_hub.asDiagonal() * evaluate(t.M_hb, t.C_hb, t.K_hb) * scale.asDiagonal());
     hub -= on_hub_.back() * by_hub_.back();
   }
   if (h == 0) return;

@@ -95,8 +95,7 @@ void add_modes_of_tree(std::size_t i, int count, const Linearised& all, ModesRes
   for (const Root& root : vibration::find_roots(pencil, count)) {
     Mode mode = make_mode(root);
     mode.of = of;
-    const TreeShape shape =
-        vibration::calc_tree_shape(i, all.equilibrium.q[i], root.x, all.model);
+    const TreeShape shape = vibration::calc_tree_shape(i, all.equilibrium.q[i], root.x, all.model);
     mode.shape.resize(all.model.trees());
     mode.shape[i] = shape.nodes;
     normalise(mode);
@@ -158,9 +157,10 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   const double of_hub =
       hub.real().dot(all.linear.M * hub.real()) + hub.imag().dot(all.linear.M * hub.imag());
   const Eigen::VectorXcd x = root.x.segment(pencil.start(most), all.linear.trees[most].M.rows());
-  mode.kind = of_hub > 0.5 && largest < 0.25
-                  ? "hub"
-                  : vibration::name_kind(most, x, all.linear.trees[most].M, shapes[most], all.model);
+  mode.kind =
+      of_hub > 0.5 && largest < 0.25
+          ? "hub"
+          : vibration::name_kind(most, x, all.linear.trees[most].M, shapes[most], all.model);
   mode.name = find_pattern(most, pencil, root.x, all);
   return mode;
 }
