@@ -16,7 +16,7 @@ double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
 
 /// What is nothing but round-off is 0.
 double damping_of(const Mode& mode) {
-  return std::abs(mode.damping_ratio) < 1e-9 ? 0.0 : mode.damping_ratio;
+  return std::abs(mode.damping_ratio) < 1e-6 ? 0.0 : mode.damping_ratio;
 }
 
 Json parts(const Eigen::Vector3cd& v, bool imaginary) {

@@ -101,8 +101,8 @@ report::Table make_joint_table(const EquilibriumResult& result) {
 
 std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
   return {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
-          {"force on the hub", vector_text(result.hub_force) + " N, of support and drive"},
-          {"moment on the hub", vector_text(result.hub_moment) + " N m"},
+          {"hub force", vector_text(result.hub_force) + " N, of support and drive"},
+          {"hub moment", vector_text(result.hub_moment) + " N m"},
           {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
                                    "{:.1e}",
                                    result.iterations, result.load_steps,
