@@ -24,7 +24,7 @@ struct ModeOptions {
 /// A vibration mode: motion Re(shape exp(eigenvalue t)) about the equilibrium, in the frame that
 /// turns with the hub.
 struct Mode {
-  std::string name;  ///< by what moves most: "flap 1", "lag hinge", "collective lag 1"
+  std::string name;  ///< by what moves most: "flap 1", "lag_hinge", "collective lag 1"
   std::string kind;  ///< "flap", "lag", "axial", "torsion", a joint's name, "hub"
   /// Whose: "blade 1", "blades 1 to 3" that are alike, "all" where blades couple.
   std::string of;

@@ -27,6 +27,7 @@ struct Arguments {
     trace,
     find_static,
     find_modes,
+    find_campbell,
   };
   Command command = Command::none;
   std::string scenario;  ///< file

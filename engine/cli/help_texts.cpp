@@ -75,6 +75,19 @@ Example:
   spoke modes models/nrel_5mw_rotor.toml --speed 1.267 --count 6
 )";
 
+const char* const kCampbellText =
+    R"(The modes of spoke modes at each speed, on all processors, followed from speed to speed by their
+shapes; where they meet 1 to 6 times the speed; how far that is from the speed of the drive.
+
+Output files, in the folder of --out:
+  campbell.html  the diagram, damping over speed, crossings
+  campbell.csv   a row per speed and mode
+  campbell.json  the same, and the crossings
+
+Example:
+  spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 4
+)";
+
 const char* const kCompareText =
     R"(Measures all combinations in interleaved rounds, each in a process of its own, and compares times
 per step and bits with those of the executor serial. Takes about a second for a combination as fast
@@ -138,6 +151,7 @@ const char* const kProgramText = R"(Examples:
   spoke check models/wu_haug_rotor.toml
   spoke static models/articulated_rotor.toml
   spoke modes models/nrel_5mw_rotor.toml
+  spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1
   spoke compare models/wu_haug_rotor.toml
   spoke predict models/wu_haug_rotor.toml
   spoke trace models/wu_haug_rotor.toml

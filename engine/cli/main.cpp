@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/cli/campbell_command.h"
 #include "engine/cli/check_command.h"
 #include "engine/cli/compare_command.h"
 #include "engine/cli/measure_child_command.h"
@@ -57,6 +58,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::find_static(arguments);
     case cli::Arguments::Command::find_modes:
       return cli::find_modes(arguments);
+    case cli::Arguments::Command::find_campbell:
+      return cli::find_campbell(arguments);
     case cli::Arguments::Command::none:
       break;
   }

@@ -15,7 +15,8 @@
 namespace spoke::cli {
 namespace {
 
-constexpr const char* kCommands = "run, check, static, modes, compare, predict, trace or reproduce";
+constexpr const char* kCommands =
+    "run, check, static, modes, campbell, compare, predict, trace or reproduce";
 
 /// Whether the executor runs on such threads, of which one option says nothing of the other.
 void check_threads(const SimulationOptions& options) {
@@ -91,6 +92,17 @@ void add_modes(CLI::App& program, Arguments& arguments) {
   add_count(command, arguments.steady);
   command.footer(std::string(kModesText) + '\n' + kStatusText);
   command.callback([&] { arguments.command = Arguments::Command::find_modes; });
+}
+
+void add_campbell(CLI::App& program, Arguments& arguments) {
+  CLI::App& command =
+      *program.add_subcommand("campbell", "Follow a model's vibrations over the speed of rotation");
+  add_common(command, arguments);
+  add_out(command, arguments, "results/<name of the scenario>/campbell");
+  add_speeds(command, arguments.steady);
+  add_count(command, arguments.steady);
+  command.footer(std::string(kCampbellText) + '\n' + kStatusText);
+  command.callback([&] { arguments.command = Arguments::Command::find_campbell; });
 }
 
 void add_compare(CLI::App& program, Arguments& arguments) {
@@ -174,7 +186,8 @@ std::string check_first(const std::vector<std::string>& arguments) {
   }
   const std::string& first = arguments[0];
   if (first == "run" || first == "check" || first == "static" || first == "modes" ||
-      first == "compare" || first == "predict" || first == "trace" || first == "reproduce")
+      first == "campbell" || first == "compare" || first == "predict" || first == "trace" ||
+      first == "reproduce")
     return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + std::string(kCommands) +
@@ -194,6 +207,7 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   add_check(program, result);
   add_static(program, result);
   add_modes(program, result);
+  add_campbell(program, result);
   add_compare(program, result);
   add_predict(program, result);
   add_trace(program, result);

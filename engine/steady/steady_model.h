@@ -20,7 +20,7 @@ using HubVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
 /// A coordinate of a tree.
 struct TreeCoordinate {
-  std::string name;    ///< "body 2 / node 3 / v", "flap hinge"; of joints numbered if several
+  std::string name;    ///< "body 2 / node 3 / v", "flap_hinge"; of joints numbered if several
   std::string joint;   ///< of a joint's, the joint
   int body = 0;        ///< of the tree
   int node = -1;       ///< of the body; -1: of the joint that carries it

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "engine/report/chart.h"
-#include "engine/report/markup.h"
 #include "engine/support/json.h"
 
 namespace spoke::steady_report {

@@ -27,7 +27,7 @@ TreeShape calc_tree_shape(std::size_t tree, const Eigen::VectorXd& q, const Eige
 
 /// "flap", "lag", "axial" or "torsion", by the largest energy; before it the name of the joint that
 /// has more than half of the kinetic energy x^H M x by itself, if there is one: "hinges flap", or
-/// only "flap hinge" where the name says it.
+/// only "flap_hinge" where the name says it.
 std::string name_kind(std::size_t tree, const Eigen::VectorXcd& x, const Eigen::MatrixXd& mass,
                       const TreeShape& shape, const steady::SteadyModel& model);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/campbell.h"
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "tests/engine/steady/blades.h"
@@ -207,6 +208,46 @@ TEST_CASE("modes: the NREL 5 MW blade has published frequencies, converged in it
   CHECK(rest.modes.at(1).name == "lag 1");
   CHECK(rest.modes.at(1).frequency ==
         doctest::Approx(2.0 * std::acos(-1.0) * 1.0793).epsilon(0.02));
+}
+
+TEST_CASE(
+    "campbell: modes keep their shapes through a crossing, and crossings are where they say") {
+  // A blade that is stiffer in lag than in flap at rest: flap rises faster and crosses it.
+  Scenario scenario = make_spatial({});
+  for (double& value : scenario.space->blades[0].beam.sections.lag_stiffness) value = 3.0;
+  CampbellOptions options{.count = 4, .harmonics = 3};
+  for (int k = 0; k <= 16; ++k) options.speeds.push_back(0.5 * k);
+  const CampbellResult result = solve_campbell(scenario, options);
+  REQUIRE(result.branches.size() == 4);
+  for (const CampbellBranch& branch : result.branches) {
+    CAPTURE(branch.name);
+    double before = 0.0;
+    for (std::size_t k = 0; k < options.speeds.size(); ++k) {
+      REQUIRE(branch.modes[k]);
+      const Mode& mode = result.states[k].modes[*branch.modes[k]];
+      CHECK(mode.name == branch.name);
+      CHECK(mode.frequency > before);
+      before = mode.frequency;
+    }
+  }
+  CHECK(result.branches[0].name == "flap 1");
+  CHECK(result.branches[1].name == "lag 1");
+  const std::size_t last = options.speeds.size() - 1;
+  CHECK(*result.branches[0].modes[last] > *result.branches[1].modes[last]);
+  // The line of the second harmonic meets lag 1.
+  const auto crossing =
+      std::find_if(result.crossings.begin(), result.crossings.end(),
+                   [](const auto& found) { return found.branch == 1 && found.harmonic == 2; });
+  REQUIRE(crossing != result.crossings.end());
+  const ModesResult there =
+      solve_modes(scenario, {.state = {.speed = crossing->speed}, .count = 2});
+  CHECK(frequencies_of(there, "lag").at(0) == doctest::Approx(2.0 * crossing->speed).epsilon(1e-2));
+  // The same on one thread.
+  options.threads = 1;
+  const CampbellResult serial = solve_campbell(scenario, options);
+  for (std::size_t k = 0; k < options.speeds.size(); ++k)
+    for (std::size_t m = 0; m < serial.states[k].modes.size(); ++m)
+      CHECK(serial.states[k].modes[m].eigenvalue == result.states[k].modes[m].eigenvalue);
 }
 
 TEST_CASE("modes: bad input gets a line") {
