@@ -38,6 +38,28 @@ double velocity_scale(const TreeCoordinate& coordinate, const SteadyModel& model
   return coordinate.scale * std::max(1.0, std::abs(model.speed()));
 }
 
+/// By the hub's turn and twist.
+void differ_by_hub(std::size_t tree, const TreeState& state, SteadyModel& model,
+                   TreeDerivatives& by) {
+  const Eigen::Index d = model.twist_size(), rows = state.q.size() + d;
+  const HubOffset none = model.no_offset();
+  const double speed = std::max(1.0, std::abs(model.speed()));
+  by.by_turn = by.by_twist = Eigen::MatrixXd::Zero(rows, d);
+  for (Eigen::Index c = 0; c < d; ++c) {
+    const auto along = [&, c](HubVector HubOffset::*member) {
+      return [&, c, member](double distance) {
+        HubOffset offset = none;
+        (offset.*member)[c] = distance;
+        return answer(tree, state, offset, model);
+      };
+    };
+    // Where the hub stands does not matter.
+    if (c >= model.first_rotation())
+      by.by_turn.col(c) = differ_finely(kStep, along(&HubOffset::turn));
+    by.by_twist.col(c) = differ(kVelocityStep * speed, along(&HubOffset::twist));
+  }
+}
+
 }  // namespace
 
 Eigen::MatrixXd calc_rough_derivative(std::size_t tree, const TreeState& state,
@@ -62,42 +84,26 @@ Eigen::MatrixXd calc_rough_derivative(std::size_t tree, const TreeState& state,
 TreeDerivatives calc_derivatives(std::size_t tree, const TreeState& state, bool with_hub,
                                  SteadyModel& model) {
   const std::vector<TreeCoordinate>& coordinates = model.coordinates(tree);
-  const Eigen::Index n = std::ssize(coordinates), d = model.twist_size();
+  const Eigen::Index n = std::ssize(coordinates), rows = n + model.twist_size();
   const HubOffset none = model.no_offset();
-  Eigen::MatrixXd by_q(n + d, n), by_v(n + d, n), by_turn, by_twist;
+  TreeDerivatives by{Eigen::MatrixXd(rows, n), Eigen::MatrixXd(rows, n), {}, {}};
   TreeState moved = state;
   for (Eigen::Index k = 0; k < n; ++k) {
     const TreeCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
-    by_q.col(k) = differ_finely(kStep * coordinate.scale, [&](double distance) {
+    by.by_q.col(k) = differ_finely(kStep * coordinate.scale, [&](double distance) {
       moved.q[k] = state.q[k] + distance;
       return answer(tree, moved, none, model);
     });
     moved.q[k] = state.q[k];
-    by_v.col(k) = differ(kVelocityStep * velocity_scale(coordinate, model), [&](double distance) {
-      moved.v[k] = state.v[k] + distance;
+    by.by_v.col(k) = differ(kVelocityStep * velocity_scale(coordinate, model), [&](double rate) {
+      moved.v[k] = state.v[k] + rate;
       return answer(tree, moved, none, model);
     });
     moved.v[k] = state.v[k];
   }
-  if (with_hub) {
-    const double scale = std::max(1.0, std::abs(model.speed()));
-    by_turn = by_twist = Eigen::MatrixXd::Zero(n + d, d);
-    for (Eigen::Index c = 0; c < d; ++c) {
-      const auto along = [&](HubVector HubOffset::*member) {
-        return [&, member](double distance) {
-          HubOffset offset = none;
-          (offset.*member)[c] = distance;
-          return answer(tree, state, offset, model);
-        };
-      };
-      // Where the hub stands does not matter.
-      if (c >= model.first_rotation())
-        by_turn.col(c) = differ_finely(kStep, along(&HubOffset::turn));
-      by_twist.col(c) = differ(kVelocityStep * scale, along(&HubOffset::twist));
-    }
-  }
+  if (with_hub) differ_by_hub(tree, state, model, by);
   answer(tree, state, none, model);
-  return {by_q, by_v, by_turn, by_twist};
+  return by;
 }
 
 }  // namespace spoke::steady

@@ -249,6 +249,20 @@ Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t tree) {
   return a;
 }
 
+/// The coordinates in the table.
+template <class World>
+Eigen::VectorXd SteadySystem<World>::take_bodies(std::size_t tree) const {
+  Eigen::VectorXd q(std::ssize(coordinates_[tree]));
+  Eigen::Index at = 0;
+  for (const BodyData<World>& body : data(tree).bodies) {
+    take_joint_position(body, q.data() + at);
+    at += count_joint_coordinates(*body.model);
+    for (int k = 0; k < body.model->body->coordinates(); ++k, ++at)
+      q[at] = body.coordinates.q[body.layout.offset(k)];
+  }
+  return q;
+}
+
 /// Twists of the bodies' frames, below one another, by those of the hub and by velocities.
 template <class World>
 Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t tree) {
@@ -257,17 +271,8 @@ Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t tree) {
   const Eigen::Index n = std::ssize(coordinates_[tree]);
   const auto bodies = static_cast<Eigen::Index>(subsystem.bodies.size());
   Eigen::MatrixXd twists(World::kTwist * bodies, World::kTwist + n);
-  Eigen::VectorXd q(n), v = Eigen::VectorXd::Zero(n);
-  Eigen::Index at = 0;
-  for (const BodyData<World>& body : subsystem.bodies) {
-    if (const int joint = count_joint_coordinates(*body.model); joint > 0) {
-      if constexpr (World::kMostJointCoordinates > 0)
-        std::copy_n(body.joint.coordinates.q, joint, q.data() + at);
-      at += joint;
-    }
-    for (int k = 0; k < body.model->body->coordinates(); ++k, ++at)
-      q[at] = body.coordinates.q[body.layout.offset(k)];
-  }
+  const Eigen::VectorXd q = take_bodies(tree);
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
   const PrescribedHub<World> kept = subsystem.prescribed;
   for (Eigen::Index c = 0; c < twists.cols(); ++c) {
     const bool is_hub = c < World::kTwist;

@@ -62,6 +62,7 @@ class SteadySystem final : public SteadyModel {
   void hold_hub();
   void place(std::size_t tree, const TreeState& state);
   void put_bodies(std::size_t tree, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
+  Eigen::VectorXd take_bodies(std::size_t tree) const;
   PrescribedHub<World> hub_motion(const HubOffset& offset) const;
   void find_nodes();
   Eigen::MatrixXd calc_twists(std::size_t tree);

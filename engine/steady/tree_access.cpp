@@ -35,6 +35,11 @@ void put_joint(const double* q, const double* v, BodyData<Space>& body) {
   std::copy_n(v, body.joint.coordinates.size, body.joint.coordinates.v);
 }
 
+void take_joint_position(const BodyData<Plane>&, double*) {}
+void take_joint_position(const BodyData<Space>& body, double* q) {
+  std::copy_n(body.joint.coordinates.q, body.joint.coordinates.size, q);
+}
+
 void take_joint(const BodyData<Plane>&, double*) {}
 void take_joint(const BodyData<Space>& body, double* a) {
   std::copy_n(body.joint.a_found, body.joint.coordinates.size, a);

@@ -18,7 +18,9 @@ int count_joint_coordinates(const TreeBody<Space>& body);
 /// Sets the coordinates or velocities of the joint.
 void put_joint(const double* q, const double* v, BodyData<Plane>& body);
 void put_joint(const double* q, const double* v, BodyData<Space>& body);
-/// Its accelerations.
+/// Its coordinates, and its accelerations.
+void take_joint_position(const BodyData<Plane>& body, double* q);
+void take_joint_position(const BodyData<Space>& body, double* q);
 void take_joint(const BodyData<Plane>& body, double* a);
 void take_joint(const BodyData<Space>& body, double* a);
 /// Folds the rotation vector of a spherical joint into its orientation, see settle(); `q`: of the

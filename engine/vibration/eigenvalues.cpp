@@ -142,49 +142,80 @@ void orthonormalise(const MatrixXd& basis, Index used, std::mt19937& dice, Matri
     }
 }
 
+/// The space that an operator spans from a block of vectors on.
+class BlockSpace {
+ public:
+  BlockSpace(Index size, Index width) : block_(size, width), basis_(size, 0), image_(size, 0) {
+    std::normal_distribution<double> normal;
+    for (Index k = 0; k < width; ++k)
+      for (Index i = 0; i < size; ++i) block_(i, k) = normal(dice_);
+  }
+
+  Index size() const { return basis_.cols(); }
+  bool is_all() const { return basis_.cols() == basis_.rows(); }
+  const MatrixXd& basis() const { return basis_; }
+  const MatrixXd& image() const { return image_; }  ///< of the basis, by the operator
+
+  /// Adds the image of the last block.
+  void grow(const Inverse& inverse) {
+    const Index rows = basis_.rows(), used = basis_.cols();
+    block_.conservativeResize(rows, std::min(block_.cols(), rows - used));
+    orthonormalise(basis_, used, dice_, block_);
+    const Index added = block_.cols();
+    basis_.conservativeResize(rows, used + added);
+    image_.conservativeResize(rows, used + added);
+    basis_.rightCols(added) = block_;
+    image_.rightCols(added) = inverse * block_;
+    block_ = image_.rightCols(added);
+  }
+
+ private:
+  std::mt19937 dice_{1};
+  MatrixXd block_, basis_, image_;
+};
+
+/// Eigenvalues of the pencil as a space has them, with vectors and the norms of what is left of
+/// their equations, by that of the vectors.
+struct RitzPairs {
+  Eigen::VectorXcd values;
+  MatrixXcd vectors;
+  VectorXd remainders;
+};
+RitzPairs find_pairs(const BlockSpace& space, double shift) {
+  const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(space.basis().transpose() * space.image()));
+  const Eigen::VectorXcd& inverse = solver.eigenvalues();
+  RitzPairs pairs{shift + inverse.array().inverse(), space.basis() * solver.eigenvectors(), {}};
+  const MatrixXcd left =
+      space.image() * solver.eigenvectors() - pairs.vectors * inverse.asDiagonal();
+  pairs.remainders = left.colwise().norm().transpose().cwiseQuotient(
+      pairs.vectors.colwise().norm().transpose().cwiseProduct(inverse.cwiseAbs()));
+  return pairs;
+}
+
+/// Whether all eigenvalues up to the last root have converged.
+bool have_converged(const RitzPairs& pairs, const std::vector<Root>& roots) {
+  const double last = std::abs(roots.back().s) * (1.0 + 1e-9);
+  for (Index k = 0; k < pairs.values.size(); ++k)
+    if (std::abs(pairs.values[k]) <= last && pairs.remainders[k] > 1e-11) return false;
+  return true;
+}
+
 /// Ritz values of the inverse in a space that grows by blocks, until those that are wanted have
 /// converged or the space is all.
 std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, double zero, Index count) {
   const Index size = 2 * pencil.size();
   const Index width = std::min(size, std::ssize(pencil.trees()) + 1);
-  std::mt19937 dice(1);
-  std::normal_distribution<double> normal;
-  MatrixXd block(size, width), basis(size, 0), image(size, 0);
-  for (Index k = 0; k < width; ++k)
-    for (Index i = 0; i < size; ++i) block(i, k) = normal(dice);
+  BlockSpace space(size, width);
   Index wanted = 2 * count + 2 * width + 8;
   while (true) {
-    const Index used = basis.cols();
-    block.conservativeResize(size, std::min<Index>(block.cols(), size - used));
-    orthonormalise(basis, used, dice, block);
-    basis.conservativeResize(size, used + block.cols());
-    image.conservativeResize(size, used + block.cols());
-    basis.rightCols(block.cols()) = block;
-    image.rightCols(block.cols()) = inverse * block;
-    block = image.rightCols(block.cols());
-    if (basis.cols() < std::min(size, wanted)) continue;
-    const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(basis.transpose() * image));
-    Eigen::VectorXcd values(basis.cols());
-    for (Index k = 0; k < values.size(); ++k)
-      values[k] = inverse.shift() + 1.0 / solver.eigenvalues()[k];
-    const MatrixXcd vectors = basis * solver.eigenvectors();
-    std::vector<Root> roots = choose(values, vectors, zero, count);
-    const MatrixXcd left =
-        image * solver.eigenvectors() - vectors * solver.eigenvalues().asDiagonal();
-    bool is_done = basis.cols() == size;
-    if (!is_done && std::ssize(roots) == count) {
-      const double last = std::abs(roots.back().s);
-      is_done = true;
-      for (Index k = 0; k < values.size(); ++k)
-        if (std::abs(values[k]) <= last * (1.0 + 1e-9))
-          is_done = is_done && left.col(k).norm() <= 1e-11 * std::abs(solver.eigenvalues()[k]) *
-                                                         vectors.col(k).norm();
-    }
-    if (is_done) {
+    while (!space.is_all() && space.size() < wanted) space.grow(inverse);
+    const RitzPairs pairs = find_pairs(space, inverse.shift());
+    std::vector<Root> roots = choose(pairs.values, pairs.vectors, zero, count);
+    if (space.is_all() || (std::ssize(roots) == count && have_converged(pairs, roots))) {
       for (Root& root : roots) root.x = root.x.head(pencil.size()).eval();
       return roots;
     }
-    wanted = std::min(size, basis.cols() + std::max<Index>(count, 2 * width));
+    wanted = space.size() + std::max<Index>(count, 2 * width);
   }
 }
 

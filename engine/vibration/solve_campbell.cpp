@@ -173,6 +173,8 @@ CampbellResult solve_campbell(const Scenario& scenario, const CampbellOptions& o
   result.states = solve_all(scenario, options);
   result.branches = begin_branches(result.states.front(), options.count);
   for (std::size_t k = 1; k < result.states.size(); ++k) follow(k, result.states, result.branches);
+  // Blades that gravity parts at rest are alike again as soon as the hub turns.
+  std::erase_if(result.branches, [](const CampbellBranch& branch) { return !branch.modes[1]; });
   for (CampbellBranch& branch : result.branches) name(result.states, branch);
   find_crossings(options, find_operating_speed(scenario), result);
   return result;
