@@ -33,6 +33,8 @@ engine/formulation/	(P 7) to (P 11)
 engine/integrator/	rk4, generalized_alpha
 engine/space/integrator/	orientations in steps
 engine/step/	the nodes and their graph
+engine/steady/	equilibrium, linear model
+engine/vibration/	modes and their names
 engine/run/	steps, windows, recording
 engine/simulation/	behind Simulation
 engine/vtk/	files for ParaView

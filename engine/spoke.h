@@ -3,7 +3,10 @@
 // The one header for programs that embed Spoke. Installed as <spoke/spoke.h>, with what it
 // includes.
 
+#include "engine/campbell.h"
 #include "engine/checkpoint.h"
+#include "engine/equilibrium.h"
+#include "engine/modes.h"
 #include "engine/results.h"
 #include "engine/simulation.h"
 #include "graph/declaration_check.h"

@@ -8,6 +8,7 @@
 
 #include "engine/cli/compare_arguments.h"
 #include "engine/cli/predict_arguments.h"
+#include "engine/cli/steady_arguments.h"
 #include "engine/cli/trace_arguments.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
@@ -24,6 +25,9 @@ struct Arguments {
     predict,
     reproduce,
     trace,
+    find_static,
+    find_modes,
+    find_campbell,
   };
   Command command = Command::none;
   std::string scenario;  ///< file
@@ -40,6 +44,7 @@ struct Arguments {
   CompareArguments compare;
   PredictArguments predict;
   TraceArguments trace;
+  SteadyArguments steady;
   std::string trace_out;  ///< of run: folder of a trace; empty: none
   bool quick = false;     ///< of reproduce: few rounds
 };

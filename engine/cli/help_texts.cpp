@@ -49,6 +49,45 @@ Example:
   spoke check models/wu_haug_rotor.toml --set blade.elements=8
 )";
 
+const char* const kStaticText =
+    R"(Newton's method with a line search, and load steps where it needs them. Loads, motors and prescribed
+joints have the values that their curves end with, pitch by the azimuth its mean. Where the hub turns,
+gravity and loads of constant direction count with their part along the axis.
+
+Output files, in the folder of --out:
+  static.html         deflections, tips, joints, wrench of the hub
+  static.json         everything
+  section_forces.csv  forces and moments along the blades
+
+Example:
+  spoke static models/articulated_rotor.toml --speed 36
+)";
+
+const char* const kModesText =
+    R"(About the equilibrium of spoke static, in the frame that turns with the hub: eigenvalues of the
+linearised model, real ones at rest without damping, else complex ones. See docs/modes.md.
+
+Output files, in the folder of --out:
+  modes.csv   a row per mode
+  modes.json  everything, shapes included
+
+Example:
+  spoke modes models/nrel_5mw_rotor.toml --speed 1.267 --count 6
+)";
+
+const char* const kCampbellText =
+    R"(The modes of spoke modes at each speed, on all processors, followed from speed to speed by their
+shapes; where they meet 1 to 6 times the speed; how far that is from the speed of the drive.
+
+Output files, in the folder of --out:
+  campbell.html  the diagram, damping over speed, crossings
+  campbell.csv   a row per speed and mode
+  campbell.json  the same, and the crossings
+
+Example:
+  spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 4
+)";
+
 const char* const kCompareText =
     R"(Measures all combinations in interleaved rounds, each in a process of its own, and compares times
 per step and bits with those of the executor serial. Takes about a second for a combination as fast
@@ -110,6 +149,9 @@ Example:
 const char* const kProgramText = R"(Examples:
   spoke run models/wu_haug_rotor.toml
   spoke check models/wu_haug_rotor.toml
+  spoke static models/articulated_rotor.toml
+  spoke modes models/nrel_5mw_rotor.toml
+  spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1
   spoke compare models/wu_haug_rotor.toml
   spoke predict models/wu_haug_rotor.toml
   spoke trace models/wu_haug_rotor.toml

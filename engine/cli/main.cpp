@@ -9,15 +9,18 @@
 #include <string>
 #include <vector>
 
+#include "engine/cli/campbell_command.h"
 #include "engine/cli/check_command.h"
 #include "engine/cli/compare_command.h"
 #include "engine/cli/measure_child_command.h"
+#include "engine/cli/modes_command.h"
 #include "engine/cli/parse_arguments.h"
 #include "engine/cli/predict_command.h"
 #include "engine/cli/report.h"
 #include "engine/cli/reproduce_command.h"
 #include "engine/cli/run_command.h"
 #include "engine/cli/standard_streams.h"
+#include "engine/cli/static_command.h"
 #include "engine/cli/trace_command.h"
 #include "graph/execute/unbound_thread.h"
 #include "graph/executor.h"
@@ -51,6 +54,12 @@ int execute(const cli::Arguments& arguments) {
       return cli::reproduce(arguments);
     case cli::Arguments::Command::trace:
       return cli::trace(arguments);
+    case cli::Arguments::Command::find_static:
+      return cli::find_static(arguments);
+    case cli::Arguments::Command::find_modes:
+      return cli::find_modes(arguments);
+    case cli::Arguments::Command::find_campbell:
+      return cli::find_campbell(arguments);
     case cli::Arguments::Command::none:
       break;
   }

@@ -15,7 +15,8 @@
 namespace spoke::cli {
 namespace {
 
-constexpr const char* kCommands = "run, check, compare, predict, trace or reproduce";
+constexpr const char* kCommands =
+    "run, check, static, modes, campbell, compare, predict, trace or reproduce";
 
 /// Whether the executor runs on such threads, of which one option says nothing of the other.
 void check_threads(const SimulationOptions& options) {
@@ -70,6 +71,38 @@ void add_check(CLI::App& program, Arguments& arguments) {
   add_common(check, arguments);
   check.footer(std::string(kCheckText) + '\n' + kStatusText);
   check.callback([&] { arguments.command = Arguments::Command::check; });
+}
+
+void add_static(CLI::App& program, Arguments& arguments) {
+  CLI::App& command =
+      *program.add_subcommand("static", "Find where a model stands in steady rotation, or at rest");
+  add_common(command, arguments);
+  add_out(command, arguments, "results/<name of the scenario>/static");
+  add_speed(command, arguments.steady);
+  command.footer(std::string(kStaticText) + '\n' + kStatusText);
+  command.callback([&] { arguments.command = Arguments::Command::find_static; });
+}
+
+void add_modes(CLI::App& program, Arguments& arguments) {
+  CLI::App& command = *program.add_subcommand(
+      "modes", "Find frequencies, damping and shapes of a model's vibrations");
+  add_common(command, arguments);
+  add_out(command, arguments, "results/<name of the scenario>/modes");
+  add_speed(command, arguments.steady);
+  add_count(command, arguments.steady);
+  command.footer(std::string(kModesText) + '\n' + kStatusText);
+  command.callback([&] { arguments.command = Arguments::Command::find_modes; });
+}
+
+void add_campbell(CLI::App& program, Arguments& arguments) {
+  CLI::App& command =
+      *program.add_subcommand("campbell", "Follow a model's vibrations over the speed of rotation");
+  add_common(command, arguments);
+  add_out(command, arguments, "results/<name of the scenario>/campbell");
+  add_speeds(command, arguments.steady);
+  add_count(command, arguments.steady);
+  command.footer(std::string(kCampbellText) + '\n' + kStatusText);
+  command.callback([&] { arguments.command = Arguments::Command::find_campbell; });
 }
 
 void add_compare(CLI::App& program, Arguments& arguments) {
@@ -152,8 +185,9 @@ std::string check_first(const std::vector<std::string>& arguments) {
                      " (see spoke --help)");
   }
   const std::string& first = arguments[0];
-  if (first == "run" || first == "check" || first == "compare" || first == "predict" ||
-      first == "trace" || first == "reproduce")
+  if (first == "run" || first == "check" || first == "static" || first == "modes" ||
+      first == "campbell" || first == "compare" || first == "predict" || first == "trace" ||
+      first == "reproduce")
     return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + std::string(kCommands) +
@@ -171,6 +205,9 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   program.require_subcommand(1);
   add_run(program, result);
   add_check(program, result);
+  add_static(program, result);
+  add_modes(program, result);
+  add_campbell(program, result);
   add_compare(program, result);
   add_predict(program, result);
   add_trace(program, result);

@@ -1,0 +1,81 @@
+// Parses speeds and numbers of modes.
+
+#include "engine/cli/steady_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <string>
+
+namespace spoke::cli {
+namespace {
+
+constexpr const char* kRange = "expected FROM:TO:STEP, ascending numbers [rad/s], got ";
+constexpr double kMostSpeeds = 10000;
+
+/// A number that the whole text is.
+double parse_number(const std::string& text, const std::string& whole) {
+  std::size_t used = 0;
+  double value = NAN;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = std::string::npos;
+  }
+  if (used != text.size() || !std::isfinite(value))
+    throw CLI::ValidationError("--speeds", kRange + whole);
+  return value;
+}
+
+/// "0:12:0.5", both ends included as far as the step meets them.
+std::vector<double> parse_range(const std::string& text) {
+  const std::size_t first = text.find(':'), second = text.find(':', first + 1);
+  if (first == std::string::npos || second == std::string::npos)
+    throw CLI::ValidationError("--speeds", kRange + text);
+  const double from = parse_number(text.substr(0, first), text);
+  const double to = parse_number(text.substr(first + 1, second - first - 1), text);
+  const double step = parse_number(text.substr(second + 1), text);
+  if (!(to > from) || !(step > 0.0) || !(step <= to - from))
+    throw CLI::ValidationError("--speeds", kRange + text);
+  const double steps = std::floor((to - from) / step * (1.0 + 1e-9));
+  if (steps >= kMostSpeeds)
+    throw CLI::ValidationError("--speeds", "expected 10000 speeds at most, got " + text);
+  std::vector<double> speeds;
+  for (int k = 0; k <= static_cast<int>(steps); ++k) speeds.push_back(from + k * step);
+  return speeds;
+}
+
+}  // namespace
+
+void add_speeds(CLI::App& command, SteadyArguments& arguments) {
+  command
+      .add_option_function<std::string>(
+          "--speeds", [&](const std::string& text) { arguments.speeds = parse_range(text); },
+          "Speeds of the hub about its axis [rad/s], as 0:12:0.5")
+      ->required()
+      ->type_name("FROM:TO:STEP");
+}
+
+void add_speed(CLI::App& command, SteadyArguments& arguments) {
+  command
+      .add_option_function<double>(
+          "--speed",
+          [&](double speed) {
+            if (!std::isfinite(speed))
+              throw CLI::ValidationError("--speed", "expected a finite number [rad/s]");
+            arguments.speed = speed;
+          },
+          "Speed of the hub about its axis [the one that the drive leads to]")
+      ->type_name("RAD_PER_S");
+}
+
+void add_count(CLI::App& command, SteadyArguments& arguments) {
+  command
+      .add_option("--count", arguments.count,
+                  "Modes, from the lowest on: of each blade, or of all\n"
+                  "where blades couple")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str()
+      ->type_name("N");
+}
+
+}  // namespace spoke::cli

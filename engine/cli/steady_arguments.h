@@ -1,0 +1,28 @@
+#pragma once
+
+// Options of the commands about steady states: `spoke static`, `modes` and `campbell`.
+
+#include <optional>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace spoke::cli {
+
+/// What they ask for besides scenario and folder.
+struct SteadyArguments {
+  std::optional<double> speed;  ///< [rad/s]; none: that of the drive
+  int count = 10;               ///< of modes
+  std::vector<double> speeds;   ///< of campbell [rad/s]
+};
+
+/// --speed.
+void add_speed(CLI::App& command, SteadyArguments& arguments);
+/// --speeds.
+void add_speeds(CLI::App& command, SteadyArguments& arguments);
+/// --count.
+void add_count(CLI::App& command, SteadyArguments& arguments);
+
+}  // namespace spoke::cli

@@ -1,0 +1,69 @@
+#pragma once
+
+// Where a model stands in steady rotation, or at rest.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/scenario.h"
+#include "spoke/export.h"
+
+namespace spoke {
+
+/// About which steady motion.
+struct SteadyState {
+  /// Of the hub about its axis [rad/s]; none: the speed that the scenario's drive leads to.
+  std::optional<double> speed = std::nullopt;
+};
+
+/// A coordinate of a joint in equilibrium.
+struct JointPosition {
+  std::string name;    ///< the joint's, with a number if it has several coordinates
+  double value = 0.0;  ///< [rad, m]
+  bool turns = true;   ///< an angle [rad], else a way [m]
+};
+
+/// What the inner part of a blade exerts on the outer one where a body begins, axes of that body.
+struct SectionLoad {
+  std::string body;                       ///< that begins there
+  double station = 0.0;                   ///< undeformed distance from the root [m]
+  Eigen::Vector3d force{0.0, 0.0, 0.0};   ///< [N]
+  Eigen::Vector3d moment{0.0, 0.0, 0.0};  ///< [N m]
+};
+
+/// A blade, or another subsystem, in equilibrium. Vectors are in the hub's frame.
+struct BladeEquilibrium {
+  std::string name;                                 ///< "blade 1", or the subsystem's
+  Eigen::Vector3d tip_displacement{0.0, 0.0, 0.0};  ///< from its undeformed place [m]
+  Eigen::Vector3d tip_rotation{0.0, 0.0, 0.0};      ///< rotation vector [rad]
+  std::vector<JointPosition> joints;                ///< that are free
+  std::vector<SectionLoad> loads;                   ///< from the root on
+  std::vector<Eigen::Vector3d> nodes;               ///< places, from root to tip [m]
+  std::vector<Eigen::Vector3d> undeformed;          ///< of the same nodes [m]
+};
+
+/// A model in equilibrium.
+struct EquilibriumResult {
+  double speed = 0.0;                    ///< of the hub [rad/s]
+  std::vector<BladeEquilibrium> blades;  ///< then other subsystems
+  /// What support and drive exert on the hub at its origin, hub frame [N], [N m].
+  Eigen::Vector3d hub_force{0.0, 0.0, 0.0};
+  Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};  ///< likewise
+  int iterations = 0;                         ///< of Newton's method, over all blades
+  int load_steps = 1;                         ///< in which loads were applied
+  double last_change = 0.0;  ///< of a coordinate in the last iteration [rad, or by length]
+};
+
+/// Finds the equilibrium of a scenario's model in steady rotation or at rest, by Newton's method
+/// with a line search and, where needed, load steps. Loads, motors and prescribed joints have the
+/// values that their curves end with, pitch that follows the azimuth its mean. Where the hub turns,
+/// gravity and loads of constant direction count with their part along the axis: the rest turns
+/// against the model. Throws InputError if the scenario is none, if the speed is not finite, if the
+/// drive is a torque and no speed is given, or if nothing holds the hub or a joint;
+/// DivergenceError, naming body and coordinate, if no equilibrium is found.
+SPOKE_EXPORT EquilibriumResult solve_equilibrium(const Scenario& scenario,
+                                                 const SteadyState& state = {});
+
+}  // namespace spoke

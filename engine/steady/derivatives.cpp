@@ -1,0 +1,109 @@
+// Central differences of what the step graph evaluates.
+
+#include "engine/steady/derivatives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace spoke::steady {
+namespace {
+
+// Steps by the scale of a coordinate. The error of fourth order is h^4/30 of the fifth derivative,
+// 1e-14 at this step, and round-off is 1e-16/h of what the forces are.
+constexpr double kStep = 1e-3;
+constexpr double kRoughStep = 1e-5;
+constexpr double kVelocityStep = 1e-3;
+
+/// Forces on the tree, then on the hub.
+Eigen::VectorXd answer(std::size_t tree, const TreeState& state, const HubOffset& hub,
+                       SteadyModel& model) {
+  TreeResponse response;
+  model.evaluate(tree, state, hub, response);
+  Eigen::VectorXd both(response.force.size() + response.hub_force.size());
+  both << response.force, response.hub_force;
+  return both;
+}
+
+/// One column: the central difference of `at`, a function of a distance.
+Eigen::VectorXd differ(double h, const std::function<Eigen::VectorXd(double)>& at) {
+  return (at(h) - at(-h)) / (2.0 * h);
+}
+Eigen::VectorXd differ_finely(double h, const std::function<Eigen::VectorXd(double)>& at) {
+  return (4.0 * differ(h, at) - differ(2.0 * h, at)) / 3.0;
+}
+
+/// Velocities by which to differ: what the coordinate's scale is in the time of a radian.
+double velocity_scale(const TreeCoordinate& coordinate, const SteadyModel& model) {
+  return coordinate.scale * std::max(1.0, std::abs(model.speed()));
+}
+
+/// By the hub's turn and twist.
+void differ_by_hub(std::size_t tree, const TreeState& state, SteadyModel& model,
+                   TreeDerivatives& by) {
+  const Eigen::Index d = model.twist_size(), rows = state.q.size() + d;
+  const HubOffset none = model.no_offset();
+  const double speed = std::max(1.0, std::abs(model.speed()));
+  by.by_turn = by.by_twist = Eigen::MatrixXd::Zero(rows, d);
+  for (Eigen::Index c = 0; c < d; ++c) {
+    const auto along = [&, c](HubVector HubOffset::*member) {
+      return [&, c, member](double distance) {
+        HubOffset offset = none;
+        (offset.*member)[c] = distance;
+        return answer(tree, state, offset, model);
+      };
+    };
+    // Where the hub stands does not matter.
+    if (c >= model.first_rotation())
+      by.by_turn.col(c) = differ_finely(kStep, along(&HubOffset::turn));
+    by.by_twist.col(c) = differ(kVelocityStep * speed, along(&HubOffset::twist));
+  }
+}
+
+}  // namespace
+
+Eigen::MatrixXd calc_rough_derivative(std::size_t tree, const TreeState& state,
+                                      SteadyModel& model) {
+  const std::vector<TreeCoordinate>& coordinates = model.coordinates(tree);
+  const Eigen::Index n = std::ssize(coordinates);
+  const HubOffset none = model.no_offset();
+  Eigen::MatrixXd by_q(n, n);
+  TreeState moved = state;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double h = kRoughStep * coordinates[static_cast<std::size_t>(k)].scale;
+    by_q.col(k) = differ(h, [&](double distance) {
+                    moved.q[k] = state.q[k] + distance;
+                    return answer(tree, moved, none, model);
+                  }).head(n);
+    moved.q[k] = state.q[k];
+  }
+  answer(tree, state, none, model);
+  return by_q;
+}
+
+TreeDerivatives calc_derivatives(std::size_t tree, const TreeState& state, bool with_hub,
+                                 SteadyModel& model) {
+  const std::vector<TreeCoordinate>& coordinates = model.coordinates(tree);
+  const Eigen::Index n = std::ssize(coordinates), rows = n + model.twist_size();
+  const HubOffset none = model.no_offset();
+  TreeDerivatives by{Eigen::MatrixXd(rows, n), Eigen::MatrixXd(rows, n), {}, {}};
+  TreeState moved = state;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const TreeCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+    by.by_q.col(k) = differ_finely(kStep * coordinate.scale, [&](double distance) {
+      moved.q[k] = state.q[k] + distance;
+      return answer(tree, moved, none, model);
+    });
+    moved.q[k] = state.q[k];
+    by.by_v.col(k) = differ(kVelocityStep * velocity_scale(coordinate, model), [&](double rate) {
+      moved.v[k] = state.v[k] + rate;
+      return answer(tree, moved, none, model);
+    });
+    moved.v[k] = state.v[k];
+  }
+  if (with_hub) differ_by_hub(tree, state, model, by);
+  answer(tree, state, none, model);
+  return by;
+}
+
+}  // namespace spoke::steady

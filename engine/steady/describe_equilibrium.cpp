@@ -1,0 +1,65 @@
+// Tips, joints, loads and nodes of the trees.
+
+#include "engine/steady/describe_equilibrium.h"
+
+namespace spoke::steady {
+namespace {
+
+std::vector<Eigen::Vector3d> places_of(std::size_t tree, SteadyModel& model) {
+  std::vector<Eigen::Vector3d> list;
+  for (const NodePlace& place : model.places(tree)) list.push_back(place.p);
+  return list;
+}
+
+void evaluate(std::size_t tree, const Eigen::VectorXd& q, SteadyModel& model) {
+  TreeResponse response;
+  model.evaluate(tree, make_state(q), model.no_offset(), response);
+}
+
+BladeEquilibrium describe_tree(std::size_t tree, const Eigen::VectorXd& q, SteadyModel& model) {
+  BladeEquilibrium blade;
+  blade.name = model.name_of(tree);
+  const std::vector<TreeCoordinate>& coordinates = model.coordinates(tree);
+  Eigen::VectorXd rigid = q;  // joints as they are, bodies undeformed
+  const Eigen::VectorXd shown = model.absolute(tree, q);
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const TreeCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+    if (coordinate.node >= 0)
+      rigid[k] = 0.0;
+    else
+      blade.joints.push_back({coordinate.name, shown[k], coordinate.turns});
+  }
+  evaluate(tree, rigid, model);
+  blade.undeformed = places_of(tree, model);
+  evaluate(tree, q, model);
+  blade.nodes = places_of(tree, model);
+  model.accelerations(tree);
+  const TipMotion tip = model.tip(tree);
+  blade.tip_displacement = tip.displacement;
+  blade.tip_rotation = tip.rotation;
+  for (const JointLoad& load : model.joint_loads(tree))
+    blade.loads.push_back({load.body, load.station, load.force, load.moment});
+  return blade;
+}
+
+}  // namespace
+
+EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
+  EquilibriumResult result;
+  result.speed = model.speed();
+  result.iterations = found.iterations;
+  result.load_steps = found.load_steps;
+  result.last_change = found.last_change;
+  if (model.is_spatial()) {
+    result.hub_force = found.wrench.head<3>();
+    result.hub_moment = found.wrench.tail<3>();
+  } else {
+    result.hub_force.head<2>() = found.wrench.head<2>();
+    result.hub_moment.z() = found.wrench[2];
+  }
+  for (std::size_t i = 0; i < model.trees(); ++i)
+    result.blades.push_back(describe_tree(i, found.q[i], model));
+  return result;
+}
+
+}  // namespace spoke::steady

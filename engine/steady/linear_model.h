@@ -1,0 +1,37 @@
+#pragma once
+
+// A model linearised about its steady rotation, in the frame that turns with the hub:
+// M x'' + C x' + K x = 0, with constant matrices.
+
+#include <vector>
+
+#include "engine/steady/find_equilibrium.h"
+
+namespace spoke::steady {
+
+/// Matrices of one tree; `bh`: its rows, columns of the hub's free coordinates; `hb`: the other way
+/// round.
+struct LinearTree {
+  Eigen::MatrixXd M, C, K;
+  Eigen::MatrixXd M_bh, C_bh, K_bh;
+  Eigen::MatrixXd M_hb, C_hb, K_hb;
+};
+
+/// Trees meet at the hub only, whose free coordinates are small motions in its steady frame: places
+/// and rotations. There are none where support and drive prescribe its motion.
+struct LinearModel {
+  Eigen::MatrixXd M, C, K;  ///< of the hub's free coordinates
+  std::vector<LinearTree> trees;
+  /// By tree, the tree that stands for it: where the hub's motion is prescribed those that are
+  /// alike are linearised once, and the others are empty.
+  std::vector<std::size_t> alike;
+
+  bool is_coupled() const { return M.rows() > 0; }
+};
+
+/// Linearises a model about its equilibrium, which it leaves it at: M as it is there, K and D of
+/// deformations the model's own constants, the rest of K and C differences of the forces, see
+/// calc_derivatives().
+LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model);
+
+}  // namespace spoke::steady

@@ -1,0 +1,107 @@
+// Takes time out of loads, motors and prescribed motions.
+
+#include "engine/steady/steady_loads.h"
+
+#include "models/space/body.h"
+#include "models/space/hub.h"
+#include "models/space/tension_place.h"
+#include "models/space/tree_joint.h"
+
+namespace spoke::steady {
+namespace {
+
+/// The part of what is constant in the inertial frame that turns with the hub as if it were fixed
+/// to it: in the plane no force, and any moment.
+void keep_axial(const System<Plane>&, BodyLoad<Plane>& load) {
+  if (load.frame == LoadFrame::inertial) load.force.setZero();
+}
+void keep_axial(const System<Plane>&, HubLoad& load) {
+  if (load.frame == LoadFrame::inertial) load.force.setZero();
+}
+
+space::Position axial_part(const System<Space>& system, const space::Position& vector) {
+  const space::Position axis = make_rotation(system.hub.orientation) * space::Position(0, 0, 1);
+  return axis * axis.dot(vector);
+}
+void keep_axial(const System<Space>& system, BodyLoad<Space>& load) {
+  if (load.frame != spatial::LoadFrame::inertial) return;
+  load.force = axial_part(system, load.force);
+  load.moment = axial_part(system, load.moment);
+}
+void keep_axial(const System<Space>& system, space::HubLoad& load) {
+  if (load.frame != LoadFrame::inertial) return;
+  load.force = axial_part(system, load.force);
+  load.moment = axial_part(system, load.moment);
+}
+
+Position steady_gravity(const System<Plane>& system, bool turns) {
+  const bool falls = system.hub.support == HubSupport::free;
+  return turns || falls ? Position(0.0, 0.0) : system.gravity;
+}
+space::Position steady_gravity(const System<Space>& system, bool turns) {
+  if (system.hub.support == HubSupport::free) return space::Position::Zero();
+  return turns ? axial_part(system, system.gravity) : system.gravity;
+}
+
+double final_value(const spatial::Motion& motion) {
+  if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
+    return steady::final_value(table->value);
+  if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion)) return azimuth->mean;
+  return std::get<spatial::ProgramMotion>(motion).initial;
+}
+
+std::vector<Curve*> hold_joints(System<Plane>&) { return {}; }
+/// Holds prescribed joints; the motors of the others.
+std::vector<Curve*> hold_joints(System<Space>& system) {
+  std::vector<Curve*> motors;
+  for (Subsystem<Space>& subsystem : system.subsystems)
+    for (TreeBody<Space>& body : subsystem.bodies) {
+      space::JointCourse& course = body.joint.course;
+      for (spatial::Motion& motion : course.driven)
+        motion = spatial::MotionTable{Curve(final_value(motion))};
+      for (Curve& effort : course.efforts) motors.push_back(&effort);
+    }
+  return motors;
+}
+
+}  // namespace
+
+double final_value(const Curve& curve) { return curve.values().back(); }
+
+template <class World>
+SteadyLoads<World>::SteadyLoads(System<World>& system, bool turns)
+    : system_(system), gravity_(steady_gravity(system, turns)) {
+  system.gravity_ramp = 0.0;
+  const auto hold = [this](auto& load) {
+    auto course = std::make_shared<LoadCourse>();
+    courses_.push_back({course, final_value(load.course->factor)});
+    load.course = course;
+  };
+  for (Subsystem<World>& subsystem : system.subsystems)
+    for (TreeBody<World>& body : subsystem.bodies) {
+      for (BodyLoad<World>& load : body.loads) {
+        if (turns) keep_axial(system, load);
+        hold(load);
+      }
+      for (BodyDrag<World>& drag : body.drags) hold(drag);
+    }
+  for (Curve* motor : hold_joints(system)) efforts_.push_back({motor, final_value(*motor)});
+  for (auto& load : system.hub_loads) {
+    if (turns) keep_axial(system, load);
+    load.ramp = 0.0;
+    efforts_.push_back({&load.factor, final_value(load.factor)});
+  }
+  set_share(1.0);
+}
+
+template <class World>
+void SteadyLoads<World>::set_share(double share) {
+  system_.gravity = share * gravity_;
+  for (const Scaled& scaled : courses_) *scaled.course = {Curve(share * scaled.full), 0.0};
+  for (const Effort& effort : efforts_) *effort.curve = Curve(share * effort.full);
+}
+
+template class SteadyLoads<Plane>;
+template class SteadyLoads<Space>;
+
+}  // namespace spoke::steady

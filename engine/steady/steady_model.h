@@ -1,0 +1,161 @@
+#pragma once
+
+// A model in steady rotation: the forces on its coordinates as a function of the state, seen from
+// the frame that turns with the hub, where nothing depends on time. Kinematics and terms are those
+// of the step graph's own nodes; what is said here of "trees" holds for the blades of the plane,
+// too.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/scenario.h"
+
+namespace spoke::steady {
+
+/// Components of a twist: 3 in the plane, 6 in space.
+using HubVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+
+/// A coordinate of a tree.
+struct TreeCoordinate {
+  std::string name;    ///< "body 2 / node 3 / v", "flap_hinge"; of joints numbered if several
+  std::string joint;   ///< of a joint's, the joint
+  int body = 0;        ///< of the tree
+  int node = -1;       ///< of the body; -1: of the joint that carries it
+  bool turns = false;  ///< [rad], else [m]
+  double scale = 1.0;  ///< a large value of it [rad, m]
+};
+
+/// Where to evaluate a tree. Coordinates and velocities in the order of coordinates(): by body its
+/// joint's, then its deformation's. Elastic forces are taken at `q_elastic`, their dampers at
+/// `v_elastic`, of which those of joints do not count.
+struct TreeState {
+  Eigen::VectorXd q, v;
+  Eigen::VectorXd q_elastic, v_elastic;
+};
+
+/// How the hub moves besides its steady rotation, in its frame: the rotation vector by which it is
+/// turned, and its additional twist. Its acceleration is zero.
+struct HubOffset {
+  HubVector turn;   ///< rotational components of a twist, the others unused [rad]
+  HubVector twist;  ///< [m/s, rad/s]
+};
+
+/// What a tree does there.
+struct TreeResponse {
+  Eigen::VectorXd force;  ///< on its coordinates, with that of inertia at zero accelerations
+  HubVector hub_force;    ///< likewise on the hub, at its origin, hub frame
+  bool is_valid = true;   ///< all is finite, and no body is beyond its limits
+};
+
+/// Mass matrix of a tree and the hub's frame, and its constant damping.
+struct TreeMatrices {
+  Eigen::MatrixXd mass;     ///< hub's twist first, then the coordinates
+  Eigen::MatrixXd damping;  ///< D of the deformations, without joints
+};
+
+/// A node of a body, for pictures and names of shapes; hub frame.
+struct NodePlace {
+  Eigen::Vector3d p;     ///< [m]
+  Eigen::Matrix3d axes;  ///< of its section, columns
+  double mass = 0.0;     ///< lumped [kg]
+  double inertia = 0.0;  ///< about its axis, lumped [kg m^2]
+  int body = 0;          ///< of the tree
+};
+
+/// The tip of a tree against its undeformed place, hub frame.
+struct TipMotion {
+  Eigen::Vector3d displacement;  ///< as the sensors have it [m]
+  Eigen::Vector3d rotation;      ///< rotation vector [rad]
+};
+
+/// The wrench of a joint on the inboard end of the body that it carries, in the body's frame.
+struct JointLoad {
+  std::string body;
+  double station = 0.0;    ///< undeformed distance of that end from the tree's root [m]
+  Eigen::Vector3d force;   ///< [N]
+  Eigen::Vector3d moment;  ///< [N m]
+};
+
+/// What of a scenario is steady.
+struct SteadyOptions {
+  double speed = 0.0;  ///< of the hub about its axis [rad/s]
+};
+
+class SteadyModel {
+ public:
+  virtual ~SteadyModel() = default;
+  SteadyModel() = default;
+  SteadyModel(const SteadyModel&) = delete;
+  SteadyModel& operator=(const SteadyModel&) = delete;
+
+  virtual std::size_t trees() const = 0;
+  virtual const std::string& name_of(std::size_t tree) const = 0;
+  virtual const std::vector<TreeCoordinate>& coordinates(std::size_t tree) const = 0;
+  /// Direction of a tree about the hub's axis [rad].
+  virtual double azimuth(std::size_t tree) const = 0;
+  /// Its axes where it is fixed to the hub: x along it, z along the axis of rotation; hub frame.
+  virtual Eigen::Matrix3d root_axes(std::size_t tree) const = 0;
+  virtual bool is_spatial() const = 0;
+  /// Components of a twist.
+  virtual int twist_size() const = 0;
+  /// Index of the first rotational one.
+  int first_rotation() const { return is_spatial() ? 3 : 2; }
+  /// Which of them are unknowns of the model: all of a free hub, the rotation of a driven one.
+  virtual const std::vector<int>& free_components() const = 0;
+  virtual bool is_hub_free() const = 0;
+  /// Whether the drive's torque depends on nothing but the balance: it is then what holds the
+  /// speed.
+  virtual bool has_torque_drive() const = 0;
+  double speed() const { return speed_; }
+
+  /// Sets the share of loads, gravity and the speed's square, from 0 to 1.
+  virtual void set_share(double share) = 0;
+
+  /// Coordinates at the start of the search: undeformed, joints where the scenario has them.
+  virtual Eigen::VectorXd initial(std::size_t tree) const = 0;
+  /// Takes coordinates as the state about which spherical joints are turned, and sets the rotation
+  /// vectors of these to zero.
+  virtual void settle(std::size_t tree, Eigen::VectorXd& q) = 0;
+
+  virtual void evaluate(std::size_t tree, const TreeState& state, const HubOffset& hub,
+                        TreeResponse& response) = 0;
+  /// K of the deformations, without joints; constant.
+  virtual const Eigen::MatrixXd& stiffness(std::size_t tree) const = 0;
+  // At the state that was evaluated last.
+  /// The accelerations that the step graph finds, and so the wrenches of the joints.
+  virtual Eigen::VectorXd accelerations(std::size_t tree) = 0;
+  virtual TreeMatrices matrices(std::size_t tree) = 0;
+
+  /// Forces of the hub's own inertia, of drive and loads at an offset, its acceleration being zero.
+  virtual HubVector hub_force(const HubOffset& hub) const = 0;
+  /// Mass of the hub alone.
+  virtual Eigen::MatrixXd hub_mass() const = 0;
+
+  // At the state that was evaluated last.
+  virtual std::vector<NodePlace> places(std::size_t tree) = 0;
+  virtual TipMotion tip(std::size_t tree) = 0;
+  /// After accelerations().
+  virtual std::vector<JointLoad> joint_loads(std::size_t tree) const = 0;
+  /// What a free joint's coordinates are; spherical ones as the rotation vector from parent to
+  /// child.
+  virtual Eigen::VectorXd absolute(std::size_t tree, const Eigen::VectorXd& q) const = 0;
+
+  HubOffset no_offset() const {
+    return {HubVector::Zero(twist_size()), HubVector::Zero(twist_size())};
+  }
+
+ protected:
+  double speed_ = 0.0;
+};
+
+/// The model of a scenario in steady rotation: loads, motors and prescribed joints with the values
+/// that their curves end with, pitch by azimuth with its mean. Where the hub turns, gravity and
+/// loads of constant direction count with their part along the axis. Where the hub is free, gravity
+/// does not count: all falls alike. Throws InputError like Simulation.
+std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
+                                               const SteadyOptions& options);
+
+}  // namespace spoke::steady

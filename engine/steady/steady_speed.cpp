@@ -1,0 +1,47 @@
+// The speed that each kind of drive ends with.
+
+#include "engine/steady/steady_speed.h"
+
+#include <cmath>
+#include <string>
+
+#include "models/error.h"
+
+namespace spoke::steady {
+namespace {
+
+struct FinalSpeed {
+  std::optional<double> operator()(const SpinUp& drive) const { return drive.speed; }
+  std::optional<double> operator()(const SpinUpHoldSpinDown& drive) const { return drive.speed; }
+  std::optional<double> operator()(const SpeedTable& drive) const {
+    return drive.speed.values().back();
+  }
+  std::optional<double> operator()(const FixedDrive&) const { return 0.0; }
+  std::optional<double> operator()(const ConstantSpeed& drive) const { return drive.speed; }
+  std::optional<double> operator()(const FreeDrive& drive) const { return drive.initial_speed; }
+  std::optional<double> operator()(const TorqueDrive&) const { return std::nullopt; }
+  std::optional<double> operator()(const TorqueBySpeed&) const { return std::nullopt; }
+};
+
+/// Of a free hub in space the start is given as a vector.
+std::optional<double> speed_of(const spatial::Hub& hub) {
+  if (hub.support == HubSupport::free) return hub.angular_velocity.dot(hub.axis.normalized());
+  return std::visit(FinalSpeed{}, hub.drive);
+}
+
+}  // namespace
+
+double find_steady_speed(const Scenario& scenario, std::optional<double> asked) {
+  if (asked && !std::isfinite(*asked))
+    throw InputError("the speed is " + std::to_string(*asked) + ", expected a finite number");
+  if (asked) return *asked;
+  const std::optional<double> speed = scenario.space
+                                          ? speed_of(scenario.space->hub)
+                                          : std::visit(FinalSpeed{}, scenario.rotor.hub.drive);
+  if (!speed)
+    throw InputError(
+        "hub.drive: a torque has no steady speed by itself, expected a speed to be given");
+  return *speed;
+}
+
+}  // namespace spoke::steady

@@ -1,0 +1,370 @@
+// Sets states of the table, runs the nodes that find accelerations there, and reads them.
+
+#include "engine/steady/steady_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/kernels/deformation_limits.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/samples.h"
+#include "engine/kernels/spatial_samples.h"
+#include "engine/steady/tree_access.h"
+#include "engine/steady/tree_forces.h"
+#include "engine/step/step_graph_builder.h"
+#include "models/error.h"
+#include "models/system/spatial_system.h"
+#include "models/tree/tree.h"
+
+namespace spoke::steady {
+namespace {
+
+/// A time at which all that rises has risen.
+constexpr double kLate = std::numeric_limits<double>::max();
+
+/// Nodes up to the terms of bodies.
+bool makes_terms(const std::string& stage) {
+  return stage == "position" || stage == "velocity" || stage == "load" || stage == "mass";
+}
+/// Nodes behind these, up to the accelerations.
+bool solves(const std::string& stage) {
+  return stage == "inverse" || stage == "effective" || stage == "multipliers" ||
+         stage == "recovery";
+}
+
+/// Of the undeformed body from the root of its tree [m].
+double station_of(const Subsystem<Plane>& subsystem, std::size_t j) {
+  return subsystem.length * static_cast<double>(j) / static_cast<double>(subsystem.bodies.size());
+}
+double station_of(const Subsystem<Space>& subsystem, std::size_t j) {
+  const space::FlexibleBody* flexible = subsystem.bodies[j].body->flexible();
+  return flexible ? flexible->stations.front() : 0.0;
+}
+
+/// Its first body's frame, undeformed.
+Rotation root_rotation(const Subsystem<Plane>& subsystem) { return subsystem.root.R; }
+space::Rotation root_rotation(const Subsystem<Space>& subsystem) {
+  return subsystem.bodies.front().joint.joint.offset.R;
+}
+
+Eigen::Vector3d in_space(const Position& p) { return {p.x(), p.y(), 0.0}; }
+Eigen::Vector3d in_space(const space::Position& p) { return p; }
+
+}  // namespace
+
+template <class World>
+SteadySystem<World>::SteadySystem(const std::function<void(System<World>&)>& fill,
+                                  std::vector<TreeNames> names, const SteadyOptions& options)
+    : names_(std::move(names)) {
+  speed_ = options.speed;
+  fill(context_.system);
+  hub_ = context_.system.hub;
+  for (int c = 0; c < World::kTwist; ++c)
+    if (!is_prescribed(hub_, c)) free_.push_back(c);
+  loads_.emplace(context_.system, speed_ != 0.0);
+  context_.system.hub.support = HubSupport::axle;
+  hold_hub();
+  context_.integrator = {Rk4{1.0}, {}};
+  allocate(context_);
+  std::fill(context_.data.progress.begin(), context_.data.progress.end(),
+            make_progress_between_steps(context_.integrator, 0, PassControl::kEvaluateOnly));
+  graph_.emplace(build_step_graph(context_));
+  find_nodes();
+  set_undeformed();
+}
+
+template <class World>
+void SteadySystem<World>::hold_hub() {
+  context_.system.hub.drive = ConstantSpeed{std::sqrt(share_) * speed_};
+}
+
+template <class World>
+void SteadySystem<World>::find_nodes() {
+  terms_.resize(trees());
+  solution_.resize(trees());
+  for (const graph::NodeId node : graph_->serial_order()) {
+    const graph::NodeLabel& label = graph_->node(node).label;
+    if (label.subsystem < 0) continue;
+    const auto tree = static_cast<std::size_t>(label.subsystem);
+    if (makes_terms(label.stage)) terms_[tree].push_back(node);
+    if (solves(label.stage)) solution_[tree].push_back(node);
+  }
+}
+
+/// Names the coordinates, gives elastic forces places of their own, and keeps where tips point.
+template <class World>
+void SteadySystem<World>::set_undeformed() {
+  for (std::size_t i = 0; i < trees(); ++i) {
+    std::vector<TreeCoordinate>& list = coordinates_.emplace_back();
+    std::vector<Eigen::VectorXd>& q = q_elastic_.emplace_back();
+    std::vector<Eigen::VectorXd>& v = v_elastic_.emplace_back();
+    for (std::size_t j = 0; j < data(i).bodies.size(); ++j) {
+      BodyData<World>& body = data(i).bodies[j];
+      for (TreeCoordinate& coordinate : name_coordinates(*body.model, static_cast<int>(j),
+                                                         names_[i].bodies[j], names_[i].joints[j]))
+        list.push_back(std::move(coordinate));
+      q.push_back(Eigen::VectorXd::Zero(body.layout.size()));
+      v.push_back(Eigen::VectorXd::Zero(body.layout.size()));
+    }
+    for (std::size_t j = 0; j < data(i).bodies.size(); ++j) {
+      data(i).bodies[j].q_elastic = q[j].data();
+      data(i).bodies[j].v_elastic = v[j].data();
+    }
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(std::ssize(list));
+    TreeResponse response;
+    evaluate(i, {zero, zero, zero, zero}, no_offset(), response);
+    tip_axes_.push_back(places(i).back().axes);
+    stiffness_.push_back(assemble_stiffness(i));
+  }
+}
+
+template <class World>
+Eigen::MatrixXd SteadySystem<World>::assemble_stiffness(std::size_t tree) const {
+  const Eigen::Index n = std::ssize(coordinates_[tree]);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  Eigen::Index at = 0;
+  for (const BodyData<World>& body : data(tree).bodies) {
+    const Eigen::Index nf = body.model->body->coordinates();
+    at += count_joint_coordinates(*body.model);
+    if (nf > 0) K.block(at, at, nf, nf) = calc_body_stiffness(body);
+    at += nf;
+  }
+  return K;
+}
+
+template <class World>
+Eigen::Matrix3d SteadySystem<World>::root_axes(std::size_t tree) const {
+  return axes_of(root_rotation(context_.system.subsystems[tree]));
+}
+
+template <class World>
+bool SteadySystem<World>::has_torque_drive() const {
+  return !prescribes_motion(hub_.drive) && !std::holds_alternative<FreeDrive>(hub_.drive);
+}
+
+template <class World>
+void SteadySystem<World>::set_share(double share) {
+  share_ = share;
+  loads_->set_share(share);
+  hold_hub();
+}
+
+template <class World>
+Eigen::VectorXd SteadySystem<World>::initial(std::size_t tree) const {
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(std::ssize(coordinates_[tree]));
+  Eigen::Index at = 0;
+  for (const TreeBody<World>& body : context_.system.subsystems[tree].bodies) {
+    take_initial(body, q.data() + at);
+    at += count_joint_coordinates(body) + body.body->coordinates();
+  }
+  return q;
+}
+
+template <class World>
+void SteadySystem<World>::settle(std::size_t tree, Eigen::VectorXd& q) {
+  Eigen::Index at = 0;
+  for (BodyData<World>& body : data(tree).bodies) {
+    fold_joint(q.data() + at, body);
+    at += count_joint_coordinates(*body.model) + body.model->body->coordinates();
+  }
+}
+
+template <class World>
+Eigen::VectorXd SteadySystem<World>::absolute(std::size_t tree, const Eigen::VectorXd& q) const {
+  Eigen::VectorXd result = q;
+  Eigen::Index at = 0;
+  for (const BodyData<World>& body : data(tree).bodies) {
+    make_absolute(body, result.data() + at);
+    at += count_joint_coordinates(*body.model) + body.model->body->coordinates();
+  }
+  return result;
+}
+
+template <class World>
+void SteadySystem<World>::put_bodies(std::size_t tree, const Eigen::VectorXd& q,
+                                     const Eigen::VectorXd& v) {
+  Eigen::Index at = 0;
+  for (BodyData<World>& body : data(tree).bodies) {
+    put_joint(q.data() + at, v.data() + at, body);
+    at += count_joint_coordinates(*body.model);
+    for (int k = 0; k < body.model->body->coordinates(); ++k, ++at) {
+      body.coordinates.q[body.layout.offset(k)] = q[at];
+      body.coordinates.v[body.layout.offset(k)] = v[at];
+    }
+  }
+}
+
+template <class World>
+void SteadySystem<World>::place(std::size_t tree, const TreeState& state) {
+  put_bodies(tree, state.q, state.v);
+  Eigen::Index at = 0;
+  for (std::size_t j = 0; j < data(tree).bodies.size(); ++j) {
+    const BodyData<World>& body = data(tree).bodies[j];
+    at += count_joint_coordinates(*body.model);
+    for (int k = 0; k < body.model->body->coordinates(); ++k, ++at) {
+      q_elastic_[tree][j][body.layout.offset(k)] = state.q_elastic[at];
+      v_elastic_[tree][j][body.layout.offset(k)] = state.v_elastic[at];
+    }
+  }
+}
+
+template <class World>
+PrescribedHub<World> SteadySystem<World>::hub_motion(const HubOffset& offset) const {
+  PrescribedHub<World> hub = calc_prescribed_motion(context_.system, 0.0);
+  hub.state.R = hub.state.R * turn_of(offset.turn, World{});
+  hub.state.twist += offset.twist;
+  hub.acceleration = calc_prescribed_acceleration(context_.system, 0.0, hub.state.R, 0.0);
+  return hub;
+}
+
+template <class World>
+void SteadySystem<World>::evaluate(std::size_t tree, const TreeState& state, const HubOffset& hub,
+                                   TreeResponse& response) {
+  place(tree, state);
+  SubsystemData<World>& subsystem = data(tree);
+  subsystem.prescribed = hub_motion(hub);
+  for (const graph::NodeId node : terms_[tree]) graph_->run_node(node);
+  calc_forces(context_.system.subsystems[tree], subsystem, response);
+  response.is_valid =
+      response.force.allFinite() &&
+      std::none_of(subsystem.bodies.begin(), subsystem.bodies.end(),
+                   [](const BodyData<World>& body) { return has_left_limits(body); });
+}
+
+template <class World>
+Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t tree) {
+  for (const graph::NodeId node : solution_[tree]) graph_->run_node(node);
+  Eigen::VectorXd a(std::ssize(coordinates_[tree]));
+  Eigen::Index at = 0;
+  for (const BodyData<World>& body : data(tree).bodies) {
+    take_joint(body, a.data() + at);
+    at += count_joint_coordinates(*body.model);
+    for (int k = 0; k < body.model->body->coordinates(); ++k, ++at)
+      a[at] = body.a_found[body.layout.offset(k)];
+  }
+  return a;
+}
+
+/// The coordinates in the table.
+template <class World>
+Eigen::VectorXd SteadySystem<World>::take_bodies(std::size_t tree) const {
+  Eigen::VectorXd q(std::ssize(coordinates_[tree]));
+  Eigen::Index at = 0;
+  for (const BodyData<World>& body : data(tree).bodies) {
+    take_joint_position(body, q.data() + at);
+    at += count_joint_coordinates(*body.model);
+    for (int k = 0; k < body.model->body->coordinates(); ++k, ++at)
+      q[at] = body.coordinates.q[body.layout.offset(k)];
+  }
+  return q;
+}
+
+/// Twists of the bodies' frames, below one another, by those of the hub and by velocities.
+template <class World>
+Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t tree) {
+  SubsystemData<World>& subsystem = data(tree);
+  const Subsystem<World>& model = context_.system.subsystems[tree];
+  const Eigen::Index n = std::ssize(coordinates_[tree]);
+  const auto bodies = static_cast<Eigen::Index>(subsystem.bodies.size());
+  Eigen::MatrixXd twists(World::kTwist * bodies, World::kTwist + n);
+  const Eigen::VectorXd q = take_bodies(tree);
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
+  const PrescribedHub<World> kept = subsystem.prescribed;
+  for (Eigen::Index c = 0; c < twists.cols(); ++c) {
+    const bool is_hub = c < World::kTwist;
+    subsystem.prescribed.state.twist = is_hub ? Twist(Twist::Unit(c)) : Twist(Twist::Zero());
+    if (!is_hub) v[c - World::kTwist] = 1.0;
+    put_bodies(tree, q, v);
+    if (!is_hub) v[c - World::kTwist] = 0.0;
+    calc_rotations(model, subsystem);
+    calc_velocities(model, subsystem);
+    for (Eigen::Index j = 0; j < bodies; ++j)
+      twists.block(World::kTwist * j, c, World::kTwist, 1) =
+          subsystem.twists[static_cast<std::size_t>(j)];
+  }
+  subsystem.prescribed = kept;
+  return twists;
+}
+
+template <class World>
+TreeMatrices SteadySystem<World>::matrices(std::size_t tree) {
+  constexpr Eigen::Index kHub = World::kTwist;
+  SubsystemData<World>& subsystem = data(tree);
+  const Eigen::Index n = std::ssize(coordinates_[tree]);
+  TreeMatrices result{Eigen::MatrixXd::Zero(kHub + n, kHub + n), Eigen::MatrixXd::Zero(n, n)};
+  std::vector<Eigen::MatrixXd> masses;
+  for (const BodyData<World>& body : subsystem.bodies) masses.push_back(calc_body_mass(body));
+  const auto stiffening = sum_stiffening<World>(subsystem.bodies);
+  const Eigen::MatrixXd twists = calc_twists(tree);
+  Eigen::Index at = 0;
+  for (std::size_t j = 0; j < masses.size(); ++j) {
+    const BodyData<World>& body = subsystem.bodies[j];
+    const Eigen::Index nf = body.model->body->coordinates();
+    at += count_joint_coordinates(*body.model);
+    const auto T = twists.middleRows(kHub * static_cast<Eigen::Index>(j), kHub);
+    const auto C = masses[j].topRightCorner(kHub, nf);
+    result.mass += T.transpose() * masses[j].topLeftCorner(kHub, kHub) * T;
+    result.mass.middleCols(kHub + at, nf) += T.transpose() * C;
+    result.mass.middleRows(kHub + at, nf) += C.transpose() * T;
+    result.mass.block(kHub + at, kHub + at, nf, nf) += masses[j].bottomRightCorner(nf, nf);
+    if (nf > 0)
+      result.damping.block(at, at, nf, nf) = calc_body_damping(context_.system.damping, body);
+    at += nf;
+  }
+  TwistMatrixOf<World> hub = TwistMatrixOf<World>::Zero();
+  rotary(hub) -= stiffening.inertia;
+  result.mass.topLeftCorner(kHub, kHub) += hub;
+  return result;
+}
+
+template <class World>
+HubVector SteadySystem<World>::hub_force(const HubOffset& offset) const {
+  const PrescribedHub<World> hub = hub_motion(offset);
+  HubSolution<World> applied{};
+  applied.applied_torque = share_ * calc_torque(hub_.drive, kLate, hub.state.twist[World::kAxial]);
+  applied.load = calc_hub_load(context_.system, 0.0, hub.state);
+  return calc_hub_force<World>(hub_, hub.state, applied) - calc_hub_mass(hub_) * hub.acceleration;
+}
+
+template <class World>
+Eigen::MatrixXd SteadySystem<World>::hub_mass() const {
+  return calc_hub_mass(hub_);
+}
+
+template <class World>
+std::vector<NodePlace> SteadySystem<World>::places(std::size_t tree) {
+  SubsystemData<World>& subsystem = data(tree);
+  calc_poses(context_.system.subsystems[tree], subsystem, subsystem.poses);
+  std::vector<NodePlace> places;
+  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j)
+    add_places(subsystem, static_cast<int>(j), places);
+  return places;
+}
+
+template <class World>
+TipMotion SteadySystem<World>::tip(std::size_t tree) {
+  const Eigen::Matrix3d turned = places(tree).back().axes * tip_axes_[tree].transpose();
+  const SubsystemSample<World> sample = calc_sample(context_.system, tree, data(tree));
+  return {in_space(sample.tip), space::logarithm(space::Rotation{turned})};
+}
+
+template <class World>
+std::vector<JointLoad> SteadySystem<World>::joint_loads(std::size_t tree) const {
+  std::vector<JointLoad> loads;
+  const SubsystemData<World>& subsystem = data(tree);
+  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+    const Twist& wrench = subsystem.wrenches[j].inboard;
+    loads.push_back({names_[tree].bodies[j], station_of(context_.system.subsystems[tree], j),
+                     force_of(wrench), moment_of(wrench)});
+  }
+  return loads;
+}
+
+template class SteadySystem<Plane>;
+template class SteadySystem<Space>;
+
+}  // namespace spoke::steady

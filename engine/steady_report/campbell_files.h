@@ -1,0 +1,23 @@
+#pragma once
+
+// campbell.csv, campbell.json and campbell.html of `spoke campbell`; docs/modes.md documents them.
+
+#include <string>
+
+#include "engine/campbell.h"
+#include "engine/report/page.h"
+
+namespace spoke::steady_report {
+
+/// A row per crossing.
+report::Table make_crossing_table(const CampbellResult& result);
+/// Branches with their frequencies at the first and at the last speed.
+report::Table make_branch_table(const CampbellResult& result);
+/// A row per speed and branch.
+std::string make_csv(const CampbellResult& result);
+/// Everything but shapes.
+std::string make_json(const CampbellResult& result);
+/// The diagram, damping over speed, and the tables as a page; `harmonics`: excitation lines.
+std::string make_html(const CampbellResult& result, int harmonics, const std::string& title);
+
+}  // namespace spoke::steady_report

@@ -1,0 +1,145 @@
+// Tables, files and the page of an equilibrium.
+
+#include "engine/steady_report/static_files.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <Eigen/Geometry>
+
+#include "engine/report/chart.h"
+#include "engine/support/json.h"
+
+namespace spoke::steady_report {
+namespace {
+
+using Eigen::Vector3d;
+
+Json vector_json(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+std::string vector_text(const Vector3d& v) {
+  // Beside the largest component, round-off is none.
+  const double least = 1e-12 * v.lpNorm<Eigen::Infinity>();
+  const auto number = [least](double x) { return std::abs(x) <= least ? 0.0 : x; };
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", number(v.x()), number(v.y()), number(v.z()));
+}
+
+Json nodes_json(const std::vector<Vector3d>& nodes) {
+  Json list = Json::array();
+  for (const Vector3d& p : nodes) list.push_back(vector_json(p));
+  return list;
+}
+
+Json blade_json(const BladeEquilibrium& blade) {
+  Json joints = Json::array(), loads = Json::array();
+  for (const JointPosition& joint : blade.joints)
+    joints.push_back(
+        {{"name", joint.name}, {"value", joint.value}, {"unit", joint.turns ? "rad" : "m"}});
+  for (const SectionLoad& load : blade.loads)
+    loads.push_back({{"body", load.body},
+                     {"station_m", load.station},
+                     {"force_N", vector_json(load.force)},
+                     {"moment_N_m", vector_json(load.moment)}});
+  return {{"name", blade.name},
+          {"tip_displacement_m", vector_json(blade.tip_displacement)},
+          {"tip_rotation_rad", vector_json(blade.tip_rotation)},
+          {"joints", joints},
+          {"section_forces", loads},
+          {"nodes_m", nodes_json(blade.nodes)},
+          {"undeformed_nodes_m", nodes_json(blade.undeformed)}};
+}
+
+/// Which part of a node's deflection a line shows.
+enum class Direction { lag, flap };
+
+/// Deflections of a blade's nodes along the axis of rotation, or in the plane across the blade.
+report::LineSeries deflection_line(const BladeEquilibrium& blade, Direction direction) {
+  report::LineSeries line{.name = blade.name};
+  const Vector3d along = (blade.undeformed.back() - blade.undeformed.front()).normalized();
+  const Vector3d axis =
+      direction == Direction::flap ? Vector3d::UnitZ() : Vector3d(Vector3d::UnitZ().cross(along));
+  for (std::size_t k = 0; k < blade.nodes.size(); ++k) {
+    const Vector3d& from = blade.undeformed[k];
+    line.points.push_back({from.norm(), axis.dot(blade.nodes[k] - from)});
+  }
+  return line;
+}
+
+void add_chart(const EquilibriumResult& result, Direction direction, const std::string& title,
+               report::Page& page) {
+  report::LineChart chart{.title = title,
+                          .x = {.title = "distance from the hub", .unit = "m"},
+                          .y = {.title = "deflection", .unit = "m"}};
+  constexpr std::size_t kMost = 6;  // lines that can be told apart
+  for (const BladeEquilibrium& blade : result.blades)
+    if (blade.nodes.size() > 1 && chart.series.size() < kMost)
+      chart.series.push_back(deflection_line(blade, direction));
+  if (!chart.series.empty()) page.add_figure(render(chart));
+}
+
+}  // namespace
+
+report::Table make_tip_table(const EquilibriumResult& result) {
+  report::Table table{.caption = "Tips, in the hub's frame",
+                      .columns = {{"blade"}, {"displacement [m]"}, {"rotation [rad]"}}};
+  for (const BladeEquilibrium& blade : result.blades)
+    table.rows.push_back(
+        {{blade.name, vector_text(blade.tip_displacement), vector_text(blade.tip_rotation)}});
+  return table;
+}
+
+report::Table make_joint_table(const EquilibriumResult& result) {
+  report::Table table{
+      .caption = "Joints",
+      .columns = {{"blade"}, {"joint"}, {"value", report::Align::number}, {"unit"}}};
+  for (const BladeEquilibrium& blade : result.blades)
+    for (const JointPosition& joint : blade.joints)
+      table.rows.push_back({{blade.name, joint.name, fmt::format("{:.6g}", joint.value),
+                             joint.turns ? "rad" : "m"}});
+  return table;
+}
+
+std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
+  return {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
+          {"hub force", vector_text(result.hub_force) + " N, of support and drive"},
+          {"hub moment", vector_text(result.hub_moment) + " N m"},
+          {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
+                                   "{:.1e}",
+                                   result.iterations, result.load_steps,
+                                   result.load_steps == 1 ? "" : "s", result.last_change)}};
+}
+
+std::string make_json(const EquilibriumResult& result) {
+  Json blades = Json::array();
+  for (const BladeEquilibrium& blade : result.blades) blades.push_back(blade_json(blade));
+  const Json json = {{"speed_rad_per_s", result.speed},
+                     {"hub_force_N", vector_json(result.hub_force)},
+                     {"hub_moment_N_m", vector_json(result.hub_moment)},
+                     {"iterations", result.iterations},
+                     {"load_steps", result.load_steps},
+                     {"last_change", result.last_change},
+                     {"blades", blades}};
+  return json.dump_lines();
+}
+
+std::string make_section_csv(const EquilibriumResult& result) {
+  std::string text = "blade,body,station_m,Fx_N,Fy_N,Fz_N,Mx_N_m,My_N_m,Mz_N_m\n";
+  for (const BladeEquilibrium& blade : result.blades)
+    for (const SectionLoad& load : blade.loads)
+      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", blade.name, load.body, load.station,
+                          load.force.x(), load.force.y(), load.force.z(), load.moment.x(),
+                          load.moment.y(), load.moment.z());
+  return text;
+}
+
+std::string make_html(const EquilibriumResult& result, const std::string& title) {
+  report::Page page(title, fmt::format("Equilibrium at {:.6g} rad/s", result.speed));
+  page.add_facts(make_facts(result));
+  add_chart(result, Direction::flap, "Deflection along the axis of rotation", page);
+  add_chart(result, Direction::lag, "Deflection in the plane of rotation", page);
+  page.add_table(make_tip_table(result));
+  if (const report::Table joints = make_joint_table(result); !joints.rows.empty())
+    page.add_table(joints);
+  return page.html();
+}
+
+}  // namespace spoke::steady_report

@@ -1,0 +1,248 @@
+// Symmetric and quadratic eigenproblems.
+
+#include "engine/vibration/eigenvalues.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Sizes of the matrices that are left to Eigen's dense solvers.
+constexpr Index kSmallSymmetric = 400;
+constexpr Index kSmall = 24;
+/// Below this, by the frequency of the stiffest coordinate, an eigenvalue is nothing but round-off.
+constexpr double kZero = 1e-8;
+
+bool is_symmetric(const MatrixXd& m) {
+  return (m - m.transpose()).lpNorm<Eigen::Infinity>() <= 1e-9 * m.lpNorm<Eigen::Infinity>();
+}
+
+/// Unit mass, and a first large component that is real and positive.
+void normalise(const Pencil& pencil, Root& root) {
+  const MatrixXd mass_real = pencil.mass(root.x.real()), mass_imag = pencil.mass(root.x.imag());
+  const double mass = root.x.real().dot(mass_real.col(0)) + root.x.imag().dot(mass_imag.col(0));
+  Index largest = 0;
+  root.x.cwiseAbs().maxCoeff(&largest);
+  const std::complex<double> phase = std::abs(root.x[largest]) / root.x[largest];
+  root.x *= phase / std::sqrt(mass);
+  root.x = pencil.scale().asDiagonal() * root.x;
+}
+
+/// Roots of the symmetric problem K x = w^2 M x. Where K is positive definite by its inverse, which
+/// keeps the digits of the lowest ones.
+std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, double zero, Index count) {
+  std::vector<Root> roots;
+  const auto add = [&](double square, const VectorXd& x) {
+    const std::complex<double> s =
+        std::abs(square) <= zero * zero ? 0.0 : std::sqrt(std::complex<double>(-square));
+    roots.push_back({s, x.cast<std::complex<double>>()});
+  };
+  const Eigen::LLT<MatrixXd> factor(K);
+  if (factor.info() == Eigen::Success && factor.rcond() > 1e-15) {
+    const MatrixXd half = factor.matrixL().solve(M);
+    const MatrixXd flexibility = factor.matrixL().solve(half.transpose());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 *
+                                                         (flexibility + flexibility.transpose()));
+    for (Index k = K.rows(); k-- > 0 && std::ssize(roots) < count;)
+      add(1.0 / solver.eigenvalues()[k], factor.matrixU().solve(solver.eigenvectors().col(k)));
+    return roots;
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(K, M);
+  for (Index k = 0; k < std::min(count, K.rows()); ++k)
+    add(solver.eigenvalues()[k], solver.eigenvectors().col(k));
+  return roots;
+}
+
+/// Of eigenvalues and vectors those that stand for a root: of conjugate pairs one, of pairs zero
+/// one; ascending by magnitude.
+std::vector<Root> choose(const Eigen::VectorXcd& values, const MatrixXcd& vectors, double zero,
+                         Index count) {
+  std::vector<Index> order(static_cast<std::size_t>(values.size()));
+  for (Index k = 0; k < values.size(); ++k) order[static_cast<std::size_t>(k)] = k;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return std::abs(values[a]) < std::abs(values[b]); });
+  std::vector<Root> roots;
+  int zeros = 0;
+  for (const Index k : order) {
+    std::complex<double> s = values[k];
+    if (std::abs(s) <= zero) {
+      if (++zeros % 2 == 0) continue;  // a motion that goes on has two
+      s = 0.0;
+    } else if (s.imag() < -1e-9 * std::abs(s)) {
+      continue;
+    }
+    if (std::abs(s.imag()) <= 1e-9 * std::abs(s)) s = s.real();
+    roots.push_back({s, vectors.col(k)});
+    if (std::ssize(roots) == count) break;
+  }
+  return roots;
+}
+
+/// All roots of a small pencil, by the companion matrix.
+std::vector<Root> find_small(const Pencil& pencil, double zero, Index count) {
+  const Index n = pencil.size();
+  const Eigen::PartialPivLU<MatrixXd> mass(pencil.dense_mass());
+  MatrixXd A = MatrixXd::Zero(2 * n, 2 * n);
+  A.topRightCorner(n, n).setIdentity();
+  A.bottomLeftCorner(n, n) = -mass.solve(pencil.dense_stiffness());
+  A.bottomRightCorner(n, n) = -mass.solve(pencil.dense_damping());
+  const Eigen::EigenSolver<MatrixXd> solver(A);
+  return choose(solver.eigenvalues(), solver.eigenvectors().topRows(n), zero, count);
+}
+
+/// The inverse of the first-order system less a shift, on blocks of vectors (x, x').
+class Inverse {
+ public:
+  Inverse(const Pencil& pencil, double shift)
+      : pencil_(&pencil), shift_(shift), factor_(pencil, shift) {}
+
+  MatrixXd operator*(const MatrixXd& b) const {
+    const Index n = pencil_->size();
+    MatrixXd y(b.rows(), b.cols());
+    y.topRows(n) =
+        -factor_.solve(pencil_->mass(b.bottomRows(n)) + pencil_->damping(shift_, b.topRows(n)));
+    y.bottomRows(n) = b.topRows(n) + shift_ * y.topRows(n);
+    return y;
+  }
+  double rcond() const { return factor_.rcond(); }
+  double shift() const { return shift_; }
+
+ private:
+  const Pencil* pencil_;
+  double shift_;
+  PencilFactor factor_;
+};
+
+/// Makes the columns of a block orthonormal, among themselves and to the first `used` of a basis.
+/// What is left of a column that depends on others is thrown dice for.
+void orthonormalise(const MatrixXd& basis, Index used, std::mt19937& dice, MatrixXd& block) {
+  std::normal_distribution<double> normal;
+  for (Index k = 0; k < block.cols(); ++k)
+    for (int trial = 0; trial < 3; ++trial) {
+      VectorXd column = block.col(k);
+      const double before = column.norm();
+      for (int twice = 0; twice < 2; ++twice) {
+        column -= basis.leftCols(used) * (basis.leftCols(used).transpose() * column);
+        column -= block.leftCols(k) * (block.leftCols(k).transpose() * column);
+      }
+      const double after = column.norm();
+      block.col(k) = column / after;
+      if (after > 1e-12 * before) break;
+      for (Index i = 0; i < block.rows(); ++i) block(i, k) = normal(dice);
+    }
+}
+
+/// The space that an operator spans from a block of vectors on.
+class BlockSpace {
+ public:
+  BlockSpace(Index size, Index width) : block_(size, width), basis_(size, 0), image_(size, 0) {
+    std::normal_distribution<double> normal;
+    for (Index k = 0; k < width; ++k)
+      for (Index i = 0; i < size; ++i) block_(i, k) = normal(dice_);
+  }
+
+  Index size() const { return basis_.cols(); }
+  bool is_all() const { return basis_.cols() == basis_.rows(); }
+  const MatrixXd& basis() const { return basis_; }
+  const MatrixXd& image() const { return image_; }  ///< of the basis, by the operator
+
+  /// Adds the image of the last block.
+  void grow(const Inverse& inverse) {
+    const Index rows = basis_.rows(), used = basis_.cols();
+    block_.conservativeResize(rows, std::min(block_.cols(), rows - used));
+    orthonormalise(basis_, used, dice_, block_);
+    const Index added = block_.cols();
+    basis_.conservativeResize(rows, used + added);
+    image_.conservativeResize(rows, used + added);
+    basis_.rightCols(added) = block_;
+    image_.rightCols(added) = inverse * block_;
+    block_ = image_.rightCols(added);
+  }
+
+ private:
+  std::mt19937 dice_{1};
+  MatrixXd block_, basis_, image_;
+};
+
+/// Eigenvalues of the pencil as a space has them, with vectors and the norms of what is left of
+/// their equations, by that of the vectors.
+struct RitzPairs {
+  Eigen::VectorXcd values;
+  MatrixXcd vectors;
+  VectorXd remainders;
+};
+RitzPairs find_pairs(const BlockSpace& space, double shift) {
+  const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(space.basis().transpose() * space.image()));
+  const Eigen::VectorXcd& inverse = solver.eigenvalues();
+  RitzPairs pairs{shift + inverse.array().inverse(), space.basis() * solver.eigenvectors(), {}};
+  const MatrixXcd left =
+      space.image() * solver.eigenvectors() - pairs.vectors * inverse.asDiagonal();
+  pairs.remainders = left.colwise().norm().transpose().cwiseQuotient(
+      pairs.vectors.colwise().norm().transpose().cwiseProduct(inverse.cwiseAbs()));
+  return pairs;
+}
+
+/// Whether all eigenvalues up to the last root have converged.
+bool have_converged(const RitzPairs& pairs, const std::vector<Root>& roots) {
+  const double last = std::abs(roots.back().s) * (1.0 + 1e-9);
+  for (Index k = 0; k < pairs.values.size(); ++k)
+    if (std::abs(pairs.values[k]) <= last && pairs.remainders[k] > 1e-11) return false;
+  return true;
+}
+
+/// Ritz values of the inverse in a space that grows by blocks, until those that are wanted have
+/// converged or the space is all.
+std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, double zero, Index count) {
+  const Index size = 2 * pencil.size();
+  const Index width = std::min(size, std::ssize(pencil.trees()) + 1);
+  BlockSpace space(size, width);
+  Index wanted = 2 * count + 2 * width + 8;
+  while (true) {
+    while (!space.is_all() && space.size() < wanted) space.grow(inverse);
+    const RitzPairs pairs = find_pairs(space, inverse.shift());
+    std::vector<Root> roots = choose(pairs.values, pairs.vectors, zero, count);
+    if (space.is_all() || (std::ssize(roots) == count && have_converged(pairs, roots))) {
+      for (Root& root : roots) root.x = root.x.head(pencil.size()).eval();
+      return roots;
+    }
+    wanted = space.size() + std::max<Index>(count, 2 * width);
+  }
+}
+
+/// A hub that can turn makes the stiffness singular: the shift leaves something to divide by.
+Inverse make_inverse(const Pencil& pencil) {
+  Inverse plain(pencil, 0.0);
+  if (!pencil.has_hub() && plain.rcond() > 1e-15) return plain;
+  return Inverse(pencil, 0.05 * pencil.softest());
+}
+
+}  // namespace
+
+std::vector<Root> find_roots(const Pencil& pencil, Index count) {
+  const double zero = kZero * pencil.stiffest();
+  const Index n = pencil.size();
+  std::vector<Root> roots;
+  if (n <= kSmallSymmetric) {
+    const MatrixXd M = pencil.dense_mass(), C = pencil.dense_damping();
+    const MatrixXd K = pencil.dense_stiffness();
+    // M is of unit diagonal: C is a rate, to be compared with the frequencies.
+    if (is_symmetric(K) && C.lpNorm<Eigen::Infinity>() <= 1e-9 * pencil.softest())
+      roots = find_symmetric(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()), zero, count);
+  }
+  if (roots.empty() && n <= kSmall) roots = find_small(pencil, zero, count);
+  if (roots.empty()) roots = iterate(pencil, make_inverse(pencil), zero, count);
+  for (Root& root : roots) normalise(pencil, root);
+  return roots;
+}
+
+}  // namespace spoke::vibration

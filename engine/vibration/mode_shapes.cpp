@@ -1,0 +1,160 @@
+// Moves the model along a mode and sees which way its nodes go.
+
+#include "engine/vibration/mode_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "models/space/rotation_vector.h"
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using steady::NodePlace;
+using steady::SteadyModel;
+
+std::vector<NodePlace> places_at(std::size_t tree, const VectorXd& q, SteadyModel& model) {
+  steady::TreeResponse response;
+  model.evaluate(tree, steady::make_state(q), model.no_offset(), response);
+  return model.places(tree);
+}
+
+/// Motion of a node by a unit of a direction.
+struct NodeMotion {
+  Vector3d p;
+  Vector3d rotation;
+};
+
+std::vector<NodeMotion> move(std::size_t tree, const VectorXd& q, const VectorXd& direction,
+                             SteadyModel& model) {
+  double largest = 0.0;
+  const auto& coordinates = model.coordinates(tree);
+  for (Eigen::Index k = 0; k < direction.size(); ++k)
+    largest =
+        std::max(largest, std::abs(direction[k]) / coordinates[static_cast<std::size_t>(k)].scale);
+  std::vector<NodeMotion> motions;
+  const double h = largest > 0.0 ? 1e-5 / largest : 0.0;
+  const std::vector<NodePlace> ahead = places_at(tree, q + h * direction, model);
+  const std::vector<NodePlace> behind = places_at(tree, q - h * direction, model);
+  for (std::size_t k = 0; k < ahead.size(); ++k) {
+    if (h == 0.0) {
+      motions.push_back({Vector3d::Zero(), Vector3d::Zero()});
+      continue;
+    }
+    const space::Rotation turn{ahead[k].axes * behind[k].axes.transpose()};
+    motions.push_back(
+        {(ahead[k].p - behind[k].p) / (2.0 * h), Vector3d(space::logarithm(turn)) / (2.0 * h)});
+  }
+  return motions;
+}
+
+/// c_n = mean of a_b exp(-i n psi_b).
+std::complex<double> calc_multiple(const VectorXcd& amplitudes, const std::vector<double>& azimuths,
+                                   int n) {
+  std::complex<double> sum = 0.0;
+  for (std::size_t b = 0; b < azimuths.size(); ++b)
+    sum += amplitudes[static_cast<Eigen::Index>(b)] * std::polar(1.0, -n * azimuths[b]);
+  return sum / static_cast<double>(azimuths.size());
+}
+
+std::string name_multiple(int n, int blades) {
+  if (n == 0) return "collective";
+  if (2 * std::abs(n) == blades) return "differential";
+  const std::string sense = n > 0 ? "progressive" : "regressive";
+  return std::abs(n) == 1 ? sense : sense + " order " + std::to_string(std::abs(n));
+}
+
+}  // namespace
+
+TreeShape calc_tree_shape(std::size_t tree, const VectorXd& q, const VectorXcd& x,
+                          SteadyModel& model) {
+  const std::vector<NodeMotion> real = move(tree, q, x.real(), model);
+  const std::vector<NodeMotion> imag = move(tree, q, x.imag(), model);
+  const std::vector<NodePlace> places = places_at(tree, q, model);
+  const Eigen::Matrix3d to_root = model.root_axes(tree).transpose();
+  TreeShape shape;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    shape.nodes.push_back(real[k].p + std::complex<double>(0.0, 1.0) * imag[k].p);
+    for (const std::vector<NodeMotion>* part : {&real, &imag}) {
+      const Vector3d p = to_root * (*part)[k].p, rotation = to_root * (*part)[k].rotation;
+      for (int c = 0; c < 3; ++c)
+        shape.energies[static_cast<std::size_t>(c)] += places[k].mass * p[c] * p[c];
+      shape.energies[3] += places[k].inertia * rotation.x() * rotation.x();
+    }
+  }
+  return shape;
+}
+
+std::string name_kind(std::size_t tree, const VectorXcd& x, const Eigen::MatrixXd& mass,
+                      const TreeShape& shape, const SteadyModel& model) {
+  const auto energy = [&mass](const VectorXcd& y) {
+    return y.real().dot(mass * y.real()) + y.imag().dot(mass * y.imag());
+  };
+  const auto& coordinates = model.coordinates(tree);
+  std::map<int, VectorXcd> by_joint;  // by the body that it carries
+  std::map<int, std::string> names;
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const steady::TreeCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+    if (coordinate.node >= 0) continue;
+    VectorXcd& only =
+        by_joint.try_emplace(coordinate.body, VectorXcd::Zero(x.size())).first->second;
+    only[k] = x[k];
+    names.try_emplace(coordinate.body, coordinate.joint);
+  }
+  static constexpr const char* kKinds[] = {"axial", "lag", "flap", "torsion"};
+  const auto most = std::max_element(shape.energies.begin(), shape.energies.end());
+  const std::string kind = kKinds[most - shape.energies.begin()];
+  for (const auto& [body, only] : by_joint)
+    if (energy(only) > 0.5 * energy(x))
+      return names[body].find(kind) == std::string::npos ? names[body] + ' ' + kind : names[body];
+  return kind;
+}
+
+std::string name_pattern(const std::vector<VectorXcd>& blades,
+                         const std::vector<double>& azimuths) {
+  if (blades.size() < 2) return {};
+  const auto most =
+      std::max_element(blades.begin(), blades.end(),
+                       [](const auto& a, const auto& b) { return a.norm() < b.norm(); });
+  const int count = static_cast<int>(blades.size());
+  VectorXcd amplitudes(count);
+  double explained = 0.0, all = 0.0;
+  for (int b = 0; b < count; ++b) {
+    const VectorXcd& x = blades[static_cast<std::size_t>(b)];
+    if (x.size() != most->size()) return {};
+    amplitudes[b] = most->dot(x) / most->squaredNorm();
+    explained += std::norm(amplitudes[b]) * most->squaredNorm();
+    all += x.squaredNorm();
+  }
+  if (explained < 0.9 * all) return {};
+  int best = 0, second = 0;
+  double largest = -1.0, next = -1.0;
+  for (int n = -((count - 1) / 2); n <= count / 2; ++n) {
+    const double size = std::norm(calc_multiple(amplitudes, azimuths, n));
+    if (size > largest) {
+      next = largest;
+      second = best;
+      largest = size;
+      best = n;
+    } else if (size > next) {
+      next = size;
+      second = n;
+    }
+  }
+  const double sum = amplitudes.squaredNorm() / count;
+  if (largest > 0.75 * sum) return name_multiple(best, count);
+  if (best != -second || largest + next < 0.75 * sum) return {};
+  // Both senses alike: a standing pattern. Cosine where blade 1 moves more than sine has it.
+  const int n = std::abs(best);
+  const std::complex<double> plus = calc_multiple(amplitudes, azimuths, n);
+  const std::complex<double> minus = calc_multiple(amplitudes, azimuths, -n);
+  const std::string name = std::abs(plus + minus) >= std::abs(plus - minus) ? "cosine" : "sine";
+  return n == 1 ? name : name + " order " + std::to_string(n);
+}
+
+}  // namespace spoke::vibration

@@ -1,0 +1,118 @@
+// Products and factors, tree by tree.
+
+#include "engine/vibration/pencil.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spoke::vibration {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using steady::LinearModel;
+using steady::LinearTree;
+
+Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> trees)
+    : model_(model), trees_(std::move(trees)) {
+  Index size = model.M.rows();
+  for (const std::size_t i : trees_) {
+    starts_.push_back(size);
+    size += model.trees[i].M.rows();
+  }
+  scale_.resize(size);
+  std::vector<double> squares;
+  const auto add = [&](const MatrixXd& M, const MatrixXd& K, Index at) {
+    for (Index k = 0; k < M.rows(); ++k) {
+      scale_[at + k] = 1.0 / std::sqrt(M(k, k));
+      squares.push_back(std::abs(K(k, k)) / M(k, k));
+    }
+  };
+  add(model.M, model.K, 0);
+  for (std::size_t place = 0; place < trees_.size(); ++place)
+    add(model.trees[trees_[place]].M, model.trees[trees_[place]].K, starts_[place]);
+  const double most = squares.empty() ? 0.0 : *std::max_element(squares.begin(), squares.end());
+  if (most == 0.0) return;
+  stiffest_ = softest_ = std::sqrt(most);
+  // What is nothing but round-off is no stiffness.
+  for (const double square : squares)
+    if (square > 1e-14 * most) softest_ = std::min(softest_, std::sqrt(square));
+}
+
+MatrixXd Pencil::apply(MatrixXd LinearTree::*tree, MatrixXd LinearTree::*tree_hub,
+                       MatrixXd LinearTree::*hub_tree, MatrixXd LinearModel::*hub,
+                       const MatrixXd& x) const {
+  const MatrixXd scaled = scale_.asDiagonal() * x;
+  const Index h = model_.M.rows();
+  MatrixXd y(x.rows(), x.cols());
+  y.topRows(h) = model_.*hub * scaled.topRows(h);
+  for (std::size_t place = 0; place < trees_.size(); ++place) {
+    const LinearTree& t = model_.trees[trees_[place]];
+    const auto of_tree = scaled.middleRows(starts_[place], t.M.rows());
+    auto rows = y.middleRows(starts_[place], t.M.rows());
+    rows = t.*tree * of_tree;
+    if (h == 0) continue;
+    rows += t.*tree_hub * scaled.topRows(h);
+    y.topRows(h) += t.*hub_tree * of_tree;
+  }
+  return scale_.asDiagonal() * y;
+}
+
+MatrixXd Pencil::mass(const MatrixXd& x) const {
+  return apply(&LinearTree::M, &LinearTree::M_bh, &LinearTree::M_hb, &LinearModel::M, x);
+}
+
+MatrixXd Pencil::damping(double s, const MatrixXd& x) const {
+  return apply(&LinearTree::C, &LinearTree::C_bh, &LinearTree::C_hb, &LinearModel::C, x) +
+         s * mass(x);
+}
+
+MatrixXd Pencil::dense_mass() const { return mass(MatrixXd::Identity(size(), size())); }
+MatrixXd Pencil::dense_damping() const { return damping(0.0, MatrixXd::Identity(size(), size())); }
+MatrixXd Pencil::dense_stiffness() const {
+  return apply(&LinearTree::K, &LinearTree::K_bh, &LinearTree::K_hb, &LinearModel::K,
+               MatrixXd::Identity(size(), size()));
+}
+
+PencilFactor::PencilFactor(const Pencil& pencil, double s) : pencil_(pencil) {
+  const LinearModel& model = pencil.model_;
+  const Index h = model.M.rows();
+  const VectorXd of_hub = pencil.scale_.head(h);
+  const auto evaluate = [s](const MatrixXd& M, const MatrixXd& C, const MatrixXd& K) {
+    return MatrixXd(s * s * M + s * C + K);
+  };
+  MatrixXd hub = of_hub.asDiagonal() * evaluate(model.M, model.C, model.K) * of_hub.asDiagonal();
+  for (std::size_t place = 0; place < pencil.trees_.size(); ++place) {
+    const LinearTree& t = model.trees[pencil.trees_[place]];
+    const VectorXd scale = pencil.scale_.segment(pencil.starts_[place], t.M.rows());
+    trees_.emplace_back(
+        MatrixXd(scale.asDiagonal() * evaluate(t.M, t.C, t.K) * scale.asDiagonal()));
+    rcond_ = std::min(rcond_, trees_.back().rcond());
+    if (h == 0) continue;
+    by_hub_.push_back(trees_.back().solve(
+        MatrixXd(scale.asDiagonal() * evaluate(t.M_bh, t.C_bh, t.K_bh) * of_hub.asDiagonal())));
+    on_hub_.push_back(of_hub.asDiagonal() * evaluate(t.M_hb, t.C_hb, t.K_hb) * scale.asDiagonal());
+    hub -= on_hub_.back() * by_hub_.back();
+  }
+  if (h == 0) return;
+  hub_.compute(hub);
+  rcond_ = std::min(rcond_, hub_.rcond());
+}
+
+MatrixXd PencilFactor::solve(const MatrixXd& right) const {
+  const Index h = pencil_.model_.M.rows();
+  MatrixXd x(right.rows(), right.cols());
+  MatrixXd of_hub = right.topRows(h);
+  for (std::size_t place = 0; place < trees_.size(); ++place) {
+    auto rows = x.middleRows(pencil_.starts_[place], trees_[place].rows());
+    rows = trees_[place].solve(right.middleRows(pencil_.starts_[place], trees_[place].rows()));
+    if (h > 0) of_hub -= on_hub_[place] * rows;
+  }
+  if (h == 0) return x;
+  x.topRows(h) = hub_.solve(of_hub);
+  for (std::size_t place = 0; place < trees_.size(); ++place)
+    x.middleRows(pencil_.starts_[place], trees_[place].rows()) -= by_hub_[place] * x.topRows(h);
+  return x;
+}
+
+}  // namespace spoke::vibration

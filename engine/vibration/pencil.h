@@ -1,0 +1,73 @@
+#pragma once
+
+// The quadratic eigenproblem (s^2 M + s C + K) x = 0 of a hub and trees that meet there, without
+// ever forming a matrix of all.
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <vector>
+
+#include "engine/steady/linear_model.h"
+
+namespace spoke::vibration {
+
+/// Coordinates of the hub first, then tree by tree, each scaled to a mass of one. Refers to the
+/// model, which must outlive it.
+class Pencil {
+ public:
+  /// Of these trees, and of the hub if the model is coupled.
+  Pencil(const steady::LinearModel& model, std::vector<std::size_t> trees);
+
+  Eigen::Index size() const { return scale_.size(); }
+  bool has_hub() const { return model_.is_coupled(); }
+  const std::vector<std::size_t>& trees() const { return trees_; }
+  /// Where a tree's coordinates begin; by place in trees().
+  Eigen::Index start(std::size_t place) const { return starts_[place]; }
+  /// Factors that take scaled coordinates to those of the model.
+  const Eigen::VectorXd& scale() const { return scale_; }
+  /// Frequencies of the softest and of the stiffest coordinate by itself [rad/s].
+  double softest() const { return softest_; }
+  double stiffest() const { return stiffest_; }
+
+  /// M x and C x + s M x, in scaled coordinates.
+  Eigen::MatrixXd mass(const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd damping(double s, const Eigen::MatrixXd& x) const;
+  /// The whole matrices, in scaled coordinates.
+  Eigen::MatrixXd dense_mass() const;
+  Eigen::MatrixXd dense_damping() const;
+  Eigen::MatrixXd dense_stiffness() const;
+
+ private:
+  friend class PencilFactor;
+  Eigen::MatrixXd apply(Eigen::MatrixXd steady::LinearTree::*tree,
+                        Eigen::MatrixXd steady::LinearTree::*tree_hub,
+                        Eigen::MatrixXd steady::LinearTree::*hub_tree,
+                        Eigen::MatrixXd steady::LinearModel::*hub, const Eigen::MatrixXd& x) const;
+
+  const steady::LinearModel& model_;
+  std::vector<std::size_t> trees_;
+  std::vector<Eigen::Index> starts_;
+  Eigen::VectorXd scale_;
+  double softest_ = 1.0;
+  double stiffest_ = 1.0;
+};
+
+/// s^2 M + s C + K for a real s, factorised: the trees one by one, then what they leave of the hub.
+class PencilFactor {
+ public:
+  PencilFactor(const Pencil& pencil, double s);
+
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+  /// A bound of what is lost in solving: the least reciprocal condition of its parts.
+  double rcond() const { return rcond_; }
+
+ private:
+  const Pencil& pencil_;
+  double rcond_ = 1.0;
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> trees_;
+  std::vector<Eigen::MatrixXd> by_hub_;  ///< what a motion of the hub does to each tree
+  std::vector<Eigen::MatrixXd> on_hub_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> hub_;
+};
+
+}  // namespace spoke::vibration

@@ -1,0 +1,183 @@
+// Shares speeds out to threads, and follows modes through them.
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "engine/campbell.h"
+#include "engine/steady/steady_speed.h"
+#include "graph/executor.h"
+#include "models/error.h"
+
+namespace spoke {
+namespace {
+
+/// Modes beyond those that are followed: one of these may be the one that comes down.
+constexpr int kSpare = 4;
+/// The least modal assurance criterion by which a mode is taken for the one before.
+constexpr double kLeastLikeness = 0.3;
+
+void check(const CampbellOptions& options) {
+  if (options.speeds.size() < 2)
+    throw InputError(std::to_string(options.speeds.size()) + " speeds, expected 2 or more");
+  for (std::size_t k = 0; k < options.speeds.size(); ++k)
+    if (!std::isfinite(options.speeds[k]) ||
+        (k > 0 && !(options.speeds[k] > options.speeds[k - 1])))
+      throw InputError("speeds must ascend and be finite");
+  if (options.harmonics < 0)
+    throw InputError(std::to_string(options.harmonics) + " harmonics, expected 0 or more");
+}
+
+/// The modes at one speed; as many more as there are, up to the spare ones.
+ModesResult solve_with_spares(const Scenario& scenario, double speed, int count) {
+  for (int spare = kSpare; spare > 0; --spare) try {
+      return solve_modes(scenario, {.state = {.speed = speed}, .count = count + spare});
+    } catch (const InputError&) {
+      // Fewer modes than that, or what the last attempt will say.
+    }
+  return solve_modes(scenario, {.state = {.speed = speed}, .count = count});
+}
+
+/// Solves all speeds, the next one by whichever thread is free. The failure at the lowest speed is
+/// thrown.
+std::vector<ModesResult> solve_all(const Scenario& scenario, const CampbellOptions& options) {
+  const std::size_t count = options.speeds.size();
+  std::vector<ModesResult> states(count);
+  std::vector<std::exception_ptr> failures(count);
+  std::atomic<std::size_t> next{0}, done{0};
+  const auto work = [&](bool tells) {
+    for (std::size_t k = next++; k < count; k = next++) {
+      try {
+        states[k] = solve_with_spares(scenario, options.speeds[k], options.count);
+      } catch (...) {
+        failures[k] = std::current_exception();
+      }
+      const std::size_t now = ++done;
+      if (tells && options.progress) options.progress(now);
+    }
+  };
+  const int asked = options.threads > 0 ? options.threads : graph::available_threads();
+  const std::size_t threads = std::min<std::size_t>(static_cast<std::size_t>(asked), count);
+  std::vector<std::thread> others;
+  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, false);
+  work(true);
+  for (std::thread& other : others) other.join();
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+  return states;
+}
+
+/// The first blade that a mode is of.
+std::size_t first_blade(const Mode& mode) {
+  return static_cast<std::size_t>(std::find_if(mode.shape.begin(), mode.shape.end(),
+                                               [](const auto& nodes) { return !nodes.empty(); }) -
+                                  mode.shape.begin());
+}
+
+/// The modal assurance criterion of two modes, from 0 to 1.
+double likeness(const Mode& a, const Mode& b) {
+  if (a.coordinates.size() != b.coordinates.size() || first_blade(a) != first_blade(b)) return 0.0;
+  return std::norm(a.coordinates.dot(b.coordinates)) /
+         (a.coordinates.squaredNorm() * b.coordinates.squaredNorm());
+}
+
+/// Gives each branch its mode at speed k.
+void follow(std::size_t k, const std::vector<ModesResult>& states,
+            std::vector<CampbellBranch>& branches) {
+  struct Pair {
+    double likeness;
+    std::size_t branch, mode;
+  };
+  std::vector<Pair> pairs;
+  const std::vector<Mode>& modes = states[k].modes;
+  for (std::size_t b = 0; b < branches.size(); ++b) {
+    branches[b].modes.emplace_back();
+    const std::optional<std::size_t> last = branches[b].modes[k - 1];
+    if (!last) continue;
+    for (std::size_t m = 0; m < modes.size(); ++m)
+      pairs.push_back({likeness(states[k - 1].modes[*last], modes[m]), b, m});
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.likeness > b.likeness; });
+  std::vector<bool> is_taken(modes.size());
+  for (const Pair& pair : pairs) {
+    std::optional<std::size_t>& mode = branches[pair.branch].modes[k];
+    if (pair.likeness < kLeastLikeness || mode || is_taken[pair.mode]) continue;
+    mode = pair.mode;
+    is_taken[pair.mode] = true;
+  }
+}
+
+/// What most of its modes are called.
+void name(const std::vector<ModesResult>& states, CampbellBranch& branch) {
+  std::map<std::pair<std::string, std::string>, int> votes;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (branch.modes[k]) {
+      const Mode& mode = states[k].modes[*branch.modes[k]];
+      ++votes[{mode.of, mode.name}];
+    }
+  const auto most = std::max_element(
+      votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  branch.of = most->first.first;
+  branch.name = most->first.second;
+}
+
+/// Branches begin with the first modes of each blade, or of the whole, at the first speed.
+std::vector<CampbellBranch> begin_branches(const ModesResult& first, int count) {
+  std::vector<CampbellBranch> branches;
+  std::map<std::string, int> counts;
+  for (std::size_t m = 0; m < first.modes.size(); ++m)
+    if (++counts[first.modes[m].of] <= count) branches.push_back({{}, {}, {m}});
+  return branches;
+}
+
+void find_crossings(const CampbellOptions& options, std::optional<double> operating,
+                    CampbellResult& result) {
+  for (std::size_t b = 0; b < result.branches.size(); ++b)
+    for (int harmonic = 1; harmonic <= options.harmonics; ++harmonic)
+      for (std::size_t k = 1; k < options.speeds.size(); ++k) {
+        const auto& modes = result.branches[b].modes;
+        if (!modes[k - 1] || !modes[k]) continue;
+        const double before = result.states[k - 1].modes[*modes[k - 1]].frequency;
+        const double after = result.states[k].modes[*modes[k]].frequency;
+        const double from = options.speeds[k - 1], to = options.speeds[k];
+        const double above = before - harmonic * std::abs(from);
+        const double below = after - harmonic * std::abs(to);
+        if (above * below >= 0.0) continue;
+        const double share = above / (above - below);
+        CampbellCrossing crossing{b, harmonic, from + share * (to - from),
+                                  before + share * (after - before), std::nullopt};
+        if (operating && *operating != 0.0)
+          crossing.margin = std::abs(crossing.speed - *operating) / std::abs(*operating);
+        result.crossings.push_back(crossing);
+      }
+}
+
+std::optional<double> find_operating_speed(const Scenario& scenario) {
+  try {
+    return steady::find_steady_speed(scenario, std::nullopt);
+  } catch (const InputError&) {
+    return std::nullopt;  // of a torque
+  }
+}
+
+}  // namespace
+
+CampbellResult solve_campbell(const Scenario& scenario, const CampbellOptions& options) {
+  check(options);
+  CampbellResult result;
+  result.states = solve_all(scenario, options);
+  result.branches = begin_branches(result.states.front(), options.count);
+  for (std::size_t k = 1; k < result.states.size(); ++k) follow(k, result.states, result.branches);
+  // Blades that gravity parts at rest are alike again as soon as the hub turns.
+  std::erase_if(result.branches, [](const CampbellBranch& branch) { return !branch.modes[1]; });
+  for (CampbellBranch& branch : result.branches) name(result.states, branch);
+  find_crossings(options, find_operating_speed(scenario), result);
+  return result;
+}
+
+}  // namespace spoke

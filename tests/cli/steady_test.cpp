@@ -1,0 +1,76 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST_CASE("static prints an equilibrium and writes its files") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"static", shipped("articulated_rotor"), "--speed", "30"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* part : {"30 rad/s", "hub moment", "blade 4", "hinges 2", "static.html"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  const fs::path results = folder.path() / "results" / "articulated_rotor" / "static";
+  const json all = json::parse(read_file(results / "static.json"));
+  CHECK(all["speed_rad_per_s"] == 30.0);
+  CHECK(all["blades"].size() == 4);
+  CHECK(all["blades"][0]["nodes_m"].size() == all["blades"][0]["undeformed_nodes_m"].size());
+  CHECK(lines_of(read_file(results / "section_forces.csv")).size() ==
+        1 + 4 * all["blades"][0]["section_forces"].size());
+  CHECK(read_file(results / "static.html").find("Equilibrium at 30 rad/s") != std::string::npos);
+}
+
+TEST_CASE("modes prints a table and writes its files") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke(
+      {"modes", shipped("wu_haug_rotor"), "--speed", "4", "--count", "3", "--out", "x"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  CHECK(ended.out.find("blades 1 to 3  lag 1") != std::string::npos);
+  const json all = json::parse(read_file(folder.path() / "x" / "modes.json"));
+  CHECK(all["modes"].size() == 3);
+  CHECK(all["blades_couple"] == false);
+  CHECK(all["modes"][0]["shape"][0]["real"].size() == all["equilibrium"][0]["nodes_m"].size());
+  CHECK(lines_of(read_file(folder.path() / "x" / "modes.csv")).size() == 4);
+}
+
+TEST_CASE("campbell follows modes and writes its files") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke(
+      {"campbell", shipped("wu_haug_rotor"), "--speeds", "0:4:0.5", "--count", "2", "--out", "x"},
+      folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("Crossings") != std::string::npos);
+  const json all = json::parse(read_file(folder.path() / "x" / "campbell.json"));
+  CHECK(all["speeds_rad_per_s"].size() == 9);
+  CHECK(all["branches"].size() == 2);
+  CHECK(all["branches"][0]["mode"] == "lag 1");
+  CHECK(lines_of(read_file(folder.path() / "x" / "campbell.csv")).size() == 1 + 2 * 9);
+  CHECK(read_file(folder.path() / "x" / "campbell.html").find("per revolution") !=
+        std::string::npos);
+}
+
+TEST_CASE("static, modes and campbell refuse bad input in one line") {
+  const std::string scenario = shipped("wu_haug_rotor");
+  check_refused({"static", scenario, "--speed", "fast"}, "spoke static: ");
+  check_refused({"static", shipped("satellite_booms")},
+                "hub.support: the hub is free, expected an axle: nothing holds the model");
+  check_refused({"modes", scenario, "--count", "0"}, "--count: Value 0 not in range");
+  check_refused({"modes", scenario, "--count", "1000"},
+                "1000 modes, expected at most 48: as many as blades 1 to 3 has");
+  check_refused({"modes", scenario, "--set", "hub.drive={kind=\"torque\",torque=1.0}"},
+                "hub.drive: a torque has no steady speed by itself");
+  const std::string range = "--speeds: expected FROM:TO:STEP, ascending numbers [rad/s], got ";
+  for (const std::string speeds : {"4:0:0.5", "0:4:-1", "0:4", "a:4:1", "0:4:9", "0:nan:1"})
+    check_refused({"campbell", scenario, "--speeds", speeds}, range + speeds);
+  check_refused({"campbell", scenario}, "--speeds is required");
+}

@@ -1,0 +1,77 @@
+// Equilibria that are known in closed form or from publications, and what cannot stand still.
+
+#include "engine/equilibrium.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "models/error.h"
+#include "tests/engine/steady/blades.h"
+#include "tests/message_of.h"
+
+namespace spoke {
+namespace {
+
+using test::make_planar;
+using test::make_spatial;
+
+std::string tip_force(double y, const char* frame = "inertial") {
+  return "[[load]]\nframe = \"" + std::string(frame) + "\"\nforce = [0.0, " + std::to_string(y) +
+         "]\n";
+}
+
+TEST_CASE("equilibrium: a cantilever under a dead force at its tip is an elastica") {
+  // Mattiasson 1981, Int. J. Numer. Meth. Engng 17, 145-153: P L^2/EI, and at the tip slope,
+  // deflection and shortening by the length.
+  struct Elastica {
+    double load, slope, deflection, shortening;
+  };
+  for (const Elastica& known :
+       {Elastica{1.0, 0.46135, 0.30172, 0.05643}, Elastica{2.0, 0.78175, 0.49346, 0.16064},
+        Elastica{3.0, 0.98602, 0.60325, 0.25442}}) {
+    const EquilibriumResult result = solve_equilibrium(
+        make_planar({.bodies = 16, .elements = 2, .more = tip_force(known.load)}));
+    const BladeEquilibrium& blade = result.blades.at(0);
+    CHECK(blade.tip_rotation.z() == doctest::Approx(known.slope).epsilon(1e-3));
+    CHECK(blade.tip_displacement.y() == doctest::Approx(known.deflection).epsilon(1e-3));
+    CHECK(-blade.tip_displacement.x() == doctest::Approx(known.shortening).epsilon(2e-3));
+    // Clamped: the force, and its moment about the deformed root.
+    CHECK(blade.loads.front().force.y() == doctest::Approx(-known.load).epsilon(1e-9));
+    CHECK(result.hub_force.y() == doctest::Approx(-known.load).epsilon(1e-9));
+    CHECK(result.hub_moment.z() ==
+          doctest::Approx(-known.load * blade.nodes.back().x()).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("equilibrium: steady rotation stretches a blade by tan(kL)/k - L") {
+  // EA u'' + m w^2 (x + u) = 0, u(0) = u'(L) = 0, k^2 = m w^2/EA.
+  const double speed = 2.0, EA = 100.0, k = speed / std::sqrt(EA);
+  for (const Scenario& scenario : {make_planar({.elements = 8, .axial_stiffness = EA}),
+                                   make_spatial({.elements = 8, .axial_stiffness = EA})}) {
+    const EquilibriumResult result = solve_equilibrium(scenario, {.speed = speed});
+    const double stretch = result.blades.at(0).tip_displacement.norm();
+    CHECK(stretch == doctest::Approx(std::tan(k) / k - 1.0).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("equilibrium: what has none is refused in a line") {
+  const auto refusal = [](const std::string& more) {
+    Scenario scenario = make_planar({.more = more});
+    return scenario;
+  };
+  Scenario free = refusal({});
+  free.rotor.hub.support = HubSupport::free;
+  free.rotor.hub.mass = 1.0;
+  CHECK(test::message_of<InputError>([&] { solve_equilibrium(free); }) ==
+        "hub.support: the hub is free, expected an axle: nothing holds the model");
+  Scenario torque = refusal({});
+  torque.rotor.hub.drive = TorqueDrive{Curve(1.0), 0.0};
+  CHECK(test::message_of<InputError>([&] { solve_equilibrium(torque); }) ==
+        "hub.drive: a torque has no steady speed by itself, expected a speed to be given");
+  CHECK(test::message_of<InputError>([&] { solve_equilibrium(refusal({}), {.speed = NAN}); }) ==
+        "the speed is nan, expected a finite number");
+}
+
+}  // namespace
+}  // namespace spoke

@@ -1,0 +1,102 @@
+// Forces at zero accelerations, masses and linear models against what the step graph finds.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/steady/derivatives.h"
+#include "engine/steady/linear_model.h"
+#include "tests/engine/steady/blades.h"
+
+namespace spoke::steady {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Scenario read(const std::string& model) {
+  return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
+}
+
+/// A state in which all is moved.
+TreeState make_moved(std::size_t tree, const SteadyModel& model) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  TreeState state = make_state(model.initial(tree));
+  for (Eigen::Index k = 0; k < state.q.size(); ++k) {
+    const double scale = model.coordinates(tree)[static_cast<std::size_t>(k)].scale;
+    state.q[k] += 0.02 * scale * uniform(random);
+    state.v[k] = 0.1 * scale * uniform(random);
+    state.q_elastic[k] = 1e-4 * scale * uniform(random);
+    state.v_elastic[k] = 1e-4 * scale * uniform(random);
+  }
+  return state;
+}
+
+/// F = M a, where the hub's acceleration is none, and what the elastic forces are in F.
+void check_forces(const Scenario& scenario, double speed) {
+  const auto model = make_steady_model(scenario, {speed});
+  for (std::size_t i = 0; i < std::min<std::size_t>(model->trees(), 2); ++i) {
+    const TreeState state = make_moved(i, *model);
+    HubOffset offset = model->no_offset();
+    offset.twist.setLinSpaced(0.1, 0.3);
+    TreeResponse response;
+    model->evaluate(i, state, offset, response);
+    const VectorXd a = model->accelerations(i);
+    const TreeMatrices matrices = model->matrices(i);
+    const VectorXd inertia = matrices.mass.bottomRightCorner(a.size(), a.size()) * a;
+    CHECK((inertia - response.force).norm() < 1e-8 * response.force.norm());
+    CHECK((matrices.mass - matrices.mass.transpose()).norm() < 1e-13 * matrices.mass.norm());
+  }
+}
+
+TEST_CASE("steady model: forces at zero accelerations are mass times the step's accelerations") {
+  check_forces(test::make_planar({}), 3.0);
+  Scenario chord = test::make_planar({});
+  chord.rotor.blades[0].reference_frame = ReferenceFrame::chord;
+  check_forces(chord, 3.0);
+  check_forces(read("wu_haug_rotor.toml"), 4.0);
+  check_forces(read("spatial_wu_haug.toml"), 4.0);
+  check_forces(read("articulated_rotor.toml"), 36.0);
+  check_forces(read("tree_of_bodies.toml"), 1.0);
+  check_forces(read("heavy_top.toml"), 0.0);
+  Scenario bent = read("nrel_5mw_rotor.toml");
+  bent.space->blades[0].beam.reference_frame = ReferenceFrame::chord;
+  check_forces(bent, 1.3);
+}
+
+/// K and C of a tree against differences of the accelerations themselves, all forces moving.
+void check_linear(const Scenario& scenario, double speed) {
+  const auto model = make_steady_model(scenario, {speed});
+  const Equilibrium equilibrium = find_equilibrium(*model);
+  const LinearModel linear = linearize(equilibrium, *model);
+  const VectorXd& q = equilibrium.q[0];
+  const LinearTree& tree = linear.trees[0];
+  const auto accelerate = [&](const VectorXd& moved, const VectorXd& v) {
+    TreeResponse response;
+    model->evaluate(0, {moved, v, moved, v}, model->no_offset(), response);
+    return model->accelerations(0);
+  };
+  const VectorXd still = VectorXd::Zero(q.size());
+  MatrixXd by_q(q.size(), q.size()), by_v(q.size(), q.size());
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const VectorXd step = VectorXd::Unit(q.size(), k) * 1e-6 *
+                          model->coordinates(0)[static_cast<std::size_t>(k)].scale;
+    by_q.col(k) = (accelerate(q + step, still) - accelerate(q - step, still)) / (2.0 * step[k]);
+    by_v.col(k) = (accelerate(q, step) - accelerate(q, -step)) / (2.0 * step[k]);
+  }
+  CHECK((tree.K + tree.M * by_q).norm() < 1e-6 * tree.K.norm());
+  CHECK((tree.C + tree.M * by_v).norm() < 1e-6 * (tree.C.norm() + 1e-9 * tree.K.norm()));
+}
+
+TEST_CASE("linear model: stiffness and damping are those of the step's accelerations") {
+  check_linear(test::make_planar({}), 3.0);
+  check_linear(test::make_spatial({}), 3.0);
+  check_linear(read("wu_haug_rotor.toml"), 4.0);
+  check_linear(read("articulated_rotor.toml"), 36.0);
+  check_linear(read("nrel_5mw_rotor.toml"), 1.267);
+}
+
+}  // namespace
+}  // namespace spoke::steady

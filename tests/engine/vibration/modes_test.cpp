@@ -1,0 +1,261 @@
+// Modes that are known: from closed forms, from an independent solution of the beam's equations,
+// and from other parts of the engine.
+
+#include "engine/modes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/campbell.h"
+#include "engine/simulation.h"
+#include "models/error.h"
+#include "tests/engine/steady/blades.h"
+#include "tests/message_of.h"
+
+namespace spoke {
+namespace {
+
+using test::make_planar;
+using test::make_spatial;
+
+Scenario read(const std::string& model) {
+  return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
+}
+
+/// Frequencies of the modes of one kind, in their order [rad/s].
+std::vector<double> frequencies_of(const ModesResult& result, const std::string& kind) {
+  std::vector<double> list;
+  for (const Mode& mode : result.modes)
+    if (mode.name.find(kind) != std::string::npos) list.push_back(mode.frequency);
+  return list;
+}
+
+/// The first ones are those that are known, to a relative error.
+void check_frequencies(const ModesResult& result, const std::string& kind,
+                       const std::vector<double>& known, double error) {
+  const std::vector<double> found = frequencies_of(result, kind);
+  REQUIRE(found.size() >= known.size());
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    CAPTURE(kind);
+    CAPTURE(k);
+    CHECK(found[k] == doctest::Approx(known[k]).epsilon(error));
+  }
+}
+
+struct RotatingBlade {
+  double speed;
+  std::vector<double> flap, lag;
+};
+
+// L = m = EI = 1, hub radius 0. A Legendre-Galerkin solution of the beam's equation, which agrees
+// with Wright, Smith, Thresher and Wang 1982, J. Appl. Mech. 49, 197-202.
+const std::vector<RotatingBlade> kRotating{
+    {0, {3.516015, 22.034492, 61.697214}, {3.516015, 22.034492, 61.697214}},
+    {2, {4.13732, 22.614922, 62.273184}, {3.621797, 22.526311, 62.241059}},
+    {4, {5.585001, 24.273349, 63.96676}, {3.897723, 23.941501, 63.841573}},
+    {6, {7.360373, 26.809082, 66.683914}, {4.263225, 26.129042, 66.413436}},
+    {8, {9.256838, 29.995382, 70.292962}, {4.65715, 28.908873, 69.836241}},
+    {12, {13.17015, 37.603112, 79.614478}, {5.427049, 35.636976, 78.704925}}};
+
+TEST_CASE("modes: a rotating cantilever has its known frequencies") {
+  for (const RotatingBlade& known : kRotating) {
+    CAPTURE(known.speed);
+    const ModeOptions options{.state = {.speed = known.speed}, .count = 8};
+    check_frequencies(solve_modes(make_planar({}), options), "lag", known.lag, 1e-4);
+    const ModesResult space = solve_modes(make_spatial({}), options);
+    check_frequencies(space, "lag", known.lag, 1e-4);
+    check_frequencies(space, "flap", known.flap, 1e-4);
+    const ModesResult coarse = solve_modes(make_spatial({.bodies = 1}), options);
+    check_frequencies(coarse, "lag", known.lag, 1e-2);
+    check_frequencies(coarse, "flap", known.flap, 1e-2);
+  }
+}
+
+TEST_CASE("modes: a hinged flexible blade has its known frequencies") {
+  // From the offset e to 1, m = EI = 1, 10 rad/s: by the speed; likewise a Legendre-Galerkin
+  // solution. Scaled to a blade of unit length: l = 1 - e, speed and frequencies times l^2, the
+  // hub's radius e/l.
+  struct Hinged {
+    double offset;
+    std::vector<double> flap, lag;
+  };
+  for (const Hinged& known :
+       {Hinged{0.05, {1.03865946, 3.11236689, 7.04699278}, {0.28073736, 2.94734247, 6.9756797}},
+        Hinged{0.3, {1.2801219, 4.48498792, 11.53176514}, {0.79919464, 4.37208378, 11.48832482}}}) {
+    const double length = 1.0 - known.offset, speed = 10.0 * length * length;
+    const std::string hinge =
+        "[[blades.joint]]\nname = \"hinge\"\nstation = 0.0\nkind = \"universal\"\n"
+        "axes = [[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]\n";
+    const ModesResult result =
+        solve_modes(make_spatial({.radius = known.offset / length, .joint = hinge}),
+                    {.state = {.speed = speed}, .count = 8});
+    std::vector<double> flap = known.flap, lag = known.lag;
+    for (double& value : flap) value *= speed;
+    for (double& value : lag) value *= speed;
+    check_frequencies(result, "flap", flap, 1e-4);
+    check_frequencies(result, "lag", lag, 1e-4);
+  }
+}
+
+TEST_CASE("modes: a stiff articulated blade flaps and lags as its hinge offset says") {
+  // sqrt(1 + 3 e/(2 (L - e))) and sqrt(3 e/(2 (L - e))) per revolution, with the hinge at e. With a
+  // spring s and a damper d the square of the frequency gets s/I, and 2 d/(2 I) is its damping,
+  // I = m l^3/3.
+  const double radius = 0.1, speed = 1.0, length = 1.0, inertia = 1.0 / 3.0;
+  const double ratio = 1.5 * radius / length, spring = 0.2, damper = 0.05;
+  const auto hinge = [&](const char* axis, const std::string& more) {
+    return "[[blades.joint]]\nname = \"hinge\"\nstation = 0.0\nkind = \"revolute\"\naxis = " +
+           std::string(axis) + '\n' + more;
+  };
+  const auto solve = [&](const std::string& joint) {
+    return solve_modes(make_spatial({.radius = radius, .bending_stiffness = 1e4, .joint = joint}),
+                       {.state = {.speed = speed}, .count = 1})
+        .modes.at(0);
+  };
+  CHECK(solve(hinge("[0.0, -1.0, 0.0]", "")).frequency ==
+        doctest::Approx(std::sqrt(1.0 + ratio)).epsilon(1e-3));
+  CHECK(solve(hinge("[0.0, 0.0, 1.0]", "")).frequency ==
+        doctest::Approx(std::sqrt(ratio)).epsilon(1e-3));
+  const Mode damped = solve(hinge("[0.0, 0.0, 1.0]", "stiffness = 0.2\ndamping = 0.05\n"));
+  const double square = ratio + spring / inertia, decay = damper / (2.0 * inertia);
+  CHECK(damped.name == "hinge lag 1");
+  CHECK(damped.eigenvalue.real() == doctest::Approx(-decay).epsilon(2e-3));
+  CHECK(damped.frequency == doctest::Approx(std::sqrt(square - decay * decay)).epsilon(1e-3));
+  CHECK(damped.damping_ratio == doctest::Approx(decay / std::sqrt(square)).epsilon(2e-3));
+}
+
+TEST_CASE("modes: a clamped beam at rest has ten known frequencies") {
+  // Roots of cos x cosh x = -1.
+  std::vector<double> known{3.51601527, 22.0344916, 61.6972144};
+  for (int n = 4; n <= 10; ++n) {
+    const double root = (n - 0.5) * std::acos(-1.0);
+    known.push_back(root * root);
+  }
+  const ModesResult result = solve_modes(make_planar({.bodies = 10, .elements = 6}), {.count = 10});
+  check_frequencies(result, "lag", known, 1e-4);
+  for (const Mode& mode : result.modes) CHECK(mode.damping_ratio == 0.0);
+}
+
+TEST_CASE("modes: a free satellite at rest has rigid motions, and the frequencies of spoke check") {
+  const Scenario scenario = read("free_hub_satellite.toml");
+  const ModesResult result = solve_modes(scenario, {.state = {.speed = 0.0}, .count = 8});
+  CHECK(result.are_blades_coupled);
+  for (int k = 0; k < 3; ++k) CHECK(result.modes[static_cast<std::size_t>(k)].eigenvalue == 0.0);
+  const Simulation simulation(scenario);
+  CHECK(result.modes.at(3).frequency ==
+        doctest::Approx(simulation.linear_properties().lowest_frequency).epsilon(1e-6));
+  CHECK(result.modes.at(3).name.starts_with("differential"));
+  CHECK(result.modes.at(4).name.starts_with("collective"));
+}
+
+TEST_CASE("modes: of clamped blades the lowest frequency is that of spoke check") {
+  Scenario scenario = read("wu_haug_rotor.toml");
+  scenario.rotor.hub.drive = FixedDrive{};
+  const ModesResult result = solve_modes(scenario, {.count = 3});
+  CHECK(result.modes.at(0).of == "blades 1 to 3");
+  CHECK(result.modes.at(0).frequency ==
+        doctest::Approx(Simulation(scenario).linear_properties().lowest_frequency).epsilon(1e-7));
+}
+
+TEST_CASE("modes: a free body in space at rest has six rigid motions") {
+  const ModesResult result =
+      solve_modes(read("satellite_booms.toml"), {.state = {.speed = 0.0}, .count = 8});
+  for (int k = 0; k < 6; ++k) CHECK(result.modes[static_cast<std::size_t>(k)].eigenvalue == 0.0);
+  CHECK(result.modes.at(6).frequency > 0.1);
+}
+
+TEST_CASE(
+    "modes: seen from the turning frame, a free rotor's rigid translation whirls at its speed") {
+  Scenario scenario = make_planar({});
+  for (int b = 1; b < 3; ++b) {
+    scenario.rotor.blades.push_back(scenario.rotor.blades[0]);
+    scenario.rotor.blades.back().azimuth = b * 2.0 * std::acos(-1.0) / 3.0;
+  }
+  scenario.rotor.hub.support = HubSupport::free;
+  scenario.rotor.hub.mass = 2.0;
+  scenario.rotor.hub.drive = FreeDrive{1.5};
+  const ModesResult result = solve_modes(scenario, {.count = 6});
+  int whirls = 0, rigid = 0, regressive = 0, progressive = 0;
+  for (const Mode& mode : result.modes) {
+    whirls += std::abs(mode.frequency - 1.5) < 1e-6;
+    rigid += mode.eigenvalue == 0.0;
+    regressive += mode.name.starts_with("regressive");
+    progressive += mode.name.starts_with("progressive");
+    CHECK_FALSE(mode.grows());
+  }
+  CHECK(whirls >= 1);
+  CHECK(rigid == 1);
+  CHECK(regressive >= 1);
+  CHECK(progressive >= 1);
+}
+
+TEST_CASE("modes: the NREL 5 MW blade has published frequencies, converged in its elements") {
+  Scenario scenario = read("nrel_5mw_rotor.toml");
+  const auto solve = [&](int elements, double speed) {
+    for (spatial::Blade& blade : scenario.space->blades) blade.beam.elements = elements;
+    return solve_modes(scenario, {.state = {.speed = speed}, .count = 3});
+  };
+  for (const double speed : {0.0, 1.267109}) {
+    const ModesResult coarse = solve(4, speed), fine = solve(8, speed);
+    for (std::size_t k = 0; k < 2; ++k)
+      CHECK(coarse.modes[k].frequency == doctest::Approx(fine.modes[k].frequency).epsilon(3e-4));
+  }
+  // Jonkman et al. 2009, NREL/TP-500-38060, table 9-1, at rest: first blade asymmetric edgewise,
+  // 1.0793 Hz by FAST and 1.0740 Hz by ADAMS.
+  const ModesResult rest = solve(4, 0.0);
+  CHECK(rest.modes.at(1).name == "lag 1");
+  CHECK(rest.modes.at(1).frequency ==
+        doctest::Approx(2.0 * std::acos(-1.0) * 1.0793).epsilon(0.02));
+}
+
+TEST_CASE(
+    "campbell: modes keep their shapes through a crossing, and crossings are where they say") {
+  // A blade that is stiffer in lag than in flap at rest: flap rises faster and crosses it.
+  Scenario scenario = make_spatial({});
+  for (double& value : scenario.space->blades[0].beam.sections.lag_stiffness) value = 3.0;
+  CampbellOptions options{.count = 4, .harmonics = 3};
+  for (int k = 0; k <= 16; ++k) options.speeds.push_back(0.5 * k);
+  const CampbellResult result = solve_campbell(scenario, options);
+  REQUIRE(result.branches.size() == 4);
+  for (const CampbellBranch& branch : result.branches) {
+    CAPTURE(branch.name);
+    double before = 0.0;
+    for (std::size_t k = 0; k < options.speeds.size(); ++k) {
+      REQUIRE(branch.modes[k]);
+      const Mode& mode = result.states[k].modes[*branch.modes[k]];
+      CHECK(mode.name == branch.name);
+      CHECK(mode.frequency > before);
+      before = mode.frequency;
+    }
+  }
+  CHECK(result.branches[0].name == "flap 1");
+  CHECK(result.branches[1].name == "lag 1");
+  const std::size_t last = options.speeds.size() - 1;
+  CHECK(*result.branches[0].modes[last] > *result.branches[1].modes[last]);
+  // The line of the second harmonic meets lag 1.
+  const auto crossing =
+      std::find_if(result.crossings.begin(), result.crossings.end(),
+                   [](const auto& found) { return found.branch == 1 && found.harmonic == 2; });
+  REQUIRE(crossing != result.crossings.end());
+  const ModesResult there =
+      solve_modes(scenario, {.state = {.speed = crossing->speed}, .count = 2});
+  CHECK(frequencies_of(there, "lag").at(0) == doctest::Approx(2.0 * crossing->speed).epsilon(1e-2));
+  // The same on one thread.
+  options.threads = 1;
+  const CampbellResult serial = solve_campbell(scenario, options);
+  for (std::size_t k = 0; k < options.speeds.size(); ++k)
+    for (std::size_t m = 0; m < serial.states[k].modes.size(); ++m)
+      CHECK(serial.states[k].modes[m].eigenvalue == result.states[k].modes[m].eigenvalue);
+}
+
+TEST_CASE("modes: bad input gets a line") {
+  CHECK(test::message_of([] { solve_modes(make_planar({.bodies = 1}), {.count = 13}); }) ==
+        "13 modes, expected at most 12: as many as blade 1 has");
+  CHECK(test::message_of([] { solve_modes(make_planar({}), {.count = 0}); }) ==
+        "0 modes, expected 1 or more");
+}
+
+}  // namespace
+}  // namespace spoke
