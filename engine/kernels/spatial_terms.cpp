@@ -54,12 +54,6 @@ space::Rotation resolve(spatial::LoadFrame frame, const space::Rotation& R_HB,
   return section;
 }
 
-space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
-  return space::make_fixed_handle(section.s0);
-}
-
 /// Adds a wrench in B, and its power.
 void add_wrench(const space::Section& section, const space::HandleMotion& motion,
                 const space::Twist& wrench, const space::Twist& twist, BodyData<Space>& body) {
@@ -84,6 +78,13 @@ void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0
       add_wrench(sections[k], motion, wrench, twist, body);
     }
   }
+}
+
+/// What loads of the user's exert.
+void add_applied(const space::Twist& twist, BodyData<Space>& body) {
+  for (const auto& [section, wrench] : body.applied)
+    add_wrench(*section, motion_at(body, *section), make_wrench(wrench->force, wrench->moment),
+               twist, body);
 }
 
 /// Of gravity that rises, whose work is that of a load.
@@ -118,6 +119,12 @@ const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
   return body.blocks[0]->rigid->mass;
 }
 
+space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept {
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
+  return space::make_fixed_handle(section.s0);
+}
+
 space::JointState joint_state_of(const BodyData<Space>& body) {
   return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
           body.joint.driven};
@@ -137,6 +144,7 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
                                  body.work);
   }
   add_joint_forces(t, shares, body);
+  add_applied(twist, body);
   if (body.loads.empty() && system.gravity_ramp == 0.0) return;
   const space::Rotation R_HB = calc_rotation_to_hub(subsystem, data, j);
   add_loads(t, R_HB, data.hub->R, twist, body);

@@ -11,6 +11,8 @@ space::BodyModel body_model_of(const BodyData<Space>& body);
 space::BodyState body_state_of(const BodyData<Space>& body);
 /// M_RR about the origin of its frame. Precondition: the body is rigid.
 const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
+/// How a section moves against the frame of its body at the state in the table.
+space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept;
 space::JointState joint_state_of(const BodyData<Space>& body);
 
 /// Calculates the terms of body `j` at the state in the table, (P 3) in space, and the forces of

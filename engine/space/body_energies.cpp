@@ -94,4 +94,14 @@ double calc_foreshortening(const BodyModel& model, const double* q, const BodyWo
   return 0.5 * sum_squared_slopes(*model.body, work.nodal[0]);
 }
 
+double calc_foreshortening(const BodyModel& model, const Section& section, const double* q,
+                           const BodyWork& work) noexcept {
+  if (!model.tension) return 0.0;
+  const auto e = static_cast<std::size_t>(section.element);
+  const BeamElement& element = model.body->beam[e];
+  const double xi = element.axes.col(0).dot(section.s0 - model.body->nodes[e]) / element.length;
+  expand(*model.body, q, work.nodal[0]);
+  return 0.5 * sum_squared_slopes(*model.body, work.nodal[0], section.element, xi);
+}
+
 }  // namespace spoke::space

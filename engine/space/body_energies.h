@@ -3,6 +3,7 @@
 // Energies and first moment of a spatial body, for the sensors.
 
 #include "engine/space/body_data.h"
+#include "engine/space/section.h"
 
 namespace spoke::space {
 
@@ -30,5 +31,8 @@ double calc_strain_energy(const FlexibleBody& body, const double* q, const BodyW
 /// By how much a bent body is shorter along its axis than its coordinates say [m]: 1/2 int (v'^2 +
 /// w'^2) dx, of a body with geometric stiffening, whose energies account for it; else 0.
 double calc_foreshortening(const BodyModel& model, const double* q, const BodyWork& work) noexcept;
+/// The same of the part inboard of a section.
+double calc_foreshortening(const BodyModel& model, const Section& section, const double* q,
+                           const BodyWork& work) noexcept;
 
 }  // namespace spoke::space

@@ -3,6 +3,7 @@
 #include "engine/space/body_stiffening.h"
 
 #include "engine/space/element_products.h"
+#include "models/space/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
@@ -189,16 +190,39 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
   return sums;
 }
 
-double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept {
+namespace {
+
+/// Sum over the elements before `end`.
+double sum_squared_slopes(const FlexibleBody& body, const double* q, int end) {
   Double2 sum{};
-  for (const BeamElement& element : body.beam) {
+  for (int e = 0; e < end; ++e, q += kTwist) {
+    const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
     const PlaneCoordinates x = in_element_axes(element, body.is_straight, q);
     const Matrix4& K1 = element.stiffening.bending[0];
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) sum += x.bending[i] * (K1(i, j) * x.bending[j]);
-    q += kTwist;
   }
   return total(sum);
+}
+
+}  // namespace
+
+double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept {
+  return sum_squared_slopes(body, q, body.elements);
+}
+
+double sum_squared_slopes(const FlexibleBody& body, const double* q, int element,
+                          double xi) noexcept {
+  const BeamElement& last = body.beam[static_cast<std::size_t>(element)];
+  const PlaneCoordinates x = in_element_axes(last, body.is_straight, q + kTwist * element);
+  Double2 sum{};
+  for (int k = 0; k < GaussRule::kPoints; ++k) {
+    const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], last.length);
+    Double2 slope{};
+    for (int i = 0; i < 4; ++i) slope += h[i] * x.bending[i];
+    sum += (GaussRule::weights[k] * xi * last.length) * slope * slope;
+  }
+  return sum_squared_slopes(body, q, element) + total(sum);
 }
 
 namespace {

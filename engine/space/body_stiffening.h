@@ -26,6 +26,9 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
 
 /// int (v'^2 + w'^2) ds, slopes against the elements' axes [m]. `q`: by node.
 double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept;
+/// The same from the inboard end to xi, 0 to 1, of an element.
+double sum_squared_slopes(const FlexibleBody& body, const double* q, int element,
+                          double xi) noexcept;
 
 /// What the hub feels of it; `gravity`: in H [m/s^2].
 HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,

@@ -73,11 +73,27 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
   return section;
 }
 
+Section make_rigid_section(const Position& place) {
+  Section section;
+  section.s0 = place;
+  return section;
+}
+
 HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,
                                  const double* v) noexcept {
   const ElementCoordinates x(body, section.element, q), rate(body, section.element, v);
   return {section.s0 + x.times(section.N), rate.times(section.N),
           calc_rotation_vector_motion(x.times(section.N_th), rate.times(section.N_th))};
+}
+
+Twist calc_section_acceleration(const FlexibleBody& body, const Section& section,
+                                const HandleMotion& motion, const Twist& X, const Angular& w,
+                                const double* a) noexcept {
+  const ElementCoordinates acceleration(body, section.element, a);
+  const Twist relative =
+      make_twist(acceleration.times(section.N),
+                 motion.turn.H.lazyProduct(acceleration.times(section.N_th)).eval());
+  return motion.carry(X) + relative + motion.bias(w);
 }
 
 void add_section_wrench(const Section& section, const HandleMotion& motion, const Twist& wrench,
