@@ -101,9 +101,9 @@ space::Position calc_marker_foreshortening(const Subsystem<Space>& subsystem,
     if (!body.model->stiffening) continue;
     const space::BodyModel model = body_model_of(body);
     const double* q = body.coordinates.q;
-    const double shortened = j == marker.body
-                                 ? calc_foreshortening(model, marker.section, q, body.work)
-                                 : calc_foreshortening(model, q, body.work);
+    const double shortened =
+        j == marker.body ? calc_foreshortening(model, marker.section, q, q, q, body.work).length
+                         : calc_foreshortening(model, q, body.work);
     sum += calc_rotation_to_hub(subsystem, data, j) * space::Position(shortened, 0.0, 0.0);
   }
   return sum;

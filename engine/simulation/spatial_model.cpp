@@ -5,12 +5,15 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/joint_values.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/readings.h"
 #include "engine/kernels/spatial_samples.h"
+#include "engine/simulation/spatial_columns.h"
 #include "engine/simulation/spatial_sensors.h"
 #include "engine/simulation/spatial_views.h"
 #include "engine/space/deformation_limits.h"
@@ -49,19 +52,22 @@ class SpatialModel final : public SimulatedModel {
     std::size_t values = 0;
     for (const Subsystem<Space>& subsystem : context_.system.subsystems)
       values += static_cast<std::size_t>(count_joint_values(subsystem));
+    values += count_readings(scenario_.sensors, scenario_.space->blades.size(), trees_);
     return spoke::ring_bytes(context_.system, values);
   }
   void allocate(int records) override {
     spoke::allocate(context_, records);
     place_loads(loads_, context_.data);
-    for (std::size_t i = 0; i < context_.data.subsystems.size(); ++i) {
-      SubsystemData<Space>& data = context_.data.subsystems[i];
-      data.reading_count =
+    std::vector<SubsystemData<Space>>& subsystems = context_.data.subsystems;
+    for (std::size_t i = 0; i < subsystems.size(); ++i)
+      subsystems[i].reading_count =
           static_cast<std::size_t>(count_joint_values(context_.system.subsystems[i]));
+    std::vector<SensorColumn> asked = place_sensors(
+        scenario_.sensors, scenario_.space->blades.size(), trees_, context_.system, context_.data);
+    for (SubsystemData<Space>& data : subsystems)
       data.reading_ring =
           ArenaVector<double>(data.reading_count * data.samples.size(), 0.0, *data.arena);
-    }
-    sensors_.emplace(context_.system, trees_);
+    sensors_.emplace(context_.system, trees_, std::move(asked));
   }
 
   ModelExtent extent() const override {
@@ -75,7 +81,8 @@ class SpatialModel final : public SimulatedModel {
     return extent;
   }
   double memory_bytes() const override {
-    return estimate_model_memory(context_.system, context_.formulation);
+    return estimate_model_memory(context_.system, context_.formulation) +
+           static_cast<double>(count_reading_bytes(context_.data));
   }
   std::size_t count_state() override { return count_state_values(context_.data); }
   std::uint64_t hash() const override { return hash_state(context_.data); }
@@ -130,6 +137,7 @@ class SpatialModel final : public SimulatedModel {
       update_kinematics(subsystem, data);
       of_step(data.samples, step) = calc_sample(context_.system, i, data);
       keep_joint_values(subsystem, step, data);
+      if (!data.readings.empty()) calc_readings(context_.system, i, step, t, context_.data);
     }
   }
   const std::vector<double>& measure(const WorkDone& work, std::int64_t step) override {

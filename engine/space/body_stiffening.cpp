@@ -190,39 +190,32 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
   return sums;
 }
 
-namespace {
-
-/// Sum over the elements before `end`.
-double sum_squared_slopes(const FlexibleBody& body, const double* q, int end) {
-  Double2 sum{};
-  for (int e = 0; e < end; ++e, q += kTwist) {
-    const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
-    const PlaneCoordinates x = in_element_axes(element, body.is_straight, q);
-    const Matrix4& K1 = element.stiffening.bending[0];
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) sum += x.bending[i] * (K1(i, j) * x.bending[j]);
-  }
-  return total(sum);
-}
-
-}  // namespace
-
-double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept {
-  return sum_squared_slopes(body, q, body.elements);
-}
-
-double sum_squared_slopes(const FlexibleBody& body, const double* q, int element,
+double sum_slope_products(const FlexibleBody& body, const double* q, const double* p, int element,
                           double xi) noexcept {
-  const BeamElement& last = body.beam[static_cast<std::size_t>(element)];
-  const PlaneCoordinates x = in_element_axes(last, body.is_straight, q + kTwist * element);
   Double2 sum{};
+  const int whole = xi < 1.0 ? element : element + 1;
+  for (int e = 0; e < whole; ++e, q += kTwist, p += kTwist) {
+    const BeamElement& passed = body.beam[static_cast<std::size_t>(e)];
+    const PlaneCoordinates x = in_element_axes(passed, body.is_straight, q);
+    const PlaneCoordinates y = in_element_axes(passed, body.is_straight, p);
+    const Matrix4& K1 = passed.stiffening.bending[0];
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) sum += x.bending[i] * (K1(i, j) * y.bending[j]);
+  }
+  if (whole > element) return total(sum);
+  const BeamElement& last = body.beam[static_cast<std::size_t>(element)];
+  const PlaneCoordinates x = in_element_axes(last, body.is_straight, q);
+  const PlaneCoordinates y = in_element_axes(last, body.is_straight, p);
   for (int k = 0; k < GaussRule::kPoints; ++k) {
     const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], last.length);
-    Double2 slope{};
-    for (int i = 0; i < 4; ++i) slope += h[i] * x.bending[i];
-    sum += (GaussRule::weights[k] * xi * last.length) * slope * slope;
+    Double2 slope_x{}, slope_y{};
+    for (int i = 0; i < 4; ++i) {
+      slope_x += h[i] * x.bending[i];
+      slope_y += h[i] * y.bending[i];
+    }
+    sum += (GaussRule::weights[k] * xi * last.length) * slope_x * slope_y;
   }
-  return sum_squared_slopes(body, q, element) + total(sum);
+  return total(sum);
 }
 
 namespace {

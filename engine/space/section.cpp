@@ -73,6 +73,12 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
   return section;
 }
 
+double place_in_element(const FlexibleBody& body, const Section& section) noexcept {
+  const auto e = static_cast<std::size_t>(section.element);
+  const BeamElement& element = body.beam[e];
+  return element.axes.col(0).dot(section.s0 - body.nodes[e]) / element.length;
+}
+
 Section make_rigid_section(const Position& place) {
   Section section;
   section.s0 = place;

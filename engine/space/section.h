@@ -23,6 +23,9 @@ struct Section {
 /// The section of a body at a station of its beam [m]. Between two elements, that of the inner one.
 Section make_section(const Beam& beam, const FlexibleBody& body, double station);
 
+/// Where a section is within its element: 0 at the inner node, 1 at the outer one.
+double place_in_element(const FlexibleBody& body, const Section& section) noexcept;
+
 /// A place in the frame of a rigid body [m], which moves with it.
 Section make_rigid_section(const Position& place);
 
