@@ -51,7 +51,7 @@ TEST_CASE("sensors on blades in space that cannot be are refused") {
            "f.toml:35:12: sensor.1.position: is 8.5, expected a number from 0 to 8 (m, from root "
            "to tip)"},
           {at, with("quantity = \"velocity\"\nblade = 4"),
-           "f.toml:35:9: sensor.1.blade: is 4, expected a whole number from 1 to 3, or \"all\""},
+           "f.toml:35:9: sensor.1.blade: is 4, expected a whole number from 1 to 3"},
           {at, with("quantity = \"velocity\"\nbody = \"boom\""),
            "f.toml:35:8: sensor.1.body: would be ignored, expected only along with subsystem"},
           {at, with("quantity = \"velocity\"\nsubsystem = \"arm\""),
@@ -74,25 +74,25 @@ TEST_CASE("sensors on subsystems that cannot be are refused") {
       kTreeText,
       {
           {at, with("quantity = \"velocity\""),
-           "f.toml:34:1: sensor.1: is on blades, of which there are none; expected subsystem and "
+           "f.toml:32:1: sensor.1: is on blades, of which there are none; expected subsystem and "
            "body"},
           {at, with(arm + "quantity = \"velocity\""),
-           "f.toml:34:1: sensor.1.body: is missing, expected the name of one of the subsystem"},
+           "f.toml:32:1: sensor.1.body: is missing, expected the name of one of the subsystem"},
           {at, with(arm + "quantity = \"velocity\"\nbody = \"bom\""),
-           "f.toml:37:8: sensor.1.body: is \"bom\", did you mean \"boom\"?"},
+           "f.toml:35:8: sensor.1.body: is \"bom\", did you mean \"boom\"?"},
           {at, with(arm + "quantity = \"section_force\"\nbody = \"mirror\"\nposition = 1.0"),
-           "f.toml:37:8: sensor.1.body: is rigid, expected a beam"},
+           "f.toml:35:8: sensor.1.body: is rigid, expected a beam"},
           {at, with(arm + "quantity = \"velocity\"\nbody = \"mirror\"\nposition = 1.0"),
-           "f.toml:38:12: sensor.1.position: belongs to beams; of a rigid body it is the origin of "
+           "f.toml:36:12: sensor.1.position: belongs to beams; of a rigid body it is the origin of "
            "its frame"},
           {at, with(arm + "quantity = \"joint_reaction\"\nbody = \"mirror\"\njoint = 1"),
-           "f.toml:38:9: sensor.1.joint: belongs to blades; of a body it is the one that carries "
+           "f.toml:36:9: sensor.1.joint: belongs to blades; of a body it is the one that carries "
            "it"},
           {at, with(arm + "quantity = \"momentum\""),
-           "f.toml:35:13: sensor.1.subsystem: does not belong to quantity \"momentum\", expected "
+           "f.toml:33:13: sensor.1.subsystem: does not belong to quantity \"momentum\", expected "
            "none"},
           {at, with(arm + "quantity = \"kinetic_energy\"\nbody = \"boom\""),
-           "f.toml:37:8: sensor.1.body: does not belong to quantity \"kinetic_energy\", expected "
+           "f.toml:35:8: sensor.1.body: does not belong to quantity \"kinetic_energy\", expected "
            "the subsystem alone"},
       });
 }
