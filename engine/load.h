@@ -2,6 +2,7 @@
 
 // Loads of the user's own: forces and moments at markers, as a function of time and of the markers'
 // motion. Vectors are three-dimensional; a planar system moves in the x-y plane.
+// markers_at() finds the markers at given places of a blade.
 
 #include <Eigen/Core>
 #include <functional>
@@ -14,11 +15,14 @@
 
 namespace spoke {
 
-/// A point on the axis of a flexible body.
+struct Scenario;
+
+/// A point on the axis of a flexible body; in space also one of a rigid body.
 struct Marker {
-  int blade = 0;         ///< from 0
-  int body = 0;          ///< from 0, at the root
+  int blade = 0;         ///< from 0; in space the subsystems follow behind the blades
+  int body = 0;          ///< from 0, at the root; in space in the order of `spoke check`
   double station = 0.0;  ///< along the body: 0 at its inboard end, 1 at its outboard end
+  Eigen::Vector3d point{0.0, 0.0, 0.0};  ///< on a rigid body, in its frame [m]; else zero
 
   /// Whether all three are equal.
   friend bool operator==(const Marker&, const Marker&) = default;
@@ -27,11 +31,24 @@ struct Marker {
 /// The motion of a marker's cross section, in the inertial frame.
 struct MarkerMotion {
   Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m]
-  /// Takes vectors from the section's frame (x along the deformed axis, outward; z as the inertial
-  /// one) to the inertial frame.
+  /// Takes vectors from the section's frame to the inertial frame: x along the deformed axis,
+  /// outward, and in the plane z as the inertial one; in space the axes of the section, its twist
+  /// included, or those of a rigid body.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d velocity{0.0, 0.0, 0.0};          ///< [m/s]
   Eigen::Vector3d angular_velocity{0.0, 0.0, 0.0};  ///< [rad/s]
+};
+
+/// What is known of a marker.
+struct MarkerState : MarkerMotion {
+  Eigen::Vector3d acceleration{0.0, 0.0, 0.0};          ///< [m/s^2]
+  Eigen::Vector3d angular_acceleration{0.0, 0.0, 0.0};  ///< [rad/s^2]
+  /// From its place on the undeformed blade, which turns with the hub (in space with all joint
+  /// coordinates zero); hub frame [m].
+  Eigen::Vector3d deflection{0.0, 0.0, 0.0};
+  /// What a model with geometric stiffening accounts for in its energies, not in its places: the
+  /// tip's sensors show the deflection less this; hub frame [m].
+  Eigen::Vector3d foreshortening{0.0, 0.0, 0.0};
 };
 
 /// A force and a moment.
@@ -53,8 +70,8 @@ class SPOKE_EXPORT Load {
   /// Where it acts and what it knows of: one or more points. Asked once.
   virtual std::vector<Marker> markers() const = 0;
   /// Sets what acts on the body at each marker at time t [s], in the inertial frame, the moment
-  /// about the marker. `out` is zero beforehand; both spans are in the order of markers(). Forces
-  /// along z and moments about x and y, and values that are not finite, are refused.
+  /// about the marker. `out` is zero beforehand; both spans are in the order of markers(). Values
+  /// that are not finite are refused, and in the plane forces along z and moments about x and y.
   ///
   /// Must be a function of its arguments alone: a step evaluates it several times, a failed step is
   /// repeated, and different loads run in different threads. What it throws ends the step with a
@@ -73,5 +90,11 @@ using LoadFunction =
 /// A load from a function.
 SPOKE_EXPORT std::shared_ptr<const Load> make_load(std::string name, std::vector<Marker> markers,
                                                    LoadFunction function);
+
+/// The markers at distances from a blade's root [m], in space stations of its beam; where two
+/// bodies meet, on the inner one. Throws InputError if the scenario has no such blade, counted from
+/// 0, or a place is not on it.
+SPOKE_EXPORT std::vector<Marker> markers_at(const Scenario& scenario, int blade,
+                                            std::span<const double> positions);
 
 }  // namespace spoke

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/kernels/load_terms.h"
 #include "engine/kernels/natural_frequencies.h"
-#include "engine/simulation/sensor_columns.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
 #include "models/error.h"
@@ -141,13 +139,12 @@ void Simulation::set_drive(const Drive& drive) {
 
 void Simulation::set_load(int index, std::shared_ptr<const Load> load) {
   core_->require_state("go on from with another load");
-  LoadData<Plane>& data = find_load(index, core_->plane("loads").data);
-  require_same_markers(load, data);
-  data.load.swap(load);
+  std::shared_ptr<const Load>& in_force = core_->model->replaceable_load(index, load);
+  in_force.swap(load);
   try {
     core_->renew();
   } catch (...) {
-    data.load.swap(load);
+    in_force.swap(load);
     throw;
   }
 }

@@ -46,17 +46,6 @@ struct HubMotion {
   Twist acceleration{0.0, 0.0, 0.0};  ///< [m/s^2, rad/s^2]
 };
 
-/// What is known of a marker.
-struct MarkerState : MarkerMotion {
-  Eigen::Vector3d acceleration{0.0, 0.0, 0.0};          ///< [m/s^2]
-  Eigen::Vector3d angular_acceleration{0.0, 0.0, 0.0};  ///< [rad/s^2]
-  /// From its place on the undeformed blade, which turns with the hub; hub frame [m].
-  Eigen::Vector3d deflection{0.0, 0.0, 0.0};
-  /// What a model with geometric stiffening accounts for in its energies, not in its places: the
-  /// tip's sensors show the deflection less this; hub frame [m].
-  Eigen::Vector3d foreshortening{0.0, 0.0, 0.0};
-};
-
 class SimulationCore;
 
 /// Simulates one system. Not copyable; different Simulations may run in different threads.
@@ -167,14 +156,16 @@ class SPOKE_EXPORT Simulation {
   /// What the joint inboard of a body (0: at the hub) does to the body, about the joint; inertial
   /// frame.
   Wrench joint_reaction(int blade, int joint) const;
-  /// What support and drive do to the hub, about its axis, inertial frame. It carries the hub and
+  /// What support and drive do to the hub, about its axis, in space about its origin; inertial
+  /// frame. It carries the hub and
   /// the roots of the blades; of blades with geometric stiffening also a moment that the model puts
   /// on the hub directly, since bending takes mass nearer to the axis.
   Wrench hub_reaction() const;
   /// What the part of a blade outboard of a section does to the part inboard, in the frame of the
-  /// section: x the axial force (positive in tension), y the shear force, z the bending moment. By
-  /// the strains of the finite element, so that along an element of a uniform blade the axial force
-  /// is constant, and the shear force; where two elements meet, those of the outer one.
+  /// section: in the plane x the axial force (positive in tension), y the shear force, z the
+  /// bending moment; in space all six, x the torque among the moments. By the strains of the finite
+  /// element, so that along an element of a uniform blade the axial force is constant, and the
+  /// shear force; where two elements meet, those of the outer one, in space of the inner one.
   Wrench section_force(const Marker& marker) const;
 
   // Changes between steps. They act from the next step on. They are the caller's: no saved state

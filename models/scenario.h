@@ -64,7 +64,7 @@ struct SPOKE_EXPORT Scenario {
   Output output;            ///< what spoke run writes
   /// What is measured besides the sensors that every simulation has.
   std::vector<Sensor> sensors;
-  /// What is simulated, in space. `rotor` then has no blades, and there are no `sensors`.
+  /// What is simulated, in space. `rotor` then has no blades.
   std::optional<spatial::Model> space;
 
   /// Every key with the value in force (defaults included), as a JSON object shaped like the file;

@@ -2,6 +2,7 @@
 
 #include "models/sensor.h"
 
+#include <algorithm>
 #include <array>
 
 namespace spoke {
@@ -15,6 +16,40 @@ constexpr Components kAcceleration{{{"x", "m/s^2"}, {"y", "m/s^2"}, {"rotation",
 constexpr Components kWrench{{{"x", "N"}, {"y", "N"}, {"moment", "N m"}}};
 constexpr Components kMomentum{{{"x", "kg m/s"}, {"y", "kg m/s"}, {"angular", "kg m^2/s"}}};
 constexpr std::array<SensorComponent, 1> kEnergy{{{"", "J"}}};
+
+// In space.
+using Six = std::array<SensorComponent, 6>;
+
+constexpr Six kDisplacement6{{{"x", "m"},
+                              {"y", "m"},
+                              {"z", "m"},
+                              {"rotation.x", "rad"},
+                              {"rotation.y", "rad"},
+                              {"rotation.z", "rad"}}};
+constexpr Six kVelocity6{{{"x", "m/s"},
+                          {"y", "m/s"},
+                          {"z", "m/s"},
+                          {"rotation.x", "rad/s"},
+                          {"rotation.y", "rad/s"},
+                          {"rotation.z", "rad/s"}}};
+constexpr Six kAcceleration6{{{"x", "m/s^2"},
+                              {"y", "m/s^2"},
+                              {"z", "m/s^2"},
+                              {"rotation.x", "rad/s^2"},
+                              {"rotation.y", "rad/s^2"},
+                              {"rotation.z", "rad/s^2"}}};
+constexpr Six kWrench6{{{"force.x", "N"},
+                        {"force.y", "N"},
+                        {"force.z", "N"},
+                        {"moment.x", "N m"},
+                        {"moment.y", "N m"},
+                        {"moment.z", "N m"}}};
+constexpr Six kMomentum6{{{"x", "kg m/s"},
+                          {"y", "kg m/s"},
+                          {"z", "kg m/s"},
+                          {"angular.x", "kg m^2/s"},
+                          {"angular.y", "kg m^2/s"},
+                          {"angular.z", "kg m^2/s"}}};
 
 using Frame = SensorFrame;
 constexpr std::array kMotionFrames{Frame::hub, Frame::blade, Frame::inertial};
@@ -50,9 +85,13 @@ bool is_of_blade(SensorQuantity quantity) {
   return quantity != SensorQuantity::hub_reaction && quantity != SensorQuantity::momentum;
 }
 
-bool has_position(SensorQuantity quantity) {
+bool is_motion(SensorQuantity quantity) {
   return quantity == SensorQuantity::displacement || quantity == SensorQuantity::velocity ||
-         quantity == SensorQuantity::acceleration || quantity == SensorQuantity::section_force;
+         quantity == SensorQuantity::acceleration;
+}
+
+bool has_position(SensorQuantity quantity) {
+  return is_motion(quantity) || quantity == SensorQuantity::section_force;
 }
 
 std::span<const SensorComponent> components_of(SensorQuantity quantity) {
@@ -75,8 +114,33 @@ std::span<const SensorComponent> components_of(SensorQuantity quantity) {
   }
 }
 
+std::span<const SensorComponent> components_in_space(SensorQuantity quantity) {
+  switch (quantity) {
+    case SensorQuantity::velocity:
+      return kVelocity6;
+    case SensorQuantity::acceleration:
+      return kAcceleration6;
+    case SensorQuantity::section_force:
+    case SensorQuantity::joint_reaction:
+    case SensorQuantity::hub_reaction:
+      return kWrench6;
+    case SensorQuantity::momentum:
+    case SensorQuantity::blade_momentum:
+      return kMomentum6;
+    case SensorQuantity::kinetic_energy:
+      return kEnergy;
+    default:
+      return kDisplacement6;
+  }
+}
+
 std::string prefix_of(const Sensor& sensor, int blade) {
   const std::string name(sensor.name.empty() ? name_of(sensor.quantity) : sensor.name);
+  if (!sensor.subsystem.empty() && is_of_blade(sensor.quantity)) {
+    std::string prefix = sensor.subsystem;
+    prefix.erase(std::remove(prefix.begin(), prefix.end(), ' '), prefix.end());
+    return prefix + "." + name;
+  }
   return is_of_blade(sensor.quantity) ? "blade" + std::to_string(blade + 1) + "." + name : name;
 }
 

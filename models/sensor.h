@@ -51,7 +51,7 @@ class JointChoice {
   int number_;
 };
 
-/// One sensor, on one blade or on every blade.
+/// One sensor, on one blade or on every blade; in space also on a body of a subsystem.
 struct Sensor {
   SensorQuantity quantity = SensorQuantity::displacement;  ///< what it measures
   std::string name;  ///< in the names of its columns; empty: the quantity's
@@ -59,6 +59,9 @@ struct Sensor {
   std::optional<double> position;    ///< from the blade's root [m]; empty: the tip
   std::optional<JointChoice> joint;  ///< of a joint's reaction, which needs one
   std::optional<SensorFrame> frame;  ///< empty: the quantity's usual one, see frame_of()
+  std::string subsystem{};           ///< in space, in place of a blade: its name
+  /// Of the subsystem, for what is at a position or a joint: the joint is the one that carries it.
+  std::string body{};
 };
 
 /// The frame in force.
@@ -67,6 +70,8 @@ SPOKE_EXPORT SensorFrame frame_of(const Sensor& sensor);
 SPOKE_EXPORT std::span<const SensorFrame> frames_of(SensorQuantity quantity);
 /// Whether a sensor of this quantity is one of a blade.
 SPOKE_EXPORT bool is_of_blade(SensorQuantity quantity);
+/// Whether it is a displacement or a derivative of one.
+SPOKE_EXPORT bool is_motion(SensorQuantity quantity);
 /// Whether it is at a position along a blade.
 SPOKE_EXPORT bool has_position(SensorQuantity quantity);
 
@@ -75,8 +80,10 @@ struct SensorComponent {
   std::string_view name;  ///< empty: the only one
   std::string_view unit;  ///< SI
 };
-/// The values of a quantity, in the order of their columns.
+/// The values of a quantity in the plane, in the order of their columns.
 SPOKE_EXPORT std::span<const SensorComponent> components_of(SensorQuantity quantity);
+/// The same in space.
+SPOKE_EXPORT std::span<const SensorComponent> components_in_space(SensorQuantity quantity);
 /// What the names of a sensor's columns begin with on blade `blade` (from 0; of none, any number):
 /// "blade1.mid".
 SPOKE_EXPORT std::string prefix_of(const Sensor& sensor, int blade);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 
 #include "engine/kernels/blade_loads.h"
 #include "engine/kernels/kinematics.h"
@@ -61,20 +62,84 @@ std::vector<int> blades_of(const std::vector<Marker>& markers) {
   return blades;
 }
 
-/// "blade 2", "blades 1, 2 and 3"
-std::string text_of(const std::vector<int>& blades) {
-  std::string text = blades.size() == 1 ? "blade " : "blades ";
-  for (std::size_t k = 0; k < blades.size(); ++k) {
-    if (k > 0) text += k + 1 == blades.size() ? " and " : ", ";
-    text += std::to_string(blades[k] + 1);
+/// "blade 2", "blades 1, 2 and 3", "blade 1 and arm"
+std::string text_of(const std::vector<int>& blades, const std::vector<std::string>& names) {
+  constexpr std::string_view kBlade = "blade ";
+  std::vector<std::string> called;
+  for (const int blade : blades) called.push_back(names[static_cast<std::size_t>(blade)]);
+  std::string text;
+  if (called.size() > 1 && std::all_of(called.begin(), called.end(), [&](const std::string& name) {
+        return name.starts_with(kBlade);
+      })) {
+    text = "blades ";
+    for (std::string& name : called) name.erase(0, kBlade.size());
+  }
+  for (std::size_t k = 0; k < called.size(); ++k) {
+    if (k > 0) text += k + 1 == called.size() ? " and " : ", ";
+    text += called[k];
   }
   return text;
 }
 
+// What differs by world.
+
+void require_on_beam(const std::string& whose, const Marker& marker) {
+  if (!marker.point.isZero(0.0))
+    throw InputError(whose + ": its point belongs to rigid bodies, expected a station on a beam");
+  if (!(marker.station >= 0.0 && marker.station <= 1.0))
+    throw InputError(whose + ": station " + std::to_string(marker.station) + ", expected 0 to 1");
+}
+
+Section place_section(const std::string& whose, const Marker& marker, const BodyData<Plane>& body) {
+  require_on_beam(whose, marker);
+  return make_section(*body.model->body, body.layout, marker.station);
+}
+
+space::Section place_section(const std::string& whose, const Marker& marker,
+                             const BodyData<Space>& body) {
+  const space::Body& model = *body.model->body;
+  if (const space::FlexibleBody* flexible = model.flexible()) {
+    require_on_beam(whose, marker);
+    const double from = flexible->stations.front(), to = flexible->stations.back();
+    return make_section(*model.beam, *flexible, from + marker.station * (to - from));
+  }
+  if (marker.station != 0.0)
+    throw InputError(whose + ": its station belongs to beams, expected a point on a rigid body");
+  if (!marker.point.allFinite()) throw InputError(whose + ": its point is not finite");
+  return space::make_rigid_section(marker.point);
+}
+
+void require_fitting(const Wrench& wrench, const BodyData<Plane>&) {
+  if (wrench.force.z() != 0.0 || wrench.moment.x() != 0.0 || wrench.moment.y() != 0.0)
+    throw std::domain_error(
+        "the system moves in the x-y plane, expected no force along z and no moment about x or y");
+}
+void require_fitting(const Wrench&, const BodyData<Space>&) {}
+
+/// A wrench in the inertial frame, to the frame of a body.
+SectionWrench<Plane> resolve(const Wrench& wrench, const Subsystem<Plane>&,
+                             const SubsystemData<Plane>& data, int body) {
+  const Rotation R = data.hub->R * calc_rotation_to_hub(data, body);
+  return {R.inverse() * Position{wrench.force.x(), wrench.force.y()}, wrench.moment.z()};
+}
+SectionWrench<Space> resolve(const Wrench& wrench, const Subsystem<Space>& subsystem,
+                             const SubsystemData<Space>& data, int body) {
+  const space::Rotation R = (data.hub->R * calc_rotation_to_hub(subsystem, data, body)).inverse();
+  return {R * space::Position(wrench.force), R * space::Angular(wrench.moment)};
+}
+
+void set_all(double value, SectionWrench<Plane>& wrench) {
+  wrench = {Position::Constant(value), value};
+}
+void set_all(double value, SectionWrench<Space>& wrench) {
+  wrench = {space::Position::Constant(value), space::Angular::Constant(value)};
+}
+
 /// Lists a load's wrenches with the bodies that they act on.
-void apply(LoadData<Plane>& load, StepData<Plane>& data) {
+template <class World>
+void apply(LoadData<World>& load, StepData<World>& data) {
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
-    const PlacedMarker<Plane>& marker = load.markers[k];
+    const PlacedMarker<World>& marker = load.markers[k];
     data.subsystems[static_cast<std::size_t>(marker.blade)]
         .bodies[static_cast<std::size_t>(marker.body)]
         .applied.push_back({&marker.section, &load.wrenches[k]});
@@ -82,31 +147,26 @@ void apply(LoadData<Plane>& load, StepData<Plane>& data) {
 }
 
 /// The load of one of its blades, the first, in the table: there its data lie.
-LoadData<Plane>& add_load_data(const AskedLoad& asked, StepData<Plane>& table) {
+template <class World>
+LoadData<World>& add_load_data(const AskedLoad& asked, StepData<World>& table) {
   const std::vector<Marker>& markers = asked.markers;
-  LoadData<Plane> data;
+  LoadData<World> data;
   data.load = asked.load;
   data.given = markers;
   data.blades = blades_of(markers);
   for (const Marker& marker : markers)
     data.markers.push_back(place_marker(called(*asked.load), marker, table));
-  SubsystemData<Plane>& subsystem = table.subsystems[static_cast<std::size_t>(data.blades.front())];
-  data.wrenches = ArenaVector<SectionWrench<Plane>>(markers.size(), *subsystem.arena);
+  SubsystemData<World>& subsystem = table.subsystems[static_cast<std::size_t>(data.blades.front())];
+  data.wrenches = ArenaVector<SectionWrench<World>>(markers.size(), *subsystem.arena);
+  for (SectionWrench<World>& wrench : data.wrenches) set_all(0.0, wrench);
   data.motions.resize(markers.size());
   data.forces.resize(markers.size());
   return subsystem.loads.emplace_back(std::move(data));
 }
 
-void require_planar(const Wrench& wrench) {
-  if (!wrench.force.allFinite() || !wrench.moment.allFinite())
-    throw std::domain_error("its force or moment is not finite");
-  if (wrench.force.z() != 0.0 || wrench.moment.x() != 0.0 || wrench.moment.y() != 0.0)
-    throw std::domain_error(
-        "the system moves in the x-y plane, expected no force along z and no moment about x or y");
-}
-
-void call(double t, const System<Plane>& system, const StepData<Plane>& data,
-          LoadData<Plane>& load) {
+template <class World>
+void call(double t, const System<World>& system, const StepData<World>& data,
+          LoadData<World>& load) {
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
     const auto blade = static_cast<std::size_t>(load.markers[k].blade);
     load.motions[k] =
@@ -116,32 +176,33 @@ void call(double t, const System<Plane>& system, const StepData<Plane>& data,
   load.load->evaluate(t, load.motions, load.forces);
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
     const Wrench& wrench = load.forces[k];
-    require_planar(wrench);
-    const SubsystemData<Plane>& subsystem =
-        data.subsystems[static_cast<std::size_t>(load.markers[k].blade)];
-    const Rotation R = subsystem.hub->R * calc_rotation_to_hub(subsystem, load.markers[k].body);
-    load.wrenches[k].force = R.inverse() * Position{wrench.force.x(), wrench.force.y()};
-    load.wrenches[k].moment = wrench.moment.z();
+    if (!wrench.force.allFinite() || !wrench.moment.allFinite())
+      throw std::domain_error("its force or moment is not finite");
+    const auto blade = static_cast<std::size_t>(load.markers[k].blade);
+    const int body = load.markers[k].body;
+    const SubsystemData<World>& subsystem = data.subsystems[blade];
+    require_fitting(wrench, subsystem.bodies[static_cast<std::size_t>(body)]);
+    load.wrenches[k] = resolve(wrench, system.subsystems[blade], subsystem, body);
   }
 }
 
 }  // namespace
 
-PlacedMarker<Plane> place_marker(const std::string& whose, const Marker& marker,
-                                 const StepData<Plane>& data) {
+template <class World>
+PlacedMarker<World> place_marker(const std::string& whose, const Marker& marker,
+                                 const StepData<World>& data) {
   require_index(whose, "blade", marker.blade, data.subsystems.size());
-  const SubsystemData<Plane>& subsystem = data.subsystems[static_cast<std::size_t>(marker.blade)];
+  const SubsystemData<World>& subsystem = data.subsystems[static_cast<std::size_t>(marker.blade)];
   require_index(whose, "body", marker.body, subsystem.bodies.size());
-  if (!(marker.station >= 0.0 && marker.station <= 1.0))
-    throw InputError(whose + ": station " + std::to_string(marker.station) + ", expected 0 to 1");
-  const BodyData<Plane>& body = subsystem.bodies[static_cast<std::size_t>(marker.body)];
-  return {marker.blade, marker.body, make_section(*body.model->body, body.layout, marker.station)};
+  const BodyData<World>& body = subsystem.bodies[static_cast<std::size_t>(marker.body)];
+  return {marker.blade, marker.body, place_section(whose, marker, body)};
 }
 
-LoadData<Plane>& find_load(int index, StepData<Plane>& data) {
+template <class World>
+LoadData<World>& find_load(int index, StepData<World>& data) {
   std::size_t count = 0;
-  for (SubsystemData<Plane>& subsystem : data.subsystems)
-    for (LoadData<Plane>& load : subsystem.loads) {
+  for (SubsystemData<World>& subsystem : data.subsystems)
+    for (LoadData<World>& load : subsystem.loads) {
       if (load.number == index) return load;
       ++count;
     }
@@ -149,7 +210,8 @@ LoadData<Plane>& find_load(int index, StepData<Plane>& data) {
                    range_text(0, static_cast<int>(count) - 1));
 }
 
-void require_same_markers(const std::shared_ptr<const Load>& load, const LoadData<Plane>& data) {
+template <class World>
+void require_same_markers(const std::shared_ptr<const Load>& load, const LoadData<World>& data) {
   if (!load) throw InputError("a load is a null pointer");
   if (ask_markers(*load) != data.given)
     throw InputError(called(*load) + ": its markers are not those of the load that it replaces");
@@ -174,21 +236,23 @@ bool ties_blades(const std::vector<AskedLoad>& loads) noexcept {
   });
 }
 
-void place_loads(const std::vector<AskedLoad>& loads, StepData<Plane>& data) {
+template <class World>
+void place_loads(const std::vector<AskedLoad>& loads, StepData<World>& data) {
   int number = 0;
   for (const AskedLoad& asked : loads) add_load_data(asked, data).number = number++;
-  for (SubsystemData<Plane>& subsystem : data.subsystems)
-    for (LoadData<Plane>& load : subsystem.loads) apply(load, data);
+  for (SubsystemData<World>& subsystem : data.subsystems)
+    for (LoadData<World>& load : subsystem.loads) apply(load, data);
 }
 
-void evaluate_load(double t, const System<Plane>& system, const StepData<Plane>& data,
-                   LoadData<Plane>& load) noexcept {
+template <class World>
+void evaluate_load(double t, const System<World>& system, const StepData<World>& data,
+                   LoadData<World>& load) noexcept {
   try {
     call(t, system, data, load);
   } catch (...) {
     if (!load.thrown) load.thrown = std::current_exception();
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    std::fill(load.wrenches.begin(), load.wrenches.end(), SectionWrench<Plane>{{none, none}, none});
+    for (SectionWrench<World>& wrench : load.wrenches)
+      set_all(std::numeric_limits<double>::quiet_NaN(), wrench);
   }
 }
 
@@ -197,14 +261,35 @@ void add_applied(const Twist& twist, BodyData<Plane>& body) noexcept {
     add_wrench(*section, wrench->force, wrench->moment, twist, body);
 }
 
-std::string describe_failed_load(const StepData<Plane>& data, const std::string& at) {
+template <class World>
+std::string describe_failed_load(const StepData<World>& data, const std::vector<std::string>& names,
+                                 const std::string& at) {
   assert(data.is_any_load_failed());
-  for (const SubsystemData<Plane>& subsystem : data.subsystems)
-    for (const LoadData<Plane>& load : subsystem.loads)
+  for (const SubsystemData<World>& subsystem : data.subsystems)
+    for (const LoadData<World>& load : subsystem.loads)
       if (load.thrown)
-        return called(*load.load) + " of " + text_of(load.blades) + " failed " + at + ": " +
+        return called(*load.load) + " of " + text_of(load.blades, names) + " failed " + at + ": " +
                reason_of(load.thrown);
   return {};
 }
+
+template void place_loads(const std::vector<AskedLoad>&, StepData<Plane>&);
+template PlacedMarker<Plane> place_marker(const std::string&, const Marker&,
+                                          const StepData<Plane>&);
+template LoadData<Plane>& find_load(int, StepData<Plane>&);
+template void require_same_markers(const std::shared_ptr<const Load>&, const LoadData<Plane>&);
+template void evaluate_load(double, const System<Plane>&, const StepData<Plane>&,
+                            LoadData<Plane>&) noexcept;
+template std::string describe_failed_load(const StepData<Plane>&, const std::vector<std::string>&,
+                                          const std::string&);
+template void place_loads(const std::vector<AskedLoad>&, StepData<Space>&);
+template PlacedMarker<Space> place_marker(const std::string&, const Marker&,
+                                          const StepData<Space>&);
+template LoadData<Space>& find_load(int, StepData<Space>&);
+template void require_same_markers(const std::shared_ptr<const Load>&, const LoadData<Space>&);
+template void evaluate_load(double, const System<Space>&, const StepData<Space>&,
+                            LoadData<Space>&) noexcept;
+template std::string describe_failed_load(const StepData<Space>&, const std::vector<std::string>&,
+                                          const std::string&);
 
 }  // namespace spoke

@@ -19,28 +19,36 @@ bool ties_blades(const std::vector<AskedLoad>& loads) noexcept;
 
 /// Puts loads on the table of a system, which is allocated, coupled if a load ties blades. Throws
 /// InputError, naming the load, if a marker is on no body of the system.
-void place_loads(const std::vector<AskedLoad>& loads, StepData<Plane>& data);
+template <class World>
+void place_loads(const std::vector<AskedLoad>& loads, StepData<World>& data);
 
 /// A marker on the table; `whose` begins the message. Throws InputError if it is on no body.
-PlacedMarker<Plane> place_marker(const std::string& whose, const Marker& marker,
-                                 const StepData<Plane>& data);
+template <class World>
+PlacedMarker<World> place_marker(const std::string& whose, const Marker& marker,
+                                 const StepData<World>& data);
 
 /// Load number `index` of those placed. Throws InputError if there is none.
-LoadData<Plane>& find_load(int index, StepData<Plane>& data);
+template <class World>
+LoadData<World>& find_load(int index, StepData<World>& data);
 
 /// Throws InputError unless a load can take the place of another's.
-void require_same_markers(const std::shared_ptr<const Load>& load, const LoadData<Plane>& data);
+template <class World>
+void require_same_markers(const std::shared_ptr<const Load>& load, const LoadData<World>& data);
 
 /// Evaluates a load at time `t` [s] and the state in the table. If it fails, its wrenches are no
 /// numbers, which ends the step, and `load.thrown` says why.
-void evaluate_load(double t, const System<Plane>& system, const StepData<Plane>& data,
-                   LoadData<Plane>& load) noexcept;
+template <class World>
+void evaluate_load(double t, const System<World>& system, const StepData<World>& data,
+                   LoadData<World>& load) noexcept;
 
 /// Adds the wrenches on a body to its right-hand side, and their power; `twist`: of its frame.
 void add_applied(const Twist& twist, BodyData<Plane>& body) noexcept;
 
 /// "the load NAME of blade 2 failed AT: REASON" of the first load that has thrown since, in the
-/// order of the blades; `at` says when. Precondition: data.is_any_load_failed().
-std::string describe_failed_load(const StepData<Plane>& data, const std::string& at);
+/// order of the subsystems; `at` says when, `names` what subsystems are called.
+/// Precondition: data.is_any_load_failed().
+template <class World>
+std::string describe_failed_load(const StepData<World>& data, const std::vector<std::string>& names,
+                                 const std::string& at);
 
 }  // namespace spoke

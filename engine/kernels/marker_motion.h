@@ -32,6 +32,24 @@ Position calc_marker_foreshortening(const Subsystem<Plane>& subsystem,
 Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData<Plane>& body,
                          const Section& section) noexcept;
 
+// The same in space, where the hub's frame H has z along its axis.
+
+space::Pose calc_pose_in_hub(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                             int body) noexcept;
+MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                                const PlacedMarker<Space>& marker) noexcept;
+/// Linear and angular [m/s^2, rad/s^2].
+space::Twist calc_marker_acceleration(const space::Position& gravity,
+                                      const Subsystem<Space>& subsystem,
+                                      const SubsystemData<Space>& data,
+                                      const PlacedMarker<Space>& marker) noexcept;
+/// Pose of a body's frame in H, undeformed and with all joint coordinates zero.
+space::Pose calc_rest_pose(const Subsystem<Space>& subsystem, int body) noexcept;
+
+space::Position calc_marker_foreshortening(const Subsystem<Space>& subsystem,
+                                           const SubsystemData<Space>& data,
+                                           const PlacedMarker<Space>& marker) noexcept;
+
 /// A planar vector and rotation in space.
 inline Eigen::Vector3d in_space(const Position& p) { return {p.x(), p.y(), 0.0}; }
 Eigen::Matrix3d in_space(const Rotation& R);

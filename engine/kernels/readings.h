@@ -11,5 +11,7 @@ namespace spoke {
 /// that the integrator keeps.
 void calc_readings(const System<Plane>& system, std::size_t i, std::int64_t step, double t,
                    StepData<Plane>& data) noexcept;
+void calc_readings(const System<Space>& system, std::size_t i, std::int64_t step, double t,
+                   StepData<Space>& data) noexcept;
 
 }  // namespace spoke

@@ -54,12 +54,6 @@ space::Rotation resolve(spatial::LoadFrame frame, const space::Rotation& R_HB,
   return section;
 }
 
-space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
-  return space::make_fixed_handle(section.s0);
-}
-
 /// Adds a wrench in B, and its power.
 void add_wrench(const space::Section& section, const space::HandleMotion& motion,
                 const space::Twist& wrench, const space::Twist& twist, BodyData<Space>& body) {
@@ -67,23 +61,25 @@ void add_wrench(const space::Section& section, const space::HandleMotion& motion
     add_section_wrench(section, motion, wrench, body.terms, body.work);
   else
     body.terms.Q += translate(motion.s, wrench);
-  space::Twist velocity = twist + motion.twist();
-  linear(velocity) += cross(angular(twist), motion.s);
-  body.terms.load_power += wrench.dot(velocity);
+  body.terms.load_power += wrench.dot(motion.carry(twist) + motion.twist());
 }
 
 void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
                const space::Twist& twist, BodyData<Space>& body) {
-  for (const auto& [load, sections] : body.loads) {
-    const double factor = load->course->value(t);
+  for (const auto& [load, sections] : body.loads)
     for (std::size_t k = 0; k < sections.size(); ++k) {
       const space::HandleMotion motion = motion_at(body, sections[k]);
-      const space::Rotation R = resolve(load->frame, R_HB, R_0, motion.turn.R * sections[k].axes);
       const space::Twist wrench =
-          factor * load->points[k].weight * (R * make_wrench(load->force, load->moment));
+          calc_load_wrench(*load, k, t, R_HB, R_0, motion.turn.R * sections[k].axes);
       add_wrench(sections[k], motion, wrench, twist, body);
     }
-  }
+}
+
+/// What loads of the user's exert.
+void add_applied(const space::Twist& twist, BodyData<Space>& body) {
+  for (const auto& [section, wrench] : body.applied)
+    add_wrench(*section, motion_at(body, *section), make_wrench(wrench->force, wrench->moment),
+               twist, body);
 }
 
 /// Of gravity that rises, whose work is that of a load.
@@ -118,6 +114,20 @@ const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
   return body.blocks[0]->rigid->mass;
 }
 
+space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double t,
+                              const space::Rotation& R_HB, const space::Rotation& R_0,
+                              const space::Rotation& section) noexcept {
+  const double size = load.course->value(t) * load.points[k].weight;
+  const space::Rotation R = resolve(load.frame, R_HB, R_0, section);
+  return size * (R * make_wrench(load.force, load.moment));
+}
+
+space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept {
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
+  return space::make_fixed_handle(section.s0);
+}
+
 space::JointState joint_state_of(const BodyData<Space>& body) {
   return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
           body.joint.driven};
@@ -137,6 +147,7 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
                                  body.work);
   }
   add_joint_forces(t, shares, body);
+  add_applied(twist, body);
   if (body.loads.empty() && system.gravity_ramp == 0.0) return;
   const space::Rotation R_HB = calc_rotation_to_hub(subsystem, data, j);
   add_loads(t, R_HB, data.hub->R, twist, body);

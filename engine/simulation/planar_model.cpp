@@ -7,6 +7,7 @@
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/simulation/planar_views.h"
 #include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"
 
@@ -59,6 +60,26 @@ class PlanarModel final : public SimulatedModel {
            body < std::ssize(blades[static_cast<std::size_t>(blade)].bodies);
   }
   Drive& drive() override { return context_.system.hub.drive; }
+  std::shared_ptr<const Load>& replaceable_load(int index,
+                                                const std::shared_ptr<const Load>& other) override {
+    LoadData<Plane>& load = find_load(index, context_.data);
+    require_same_markers(other, load);
+    return load.load;
+  }
+
+  void require_place(const Marker& marker) const override {
+    place_marker("the marker", marker, context_.data);
+  }
+  MarkerState marker(const Marker& marker, double t) const override {
+    return calc_marker_state(context_, marker, t);
+  }
+  Wrench joint_reaction(int blade, int joint) const override {
+    return calc_joint_reaction(context_.data, blade, joint);
+  }
+  Wrench hub_reaction() const override { return calc_hub_reaction(context_.data); }
+  Wrench section_force(const Marker& marker) const override {
+    return calc_section_force(scenario_.rotor, context_, marker);
+  }
 
   const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
   const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
@@ -82,7 +103,10 @@ class PlanarModel final : public SimulatedModel {
     return spoke::describe_failure(scenario_, context_, failed);
   }
   std::string describe_failed_load(const std::string& at) const override {
-    return spoke::describe_failed_load(context_.data, at);
+    std::vector<std::string> names;
+    for (std::size_t i = 1; i <= scenario_.rotor.blades.size(); ++i)
+      names.push_back("blade " + std::to_string(i));
+    return spoke::describe_failed_load(context_.data, names, at);
   }
 
  private:

@@ -91,18 +91,6 @@ std::vector<std::size_t> add_readings(const Sensor& sensor, const Rotor& rotor,
   return places;
 }
 
-void add_columns(const Sensor& sensor, std::size_t blade, const std::vector<std::size_t>& places,
-                 std::vector<SensorColumn>& columns) {
-  const std::string prefix = prefix_of(sensor, static_cast<int>(blade));
-  std::size_t number = 0;
-  for (const SensorComponent& component : components_of(sensor.quantity)) {
-    std::string name = prefix;
-    if (!component.name.empty()) name += '.' + std::string(component.name);
-    columns.push_back({std::move(name), std::string(component.unit), sensor.quantity,
-                       frame_of(sensor), number++, blade, places});
-  }
-}
-
 /// Of the hub, then of the blades in their order.
 double calc_total_momentum(const SensorColumn& column, const Hub& hub, std::int64_t step,
                            const StepData<Plane>& data) {
@@ -126,6 +114,19 @@ double calc_hub_reaction(const SensorColumn& column, const SystemRecord<Plane>& 
 
 }  // namespace
 
+void add_columns(const Sensor& sensor, std::size_t blade,
+                 std::span<const SensorComponent> components,
+                 const std::vector<std::size_t>& places, std::vector<SensorColumn>& columns) {
+  const std::string prefix = prefix_of(sensor, static_cast<int>(blade));
+  std::size_t number = 0;
+  for (const SensorComponent& component : components) {
+    std::string name = prefix;
+    if (!component.name.empty()) name += '.' + std::string(component.name);
+    columns.push_back({std::move(name), std::string(component.unit), sensor.quantity,
+                       frame_of(sensor), number++, blade, places});
+  }
+}
+
 std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades) {
   std::size_t count = 0;
   for (const Sensor& sensor : sensors) {
@@ -141,14 +142,15 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const R
   MassPointMaker maker;
   for (const Sensor& sensor : sensors) {
     const std::vector<std::size_t> places = add_readings(sensor, rotor, maker, data);
+    const auto components = components_of(sensor.quantity);
     if (!is_of_blade(sensor.quantity)) {
-      add_columns(sensor, 0, places, columns);
+      add_columns(sensor, 0, components, places, columns);
       continue;
     }
     const auto [first, end] = blades_of(sensor, data.subsystems.size());
     for (std::size_t i = first; i < end; ++i)
-      add_columns(sensor, i, places.empty() ? places : std::vector<std::size_t>{places[i - first]},
-                  columns);
+      add_columns(sensor, i, components,
+                  places.empty() ? places : std::vector<std::size_t>{places[i - first]}, columns);
   }
   for (SubsystemData<Plane>& blade : data.subsystems)
     blade.reading_ring =

@@ -23,6 +23,11 @@ struct SensorColumn {
   std::vector<std::size_t> places;  ///< of its readings: on that blade, or on every one
 };
 
+/// Appends the columns of a sensor on a blade, or tree; `places`: see SensorColumn.
+void add_columns(const Sensor& sensor, std::size_t blade,
+                 std::span<const SensorComponent> components,
+                 const std::vector<std::size_t>& places, std::vector<SensorColumn>& columns);
+
 /// Values that the blades take in a step for these sensors.
 std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades);
 

@@ -49,6 +49,19 @@ class SimulatedModel {
   /// Whether there is such a body, counted from 0.
   virtual bool has_body(std::int64_t blade, std::int64_t body) const = 0;
   virtual Drive& drive() = 0;
+  /// Load number `index` of those given, which `other` may replace. Throws InputError if there is
+  /// none, or if `other` cannot.
+  virtual std::shared_ptr<const Load>& replaceable_load(
+      int index, const std::shared_ptr<const Load>& other) = 0;
+
+  // Views, see Simulation: of markers that require_place() accepts, at a state whose accelerations
+  // and wrenches are in the table.
+  /// Throws InputError if a marker is on no body.
+  virtual void require_place(const Marker& marker) const = 0;
+  virtual MarkerState marker(const Marker& marker, double t) const = 0;
+  virtual Wrench joint_reaction(int blade, int joint) const = 0;
+  virtual Wrench hub_reaction() const = 0;
+  virtual Wrench section_force(const Marker& marker) const = 0;
 
   // Sensors, see Sensors.
   virtual const std::vector<std::string>& sensor_names() const = 0;

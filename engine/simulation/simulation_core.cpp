@@ -7,7 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "engine/kernels/load_terms.h"
 #include "engine/simulation/make_model.h"
 #include "engine/simulation/model_identity.h"
 #include "engine/step/model_memory.h"
@@ -201,10 +200,6 @@ SystemContext<Plane>& SimulationCore::plane(const char* what) const {
   if (!context)
     throw InputError(std::string(what) + ": the model is in space, expected a rotor in the plane");
   return *context;
-}
-
-PlacedMarker<Plane> SimulationCore::place(const Marker& marker) const {
-  return place_marker("the marker", marker, plane("markers").data);
 }
 
 const BodyData<Plane>& SimulationCore::find_body(int blade, int body) const {

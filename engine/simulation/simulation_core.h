@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/marker_motion.h"
 #include "engine/load.h"
 #include "engine/run/step_runner.h"
 #include "engine/saved_state.h"
@@ -50,8 +49,7 @@ class SimulationCore {
   void renew();
   /// A rotor in the plane. Throws InputError if the model is in space: `what` is then refused.
   SystemContext<Plane>& plane(const char* what) const;
-  // Of a rotor in the plane.
-  PlacedMarker<Plane> place(const Marker& marker) const;
+  /// Of a rotor in the plane.
   const BodyData<Plane>& find_body(int blade, int body) const;
 
   Scenario scenario;

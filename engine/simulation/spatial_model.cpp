@@ -5,12 +5,17 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/joint_values.h"
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/kernels/readings.h"
 #include "engine/kernels/spatial_samples.h"
+#include "engine/simulation/spatial_columns.h"
 #include "engine/simulation/spatial_sensors.h"
+#include "engine/simulation/spatial_views.h"
 #include "engine/space/deformation_limits.h"
 #include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"
@@ -30,12 +35,14 @@ std::string name_coordinate(const space::LimitViolation& at) {
 
 class SpatialModel final : public SimulatedModel {
  public:
-  SpatialModel(const Scenario& scenario, Formulation formulation, const Integrator& integrator)
-      : scenario_(scenario), trees_(build_trees(*scenario.space)) {
+  SpatialModel(const Scenario& scenario, Formulation formulation, const Integrator& integrator,
+               const Loads& loads)
+      : scenario_(scenario), trees_(build_trees(*scenario.space)), loads_(ask_loads(loads)) {
     if (scenario.limits.deflection > 0.0) context_.linear_range = scenario.limits.deflection;
     context_.system = make_system(*scenario.space, trees_);
     context_.formulation = formulation;
     context_.integrator = integrator;
+    context_.loads_tie_blades = ties_blades(loads_);
     require_memory(context_.system, formulation);
   }
 
@@ -45,18 +52,22 @@ class SpatialModel final : public SimulatedModel {
     std::size_t values = 0;
     for (const Subsystem<Space>& subsystem : context_.system.subsystems)
       values += static_cast<std::size_t>(count_joint_values(subsystem));
+    values += count_readings(scenario_.sensors, scenario_.space->blades.size(), trees_);
     return spoke::ring_bytes(context_.system, values);
   }
   void allocate(int records) override {
     spoke::allocate(context_, records);
-    for (std::size_t i = 0; i < context_.data.subsystems.size(); ++i) {
-      SubsystemData<Space>& data = context_.data.subsystems[i];
-      data.reading_count =
+    place_loads(loads_, context_.data);
+    std::vector<SubsystemData<Space>>& subsystems = context_.data.subsystems;
+    for (std::size_t i = 0; i < subsystems.size(); ++i)
+      subsystems[i].reading_count =
           static_cast<std::size_t>(count_joint_values(context_.system.subsystems[i]));
+    std::vector<SensorColumn> asked = place_sensors(
+        scenario_.sensors, scenario_.space->blades.size(), trees_, context_.system, context_.data);
+    for (SubsystemData<Space>& data : subsystems)
       data.reading_ring =
           ArenaVector<double>(data.reading_count * data.samples.size(), 0.0, *data.arena);
-    }
-    sensors_.emplace(context_.system, trees_);
+    sensors_.emplace(context_.system, trees_, std::move(asked));
   }
 
   ModelExtent extent() const override {
@@ -70,7 +81,8 @@ class SpatialModel final : public SimulatedModel {
     return extent;
   }
   double memory_bytes() const override {
-    return estimate_model_memory(context_.system, context_.formulation);
+    return estimate_model_memory(context_.system, context_.formulation) +
+           static_cast<double>(count_reading_bytes(context_.data));
   }
   std::size_t count_state() override { return count_state_values(context_.data); }
   std::uint64_t hash() const override { return hash_state(context_.data); }
@@ -80,6 +92,26 @@ class SpatialModel final : public SimulatedModel {
            body < std::ssize(trees[static_cast<std::size_t>(blade)].bodies);
   }
   Drive& drive() override { return context_.system.hub.drive; }
+  std::shared_ptr<const Load>& replaceable_load(int index,
+                                                const std::shared_ptr<const Load>& other) override {
+    LoadData<Space>& load = find_load(index, context_.data);
+    require_same_markers(other, load);
+    return load.load;
+  }
+
+  void require_place(const Marker& marker) const override {
+    place_marker("the marker", marker, context_.data);
+  }
+  MarkerState marker(const Marker& marker, double t) const override {
+    return calc_marker_state(context_, marker, t);
+  }
+  Wrench joint_reaction(int blade, int joint) const override {
+    return calc_joint_reaction(context_, blade, joint);
+  }
+  Wrench hub_reaction() const override { return calc_hub_reaction(context_.data); }
+  Wrench section_force(const Marker& marker) const override {
+    return calc_section_force(context_, marker);
+  }
 
   const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
   const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
@@ -105,6 +137,7 @@ class SpatialModel final : public SimulatedModel {
       update_kinematics(subsystem, data);
       of_step(data.samples, step) = calc_sample(context_.system, i, data);
       keep_joint_values(subsystem, step, data);
+      if (!data.readings.empty()) calc_readings(context_.system, i, step, t, context_.data);
     }
   }
   const std::vector<double>& measure(const WorkDone& work, std::int64_t step) override {
@@ -122,8 +155,10 @@ class SpatialModel final : public SimulatedModel {
          << "geometric_stiffening where a body turns fast, or smaller loads";
     return text.str();
   }
-  std::string describe_failed_load(const std::string&) const override {
-    return {};  // functions are refused as loads
+  std::string describe_failed_load(const std::string& at) const override {
+    std::vector<std::string> names;
+    for (const spatial::Tree& tree : trees_) names.push_back(tree.name);
+    return spoke::describe_failed_load(context_.data, names, at);
   }
 
  private:
@@ -172,6 +207,7 @@ class SpatialModel final : public SimulatedModel {
 
   const Scenario& scenario_;
   std::vector<spatial::Tree> trees_;
+  std::vector<AskedLoad> loads_;
   SystemContext<Space> context_;
   std::optional<SpatialSensors> sensors_;  // once there is a table
 };
@@ -182,9 +218,7 @@ std::unique_ptr<SimulatedModel> make_spatial_model(const Scenario& scenario,
                                                    Formulation formulation,
                                                    const Integrator& integrator,
                                                    const Loads& loads) {
-  if (!loads.empty())
-    throw InputError("there are loads that are functions, expected none on a model in space");
-  return std::make_unique<SpatialModel>(scenario, formulation, integrator);
+  return std::make_unique<SpatialModel>(scenario, formulation, integrator, loads);
 }
 
 }  // namespace spoke

@@ -7,7 +7,7 @@
 namespace spoke {
 
 /// The model of `*scenario.space`. Throws InputError for what the engine does not simulate in
-/// space: the dense formulations, and loads that are functions.
+/// space: the dense formulations.
 std::unique_ptr<SimulatedModel> make_spatial_model(const Scenario& scenario,
                                                    Formulation formulation,
                                                    const Integrator& integrator,

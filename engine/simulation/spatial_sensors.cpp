@@ -2,18 +2,14 @@
 
 #include "engine/simulation/spatial_sensors.h"
 
-#include <algorithm>
 #include <array>
+#include <utility>
+
+#include "engine/simulation/spatial_columns.h"
+#include "models/tree/sensor_place.h"
 
 namespace spoke {
 namespace {
-
-/// "blade 1" as "blade1".
-std::string sensor_name_of(const spatial::Tree& tree) {
-  std::string name = tree.name;
-  name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-  return name;
-}
 
 /// The hub's energies: kinetic, and the work of gravity.
 Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space>& record) {
@@ -33,8 +29,9 @@ Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space
 
 }  // namespace
 
-SpatialSensors::SpatialSensors(const System<Space>& system,
-                               const std::vector<spatial::Tree>& trees) {
+SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees,
+                               std::vector<SensorColumn> asked)
+    : asked_(std::move(asked)) {
   for (const spatial::Tree& tree : trees)
     for (const char* axis : {"x", "y", "z"}) add(sensor_name_of(tree) + ".tip." + axis, "m");
   if (system.hub.support == HubSupport::free) {
@@ -47,23 +44,21 @@ SpatialSensors::SpatialSensors(const System<Space>& system,
     const std::string name = sensor_name_of(tree);
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.force." + axis, "N");
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.moment." + axis, "N m");
-    add_joints(name, tree);
+    add_joints(tree);
   }
+  for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
-/// A joint of one coordinate by its name; of more by number.
-void SpatialSensors::add_joints(const std::string& tree_name, const spatial::Tree& tree) {
-  for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
-    const spatial::Joint& joint = tree.bodies[j].joint;
-    const int count = count_coordinates(joint.kind);
-    const std::string name =
-        tree_name + "." + (joint.name.empty() ? "joint" + std::to_string(j + 1) : joint.name);
-    for (int c = 0; c < count; ++c) {
-      const bool slides = joint.kind == spatial::JointKind::prismatic ||
-                          (joint.kind == spatial::JointKind::cylindrical && c == 1);
-      add(count == 1 ? name : name + "." + std::to_string(c + 1), slides ? "m" : "rad");
+void SpatialSensors::add_joints(const spatial::Tree& tree) {
+  const std::vector<std::string> names = joint_columns_of(tree);
+  std::size_t k = 0;
+  for (const spatial::TreeBody& body : tree.bodies)
+    for (int c = 0; c < count_coordinates(body.joint.kind); ++c) {
+      const bool slides = body.joint.kind == spatial::JointKind::prismatic ||
+                          (body.joint.kind == spatial::JointKind::cylindrical && c == 1);
+      add(names[k++], slides ? "m" : "rad");
     }
-  }
+  joint_values_.push_back(names.size());
 }
 
 void SpatialSensors::start(const System<Space>& system, const StepData<Space>& data) {
@@ -91,11 +86,13 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
   const double torque = record.reaction[Space::kAxial] + record.applied_torque;
   values_.push_back(torque);
   append_energies(sum_energies(calc_hub_energies(system, record), step, data), work);
-  for (const SubsystemData<Space>& subsystem : data.subsystems) {
-    append(of_step(subsystem.samples, step).root);
-    const double* joints = readings_of(subsystem, step);
-    values_.insert(values_.end(), joints, joints + subsystem.reading_count);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    append(of_step(data.subsystems[i].samples, step).root);
+    const double* joints = readings_of(data.subsystems[i], step);
+    values_.insert(values_.end(), joints, joints + joint_values_[i]);
   }
+  for (const SensorColumn& column : asked_)
+    values_.push_back(value_of(column, system.hub, step, data));
   return values_;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulation/sensor_columns.h"
 #include "engine/simulation/sensor_values.h"
 #include "engine/table/step_data.h"
 #include "models/tree/tree.h"
@@ -14,7 +15,9 @@ namespace spoke {
 /// Names, units and values of the sensors of a system in space (docs/results.md).
 class SpatialSensors : public SensorValues {
  public:
-  SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees);
+  /// `asked`: of the scenario, behind those that every simulation has.
+  SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees,
+                 std::vector<SensorColumn> asked);
 
   /// Takes the state at the start, of which the samples must be in the table, as reference of
   /// energy.
@@ -25,7 +28,10 @@ class SpatialSensors : public SensorValues {
                                      std::int64_t step, const StepData<Space>& data);
 
  private:
-  void add_joints(const std::string& tree_name, const spatial::Tree& tree);
+  void add_joints(const spatial::Tree& tree);
+
+  std::vector<SensorColumn> asked_;
+  std::vector<std::size_t> joint_values_;  ///< of the joints, by tree
 };
 
 }  // namespace spoke

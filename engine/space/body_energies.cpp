@@ -91,7 +91,21 @@ double calc_strain_energy(const FlexibleBody& body, const double* q,
 double calc_foreshortening(const BodyModel& model, const double* q, const BodyWork& work) noexcept {
   if (!model.tension) return 0.0;
   expand(*model.body, q, work.nodal[0]);
-  return 0.5 * sum_squared_slopes(*model.body, work.nodal[0]);
+  return 0.5 * sum_slope_products(*model.body, work.nodal[0], work.nodal[0],
+                                  model.body->elements - 1, 1.0);
+}
+
+Foreshortening calc_foreshortening(const BodyModel& model, const Section& section, const double* q,
+                                   const double* v, const double* a,
+                                   const BodyWork& work) noexcept {
+  if (!model.tension) return {};
+  const double* flex[] = {q, v, a};
+  for (std::size_t k = 0; k < 3; ++k) expand(*model.body, flex[k], work.nodal[k]);
+  const double xi = place_in_element(*model.body, section);
+  const auto product = [&](std::size_t i, std::size_t k) {
+    return sum_slope_products(*model.body, work.nodal[i], work.nodal[k], section.element, xi);
+  };
+  return {0.5 * product(0, 0), product(0, 1), product(1, 1) + product(0, 2)};
 }
 
 }  // namespace spoke::space

@@ -3,6 +3,7 @@
 // Energies and first moment of a spatial body, for the sensors.
 
 #include "engine/space/body_data.h"
+#include "engine/space/section.h"
 
 namespace spoke::space {
 
@@ -30,5 +31,13 @@ double calc_strain_energy(const FlexibleBody& body, const double* q, const BodyW
 /// By how much a bent body is shorter along its axis than its coordinates say [m]: 1/2 int (v'^2 +
 /// w'^2) dx, of a body with geometric stiffening, whose energies account for it; else 0.
 double calc_foreshortening(const BodyModel& model, const double* q, const BodyWork& work) noexcept;
+/// The same of the part inboard of a section, and its derivatives.
+struct Foreshortening {
+  double length = 0.0;        ///< [m]
+  double rate = 0.0;          ///< [m/s]
+  double acceleration = 0.0;  ///< [m/s^2]
+};
+Foreshortening calc_foreshortening(const BodyModel& model, const Section& section, const double* q,
+                                   const double* v, const double* a, const BodyWork& work) noexcept;
 
 }  // namespace spoke::space

@@ -3,6 +3,7 @@
 #include "engine/space/body_stiffening.h"
 
 #include "engine/space/element_products.h"
+#include "models/space/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
@@ -212,6 +213,10 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
   return sums;
 }
 
+PlaneCoordinates in_axes_of(const BeamElement& element, bool is_straight, const double* q) {
+  return is_straight ? in_element_axes<true>(element, q) : in_element_axes<false>(element, q);
+}
+
 }  // namespace
 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
@@ -220,13 +225,28 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
                                  : add_all<false>(model, motion, q, v, force);
 }
 
-double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept {
+double sum_slope_products(const FlexibleBody& body, const double* q, const double* p, int element,
+                          double xi) noexcept {
   Double2 sum{};
-  for (const BeamElement& element : body.beam) {
-    const PlaneCoordinates x =
-        body.is_straight ? in_element_axes<true>(element, q) : in_element_axes<false>(element, q);
-    sum += sum_products(multiply_planes(element.stiffening.bending[0], x), x);
-    q += kTwist;
+  const int whole = xi < 1.0 ? element : element + 1;
+  for (int e = 0; e < whole; ++e, q += kTwist, p += kTwist) {
+    const BeamElement& passed = body.beam[static_cast<std::size_t>(e)];
+    const PlaneCoordinates x = in_axes_of(passed, body.is_straight, q);
+    const PlaneCoordinates y = in_axes_of(passed, body.is_straight, p);
+    sum += sum_products(multiply_planes(passed.stiffening.bending[0], x), y);
+  }
+  if (whole > element) return total(sum);
+  const BeamElement& last = body.beam[static_cast<std::size_t>(element)];
+  const PlaneCoordinates x = in_axes_of(last, body.is_straight, q);
+  const PlaneCoordinates y = in_axes_of(last, body.is_straight, p);
+  for (int k = 0; k < GaussRule::kPoints; ++k) {
+    const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], last.length);
+    Double2 slope_x{}, slope_y{};
+    for (int i = 0; i < 4; ++i) {
+      slope_x += h[i] * x.bending[i];
+      slope_y += h[i] * y.bending[i];
+    }
+    sum += (GaussRule::weights[k] * xi * last.length) * slope_x * slope_y;
   }
   return total(sum);
 }

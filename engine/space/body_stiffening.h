@@ -24,8 +24,10 @@ struct StiffeningSums {
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept;
 
-/// int (v'^2 + w'^2) ds, slopes against the elements' axes [m]. `q`: by node.
-double sum_squared_slopes(const FlexibleBody& body, const double* q) noexcept;
+/// int (v' V' + w' W') ds of the slopes of two flex vectors against the elements' axes [m], up to
+/// xi, 0 to 1, of an element. Both by node.
+double sum_slope_products(const FlexibleBody& body, const double* q, const double* p, int element,
+                          double xi) noexcept;
 
 /// What the hub feels of it; `gravity`: in H [m/s^2].
 HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,

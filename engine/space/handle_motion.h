@@ -16,6 +16,8 @@ struct HandleMotion {
 
   /// Its twist relative to B, in B.
   Twist twist() const { return make_twist(velocity, turn.velocity); }
+  /// Its acceleration, in B, where that of B is X and all else at rest: [1, -s~; 0, 1] X.
+  Twist carry(const Twist& X) const { return refer(-s, X); }
   /// b, the acceleration at X = 0 and q'' = 0, at the angular velocity w of B:
   /// [w x (w x s) + 2 w x u'; w x (H th') + H' th'].
   Twist bias(const Angular& w) const;

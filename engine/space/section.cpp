@@ -73,11 +73,33 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
   return section;
 }
 
+double place_in_element(const FlexibleBody& body, const Section& section) noexcept {
+  const auto e = static_cast<std::size_t>(section.element);
+  const BeamElement& element = body.beam[e];
+  return element.axes.col(0).dot(section.s0 - body.nodes[e]) / element.length;
+}
+
+Section make_rigid_section(const Position& place) {
+  Section section;
+  section.s0 = place;
+  return section;
+}
+
 HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,
                                  const double* v) noexcept {
   const ElementCoordinates x(body, section.element, q), rate(body, section.element, v);
   return {section.s0 + x.times(section.N), rate.times(section.N),
           calc_rotation_vector_motion(x.times(section.N_th), rate.times(section.N_th))};
+}
+
+Twist calc_section_acceleration(const FlexibleBody& body, const Section& section,
+                                const HandleMotion& motion, const Twist& X, const Angular& w,
+                                const double* a) noexcept {
+  const ElementCoordinates acceleration(body, section.element, a);
+  const Twist relative =
+      make_twist(acceleration.times(section.N),
+                 motion.turn.H.lazyProduct(acceleration.times(section.N_th)).eval());
+  return motion.carry(X) + relative + motion.bias(w);
 }
 
 void add_section_wrench(const Section& section, const HandleMotion& motion, const Twist& wrench,

@@ -23,9 +23,21 @@ struct Section {
 /// The section of a body at a station of its beam [m]. Between two elements, that of the inner one.
 Section make_section(const Beam& beam, const FlexibleBody& body, double station);
 
+/// Where a section is within its element: 0 at the inner node, 1 at the outer one.
+double place_in_element(const FlexibleBody& body, const Section& section) noexcept;
+
+/// A place in the frame of a rigid body [m], which moves with it.
+Section make_rigid_section(const Position& place);
+
 /// Its motion at the flex vectors q and v, against B.
 HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,
                                  const double* v) noexcept;
+
+/// Its acceleration less gravity, in B: J (X; q'') + b at the acceleration X and the angular
+/// velocity w of B and the flex vector a = q''. `motion`: at the state.
+Twist calc_section_acceleration(const FlexibleBody& body, const Section& section,
+                                const HandleMotion& motion, const Twist& X, const Angular& w,
+                                const double* a) noexcept;
 
 /// Adds a wrench (force, moment), in B, on a section that moves as given to a body's terms and
 /// rows.

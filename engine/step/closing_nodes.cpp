@@ -50,10 +50,23 @@ PartList reading_inputs(const Assembly<Plane>& g, int i) {
   return inputs;
 }
 
-/// In space the scenario has no sensors of its own, and kernels share the scratch of the bodies.
-PartList reading_inputs(const Assembly<Space>&, int) { return {}; }
+PartList reading_inputs(const Assembly<Space>& g, int i) {
+  PartList inputs;
+  const auto add = [&inputs](const PartList& list) {
+    inputs.insert(inputs.end(), list.begin(), list.end());
+  };
+  for (const Reading<Space>& reading : g.c.data.subsystems[i].readings) {
+    const bool is_load = reading.quantity == SensorQuantity::section_force && !reading.is_root();
+    if (is_load) add(loads_on(g, i, reading.body()));
+    if (!is_load && !is_motion(reading.quantity)) continue;
+    for (const int j : reading.path)
+      inputs.push_back(g.blade(i).bodies[static_cast<std::size_t>(j)].accelerations);
+    if (g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
+  }
+  return inputs;
+}
 
-/// What calculating a sample writes besides it.
+/// What calculating a sample writes besides it: in space kernels share the workspaces.
 PartList sample_outputs(const Assembly<Plane>&, int) { return {}; }
 PartList sample_outputs(const Assembly<Space>& g, int i) {
   return g.blade(i).all(&BodyParts::scratch);
@@ -66,8 +79,10 @@ void keep_readings(const SystemContext<Plane>& c, std::size_t i, std::int64_t st
 }
 void keep_readings(const SystemContext<Space>& c, std::size_t i, std::int64_t step,
                    StepData<Space>& table) {
-  if (table.subsystems[i].reading_count > 0)
-    keep_joint_values(c.system.subsystems[i], step, table.subsystems[i]);
+  SubsystemData<Space>& tree = table.subsystems[i];
+  if (tree.reading_count > 0) keep_joint_values(c.system.subsystems[i], step, tree);
+  if (!tree.readings.empty())
+    calc_readings(c.system, i, step, static_cast<double>(step) * step_size(c.integrator), table);
 }
 
 }  // namespace

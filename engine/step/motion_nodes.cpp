@@ -27,14 +27,15 @@ PartList chain_coordinates(const Assembly<World>& g, int i) {
 }
 
 /// What the places of a load's markers depend on: on each of its blades the bodies up to the
-/// outermost marker's own.
-PartList load_inputs(const Assembly<Plane>& g, const LoadData<Plane>& load) {
+/// outermost marker's own; in space the handles of those inboard are with the rotations.
+template <class World>
+PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
   const SubsystemParts& first = g.blade(load.blades.front());
   PartList inputs{first.progress, first.hub_state};
   for (const int i : load.blades) {
     const SubsystemParts& blade = g.blade(i);
     int last = 0;
-    for (const PlacedMarker<Plane>& marker : load.markers)
+    for (const PlacedMarker<World>& marker : load.markers)
       if (marker.blade == i) last = std::max(last, marker.body);
     inputs.push_back(blade.rotations);
     inputs.push_back(blade.twists);
@@ -118,12 +119,12 @@ void add_velocity(const Assembly<World>& g, int i) {
       }));
 }
 
-template <>
-void add_loads_of_user(const Assembly<Plane>& g, int i) {
-  const SystemContext<Plane>& c = g.c;
-  SubsystemData<Plane>& data = g.c.data.subsystems[i];
+template <class World>
+void add_loads_of_user(const Assembly<World>& g, int i) {
+  const SystemContext<World>& c = g.c;
+  SubsystemData<World>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < data.loads.size(); ++k) {
-    LoadData<Plane>& load = data.loads[k];
+    LoadData<World>& load = data.loads[k];
     const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
     g.builder.add_node(
         label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
@@ -133,19 +134,17 @@ void add_loads_of_user(const Assembly<Plane>& g, int i) {
   }
 }
 
-/// In space there are none yet that are functions: those are refused (Simulation).
-template <>
-void add_loads_of_user(const Assembly<Space>&, int) {}
-
 template void add_hub_motion(const Assembly<Plane>&);
 template void add_prescribed_hub_motion(const Assembly<Plane>&, int);
 template void add_coordinates(const Assembly<Plane>&, int);
 template void add_position(const Assembly<Plane>&, int);
 template void add_velocity(const Assembly<Plane>&, int);
+template void add_loads_of_user(const Assembly<Plane>&, int);
 template void add_hub_motion(const Assembly<Space>&);
 template void add_prescribed_hub_motion(const Assembly<Space>&, int);
 template void add_coordinates(const Assembly<Space>&, int);
 template void add_position(const Assembly<Space>&, int);
 template void add_velocity(const Assembly<Space>&, int);
+template void add_loads_of_user(const Assembly<Space>&, int);
 
 }  // namespace spoke

@@ -8,7 +8,9 @@
 
 #include "engine/body/body_types.h"
 #include "engine/body/section.h"
+#include "engine/space/spatial_body.h"
 #include "models/sensor.h"
+#include "models/system/blade_loads.h"
 
 namespace spoke {
 
@@ -33,6 +35,32 @@ struct Reading {
   /// Of a section's force that of the body outboard of the section, of a momentum that of each
   /// body.
   std::vector<MassPoints> masses;
+};
+
+/// A load of the scenario's, as far as it acts at a section of its body and outboard of it.
+struct OutboardLoad {
+  BodyLoad<Space> load;
+  std::vector<space::Section> sections;  ///< by point
+};
+
+/// A sensor on its tree in space.
+template <>
+struct Reading<Space> {
+  SensorQuantity quantity = SensorQuantity::displacement;
+  SensorFrame frame = SensorFrame::hub;
+  /// Bodies from the hub to that of the section, or to the one outboard of the joint.
+  std::vector<int> path;
+  space::Section section;
+  space::Pose rest;       ///< of the section in H, undeformed and with all joint coordinates zero
+  std::size_t first = 0;  ///< place of its values among those of the tree
+  // Of a section's force.
+  double along = 0.0;  ///< where it is on its body, in elements from the inboard end
+  space::SlotMatrix mass = space::SlotMatrix::Zero();  ///< of its element, outboard
+  std::vector<OutboardLoad> loads;
+
+  int body() const { return path.back(); }
+  /// Whether it shows what the first joint does to the tree.
+  bool is_root() const { return path.size() == 1 && along == 0.0; }
 };
 
 }  // namespace spoke

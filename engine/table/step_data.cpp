@@ -33,9 +33,7 @@ Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
 space::Section make_load_section(const BodyData<Space>& data, const BodyLoad<Space>::Point& point) {
   if (data.model->body->flexible())
     return space::make_section(*data.model->body, point.element, point.s);
-  space::Section at;  // of a rigid body, with which it moves
-  at.s0 = point.place;
-  return at;
+  return space::make_rigid_section(point.place);
 }
 space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& point) {
   return space::make_section(*data.model->body, point.element, point.s);

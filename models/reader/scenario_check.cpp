@@ -10,6 +10,7 @@
 #include "models/reader/scenario_fields.h"
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_check.h"
+#include "models/reader/spatial/sensor_reader.h"
 #include "spoke/error.h"
 
 namespace spoke {
@@ -237,7 +238,10 @@ void check_scenario(const Scenario& scenario) {
   if (!fault.empty()) fail("integration.step", fault);
   check_fields("limits", scenario.limits);
   check_fields("output", scenario.output);
-  if (!scenario.space) check_sensors(scenario.sensors, scenario.rotor.blades);
+  if (scenario.space)
+    spatial::check_sensors(scenario.sensors, *scenario.space);
+  else
+    check_sensors(scenario.sensors, scenario.rotor.blades);
 }
 
 }  // namespace spoke

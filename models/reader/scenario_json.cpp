@@ -121,7 +121,9 @@ Json to_json(const HubLoad& load) {
 Json to_json(const Sensor& sensor) {
   Json json = {{"name", sensor.name.empty() ? name_of(sensor.quantity) : sensor.name},
                {"quantity", name_of(sensor.quantity)}};
-  if (is_of_blade(sensor.quantity))
+  if (!sensor.subsystem.empty()) json["subsystem"] = sensor.subsystem;
+  if (!sensor.body.empty()) json["body"] = sensor.body;
+  if (is_of_blade(sensor.quantity) && sensor.subsystem.empty())
     json["blade"] = sensor.blade.is_all() ? Json("all") : Json(sensor.blade.number());
   if (has_position(sensor.quantity) && sensor.position) json["position"] = *sensor.position;
   if (sensor.quantity == SensorQuantity::joint_reaction && sensor.joint)
@@ -186,7 +188,7 @@ std::string Scenario::to_json() const {
   json["integration"] = spoke::to_json(integration);
   json["limits"] = spoke::to_json(limits);
   json["output"] = {{"interval", output.interval}};
-  if (!space) json["sensor"] = to_list(sensors);
+  json["sensor"] = to_list(sensors);
   // A title from a file name may hold anything.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

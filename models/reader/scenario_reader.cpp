@@ -6,6 +6,7 @@
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_reader.h"
+#include "models/reader/spatial/sensor_reader.h"
 #include "models/reader/text_file.h"
 #include "models/reader/toml_document.h"
 #include "models/scenario.h"
@@ -45,7 +46,6 @@ void read_world(const TomlSection& root, Scenario& scenario) {
   };
   if (is_spatial) {
     refuse("drag", "\"plane\"");
-    refuse("sensor", "\"plane\"");
     scenario.space = spatial::read_model(root);
   } else {
     refuse("subsystem", "\"space\"");
@@ -75,7 +75,8 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   scenario.integration = read_integration(root);
   scenario.limits = read_limits(root);
   visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});
-  if (!scenario.space) scenario.sensors = read_sensors(root, scenario.rotor.blades);
+  scenario.sensors = scenario.space ? spatial::read_sensors(root, *scenario.space)
+                                    : read_sensors(root, scenario.rotor.blades);
   return scenario;
 }
 

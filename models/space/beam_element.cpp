@@ -3,6 +3,7 @@
 #include "models/space/beam_element.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cassert>
 
 #include "models/space/gauss_rule.h"
@@ -298,6 +299,26 @@ std::vector<BeamElement> make_beam_elements(const Beam& beam, const BodyGeometry
   for (std::size_t e = 0; e + 1 < geometry.nodes.size(); ++e)
     elements.push_back(make_element(beam, geometry, distribution, e));
   return elements;
+}
+
+SlotMatrix calc_outboard_mass(const Beam& beam, const BodyGeometry& geometry,
+                              const BeamElement& element, std::size_t e, double station) {
+  const Position& inner = geometry.nodes[e];
+  const double from = geometry.station[e], to = geometry.station[e + 1];
+  const double rounding = 1e-9 * (to - from);
+  SlotMatrix mass = SlotMatrix::Zero();
+  const auto add = [&](const Slice& slice) {
+    add_mass(place(element, inner, slice), element.length, mass);
+  };
+  if (station < to - rounding) {
+    const std::vector<double> breaks = beam.breaks(std::max(station, from), to);
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+      visit_slices(beam, geometry, breaks[k], breaks[k + 1], add);
+  }
+  for (const PointMass& point : beam.masses)
+    if (holds(beam, from, to, point) && point.station >= station - rounding)
+      add(make_slice(beam, geometry, point));
+  return mass;
 }
 
 }  // namespace spoke::space

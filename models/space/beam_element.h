@@ -72,6 +72,11 @@ BodyGeometry make_body_geometry(const Beam& beam, std::vector<double> stations);
 /// The elements of a body from its inboard end.
 std::vector<BeamElement> make_beam_elements(const Beam& beam, const BodyGeometry& geometry);
 
+/// What of an element's mass lies outboard of a station within it, the masses at the station
+/// included: its share in BeamElement::mass.
+SlotMatrix calc_outboard_mass(const Beam& beam, const BodyGeometry& geometry,
+                              const BeamElement& element, std::size_t e, double station);
+
 /// Values of Hermite's cubics for (r, t) of both nodes at xi, 0 to 1, of an element, or of their
 /// derivatives along it.
 Eigen::Vector4d hermite(double xi, double length);

@@ -54,6 +54,10 @@ struct BodyLoad<Space> {
     double s = 0.0;
     double weight = 1.0;
     space::Position place = space::Position::Zero();
+    /// Of a load per length: between which places of the element the points of one GaussRule lie,
+    /// this among them, and the beam's length between them [m]. Of a point load nothing.
+    double begin = 0.0, end = 0.0;
+    double length = 0.0;
   };
   std::vector<Point> points;
   /// In which both are resolved: hub is H, body is B, section the axes of the loaded section.

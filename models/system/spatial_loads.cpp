@@ -97,9 +97,15 @@ void add_distributed_load(const spatial::DistributedLoad& load, const spatial::T
       const double begin = std::max(body->nodes[e], load.from);
       const double length = std::min(body->nodes[e + 1], to) - begin;
       if (length <= 0.0) continue;
-      for (std::size_t k = 0; k < GaussRule::kPoints; ++k)
-        made.points.push_back(point_at(*body, e, begin + GaussRule::places[k] * length,
-                                       GaussRule::weights[k] * length));
+      const double from = point_at(*body, e, begin, 0.0).s;
+      const double end = point_at(*body, e, begin + length, 0.0).s;
+      for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
+        Point& point = made.points.emplace_back(point_at(
+            *body, e, begin + GaussRule::places[k] * length, GaussRule::weights[k] * length));
+        point.begin = from;
+        point.end = end;
+        point.length = length;
+      }
     }
     if (!made.points.empty()) loads[j].push_back(std::move(made));
   }
@@ -120,6 +126,28 @@ std::vector<std::vector<BodyLoad<Space>>> make_body_loads(const spatial::Model& 
     if (target.is_there()) add_distributed_load(load, tree, target, loads);
   }
   return loads;
+}
+
+BodyLoad<Space> take_outboard(const BodyLoad<Space>& load, double along) {
+  constexpr double kSlack = 1e-9;
+  BodyLoad<Space> taken = load;
+  taken.points.clear();
+  for (std::size_t k = 0; k < load.points.size(); ++k) {
+    Point point = load.points[k];
+    if (point.length == 0.0) {
+      if (point.element + point.s >= along - kSlack) taken.points.push_back(point);
+      continue;
+    }
+    // A stretch that the place parts: the points of the rule on the rest of it.
+    const double cut = std::max(point.begin, along - point.element);
+    if (cut >= point.end - kSlack) continue;
+    const std::size_t of_rule = k % GaussRule::kPoints;
+    const double share = (point.end - cut) / (point.end - point.begin);
+    point.s = cut + GaussRule::places[of_rule] * (point.end - cut);
+    point.weight *= share;
+    taken.points.push_back(point);
+  }
+  return taken;
 }
 
 }  // namespace spoke

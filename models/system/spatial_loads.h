@@ -17,4 +17,8 @@ std::vector<std::vector<BodyLoad<Space>>> make_body_loads(const spatial::Model& 
                                                           const spatial::Tree& tree,
                                                           std::size_t index);
 
+/// A load on a beam, as far as it acts at a place of its body, in elements from the inboard end,
+/// and outboard of it; without points if nowhere.
+BodyLoad<Space> take_outboard(const BodyLoad<Space>& load, double along);
+
 }  // namespace spoke

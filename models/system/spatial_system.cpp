@@ -106,6 +106,7 @@ class SubsystemMaker {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
     add_tension();
     for (std::size_t j = 0; j < loads.size(); ++j) add_loads(j, std::move(loads[j]));
+    made_.root = {to_axis_ * pose_of(placements_[0]).p, to_axis_ * pose_of(placements_[0]).R};
     const auto last = tree_.bodies.size() - 1;
     made_.tip = place_of(last) * tip_of(last);
     return std::move(made_);

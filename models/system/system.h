@@ -42,7 +42,9 @@ struct TreeBody {
 /// A tree of bodies on the hub, which parents lead; in the plane a chain, root to tip.
 template <class World>
 struct Subsystem {
-  PoseOf<World> root;   ///< pose of the root bracket in the hub frame
+  /// Pose of the root bracket in the hub frame; in space that of the first body's frame in the
+  /// description (a beam's own axes), joint coordinates zero.
+  PoseOf<World> root;
   double length = 0.0;  ///< undeformed, root to tip [m]
   /// In space the place of the undeformed tip, hub frame [m].
   PositionOf<World> tip = PositionOf<World>::Zero();

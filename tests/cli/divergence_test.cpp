@@ -58,6 +58,24 @@ TEST_CASE("one linear body per blade diverges with a diagnosis and keeps its res
   CHECK(page.find("film-play") != std::string::npos);
 }
 
+TEST_CASE("one linear body per blade diverges in space too, and says where") {
+  const WorkFolder folder;
+  const Ended ended =
+      run_spoke({"run", shipped("spatial_wu_haug"), "--quiet", "--out", "o", "--set",
+                 "blade.bodies=1", "--set", "blade.geometric_stiffening=false"},
+                folder);
+  CHECK(ended.status == 3);
+  warnings_before_message(ended);
+  const std::string message = lines_of(ended.err).back();
+  CAPTURE(message);
+  for (const char* part : {"diverged at t = ", "blade 1 / body 1", "of node ", "(limit ",
+                           "recovery", "geometric_stiffening"})
+    CHECK(message.find(part) != std::string::npos);
+  const json summary = json::parse(read_file(folder.path() / "o" / "summary.json"));
+  CHECK(summary["status"] == "diverged");
+  CHECK(summary["message"] == message);
+}
+
 TEST_CASE("rk4 beyond its stable step diverges with status 3") {
   const WorkFolder folder;
   const Ended ended = run_spoke(

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -337,4 +338,13 @@ TEST_CASE("errors have a code") {
   } catch (const Error& error) {
     CHECK(error.code() == ErrorCode::bad_input);
   }
+}
+
+TEST_CASE("markers of a blade in the plane are found by their distance from the root") {
+  const Scenario scenario = soft_scenario(IntegrationMethod::rk4, 0.1);  // two bodies of 1 m
+  const std::vector<Marker> markers = markers_at(scenario, 1, std::array{0.0, 1.0, 1.25, 2.0});
+  const std::vector<Marker> expected{{1, 0, 0.0}, {1, 0, 1.0}, {1, 1, 0.25}, {1, 1, 1.0}};
+  CHECK(markers == expected);
+  CHECK(message_of([&] { markers_at(scenario, 0, std::array{-0.1}); }) ==
+        "markers_at(): position -0.1, expected 0 to 2 (m)");
 }

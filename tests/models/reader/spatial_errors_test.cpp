@@ -36,8 +36,6 @@ TEST_CASE("what is of another world is refused") {
                    "f.toml:3:1: subsystem: belongs to another world, expected world = \"space\""},
                   {"[integration]\n", "[[drag]]\nlinear = 1\n[integration]\n",
                    "f.toml:33:1: drag: belongs to another world, expected world = \"plane\""},
-                  {"[integration]\n", "[[sensor]]\nquantity = \"velocity\"\n[integration]\n",
-                   "f.toml:33:1: sensor: belongs to another world, expected world = \"plane\""},
                   {"world = \"space\"\n", "wold = \"space\"\n",
                    "f.toml:2:1: wold: unknown key, did you mean \"world\"?"},
                   {"axial_stiffness", "axial_stifness",

@@ -1,0 +1,112 @@
+// Evaluates position, velocity and acceleration of a marker in space.
+
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/marker_motion.h"
+#include "engine/kernels/spatial_terms.h"
+#include "engine/space/body_energies.h"
+
+namespace spoke {
+namespace {
+
+/// The pose B in A after the pose C in B.
+space::Pose after(const space::Pose& outer, const space::Pose& inner) {
+  return {outer.p + outer.R * inner.p, outer.R * inner.R};
+}
+
+/// A body's frame in its parent's.
+space::Pose calc_pose_in_parent(const TreeBody<Space>& body, const space::JointMotion& joint,
+                                const SubsystemData<Space>& data) {
+  if (body.parent < 0) return {joint.p, joint.R};
+  const BodyData<Space>& parent = data.bodies[static_cast<std::size_t>(body.parent)];
+  return {parent.work.handles[body.handle].s + joint.p, joint.R};
+}
+
+/// Place at which a body's child hangs, undeformed.
+space::Position handle_at_rest(const space::Body& body, int handle) {
+  const auto h = static_cast<std::size_t>(handle);
+  if (const space::FlexibleBody* flexible = body.flexible())
+    return flexible->nodes[static_cast<std::size_t>(flexible->handles[h])];
+  return body.rigid()->outboard[h - 1];
+}
+
+space::Position place_in_hub(const space::Pose& X_HB, const space::HandleMotion& motion) {
+  return X_HB.p + X_HB.R * motion.s;
+}
+
+}  // namespace
+
+space::Pose calc_pose_in_hub(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                             int body) noexcept {
+  space::Pose pose;
+  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
+    const auto k = static_cast<std::size_t>(j);
+    pose = after(calc_pose_in_parent(subsystem.bodies[k], data.joints[k], data), pose);
+  }
+  return pose;
+}
+
+space::Pose calc_rest_pose(const Subsystem<Space>& subsystem, int body) noexcept {
+  space::Pose pose;
+  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
+    const TreeBody<Space>& member = subsystem.bodies[static_cast<std::size_t>(j)];
+    pose = after(member.joint.joint.offset, pose);
+    if (member.parent >= 0)
+      pose.p += handle_at_rest(*subsystem.bodies[static_cast<std::size_t>(member.parent)].body,
+                               member.handle);
+  }
+  return pose;
+}
+
+MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                                const PlacedMarker<Space>& marker) noexcept {
+  const auto j = static_cast<std::size_t>(marker.body);
+  const HubState<Space>& hub = *data.hub;
+  const space::Twist& twist = data.twists[j];
+  const space::HandleMotion section = motion_at(data.bodies[j], marker.section);
+  const space::Pose X_HB = calc_pose_in_hub(subsystem, data, marker.body);
+  const space::Rotation R = hub.R * X_HB.R;
+  const space::Twist velocity = section.carry(twist) + section.twist();
+  MarkerMotion motion;
+  motion.position = hub.p + hub.R * place_in_hub(X_HB, section);
+  motion.rotation = (R * section.turn.R * marker.section.axes).axes;
+  motion.velocity = R * space::Position(linear(velocity));
+  motion.angular_velocity = R * space::Angular(angular(velocity));
+  return motion;
+}
+
+space::Twist calc_marker_acceleration(const space::Position& gravity,
+                                      const Subsystem<Space>& subsystem,
+                                      const SubsystemData<Space>& data,
+                                      const PlacedMarker<Space>& marker) noexcept {
+  const auto j = static_cast<std::size_t>(marker.body);
+  const BodyData<Space>& body = data.bodies[j];
+  const space::HandleMotion motion = motion_at(body, marker.section);
+  const space::Angular w = angular(data.twists[j]);
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  const space::Twist local = flexible ? calc_section_acceleration(*flexible, marker.section, motion,
+                                                                  body.X, w, body.a_found)
+                                      : space::Twist(motion.carry(body.X) + motion.bias(w));
+  space::Twist acceleration =
+      data.hub->R * calc_rotation_to_hub(subsystem, data, marker.body) * local;
+  linear(acceleration) += gravity;
+  return acceleration;
+}
+
+space::Position calc_marker_foreshortening(const Subsystem<Space>& subsystem,
+                                           const SubsystemData<Space>& data,
+                                           const PlacedMarker<Space>& marker) noexcept {
+  space::Position sum = space::Position::Zero();
+  for (int j = marker.body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
+    if (!body.model->stiffening) continue;
+    const space::BodyModel model = body_model_of(body);
+    const double* q = body.coordinates.q;
+    const double shortened =
+        j == marker.body ? calc_foreshortening(model, marker.section, q, q, q, body.work).length
+                         : calc_foreshortening(model, q, body.work);
+    sum += calc_rotation_to_hub(subsystem, data, j) * space::Position(shortened, 0.0, 0.0);
+  }
+  return sum;
+}
+
+}  // namespace spoke

@@ -1,0 +1,184 @@
+// Finds bodies, sections and what is outboard of them, and reads values from the table.
+
+#include "engine/simulation/spatial_columns.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "engine/kernels/marker_motion.h"
+#include "models/space/beam_element.h"
+#include "models/system/spatial_loads.h"
+#include "models/tree/sensor_place.h"
+
+namespace spoke {
+namespace {
+
+using spatial::SensorPlace;
+using spatial::Tree;
+
+/// Trees that a sensor reads on: of one of the whole system, all. What is in the table anyway needs
+/// no reading.
+std::vector<SensorPlace> find_reading_places(const Sensor& sensor, std::size_t blades,
+                                             const std::vector<Tree>& trees) {
+  std::vector<SensorPlace> places;
+  if (sensor.quantity == SensorQuantity::hub_reaction ||
+      sensor.quantity == SensorQuantity::kinetic_energy)
+    return places;
+  if (is_of_blade(sensor.quantity)) return find_places(sensor, blades, trees);
+  for (std::size_t i = 0; i < trees.size(); ++i) places.push_back({i, {0}});
+  return places;
+}
+
+std::vector<int> path_to(int body, const Subsystem<Space>& subsystem) {
+  std::vector<int> path;
+  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent)
+    path.push_back(j);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+int body_of(const Sensor& sensor, const SensorPlace& place, const Tree& tree) {
+  if (sensor.joint) return place.bodies[static_cast<std::size_t>(sensor.joint->body())];
+  const int first = place.bodies.front();
+  if (!has_position(sensor.quantity)) return first;
+  const auto* part =
+      std::get_if<spatial::FlexibleBody>(&tree.bodies[static_cast<std::size_t>(first)].shape);
+  if (!part) return first;
+  return place.body_at(tree, sensor.position.value_or(tree.beams[part->beam].length));
+}
+
+/// The section of a flexible body at a station of its beam; the last one where there is none.
+void place_section(const std::optional<double>& position, const space::Body& body,
+                   Reading<Space>& reading) {
+  const space::FlexibleBody* flexible = body.flexible();
+  if (!flexible) {
+    reading.section = space::make_rigid_section(space::Position::Zero());
+    return;
+  }
+  const double station = std::clamp(position.value_or(flexible->stations.back()),
+                                    flexible->stations.front(), flexible->stations.back());
+  reading.section = make_section(*body.beam, *flexible, station);
+  reading.along = reading.section.element + place_in_element(*flexible, reading.section);
+}
+
+/// What is outboard of a section of a flexible body.
+void find_outboard(const TreeBody<Space>& model, Reading<Space>& reading) {
+  const space::FlexibleBody& flexible = *model.body->flexible();
+  const auto e = static_cast<std::size_t>(reading.section.element);
+  const double from = flexible.stations[e], to = flexible.stations[e + 1];
+  reading.mass = calc_outboard_mass(
+      *model.body->beam, {flexible.stations, flexible.pose, flexible.nodes}, flexible.beam[e], e,
+      from + (reading.along - reading.section.element) * (to - from));
+  for (const BodyLoad<Space>& load : model.loads) {
+    OutboardLoad outboard{take_outboard(load, reading.along), {}};
+    for (const BodyLoad<Space>::Point& point : outboard.load.points)
+      outboard.sections.push_back(space::make_section(*model.body, point.element, point.s));
+    if (!outboard.sections.empty()) reading.loads.push_back(std::move(outboard));
+  }
+}
+
+Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, const Tree& tree,
+                            const Subsystem<Space>& subsystem, std::size_t first) {
+  Reading<Space> reading;
+  reading.quantity = sensor.quantity;
+  reading.frame = frame_of(sensor);
+  reading.first = first;
+  const int body = body_of(sensor, place, tree);
+  reading.path = path_to(body, subsystem);
+  if (!has_position(sensor.quantity)) return reading;
+  const TreeBody<Space>& model = subsystem.bodies[static_cast<std::size_t>(body)];
+  place_section(sensor.position, *model.body, reading);
+  const space::Pose rest = calc_rest_pose(subsystem, body);
+  reading.rest = {rest.p + rest.R * reading.section.s0, rest.R * reading.section.axes};
+  if (sensor.quantity == SensorQuantity::section_force) find_outboard(model, reading);
+  return reading;
+}
+
+/// Momentum of the hub, and its moment about the inertial origin.
+space::Twist calc_hub_momentum(const space::Hub& hub, const SystemRecord<Space>& record) {
+  const space::Rotation& R = record.hub_rotation;
+  const space::Position velocity = R.inverse() * space::Position(linear(record.velocity));
+  const space::Twist twist = space::make_twist(velocity, angular(record.velocity));
+  return translate(space::Position(linear(record.position)), R * (hub.inertia * twist));
+}
+
+double calc_total_momentum(const SensorColumn& column, const space::Hub& hub, std::int64_t step,
+                           const StepData<Space>& data) {
+  const auto c = static_cast<Eigen::Index>(column.component);
+  double sum = calc_hub_momentum(hub, of_step(data.records, step))[c];
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    sum += readings_of(data.subsystems[i], step)[column.places[i] + column.component];
+  return sum;
+}
+
+double calc_hub_reaction(const SensorColumn& column, const SystemRecord<Space>& record) {
+  space::Twist wrench = record.reaction;
+  wrench[Space::kAxial] += record.applied_torque;
+  if (column.frame == SensorFrame::inertial) wrench = record.hub_rotation * wrench;
+  return wrench[static_cast<Eigen::Index>(column.component)];
+}
+
+}  // namespace
+
+std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades,
+                           const std::vector<Tree>& trees) {
+  std::size_t count = 0;
+  for (const Sensor& sensor : sensors)
+    count += space::kTwist * find_reading_places(sensor, blades, trees).size();
+  return count;
+}
+
+std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, std::size_t blades,
+                                        const std::vector<Tree>& trees, const System<Space>& system,
+                                        StepData<Space>& data) {
+  std::vector<SensorColumn> columns;
+  for (const Sensor& sensor : sensors) {
+    std::vector<std::size_t> places;
+    for (const SensorPlace& place : find_reading_places(sensor, blades, trees)) {
+      SubsystemData<Space>& tree = data.subsystems[place.tree];
+      tree.readings.push_back(make_reading(sensor, place, trees[place.tree],
+                                           system.subsystems[place.tree], tree.reading_count));
+      places.push_back(std::exchange(tree.reading_count, tree.reading_count + space::kTwist));
+    }
+    const auto components = components_in_space(sensor.quantity);
+    if (!is_of_blade(sensor.quantity)) {
+      add_columns(sensor, 0, components, places, columns);
+      continue;
+    }
+    std::size_t number = 0;
+    for (const SensorPlace& place : find_places(sensor, blades, trees)) {
+      const auto own = places.empty() ? places : std::vector<std::size_t>{places[number++]};
+      add_columns(sensor, place.tree, components, own, columns);
+    }
+  }
+  return columns;
+}
+
+std::size_t count_reading_bytes(const StepData<Space>& data) {
+  std::size_t bytes = 0;
+  for (const SubsystemData<Space>& tree : data.subsystems)
+    for (const Reading<Space>& reading : tree.readings) {
+      bytes += sizeof reading;
+      for (const OutboardLoad& load : reading.loads)
+        bytes += load.sections.size() * (sizeof(space::Section) + sizeof(BodyLoad<Space>::Point));
+    }
+  return bytes;
+}
+
+double value_of(const SensorColumn& column, const space::Hub& hub, std::int64_t step,
+                const StepData<Space>& data) {
+  const SubsystemData<Space>& tree = data.subsystems[column.blade];
+  switch (column.quantity) {
+    case SensorQuantity::kinetic_energy:
+      return of_step(tree.samples, step).kinetic;
+    case SensorQuantity::momentum:
+      return calc_total_momentum(column, hub, step, data);
+    case SensorQuantity::hub_reaction:
+      return calc_hub_reaction(column, of_step(data.records, step));
+    default:
+      return readings_of(tree, step)[column.places[0] + column.component];
+  }
+}
+
+}  // namespace spoke

@@ -1,0 +1,17 @@
+#pragma once
+
+// What a simulation tells of markers, joints and sections of a model in space: Simulation says
+// what each is. Markers must be on the table, accelerations and wrenches those of its state.
+
+#include "engine/step/step_context.h"
+
+namespace spoke {
+
+/// `t`: the state's time [s].
+MarkerState calc_marker_state(const SystemContext<Space>& context, const Marker& marker, double t);
+Wrench calc_joint_reaction(const SystemContext<Space>& context, int blade, int joint);
+Wrench calc_hub_reaction(const StepData<Space>& data);
+/// Throws InputError if the marker is on a rigid body.
+Wrench calc_section_force(const SystemContext<Space>& context, const Marker& marker);
+
+}  // namespace spoke

@@ -1,0 +1,100 @@
+// Quantities and frames by their names, and names of columns, of which no two may be alike.
+
+#include "models/reader/sensor_keys.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "models/reader/names.h"
+
+namespace spoke {
+namespace {
+
+constexpr std::size_t kMostValues = 1'000'000;
+
+constexpr std::initializer_list<SensorQuantity> kQuantities{
+    SensorQuantity::displacement,  SensorQuantity::velocity,       SensorQuantity::acceleration,
+    SensorQuantity::section_force, SensorQuantity::joint_reaction, SensorQuantity::hub_reaction,
+    SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy};
+
+/// Whether a sensor of this quantity has a use for a key.
+bool takes(SensorQuantity quantity, std::string_view key) {
+  if (key == "position") return has_position(quantity);
+  if (key == "joint") return quantity == SensorQuantity::joint_reaction;
+  if (key == "frame") return frames_of(quantity).size() > 1;
+  return is_of_blade(quantity);
+}
+
+/// Refuses a key that would be ignored.
+void require_fitting(const TomlSection& section, std::string_view key, SensorQuantity quantity) {
+  if (takes(quantity, key) || !section.has(key)) return;
+  TomlSection::Keys fitting;
+  for (const SensorQuantity other : kQuantities)
+    if (takes(other, key)) fitting.push_back(name_of(other));
+  section.fail(key, "does not belong to quantity \"" + std::string(name_of(quantity)) +
+                        "\", expected only with quantity " + join_names(fitting));
+}
+
+}  // namespace
+
+SensorQuantity read_quantity(const TomlSection& section) {
+  if (!section.has("quantity"))
+    section.fail("quantity", "is missing, expected what is measured, as quantity = \"velocity\"");
+  return section.choice("quantity", kQuantities, SensorQuantity::displacement);
+}
+
+SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantity) {
+  const auto frames = frames_of(quantity);
+  if (!section.has("frame")) return frames.front();
+  TomlSection::Keys names;
+  for (const SensorFrame frame : frames) names.push_back(name_of(frame));
+  return frames[section.choice("frame", names)];
+}
+
+void require_fitting_keys(const TomlSection& section, SensorQuantity quantity) {
+  for (const std::string_view key : {"blade", "position", "joint", "frame"})
+    require_fitting(section, key, quantity);
+}
+
+std::string find_frame_fault(const Sensor& sensor) {
+  const auto frames = frames_of(sensor.quantity);
+  if (std::find(frames.begin(), frames.end(), frame_of(sensor)) != frames.end()) return {};
+  return "is \"" + std::string(name_of(frame_of(sensor))) +
+         "\", which does not belong to quantity \"" + std::string(name_of(sensor.quantity)) + "\"";
+}
+
+void append_columns(const Sensor& sensor, int blade, std::span<const SensorComponent> components,
+                    std::vector<std::string>& names) {
+  const std::string prefix = prefix_of(sensor, blade);
+  for (const SensorComponent& component : components) {
+    names.push_back(prefix);
+    if (!component.name.empty()) names.back() += '.' + std::string(component.name);
+  }
+}
+
+ColumnNames::ColumnNames(IsTaken is_taken)
+    : is_taken_(std::move(is_taken)),
+      taken_{"hub.x",
+             "hub.y",
+             "hub.angle",
+             "hub.speed",
+             "hub.torque",
+             "energy.kinetic",
+             "energy.strain",
+             "energy.work",
+             "energy.dissipated",
+             "energy.residual",
+             "t"} {}
+
+std::string ColumnNames::add(const std::vector<std::string>& names) {
+  count_ += names.size();
+  if (count_ > kMostValues)
+    return "makes " + std::to_string(count_) + " values with those before it, expected at most " +
+           std::to_string(kMostValues);
+  for (const std::string& name : names)
+    if (is_taken_(name) || !taken_.insert(name).second)
+      return "there is a column " + name + " already, expected a name of its own";
+  return {};
+}
+
+}  // namespace spoke

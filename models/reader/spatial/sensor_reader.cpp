@@ -1,0 +1,204 @@
+// Which keys belong to which sensor in space, and that no two names of columns are alike.
+
+#include "models/reader/spatial/sensor_reader.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <variant>
+
+#include "models/reader/blade_choice_reader.h"
+#include "models/reader/names.h"
+#include "models/reader/sensor_keys.h"
+#include "models/reader/spatial/fault.h"
+#include "models/tree/sensor_place.h"
+#include "spoke/error.h"
+
+namespace spoke::spatial {
+namespace {
+
+/// Whether a sensor is on a body, or at a joint.
+bool needs_body(const Sensor& sensor) {
+  return has_position(sensor.quantity) || sensor.quantity == SensorQuantity::joint_reaction;
+}
+
+Fault find_blade_fault(const Sensor& sensor, const Model& model) {
+  if (!sensor.body.empty()) return {"body", "would be ignored, expected only along with subsystem"};
+  const auto last = static_cast<int>(model.blades.size());
+  if (is_of_blade(sensor.quantity) && last == 0)
+    return {"", "is on blades, of which there are none; expected subsystem and body"};
+  const int number = sensor.blade.number();
+  if (sensor.blade.is_all() || (number >= 1 && number <= last)) return {};
+  return {"blade", "is " + std::to_string(number) + ", expected a whole number from 1 to " +
+                       std::to_string(last)};
+}
+
+/// Of a sensor on a subsystem, which must be there with the body that it names.
+Fault find_body_fault(const Sensor& sensor, const Model& model) {
+  if (!is_of_blade(sensor.quantity))
+    return {"subsystem", "does not belong to quantity \"" + std::string(name_of(sensor.quantity)) +
+                             "\", expected none"};
+  if (!sensor.blade.is_all()) return {"blade", "given along with subsystem, expected only one"};
+  std::vector<std::string_view> names, bodies;
+  const Subsystem* found = nullptr;
+  for (const Subsystem& subsystem : model.subsystems) {
+    names.push_back(subsystem.name);
+    if (subsystem.name == sensor.subsystem) found = &subsystem;
+  }
+  if (names.empty())
+    return {"subsystem", "is \"" + sensor.subsystem + "\", but there is no [[subsystem]]"};
+  if (!found) return {"subsystem", describe_unknown(sensor.subsystem, names)};
+  if (!needs_body(sensor)) {
+    if (sensor.body.empty()) return {};
+    return {"body", "does not belong to quantity \"" + std::string(name_of(sensor.quantity)) +
+                        "\", expected the subsystem alone"};
+  }
+  for (const Body& body : found->bodies) bodies.push_back(body.name);
+  if (sensor.body.empty()) return {"body", "is missing, expected the name of one of the subsystem"};
+  if (std::find(bodies.begin(), bodies.end(), sensor.body) == bodies.end())
+    return {"body", describe_unknown(sensor.body, bodies)};
+  return {};
+}
+
+/// The least length of the beams that a sensor is on; 0 on a rigid body.
+double length_at(const std::vector<SensorPlace>& places, const std::vector<Tree>& trees) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SensorPlace& place : places) {
+    const Tree& tree = trees[place.tree];
+    const auto* part = std::get_if<FlexibleBody>(
+        &tree.bodies[static_cast<std::size_t>(place.bodies.front())].shape);
+    least = std::min(least, part ? tree.beams[part->beam].length : 0.0);
+  }
+  return least;
+}
+
+Fault find_position_fault(const Sensor& sensor, double length) {
+  const bool is_force = sensor.quantity == SensorQuantity::section_force;
+  if (length == 0.0 && is_force) return {"body", "is rigid, expected a beam"};
+  if (length == 0.0 && sensor.position)
+    return {"position", "belongs to beams; of a rigid body it is the origin of its frame"};
+  if (!sensor.position)
+    return is_force ? Fault{"position", "is missing, expected a distance from the root (m)"}
+                    : Fault{};
+  const FirstFault first;
+  first("position", *sensor.position, {"m, from root to tip", 0.0, length});
+  return first.found();
+}
+
+Fault find_joint_fault(const Sensor& sensor, const std::vector<SensorPlace>& places) {
+  if (!sensor.subsystem.empty()) {
+    if (!sensor.joint) return {};
+    return {"joint", "belongs to blades; of a body it is the one that carries it"};
+  }
+  std::size_t most = std::numeric_limits<int>::max();
+  for (const SensorPlace& place : places) most = std::min(most, place.bodies.size());
+  const std::string expected = "expected a whole number from 1 to " + std::to_string(most);
+  if (!sensor.joint) return {"joint", "is missing, " + expected};
+  const int number = sensor.joint->number();
+  if (number >= 1 && static_cast<std::size_t>(number) <= most) return {};
+  return {"joint", "is " + std::to_string(number) + ", " + expected};
+}
+
+Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tree>& trees) {
+  if (!sensor.name.empty() && !is_name(sensor.name))
+    return {"name", "is \"" + sensor.name + "\", expected " + kNameExpected};
+  if (const std::string fault = find_frame_fault(sensor); !fault.empty()) return {"frame", fault};
+  if (const Fault fault = sensor.subsystem.empty() ? find_blade_fault(sensor, model)
+                                                   : find_body_fault(sensor, model))
+    return fault;
+  if (!needs_body(sensor)) return {};
+  const auto places = find_places(sensor, model.blades.size(), trees);
+  if (has_position(sensor.quantity)) return find_position_fault(sensor, length_at(places, trees));
+  return find_joint_fault(sensor, places);
+}
+
+/// Columns that every simulation of the model has.
+std::set<std::string> find_taken(const std::vector<Tree>& trees) {
+  std::set<std::string> taken;
+  for (const char* axis : {"x", "y", "z"})
+    for (const char* name : {"hub.", "hub.rotation.", "hub.spin."})
+      taken.insert(std::string(name) + axis);
+  for (const Tree& tree : trees) {
+    const std::string name = sensor_name_of(tree);
+    for (const char* axis : {"x", "y", "z"})
+      for (const char* shown : {".tip.", ".root.force.", ".root.moment."})
+        taken.insert(name + shown + axis);
+    for (std::string& joint : joint_columns_of(tree)) taken.insert(std::move(joint));
+  }
+  return taken;
+}
+
+/// The rules for one sensor after the other.
+class SensorRules {
+ public:
+  explicit SensorRules(const Model& model)
+      : model_(model),
+        trees_(build_trees(model)),
+        columns_([taken = find_taken(trees_)](const std::string& name) {
+          return taken.count(name) > 0;
+        }) {}
+
+  Fault find_next_fault(const Sensor& sensor) {
+    if (const Fault fault = find_fault(sensor, model_, trees_)) return fault;
+    std::vector<std::string> names;
+    const auto components = components_in_space(sensor.quantity);
+    if (is_of_blade(sensor.quantity))
+      for (const SensorPlace& place : find_places(sensor, model_.blades.size(), trees_))
+        append_columns(sensor, static_cast<int>(place.tree), components, names);
+    else
+      append_columns(sensor, 0, components, names);
+    const std::string fault = columns_.add(names);
+    return fault.empty() ? Fault{} : Fault{"name", fault};
+  }
+
+ private:
+  const Model& model_;
+  std::vector<Tree> trees_;
+  ColumnNames columns_;
+};
+
+Sensor read_sensor(const TomlSection& section, const Model& model) {
+  Sensor sensor;
+  sensor.quantity = read_quantity(section);
+  require_fitting_keys(section, sensor.quantity);
+  sensor.name = section.text("name", std::string(name_of(sensor.quantity)));
+  sensor.frame = read_sensor_frame(section, sensor.quantity);
+  sensor.subsystem = section.text("subsystem", "");
+  sensor.body = section.text("body", "");
+  if (section.has("blade") && section.has("subsystem"))
+    section.fail("blade", "given along with subsystem, expected only one of them");
+  if (!model.blades.empty()) sensor.blade = read_blade(section, model.blades.size());
+  if (section.has("joint"))
+    sensor.joint =
+        JointChoice::number(section.integer("joint", {1, std::numeric_limits<int>::max()}));
+  if (section.has("position")) sensor.position = section.number("position", kStation);
+  return sensor;
+}
+
+}  // namespace
+
+std::vector<Sensor> read_sensors(const TomlSection& root, const Model& model) {
+  std::vector<Sensor> sensors;
+  const auto sections = root.sections(
+      "sensor", {"name", "quantity", "blade", "subsystem", "body", "position", "joint", "frame"});
+  if (sections.empty()) return sensors;
+  SensorRules rules(model);
+  for (const TomlSection& section : sections) {
+    sensors.push_back(read_sensor(section, model));
+    if (const Fault fault = rules.find_next_fault(sensors.back()))
+      section.fail_at(fault.path == "name" && !section.has("name") ? "" : fault.path, fault.text);
+  }
+  return sensors;
+}
+
+void check_sensors(const std::vector<Sensor>& sensors, const Model& model) {
+  if (sensors.empty()) return;
+  SensorRules rules(model);
+  std::size_t number = 0;
+  for (const Sensor& sensor : sensors) {
+    const Fault fault = rules.find_next_fault(sensor).within("sensor." + std::to_string(++number));
+    if (fault) throw InputError(fault.path + ": " + fault.text);
+  }
+}
+
+}  // namespace spoke::spatial

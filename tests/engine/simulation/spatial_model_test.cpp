@@ -1,0 +1,148 @@
+// A simulation of a model in space: its states, its views, changes between steps, and how it ends.
+
+#include "engine/simulation/spatial_model.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "models/error.h"
+#include "tests/engine/space/system/models.h"
+#include "tests/message_of.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1, 1};
+
+Scenario make_scenario(const std::string& text, IntegrationMethod method, double step,
+                       double duration) {
+  Scenario scenario = parse_scenario(text, "test.toml");
+  scenario.integration.method = method;
+  scenario.integration.step = step;
+  scenario.integration.duration = duration;
+  scenario.limits.deflection = 0.0;
+  return scenario;
+}
+
+std::vector<double> values_of(const Simulation& simulation) {
+  const auto values = simulation.sensor_values();
+  return {values.begin(), values.end()};
+}
+
+std::shared_ptr<const Load> drag() {
+  return make_load("drag", {{0, 0, 0.4}},
+                   [](double, std::span<const MarkerMotion> in, std::span<Wrench> out) {
+                     out[0].force = -0.2 * in[0].velocity;
+                   });
+}
+
+}  // namespace
+
+TEST_CASE("a run in space that is saved and restored goes on with the bits of the whole run") {
+  const std::string texts[] = {make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity),
+                               make_text(kTurnedHub, kBooms + kHinges, kGravity),
+                               make_text(kFlyingHub, kTree + kMotors, kGravity)};
+  for (const std::string& text : texts)
+    for (const IntegrationMethod method :
+         {IntegrationMethod::rk4, IntegrationMethod::generalized_alpha}) {
+      const double step = method == IntegrationMethod::rk4 ? 1e-3 : 5e-3;
+      const Scenario scenario = make_scenario(text, method, step, 40 * step);
+      Simulation whole(scenario, kSerial, {drag()});
+      whole.run_until(20 * step);
+      const SavedState middle = whole.save();
+      const std::vector<double> shown = values_of(whole);
+      whole.run_until(40 * step);
+      // Another simulation, that has been elsewhere, on other threads and windows.
+      Simulation other(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2, 7},
+                       {drag()});
+      other.run_until(13 * step);
+      other.restore(middle);
+      CHECK(other.steps() == 20);
+      // Loads of the joints are those of the last evaluation, and no part of a state.
+      CHECK(values_of(other).front() == shown.front());
+      other.run_until(40 * step);
+      CHECK(other.state_hash() == whole.state_hash());
+      CHECK(values_of(other) == values_of(whole));
+    }
+}
+
+TEST_CASE("a state in space of another model is refused") {
+  const auto scenario = [](const std::string& bodies) {
+    return make_scenario(make_text(kFlyingHub, bodies), IntegrationMethod::rk4, 1e-3, 0.1);
+  };
+  Simulation tree(scenario(kTree), kSerial), booms(scenario(kBooms), kSerial);
+  const std::uint64_t before = booms.state_hash();
+  CHECK(message_of([&] {
+          booms.restore(tree.save());
+        }).starts_with("the saved state is of another model"));
+  CHECK(booms.state_hash() == before);
+}
+
+TEST_CASE("views that belong to the plane are refused of a model in space") {
+  Simulation simulation(
+      make_scenario(make_text(kFlyingHub, kTree), IntegrationMethod::rk4, 1e-3, 0.1), kSerial);
+  const std::string reason = "the model is in space, expected a rotor in the plane";
+  BladeShape shape;
+  for (const std::string& message :
+       {message_of([&] { simulation.hub(); }), message_of([&] { simulation.body(0, 0); }),
+        message_of([&] { simulation.calc_shape(0, shape); }),
+        message_of([&] { simulation.linear_properties(); })})
+    CHECK(message.find(reason) != std::string::npos);
+}
+
+TEST_CASE("another drive acts from the next step on, in space too") {
+  const Scenario scenario = make_scenario(make_text(kTurnedHub, kBooms, ""),
+                                          IntegrationMethod::generalized_alpha, 5e-3, 1.0);
+  Simulation simulation(scenario, kSerial);
+  simulation.run_until(0.1);
+  const double speed = simulation.sensor("hub.speed");
+  simulation.set_drive(TorqueDrive{Curve(-40.0)});
+  CHECK(simulation.sensor("hub.speed") == speed);
+  simulation.run_until(0.2);
+  CHECK(simulation.sensor("hub.torque") == doctest::Approx(-40.0).epsilon(1e-9));
+  CHECK(simulation.sensor("hub.speed") < speed - 0.1);
+  // What prescribes the motion cannot take the place of a torque.
+  CHECK(message_of([&] { simulation.set_drive(SpinUp{8.0, 1.0}); }) != "no error");
+  CHECK(std::get<TorqueDrive>(simulation.drive()).torque.value(0.0) == -40.0);
+}
+
+TEST_CASE("a model in space that diverges says which subsystem, body, node and quantity") {
+  // One linear body without stiffening, beyond its critical speed.
+  const std::string text = R"(world = "space"
+[hub]
+drive = { kind = "spin_up", speed = 12.0, ramp = 2.0 }
+[[hub_load]]
+torque = [0.0, 0.0, 1.0]
+[blade]
+count = 2
+length = 2.0
+bodies = 1
+elements = 2
+geometric_stiffening = false
+[blade.sections]
+mass_per_length = 1.0
+axial_stiffness = 2e4
+lag_stiffness = 40.0
+flap_stiffness = 30.0
+torsion_stiffness = 30.0
+[integration]
+duration = 10.0
+)";
+  Simulation simulation(make_scenario(text, IntegrationMethod::generalized_alpha, 5e-3, 10.0),
+                        kSerial);
+  const std::string message = message_of<DivergenceError>([&] { simulation.run_until(10.0); });
+  CAPTURE(message);
+  CHECK(message.starts_with("diverged at t = "));
+  for (const char* part :
+       {"blade 1 / body 1", "of node ", "is beyond what its linear model can mean",
+        "(node \"blade 1 / body 1 / recovery\")", "geometric_stiffening"})
+    CHECK(message.find(part) != std::string::npos);
+  CHECK(message_of<StateError>([&] {
+          simulation.marker({0, 0, 1.0});
+        }).find("there is no state to evaluate") != std::string::npos);
+}
