@@ -68,6 +68,8 @@ void add_run(CLI::App& program, Arguments& arguments) {
 void add_check(CLI::App& program, Arguments& arguments) {
   CLI::App& check = *program.add_subcommand("check", "Validate a scenario and print its model");
   add_common(check, arguments);
+  add_path(check, "--html", arguments.html,
+           "Draw the model in this page: bodies, sections, joints, axes, loads", "FILE");
   check.footer(std::string(kCheckText) + '\n' + kStatusText);
   check.callback([&] { arguments.command = Arguments::Command::check; });
 }

@@ -261,8 +261,9 @@ void print_result(const Simulation& simulation, const Recording& recording,
   const bool is_chosen = simulation.options().executor == ExecutorKind::automatic;
   print_line("executor", (is_chosen ? "auto, " : "") + simulation.executor_description());
   const std::vector<std::string> tips = recording.tips.describe();
+  const char* label = simulation.scenario().space ? "tip displacement" : "tip deflection";
   for (std::size_t i = 0; i < std::min(tips.size(), kMostTipLines); ++i) {
-    print_line(i == 0 ? "tip deflection" : "", tips[i]);
+    print_line(i == 0 ? label : "", tips[i]);
   }
   if (tips.size() > kMostTipLines) {
     print_line("", counted(static_cast<std::int64_t>(tips.size() - kMostTipLines), "smaller one") +
@@ -280,7 +281,7 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
   if (recording.report) {
     write_file(folder / "report.html",
                run_report::make_html(simulation, recording.statistics, outcome,
-                                     recording.tips.describe(), *recording.report));
+                                     recording.tips.summarise(), *recording.report));
     written += ", report.html";
   }
   if (recording.vtk)

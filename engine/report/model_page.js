@@ -1,0 +1,38 @@
+// The page of a model that is not simulated: one view, as the model stands at t = 0. Uses page_tools.js,
+// scene.js and scene_view.js.
+
+/** The sphere in which a state is. */
+function boundsOfState(scene, state) {
+  const places = placesOf(scene, state, 1).map((p, k) => ({ p, reach: scene.reachOf(k) }));
+  places.push({ p: [0, 0, 0], reach: scene.reachOf(-1) });
+  const bound = (pick, sign) => [0, 1, 2].map((c) => pick(...places.map(({ p, reach }) => p[c] + sign * reach)));
+  return boundsOf(places, bound(Math.min, -1), bound(Math.max, 1), [[0, 0, 0]]);
+}
+
+function startPage() {
+  const data = JSON.parse(document.getElementById('model-data').textContent);
+  const scene = new Scene(data.scene);
+  const numbers = decode(data.groups, Float32Array);
+  const groups = Array.from({ length: scene.groups }, (_, g) =>
+    g === 0 ? undefined : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
+  const state = scene.stateAtRest(groups);
+  const settings = { scale: 1, outline: false };
+  const camera = makeCamera(scene);
+  const canvas = document.getElementById('model-view');
+  const view = new SceneView(canvas, scene, camera, settings, { isInertial: true, bounds: boundsOfState(scene, state) });
+  for (const name of ['axes', 'joints', 'loads', 'sensors', 'names']) {
+    const box = document.getElementById(`model-${name}`);
+    settings[name] = box.checked;
+    box.parentElement.hidden = Array.isArray(scene[name]) && scene[name].length === 0;
+    box.addEventListener('change', () => {
+      settings[name] = box.checked;
+      view.draw(state);
+    });
+  }
+  addLooks(document.getElementById('model-looks'), camera);
+  camera.listen(() => view.draw(state));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.draw(state));
+  view.draw(state);
+}
+
+startPage();
