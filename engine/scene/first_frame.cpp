@@ -44,7 +44,8 @@ Placement calc_motion(const Joint& joint, double azimuth) {
     case JointKind::prismatic:
       return {value[0] * first.normalized(), spatial::Tensor::Identity()};
     case JointKind::cylindrical:
-      return turned(first, value[0]) * Placement{value[1] * first.normalized(), {}};
+      return turned(first, value[0]) *
+             Placement{value[1] * first.normalized(), spatial::Tensor::Identity()};
   }
   return {};
 }

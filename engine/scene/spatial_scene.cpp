@@ -77,7 +77,7 @@ class TreeScene {
       const auto* part = std::get_if<spatial::FlexibleBody>(&tree_.bodies[j].shape);
       if (!part)
         return LoadedPlace{
-            {first_[j], 0.0, (body * Placement{point, {}}).position}, body.rotation, body.rotation};
+            {first_[j], 0.0, body.position + body.rotation * point}, body.rotation, body.rotation};
       const double x = std::clamp(position.value_or(part->nodes.back()), part->nodes.front(),
                                   part->nodes.back());
       found = {place_on(j, *part, x), body.rotation, place_of(j, *part, x).rotation};
