@@ -35,6 +35,7 @@ engine/space/integrator/	orientations in steps
 engine/step/	the nodes and their graph
 engine/run/	steps, windows, recording
 engine/simulation/	behind Simulation
+engine/scene/	models as they are drawn
 engine/vtk/	files for ParaView
 engine/report/	pages and charts
 engine/run_report/	report.html of a run

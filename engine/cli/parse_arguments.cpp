@@ -52,7 +52,7 @@ void add_run(CLI::App& program, Arguments& arguments) {
   run.add_flag_callback(
       "--no-report", [&] { arguments.writes_report = false; }, "Do not write report.html");
   run.add_flag("--vtk", arguments.writes_vtk,
-               "Write the deformed blades at all output times for ParaView");
+               "Write the deformed model at all output times for ParaView");
   add_path(run, "--trace", arguments.trace_out,
            "Record the first 20 steps, node by node, and write the files of\n"
            "spoke trace to this folder, too",

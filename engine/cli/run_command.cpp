@@ -96,7 +96,7 @@ struct Recording {
   void open_pictures(const Simulation& simulation, const Arguments& arguments,
                      const fs::path& folder) {
     if (arguments.writes_report) report.emplace(simulation);
-    if (arguments.writes_vtk) vtk.emplace(folder / "vtk");
+    if (arguments.writes_vtk) vtk.emplace(simulation, folder / "vtk");
   }
 };
 
@@ -331,8 +331,6 @@ int exit_status(const RunOutcome& outcome) {
 int run(const Arguments& arguments) {
   Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
-  if (arguments.writes_vtk && scenario.space)
-    throw InputError("--vtk: the model is in space, expected a rotor in the plane");
   const fs::path folder = folder_of_results(arguments, scenario);
   const auto start = Clock::now();
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);

@@ -8,6 +8,7 @@ const kRight = Math.PI / 2;
 class Camera {
   constructor(up, yaw, pitch) {
     this.up = up;
+    this.fit = () => ({ zoom: 1, pan: [0, 0] }); // of a new direction
     const x = Math.abs(up[0]) > 0.9 ? [0, 1, 0] : [1, 0, 0];
     this.east = unitOf(sub(x, times(dot(x, up), up)));
     this.north = cross(up, this.east);
@@ -16,8 +17,7 @@ class Camera {
     this.reset();
   }
   reset() {
-    Object.assign(this, this.first, { zoom: 1, pan: [0, 0] });
-    this.changed();
+    this.look(this.first.yaw, this.first.pitch);
   }
   listen(callback) {
     this.listeners.push(callback);
@@ -27,10 +27,13 @@ class Camera {
   }
   look(yaw, pitch) {
     Object.assign(this, { yaw, pitch });
+    Object.assign(this, this.fit());
     this.changed();
   }
   turnBy(yaw, pitch) {
-    this.look(this.yaw + yaw, Math.min(Math.max(this.pitch + pitch, -kRight), kRight));
+    this.yaw += yaw;
+    this.pitch = Math.min(Math.max(this.pitch + pitch, -kRight), kRight);
+    this.changed();
   }
   /** Moves the picture; in shares of half the view. */
   panBy(x, y) {

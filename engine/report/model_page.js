@@ -9,6 +9,28 @@ function boundsOfState(scene, state) {
   return boundsOf(places, bound(Math.min, -1), bound(Math.max, 1), [[0, 0, 0]]);
 }
 
+/** The zoom and pan by which all of the model fills the view, seen as it is. */
+function fit(scene, state, camera, bounds, canvas) {
+  const half = Math.min(canvas.clientWidth, canvas.clientHeight) / 2;
+  const basis = camera.basis();
+  const low = [Infinity, Infinity];
+  const high = [-Infinity, -Infinity];
+  const include = (p, reach) => {
+    const v = turn(basis, sub(p, bounds.centre));
+    for (let c = 0; c < 2; ++c) {
+      low[c] = Math.min(low[c], v[c] - reach);
+      high[c] = Math.max(high[c], v[c] + reach);
+    }
+  };
+  placesOf(scene, state, 1).forEach((p, k) => include(p, scene.reachOf(k)));
+  include([0, 0, 0], scene.reachOf(-1));
+  const spans = [canvas.clientWidth, canvas.clientHeight].map((length, c) => (length - 120) / (high[c] - low[c]));
+  const pixels = Math.min(...spans.filter((span) => span > 0), 4 * (half / bounds.radius));
+  const zoom = (pixels * 1.06 * bounds.radius) / half;
+  const pan = [0, 1].map((c) => (-pixels * (low[c] + high[c])) / 2 / half);
+  return { zoom, pan };
+}
+
 function startPage() {
   const data = JSON.parse(document.getElementById('model-data').textContent);
   const scene = new Scene(data.scene);
@@ -19,7 +41,8 @@ function startPage() {
   const settings = { scale: 1, outline: false };
   const camera = makeCamera(scene);
   const canvas = document.getElementById('model-view');
-  const view = new SceneView(canvas, scene, camera, settings, { isInertial: true, bounds: boundsOfState(scene, state) });
+  const bounds = boundsOfState(scene, state);
+  const view = new SceneView(canvas, scene, camera, settings, { isInertial: true, bounds });
   for (const name of ['axes', 'joints', 'loads', 'sensors', 'names']) {
     const box = document.getElementById(`model-${name}`);
     settings[name] = box.checked;
@@ -29,6 +52,8 @@ function startPage() {
       view.draw(state);
     });
   }
+  camera.fit = () => fit(scene, state, camera, bounds, canvas);
+  camera.reset();
   addLooks(document.getElementById('model-looks'), camera);
   camera.listen(() => view.draw(state));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => view.draw(state));

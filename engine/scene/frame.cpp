@@ -58,9 +58,7 @@ void FrameReader::read_trees(const Simulation& simulation, Frame& frame) {
     simulation.calc_shape(static_cast<int>(i), trees_[i]);
   for (std::size_t k = 0; k < scene_.sources.size(); ++k) {
     const NodeSource& source = scene_.sources[k];
-    const TreeNode& node = trees_[static_cast<std::size_t>(source.tree)]
-                               .bodies[static_cast<std::size_t>(source.body)]
-                               .nodes[static_cast<std::size_t>(source.node)];
+    const TreeNode& node = body_of(source).nodes[static_cast<std::size_t>(source.node)];
     frame.displacements.push_back(node.displacement);
     frame.rotations.push_back(node.rotation);
     const Node& drawn = scene_.nodes[k];
@@ -86,9 +84,7 @@ void FrameReader::read_forces(const Strip& strip, Frame& frame) const {
         axial += blade.axial_forces[element];
         bending += std::abs(blade.bending_moments[element]);
       } else {
-        const ElementForces& forces = trees_[static_cast<std::size_t>(from.tree)]
-                                          .bodies[static_cast<std::size_t>(from.body)]
-                                          .forces[static_cast<std::size_t>(e)];
+        const ElementForces& forces = body_of(from).forces[static_cast<std::size_t>(e)];
         axial += forces.axial;
         bending += forces.bending;
       }

@@ -34,6 +34,11 @@ class FrameReader {
 
   /// The frame at simulation.time(). `frame` keeps its memory from call to call.
   void read(const Simulation& simulation, Frame& frame);
+  /// What the last frame was read from. Precondition: the scene is one of space.
+  const TreeBodyShape& body_of(const NodeSource& source) const {
+    return trees_[static_cast<std::size_t>(source.tree)]
+        .bodies[static_cast<std::size_t>(source.body)];
+  }
 
  private:
   void read_blades(const Simulation& simulation, Frame& frame);

@@ -6,8 +6,8 @@
 
 namespace spoke::scene {
 
-/// The box with this mass and inertia [kg, kg m^2] about its centre, its axes the principal ones; if
-/// two of its principal moments are equal, the cylinder.
+/// The box with this mass and inertia [kg, kg m^2] about its centre, its axes the principal ones;
+/// if two of its principal moments are equal, the cylinder.
 Solid make_body(const Vector& center, double mass, const spatial::Tensor& inertia);
 
 /// A cylinder about an axis through the origin [m].

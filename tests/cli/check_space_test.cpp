@@ -79,8 +79,7 @@ TEST_CASE("a model in space runs as others do") {
 TEST_CASE("what is not simulated of a model in space is refused in one line") {
   const WorkFolder folder;
   const std::vector<std::vector<std::string>> refused{
-      {"run", shipped("heavy_top"), "--formulation", "augmented", "--out", "a"},
-      {"run", shipped("heavy_top"), "--vtk", "--out", "b"}};
+      {"run", shipped("heavy_top"), "--formulation", "augmented", "--out", "a"}};
   for (const std::vector<std::string>& command : refused) {
     CAPTURE(command[2]);
     const Ended ended = run_spoke(command, folder);
@@ -129,4 +128,16 @@ TEST_CASE("run tells the largest tip displacements of a model in space") {
   CHECK(ended.status == 0);
   CHECK(ended.out.find("  tip displacement") != std::string::npos);
   CHECK(ended.out.find(" s (appendage)\n") != std::string::npos);
+}
+
+TEST_CASE("--vtk writes models in space") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"run", shipped("heavy_top"), "--set", "integration.duration=0.1",
+                                 "--vtk", "--no-report", "--out", "o"},
+                                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("vtk (11 times)") != std::string::npos);
+  const std::string last = read_file(folder.path() / "o" / "vtk" / "blades_000010.vtp");
+  CHECK(last.find("NumberOfLines=\"0\"") != std::string::npos);
+  CHECK(last.ends_with("</VTKFile>\n"));
 }
