@@ -261,7 +261,7 @@ void print_result(const Simulation& simulation, const Recording& recording,
   const bool is_chosen = simulation.options().executor == ExecutorKind::automatic;
   print_line("executor", (is_chosen ? "auto, " : "") + simulation.executor_description());
   const std::vector<std::string> tips = recording.tips.describe();
-  const char* label = simulation.scenario().space ? "tip displacement" : "tip deflection";
+  const char* label = simulation.scenario().space ? "tip moved" : "tip deflection";
   for (std::size_t i = 0; i < std::min(tips.size(), kMostTipLines); ++i) {
     print_line(i == 0 ? label : "", tips[i]);
   }

@@ -126,7 +126,7 @@ TEST_CASE("run tells the largest tip displacements of a model in space") {
                                  "integration.duration=1", "--no-report", "--out", "o"},
                                 folder);
   CHECK(ended.status == 0);
-  CHECK(ended.out.find("  tip displacement") != std::string::npos);
+  CHECK(ended.out.find("  tip moved       ") != std::string::npos);
   CHECK(ended.out.find(" s (appendage)\n") != std::string::npos);
 }
 
