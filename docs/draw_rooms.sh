@@ -37,6 +37,7 @@ engine/steady/	equilibrium, linear model
 engine/vibration/	modes and their names
 engine/run/	steps, windows, recording
 engine/simulation/	behind Simulation
+engine/scene/	models as they are drawn
 engine/vtk/	files for ParaView
 engine/report/	pages and charts
 engine/run_report/	report.html of a run

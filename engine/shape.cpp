@@ -3,6 +3,7 @@
 #include "engine/shape.h"
 
 #include <array>
+#include <cmath>
 
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/samples.h"
@@ -37,8 +38,14 @@ struct Offset {
 /// Walks along one body, node by node.
 class BodyWalk {
  public:
-  BodyWalk(const BodyData<Plane>& body, const Pose& pose, const Twist& twist, const Offset& before)
-      : body_(body), pose_(pose), twist_(twist), before_(before) {}
+  /// `turned`: the body's frame from the undeformed blade's.
+  BodyWalk(const BodyData<Plane>& body, const Pose& pose, const Rotation& turned,
+           const Twist& twist, const Offset& before)
+      : body_(body),
+        pose_(pose),
+        angle_(std::atan2(turned.sine, turned.cosine)),
+        twist_(twist),
+        before_(before) {}
 
   /// The node's place and velocity; the nodes in order from 0.
   ShapeNode node(int k) {
@@ -50,6 +57,7 @@ class BodyWalk {
       shortening_rate_ += integrate_slopes(l, last_q_, q, last_v_, v);
     }
     stretch_ = q[0] - last_q_[0];
+    turn_ = q[2] - last_q_[2];
     last_q_ = q;
     last_v_ = v;
     const Position s{k * l + q[0], q[1]};
@@ -59,10 +67,13 @@ class BodyWalk {
     ShapeNode node;
     node.p = pose_.p + pose_.R * s - off.p;
     node.velocity = pose_.R * rate - off.v;
+    node.angle = angle_ + q[2];
     return node;
   }
   /// Of the element before the last node [m].
   double stretch() const { return stretch_; }
+  /// By which it bends [rad].
+  double turn() const { return turn_; }
   double element_length() const { return body_.model->body->length / body_.model->body->elements; }
   /// Up to the last node.
   Offset offset() const {
@@ -76,10 +87,11 @@ class BodyWalk {
 
   const BodyData<Plane>& body_;
   const Pose& pose_;
+  double angle_;
   const Twist& twist_;
   Offset before_;
   std::array<double, kTwist> last_q_{}, last_v_{};
-  double shortening_ = 0.0, shortening_rate_ = 0.0, stretch_ = 0.0;
+  double shortening_ = 0.0, shortening_rate_ = 0.0, stretch_ = 0.0, turn_ = 0.0;
 };
 
 /// EA of an element [N].
@@ -87,6 +99,14 @@ double mean_axial_stiffness(const Blade& blade, const FlexibleBody& body, int el
   if (body.pieces.empty()) return blade.youngs_modulus * blade.area;
   const double l = body.length / body.elements;
   return mean_axial_stiffness(body.pieces, element * l, (element + 1) * l);
+}
+
+/// EI in the middle of an element [N m^2].
+double bending_stiffness(const Blade& blade, const FlexibleBody& body, int element) {
+  if (body.pieces.empty()) return blade.youngs_modulus * blade.second_moment;
+  const double middle = (element + 0.5) * body.length / body.elements;
+  const BeamPiece& piece = piece_at(body.pieces, middle);
+  return piece.at(piece.bending_stiffness, middle);
 }
 
 }  // namespace
@@ -99,15 +119,19 @@ void calc_shape(const Blade& blade, const Subsystem<Plane>& subsystem, Subsystem
   shape.elements = blade.elements;
   shape.nodes.clear();
   shape.axial_forces.clear();
+  shape.bending_moments.clear();
   Offset offset;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    BodyWalk walk(data.bodies[j], data.poses[j], data.twists[j], offset);
+    const FlexibleBody& body = *data.bodies[j].model->body;
+    const Rotation turned = subsystem.root.R.inverse() * data.poses[j].R;
+    BodyWalk walk(data.bodies[j], data.poses[j], turned, data.twists[j], offset);
     const ShapeNode first = walk.node(0);
     if (j == 0) shape.nodes.push_back(first);
     for (int k = 1; k <= blade.elements; ++k) {
       shape.nodes.push_back(walk.node(k));
-      shape.axial_forces.push_back(mean_axial_stiffness(blade, *data.bodies[j].model->body, k - 1) *
-                                   walk.stretch() / walk.element_length());
+      const double l = walk.element_length();
+      shape.axial_forces.push_back(mean_axial_stiffness(blade, body, k - 1) * walk.stretch() / l);
+      shape.bending_moments.push_back(bending_stiffness(blade, body, k - 1) * walk.turn() / l);
     }
     offset = walk.offset();
   }

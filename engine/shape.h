@@ -19,6 +19,7 @@ struct ShapeNode {
   Position p{0.0, 0.0};             ///< place in the hub frame [m]
   Position displacement{0.0, 0.0};  ///< from its undeformed place [m]
   Position velocity{0.0, 0.0};      ///< relative to the inertial frame [m/s]
+  double angle = 0.0;               ///< of the section from its undeformed direction [rad]
 };
 
 /// A blade at one time. Nodes count from 0 at the root; the last node of a body is the first one of
@@ -28,12 +29,14 @@ struct BladeShape {
   int elements = 0;                  ///< of each body
   std::vector<ShapeNode> nodes;      ///< bodies * elements + 1
   std::vector<double> axial_forces;  ///< of each element its mean, positive in tension [N]
+  /// Of each element in its middle, positive where the blade bends counterclockwise [N m].
+  std::vector<double> bending_moments;
 };
 
 /// The shape of a blade at the state in the table, whose kinematics it recalculates. The tip is
 /// where the tip's sensors have it: bodies with geometric stiffening are foreshortened, node by
-/// node. The axial force is that of the element's stretch, EA (u_2 - u_1)/l. `shape` keeps its
-/// memory from call to call.
+/// node. The axial force is that of the element's stretch, EA (u_2 - u_1)/l, the bending moment
+/// that of its curvature, EI (psi_2 - psi_1)/l. `shape` keeps its memory from call to call.
 void calc_shape(const Blade& blade, const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
                 BladeShape& shape);
 

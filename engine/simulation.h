@@ -16,6 +16,7 @@
 #include "engine/shape.h"
 #include "engine/simulation_options.h"
 #include "engine/step_trace.h"
+#include "engine/tree_shape.h"
 #include "engine/warnings.h"
 #include "graph/step_graph.h"
 #include "models/scenario.h"
@@ -146,6 +147,11 @@ class SPOKE_EXPORT Simulation {
   /// Where the nodes of a blade stand at time(), and the tension of its elements. `shape` keeps its
   /// memory from call to call. Throws InputError if there is no such blade, counted from 0.
   void calc_shape(int blade, BladeShape& shape) const;
+  /// The same of a blade or subsystem of a model in space, counted from 0 in the order of
+  /// Scenario::space. Throws InputError if there is none.
+  void calc_shape(int tree, TreeShape& shape) const;
+  /// Where the hub's frame is at time(), of either world.
+  HubPose hub_pose() const;
 
   // What follows is of the state at time(), and takes one evaluation of the accelerations when
   // first asked for at a state. Places that do not exist throw InputError; after a step that

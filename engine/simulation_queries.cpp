@@ -37,6 +37,13 @@ void Simulation::calc_shape(int blade, BladeShape& shape) const {
                     context.data.subsystems[index], shape);
 }
 
+void Simulation::calc_shape(int tree, TreeShape& shape) const {
+  require_range("the index of the tree", tree, 0, core_->model->extent().subsystems - 1);
+  core_->model->calc_shape(tree, time(), shape);
+}
+
+HubPose Simulation::hub_pose() const { return core_->model->hub_pose(); }
+
 MarkerState Simulation::marker(const Marker& marker) const {
   core_->model->require_place(marker);
   core_->evaluate();

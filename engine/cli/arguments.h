@@ -34,6 +34,7 @@ struct Arguments {
   Overrides overrides;
   std::string out;     ///< folder of the results; empty: named after the scenario
   std::string resume;  ///< of run: checkpoint to go on from; empty: start at t = 0
+  std::string html;    ///< of check: page of the model; empty: none
   std::optional<double> checkpoint_every;  ///< of run [s of wall time]
   std::optional<IntegrationMethod> integrator;
   SimulationOptions options;

@@ -9,7 +9,10 @@
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/print_space.h"
 #include "engine/cli/report.h"
+#include "engine/cli/results_folder.h"
 #include "engine/cli/standard_streams.h"
+#include "engine/results.h"
+#include "engine/run_report/model_page.h"
 #include "models/count_text.h"
 
 namespace spoke::cli {
@@ -19,15 +22,24 @@ std::string describe_frequency(double frequency) {
   return fmt::format("{:.6g} rad/s ({:.6g} Hz)", frequency, frequency / (2.0 * std::numbers::pi));
 }
 
+/// The model as a page, if that is asked for.
+void draw(const Arguments& arguments, const Scenario& scenario) {
+  if (arguments.html.empty()) return;
+  write_file(arguments.html, run_report::make_model_page(scenario));
+  print_line("drawn", arguments.html);
+}
+
 }  // namespace
 
 int check(const Arguments& arguments) {
   SimulationOptions options = arguments.options;
   options.executor = ExecutorKind::serial;
   const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  if (!arguments.html.empty()) require_no_folder(arguments.html);
   if (scenario.space) {
     print_title(scenario.title);
     print_space(*scenario.space);
+    draw(arguments, scenario);
     return 0;
   }
   const Simulation simulation = build_simulation(arguments.scenario, scenario, options);
@@ -44,6 +56,7 @@ int check(const Arguments& arguments) {
   print_line("integration",
              fmt::format("{}, {} of {:.6g} s", name_of(integration.method),
                          counted(simulation.planned_steps(), "step"), simulation.step_size()));
+  draw(arguments, scenario);
   if (integration.method == IntegrationMethod::rk4 &&
       simulation.step_size() > properties.rk4_largest_step) {
     print_error(fmt::format(

@@ -42,11 +42,14 @@ Examples:
 
 const char* const kCheckText =
     R"(Prints subsystems, bodies, coordinates and joints, nodes and edges of the step graph, lowest and
-highest natural frequency at rest, the largest step that rk4 is stable at, and the step in force.
-Writes no files. Warns on stderr if the scenario's method is rk4 and its step is not stable.
+highest natural frequency at rest, the largest step that rk4 is stable at, and the step in force; of
+a model in space its tree of bodies and joints, and its mass. Writes no files but that of --html,
+which shows wrong twists and axes before a run. Warns on stderr if the scenario's method is rk4 and
+its step is not stable.
 
 Example:
   spoke check models/wu_haug_rotor.toml --set blade.elements=8
+  spoke check models/nrel_5mw_rotor.toml --html model.html
 )";
 
 const char* const kStaticText =

@@ -53,7 +53,7 @@ void add_run(CLI::App& program, Arguments& arguments) {
   run.add_flag_callback(
       "--no-report", [&] { arguments.writes_report = false; }, "Do not write report.html");
   run.add_flag("--vtk", arguments.writes_vtk,
-               "Write the deformed blades at all output times for ParaView");
+               "Write the deformed model at all output times for ParaView");
   add_path(run, "--trace", arguments.trace_out,
            "Record the first 20 steps, node by node, and write the files of\n"
            "spoke trace to this folder, too",
@@ -69,6 +69,8 @@ void add_run(CLI::App& program, Arguments& arguments) {
 void add_check(CLI::App& program, Arguments& arguments) {
   CLI::App& check = *program.add_subcommand("check", "Validate a scenario and print its model");
   add_common(check, arguments);
+  add_path(check, "--html", arguments.html,
+           "Draw the model in this page: bodies, sections, joints, axes, loads", "FILE");
   check.footer(std::string(kCheckText) + '\n' + kStatusText);
   check.callback([&] { arguments.command = Arguments::Command::check; });
 }

@@ -96,7 +96,7 @@ struct Recording {
   void open_pictures(const Simulation& simulation, const Arguments& arguments,
                      const fs::path& folder) {
     if (arguments.writes_report) report.emplace(simulation);
-    if (arguments.writes_vtk) vtk.emplace(folder / "vtk");
+    if (arguments.writes_vtk) vtk.emplace(simulation, folder / "vtk");
   }
 };
 
@@ -261,8 +261,9 @@ void print_result(const Simulation& simulation, const Recording& recording,
   const bool is_chosen = simulation.options().executor == ExecutorKind::automatic;
   print_line("executor", (is_chosen ? "auto, " : "") + simulation.executor_description());
   const std::vector<std::string> tips = recording.tips.describe();
+  const char* label = simulation.scenario().space ? "tip moved" : "tip deflection";
   for (std::size_t i = 0; i < std::min(tips.size(), kMostTipLines); ++i) {
-    print_line(i == 0 ? "tip deflection" : "", tips[i]);
+    print_line(i == 0 ? label : "", tips[i]);
   }
   if (tips.size() > kMostTipLines) {
     print_line("", counted(static_cast<std::int64_t>(tips.size() - kMostTipLines), "smaller one") +
@@ -280,7 +281,7 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
   if (recording.report) {
     write_file(folder / "report.html",
                run_report::make_html(simulation, recording.statistics, outcome,
-                                     recording.tips.describe(), *recording.report));
+                                     recording.tips.summarise(), *recording.report));
     written += ", report.html";
   }
   if (recording.vtk)
@@ -330,8 +331,6 @@ int exit_status(const RunOutcome& outcome) {
 int run(const Arguments& arguments) {
   Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
-  if (arguments.writes_vtk && scenario.space)
-    throw InputError("--vtk: the model is in space, expected a rotor in the plane");
   const fs::path folder = folder_of_results(arguments, scenario);
   const auto start = Clock::now();
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);

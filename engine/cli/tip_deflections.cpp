@@ -1,4 +1,4 @@
-// Turns each tip's displacement to the direction of its blade, and describes the extremes.
+// Each tip's displacement as one number, and the extremes in words.
 
 #include "engine/cli/tip_deflections.h"
 
@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "engine/cli/report.h"
 
 namespace spoke::cli {
 namespace {
@@ -28,34 +30,54 @@ std::string join_ranges(const std::vector<std::size_t>& numbers) {
 }  // namespace
 
 TipDeflections::TipDeflections(const Simulation& simulation) {
-  const auto& blades = simulation.scenario().rotor.blades;
+  const Scenario& scenario = simulation.scenario();
+  const std::vector<Blade>& blades = scenario.rotor.blades;
   for (std::size_t i = 0; i < blades.size(); ++i) {
     const std::string tip = "blade" + std::to_string(i + 1) + ".tip";
-    blades_.push_back({simulation.sensor_index(tip + ".x"),
-                       simulation.sensor_index(tip + ".y"),
-                       std::cos(blades[i].azimuth),
-                       std::sin(blades[i].azimuth),
-                       {}});
+    tips_.push_back({"",
+                     {simulation.sensor_index(tip + ".x"), simulation.sensor_index(tip + ".y"), 0},
+                     blades[i].azimuth});
   }
+  if (!scenario.space) return;
+  for (std::size_t i = 0; i < scenario.space->blades.size(); ++i)
+    add_spatial_tip(simulation, "blade" + std::to_string(i + 1), "");
+  for (const spatial::Subsystem& subsystem : scenario.space->subsystems)
+    add_spatial_tip(simulation, subsystem.name, subsystem.name);
+}
+
+void TipDeflections::add_spatial_tip(const Simulation& simulation, const std::string& tree,
+                                     const std::string& name) {
+  std::string sensor = tree;
+  std::erase(sensor, ' ');
+  sensor += ".tip.";
+  tips_.push_back({name,
+                   {simulation.sensor_index(sensor + "x"), simulation.sensor_index(sensor + "y"),
+                    simulation.sensor_index(sensor + "z")}});
 }
 
 TipDeflections::TipDeflections(const Simulation& simulation,
                                const std::vector<TipExtreme>& extremes)
     : TipDeflections(simulation) {
-  assert(extremes.size() == blades_.size());
-  for (std::size_t i = 0; i < blades_.size(); ++i) blades_[i].extreme = extremes.at(i);
+  assert(extremes.size() == tips_.size());
+  for (std::size_t i = 0; i < tips_.size(); ++i) tips_[i].extreme = extremes.at(i);
 }
 
 std::vector<TipExtreme> TipDeflections::extremes() const {
   std::vector<TipExtreme> all;
-  for (const Blade& blade : blades_) all.push_back(blade.extreme);
+  for (const Tip& tip : tips_) all.push_back(tip.extreme);
   return all;
 }
 
+double TipDeflections::Tip::deflection(std::span<const double> sensors) const {
+  const double x = sensors[components[0]], y = sensors[components[1]];
+  if (azimuth) return -std::sin(*azimuth) * x + std::cos(*azimuth) * y;
+  return std::hypot(x, y, sensors[components[2]]);
+}
+
 void TipDeflections::add(double t, std::span<const double> sensors) {
-  for (Blade& blade : blades_) {
-    const double across = -blade.sine * sensors[blade.x] + blade.cosine * sensors[blade.y];
-    if (std::abs(across) > std::abs(blade.extreme.largest)) blade.extreme = {across, t};
+  for (Tip& tip : tips_) {
+    const double deflection = tip.deflection(sensors);
+    if (std::abs(deflection) > std::abs(tip.extreme.largest)) tip.extreme = {deflection, t};
   }
 }
 
@@ -63,28 +85,44 @@ std::vector<std::string> TipDeflections::describe() const {
   struct Group {
     double size;
     std::string text;
+    std::string subsystem;  // empty: blades
     std::vector<std::size_t> blades;
   };
   std::vector<Group> groups;
-  for (std::size_t i = 0; i < blades_.size(); ++i) {
-    const TipExtreme& tip = blades_[i].extreme;
+  for (std::size_t i = 0; i < tips_.size(); ++i) {
+    const TipExtreme& tip = tips_[i].extreme;
     std::string text = fmt::format("{:.6g} m at {:.6g} s", tip.largest, tip.time);
-    auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.text == text; });
-    if (group == groups.end()) {
-      group = groups.insert(groups.end(), {std::abs(tip.largest), std::move(text), {}});
-    }
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+      return g.text == text && g.subsystem.empty() && tips_[i].name.empty();
+    });
+    if (group == groups.end())
+      group =
+          groups.insert(groups.end(), {std::abs(tip.largest), std::move(text), tips_[i].name, {}});
     group->blades.push_back(i + 1);
   }
   std::stable_sort(groups.begin(), groups.end(),
                    [](const Group& a, const Group& b) { return a.size > b.size; });
   std::vector<std::string> lines;
   for (const Group& group : groups) {
-    lines.push_back(fmt::format("{} ({} {})", group.text,
-                                group.blades.size() == 1 ? "blade" : "blades",
-                                join_ranges(group.blades)));
+    const char* blades = group.blades.size() == 1 ? "blade " : "blades ";
+    lines.push_back(fmt::format(
+        "{} ({})", group.text,
+        group.subsystem.empty() ? blades + join_ranges(group.blades) : one_line(group.subsystem)));
   }
   return lines;
+}
+
+run_report::TipSummary TipDeflections::summarise() const {
+  const auto largest = std::max_element(tips_.begin(), tips_.end(), [](const Tip& a, const Tip& b) {
+    return std::abs(a.extreme.largest) < std::abs(b.extreme.largest);
+  });
+  const std::string line = describe().front();
+  return {largest->extreme.largest, line.substr(line.find(" at ") + 1)};
+}
+
+std::size_t count_tips(const Scenario& scenario) {
+  if (!scenario.space) return scenario.rotor.blades.size();
+  return scenario.space->blades.size() + scenario.space->subsystems.size();
 }
 
 }  // namespace spoke::cli

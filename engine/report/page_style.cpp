@@ -127,6 +127,17 @@ button.primary {
   display: block; width: 100%; aspect-ratio: 1; max-height: min(34rem, 68vh); background: var(--panel);
   border-radius: 8px;
 }
+.views canvas { cursor: grab; touch-action: none; }
+.views canvas:active { cursor: grabbing; }
+.views .whole canvas { aspect-ratio: auto; height: min(44rem, 76vh); max-height: none; }
+.views figure { min-width: 0; }
+.looks { display: inline-flex; flex-wrap: wrap; gap: 0.35rem; }
+.looks button { font-size: 0.8125rem; padding: 0.15rem 0.6rem; }
+.colors { display: flex; flex-wrap: wrap; align-items: center; gap: 0.6rem; margin-top: 0.75rem;
+  font-size: 0.8125rem; color: var(--soft); font-variant-numeric: tabular-nums; }
+.colors[hidden], .controls label[hidden] { display: none; }
+.colors .bar { width: min(16rem, 40vw); height: 0.75rem; border-radius: 4px; }
+.controls label > span.y-axis { color: var(--s2); } .controls label > span.z-axis { color: var(--s3); }
 .views strong, .plot strong { color: var(--ink); font-weight: 600; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(32rem, 100%), 1fr)); gap: 0.9rem; }
 .plot { border: 1px solid var(--rule); border-radius: 10px; margin: 0; padding: 0.9rem 1rem 0.7rem; min-width: 0; }

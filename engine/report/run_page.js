@@ -1,11 +1,5 @@
-// The page of a run: decodes its data, makes the plots and the animation, and ties them together.
-// Uses time_plots.js and rotor_view.js.
-
-/** Numbers that the page carries as base64: of little-endian Float32 or Int16. */
-function decode(text, Type) {
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  return new Type(bytes.buffer);
-}
+// The page of a run: decodes its data, makes the plots and the moving picture, and ties them together.
+// Uses time_plots.js, film.js and scene_view.js.
 
 /** Decodes [t, value, t, value, ...]. */
 function decodeCurve({ name, samples }) {
@@ -45,53 +39,42 @@ function mergeEqual(curves) {
   return groups.map(({ first, color, names }) => ({ ...first, color, name: joinNames(names) }));
 }
 
-function decodeAnimation(animation) {
-  return new Animation({
-    ...animation,
-    times: decode(animation.times, Float32Array),
-    hub: decode(animation.hub, Float32Array),
-    blades: animation.blades.map((blade) => decode(blade, Float32Array)),
-    displacements: decode(animation.displacements, Int16Array),
-  });
-}
-
 /** A scale at which the largest displacement is seen: 1, 2 or 5 times a power of ten. */
-function visibleScale(animation) {
-  const wanted = (0.06 * animation.radius) / animation.largest.size;
-  if (!(wanted > 1)) return 1;
+function visibleScale(film) {
+  const wanted = (0.06 * film.bounds[0].radius) / film.largest.size;
+  if (!(wanted > 1) || wanted === Infinity) return 1;
   const power = 10 ** Math.floor(Math.log10(wanted));
   return Math.min(100, power * [5, 2, 1].find((factor) => factor * power <= wanted));
 }
 
-/** The animation's controls, two views and the clock that moves them. */
+/** The film's controls, two views and the clock that moves them. */
 class Player {
-  constructor(animation, axis) {
-    this.animation = animation;
-    this.axis = axis;
-    this.isPlaying = false;
-    this.controls = Object.fromEntries(
-      ['play', 'time', 'now', 'speed', 'scale', 'times', 'outline', 'trails'].map((name) => [
-        name,
-        document.getElementById(`film-${name}`),
-      ]),
-    );
-    this.settings = { scale: visibleScale(animation), outline: true, trails: true };
-    this.views = ['hub', 'inertial'].map((name) => {
+  constructor(scene, film, axis) {
+    Object.assign(this, { scene, film, axis, isPlaying: false });
+    const names = ['play', 'time', 'now', 'speed', 'scale', 'times', 'color', 'outline', 'trails', 'joints', 'loads', 'names'];
+    this.controls = Object.fromEntries(names.map((name) => [name, document.getElementById(`film-${name}`)]));
+    this.settings = { scale: visibleScale(film), color: 'tree', outline: true, trails: true, joints: false, loads: false, names: false };
+    this.camera = makeCamera(scene);
+    this.views = ['hub', 'inertial'].map((name, k) => {
       const canvas = document.getElementById(`film-${name}`);
-      return new RotorView(canvas, animation, this.settings, name === 'inertial');
+      const colors = (state) => this.colorsOf(state);
+      return new SceneView(canvas, scene, this.camera, this.settings, { isInertial: k === 1, bounds: film.bounds[k], colors });
     });
     if (this.views[1].follows)
       document.getElementById('film-inertial-note').textContent = ', following the hub';
+    addLooks(document.getElementById('film-looks'), this.camera);
     this.prepareControls();
-    this.seek(animation.largest.time);
+    this.prepareColors();
+    this.camera.listen(() => this.drawSoon());
+    this.seek(film.largest.time);
   }
 
   prepareControls() {
-    const { play, time, speed, scale, outline, trails } = this.controls;
-    const { animation } = this;
-    time.min = animation.begin;
-    time.max = animation.end;
-    time.step = (animation.end - animation.begin) / 2000;
+    const { play, time, speed, scale } = this.controls;
+    const { film, scene } = this;
+    time.min = film.begin;
+    time.max = film.end;
+    time.step = (film.end - film.begin) / 2000;
     scale.value = 100 * Math.log10(this.settings.scale);
     play.addEventListener('click', () => (this.isPlaying ? this.pause() : this.play()));
     time.addEventListener('input', () => this.seek(Number(time.value)));
@@ -100,35 +83,90 @@ class Player {
       this.settings.scale = Number((10 ** (scale.value / 100)).toPrecision(2));
       this.redraw();
     });
-    for (const [name, box] of Object.entries({ outline, trails }))
+    const deforms = film.largest.size > 0;
+    scale.parentElement.hidden = !deforms;
+    const hasMarks = { outline: deforms, joints: scene.joints.length > 0, loads: scene.loads.length > 0 };
+    for (const name of ['outline', 'trails', 'joints', 'loads', 'names']) {
+      const box = this.controls[name];
+      box.parentElement.hidden = hasMarks[name] === false;
+      box.checked = this.settings[name];
       box.addEventListener('change', () => {
         this.settings[name] = box.checked;
         this.redraw();
       });
+    }
+  }
+  /** Offers the forces that there are. */
+  prepareColors() {
+    const { color } = this.controls;
+    this.most = { axial: this.film.largestForce('axial'), bending: this.film.largestForce('bending') };
+    for (const option of [...color.options])
+      if (option.value !== 'tree' && !(this.most[option.value] > 0)) option.remove();
+    color.parentElement.hidden = color.options.length < 2;
+    color.addEventListener('change', () => {
+      this.settings.color = color.value;
+      showScale(document.getElementById('film-colors'), color.value, this.most[color.value]);
+      this.redraw();
+    });
+  }
+  colorsOf(state) {
+    const { color } = this.settings;
+    if (color === 'tree') return null;
+    const forces = state.forces(color);
+    const most = this.most[color];
+    const share = color === 'axial' ? (f) => 0.5 + (0.5 * f) / most : (f) => f / most;
+    return (element) => colorAt(kScales[color], share(forces[element]));
   }
 
   seek(time) {
-    this.time = Math.min(Math.max(time, this.animation.begin), this.animation.end);
+    this.time = Math.min(Math.max(time, this.film.begin), this.film.end);
     this.axis.marker = this.time;
     this.axis.changed();
     this.redraw();
   }
 
   redraw() {
-    const { time, now, scale, times } = this.controls;
+    const { time, now, scale, times: factor } = this.controls;
     const text = `${this.time.toFixed(2)} s`;
     time.value = this.time;
     time.setAttribute('aria-valuetext', text);
     now.textContent = text;
-    times.textContent = `\u00d7 ${this.settings.scale}`;
+    factor.textContent = `\u00d7 ${this.settings.scale}`;
     scale.setAttribute('aria-valuetext', `${this.settings.scale} times`);
-    for (const view of this.views) view.draw(this.time);
+    this.draw();
+  }
+  draw() {
+    const state = this.film.at(this.time);
+    const largest = this.film.largest.size;
+    this.views[0].draw(state, { largest });
+    this.views[1].draw(state, { largest, trails: this.settings.trails ? this.trails() : [] });
+  }
+  /** Once, however often the camera moves before the next picture. */
+  drawSoon() {
+    if (this.isDue) return;
+    this.isDue = true;
+    requestAnimationFrame(() => {
+      this.isDue = false;
+      this.draw();
+    });
+  }
+  /** Where the tips have been in the last tenth of the film. */
+  trails() {
+    const kPieces = 60;
+    const { film, scene, settings } = this;
+    const begin = Math.max(film.begin, this.time - 0.1 * (film.end - film.begin));
+    if (begin >= this.time) return [];
+    return scene.tips.map((node, tree) => ({
+      tree,
+      points: Array.from({ length: kPieces + 1 }, (_, k) =>
+        film.nodeAt(node, begin + (k / kPieces) * (this.time - begin), settings.scale)),
+    }));
   }
 
   play() {
     this.isPlaying = true;
     this.lastFrame = null;
-    if (this.time >= this.animation.end) this.seek(this.animation.begin);
+    if (this.time >= this.film.end) this.seek(this.film.begin);
     this.controls.play.textContent = 'Pause';
     requestAnimationFrame((now) => this.advance(now));
   }
@@ -145,7 +183,7 @@ class Player {
       this.lastFrame = now;
       this.seek(this.time + passed * Number(this.controls.speed.value));
     }
-    if (this.time >= this.animation.end) this.pause();
+    if (this.time >= this.film.end) this.pause();
     else requestAnimationFrame((next) => this.advance(next));
   }
 }
@@ -155,7 +193,8 @@ function startPage() {
   const axis = new TimeAxis(0, data.end);
   const region = document.getElementById('spoken');
   const say = (text) => (region.textContent = text);
-  const player = data.film ? new Player(decodeAnimation(data.film), axis) : null;
+  const scene = data.film ? new Scene(data.scene) : null;
+  const player = scene ? new Player(scene, new Film(scene, data.film), axis) : null;
   const host = document.getElementById('plots');
   const plots = data.plots.map((plot) => ({ ...plot, curves: mergeEqual(plot.curves.map(decodeCurve)) }));
   for (const plot of plots)

@@ -1,76 +1,69 @@
-// Collects the positions of nodes, of every few nodes where there are many.
+// Collects frames, of every few nodes where there are many.
 
 #include "engine/run_report/animation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "engine/run_report/scene_data.h"
+#include "engine/scene/make_scene.h"
 
 namespace spoke::run_report {
 namespace {
 
-std::size_t count_nodes(const Simulation& simulation) {
-  std::size_t nodes = 0;
-  for (const spoke::Blade& blade : simulation.scenario().rotor.blades)
-    nodes += static_cast<std::size_t>(blade.bodies) * blade.elements + 1;
-  return nodes;
-}
-
-bool are_finite(const std::vector<float>& numbers, std::size_t from) {
-  return std::all_of(numbers.begin() + static_cast<std::ptrdiff_t>(from), numbers.end(),
-                     [](float number) { return std::isfinite(number); });
+/// 16-bit numbers of a frame, or half of its single ones.
+std::size_t count_numbers(const scene::Scene& scene) {
+  const std::size_t per_node = scene.is_planar ? 3 : 6;
+  return per_node * scene.nodes.size() + 2 * scene.element_count() +
+         14 * static_cast<std::size_t>(scene.groups - 1);
 }
 
 }  // namespace
 
-template <class Visit>
-void Animation::each_shown(Visit visit) const {
-  const std::size_t last = shape_.nodes.size() - 1;
-  for (std::size_t k = 0; k < last; k += stride_) visit(shape_.nodes[k]);
-  visit(shape_.nodes[last]);
-}
-
 Animation::Animation(const Simulation& simulation)
-    : stride_((count_nodes(simulation) + kMostNodes - 1) / kMostNodes) {
-  std::size_t nodes = 0;
-  for (std::size_t i = 0; i < simulation.scenario().rotor.blades.size(); ++i) {
-    simulation.calc_shape(static_cast<int>(i), shape_);
-    Blade blade;
-    each_shown(
-        [&](const ShapeNode& node) { blade.undeformed.emplace_back(node.p - node.displacement); });
-    const auto stride = static_cast<int>(stride_);
-    if (shape_.elements % stride == 0) blade.nodes_per_body = shape_.elements / stride;
-    nodes += blade.undeformed.size();
-    blades_.push_back(std::move(blade));
-  }
-  // A model in space has no planar shapes, and no frames.
-  if (nodes > 0) most_frames_ = std::clamp(kMostNumbers / (2 * nodes), kFewestFrames, kMostFrames);
-}
+    : scene_(scene::make_scene(simulation.scenario(), kMostNodes)),
+      reader_(scene_),
+      is_free_in_space_(simulation.scenario().space &&
+                        simulation.scenario().space->hub.support == HubSupport::free),
+      most_frames_(std::clamp(kMostNumbers / count_numbers(scene_), kFewestFrames, kMostFrames)) {}
 
 void Animation::add(const Simulation& simulation) {
-  if (blades_.empty()) return;
   if (!times_.empty() && times_.back() == simulation.time()) return;
-  const std::size_t before = displacements_.size(), hub_before = hub_.size();
-  for (std::size_t i = 0; i < blades_.size(); ++i) {
-    simulation.calc_shape(static_cast<int>(i), shape_);
-    each_shown([&](const ShapeNode& node) {
-      displacements_.push_back(static_cast<float>(node.displacement.x()));
-      displacements_.push_back(static_cast<float>(node.displacement.y()));
-    });
-  }
-  const Twist hub = simulation.hub().position;
-  for (int c = 0; c < kTwist; ++c) hub_.push_back(static_cast<float>(hub[c]));
-  if (are_finite(displacements_, before) && are_finite(hub_, hub_before)) {
+  reader_.read(simulation, frame_);
+  const std::array<std::vector<float>*, 6> all = {&hub_,       &groups_,       &displacements_,
+                                                  &rotations_, &axial_forces_, &bending_moments_};
+  std::array<std::size_t, 6> before{};
+  for (std::size_t i = 0; i < all.size(); ++i) before[i] = all[i]->size();
+  append();
+  bool is_finite = true;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    is_finite = is_finite && std::all_of(all[i]->begin() + static_cast<std::ptrdiff_t>(before[i]),
+                                         all[i]->end(), [](float x) { return std::isfinite(x); });
+  if (is_finite) {
     times_.push_back(simulation.time());
   } else {
-    displacements_.resize(before);
-    hub_.resize(hub_before);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i]->resize(before[i]);
   }
 }
 
-float Animation::largest_displacement() const {
-  float largest = 0.0F;
-  for (const float number : displacements_) largest = std::max(largest, std::abs(number));
-  return largest;
+void Animation::append() {
+  if (is_free_in_space_) {
+    append_pose({frame_.hub.position, frame_.hub.rotation}, hub_);
+  } else {
+    for (const double x : frame_.hub.position) hub_.push_back(static_cast<float>(x));
+    hub_.push_back(static_cast<float>(frame_.hub_angle));
+  }
+  for (std::size_t g = 1; g < frame_.groups.size(); ++g) append_pose(frame_.groups[g], groups_);
+  for (const scene::Vector& u : frame_.displacements)
+    for (int c = 0; c < (scene_.is_planar ? 2 : 3); ++c)
+      displacements_.push_back(static_cast<float>(u[c]));
+  for (const scene::Vector& rotation : frame_.rotations)
+    for (int c = scene_.is_planar ? 2 : 0; c < 3; ++c)
+      rotations_.push_back(static_cast<float>(rotation[c]));
+  for (const double force : frame_.axial_forces) axial_forces_.push_back(static_cast<float>(force));
+  for (const double moment : frame_.bending_moments)
+    bending_moments_.push_back(static_cast<float>(moment));
 }
 
 }  // namespace spoke::run_report

@@ -5,20 +5,22 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/simulation.h"
+#include "engine/scene/frame.h"
 
 namespace spoke::run_report {
 
-/// Pictures of a rotor over time: where its nodes are in the hub frame, and the hub's motion.
+/// Pictures of a model over time: frames of its scene, as single numbers.
 class Animation {
  public:
   static constexpr std::size_t kMostFrames = 400;
   static constexpr std::size_t kFewestFrames = 40;
   static constexpr std::size_t kMostNumbers = 400000;  ///< of all frames together
-  static constexpr std::size_t kMostNodes = 2000;      ///< in a picture
+  static constexpr std::size_t kMostNodes = 2000;      ///< in a picture, see make_scene()
 
   /// Large models get fewer frames, or a part of their nodes.
   explicit Animation(const Simulation& simulation);
+  Animation(const Animation&) = delete;
+  Animation& operator=(const Animation&) = delete;
 
   /// How many frames there should be.
   std::size_t most_frames() const { return most_frames_; }
@@ -26,29 +28,30 @@ class Animation {
   /// not finite.
   void add(const Simulation& simulation);
 
-  struct Blade {
-    std::vector<Position> undeformed;  ///< of the nodes that are shown, hub frame [m]
-    int nodes_per_body = 0;            ///< that are shown; 0: they do not end where bodies do
-  };
-  const std::vector<Blade>& blades() const { return blades_; }
+  const scene::Scene& scene() const { return scene_; }
   const std::vector<double>& times() const { return times_; }  ///< [s]
-  const std::vector<float>& hub() const { return hub_; }       ///< by frame: x, y [m], angle
-  /// x and y by frame and node, resolved in the hub frame [m]
+  /// By frame: of a hub that is free in space a pose, of others x, y, z [m] and the angle about the
+  /// axis. A pose is x, y, z [m] and a quaternion (w, x, y, z).
+  const std::vector<float>& hub() const { return hub_; }
+  /// Poses by frame and group, without the first.
+  const std::vector<float>& groups() const { return groups_; }
+  /// By frame and node, in the hub's frame; of a planar model x and y alone [m].
   const std::vector<float>& displacements() const { return displacements_; }
-  float largest_displacement() const;  ///< largest of these numbers [m]
+  /// By frame and node: rotation vectors; of a planar model angles.
+  const std::vector<float>& rotations() const { return rotations_; }
+  const std::vector<float>& axial_forces() const { return axial_forces_; }  ///< by element [N]
+  const std::vector<float>& bending_moments() const { return bending_moments_; }  ///< [N m]
 
  private:
-  /// Calls visit(node) for the nodes of shape_ that are shown.
-  template <class Visit>
-  void each_shown(Visit visit) const;
+  void append();
 
-  std::size_t stride_ = 1;  ///< one node in so many is shown, and the tip
+  scene::Scene scene_;
+  scene::FrameReader reader_;
+  scene::Frame frame_;
+  bool is_free_in_space_;
   std::size_t most_frames_ = 0;
-  std::vector<Blade> blades_;
   std::vector<double> times_;
-  std::vector<float> hub_;
-  std::vector<float> displacements_;
-  BladeShape shape_;
+  std::vector<float> hub_, groups_, displacements_, rotations_, axial_forces_, bending_moments_;
 };
 
 }  // namespace spoke::run_report

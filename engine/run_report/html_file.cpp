@@ -22,30 +22,44 @@ constexpr double kNotableResidual = 1e-3;
 constexpr const char* kAnimationMarkup = R"(<div class="film">
 <div class="views">
 <figure><figcaption><strong>In the hub's frame</strong></figcaption>
-<canvas id="film-hub" role="img" aria-label="The rotor from above, seen from the turning hub"></canvas></figure>
+<canvas id="film-hub" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The model, seen from its hub" aria-describedby="film-keys"></canvas></figure>
 <figure><figcaption><strong>In the inertial frame</strong><span id="film-inertial-note"></span></figcaption>
-<canvas id="film-inertial" role="img" aria-label="The turning rotor from above"></canvas></figure>
+<canvas id="film-inertial" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The moving model" aria-describedby="film-keys"></canvas></figure>
 </div>
+<div id="film-colors" class="colors" hidden></div>
 <div class="controls">
 <button type="button" id="film-play" class="primary">Play</button>
 <label class="grow"><span>Time</span><input type="range" id="film-time" value="0"><output id="film-now"></output></label>
-<label><span>Speed</span><select id="film-speed"><option value="0.1">0.1 &#215;</option><option value="0.25">0.25 &#215;</option><option value="0.5">0.5 &#215;</option><option value="1" selected>1 &#215;</option><option value="2">2 &#215;</option><option value="5">5 &#215;</option><option value="10">10 &#215;</option></select></label>
+<label><span>Speed</span><select id="film-speed"><option value="0.001">0.001 &#215;</option><option value="0.01">0.01 &#215;</option><option value="0.1">0.1 &#215;</option><option value="0.25">0.25 &#215;</option><option value="0.5">0.5 &#215;</option><option value="1" selected>1 &#215;</option><option value="2">2 &#215;</option><option value="5">5 &#215;</option><option value="10">10 &#215;</option></select></label>
 <label><span>Deflections</span><input type="range" id="film-scale" min="0" max="200" value="0"><output id="film-times"></output></label>
-<label><input type="checkbox" id="film-outline" checked> undeformed</label>
-<label><input type="checkbox" id="film-trails" checked> trails</label>
+</div>
+<div class="controls">
+<label><span>Colour</span><select id="film-color"><option value="tree">by blade or subsystem</option><option value="axial">axial force</option><option value="bending">bending moment</option></select></label>
+<label><input type="checkbox" id="film-outline"> undeformed</label>
+<label><input type="checkbox" id="film-trails"> trails</label>
+<label><input type="checkbox" id="film-joints"> joints</label>
+<label><input type="checkbox" id="film-loads"> loads</label>
+<label><input type="checkbox" id="film-names"> names</label>
+<span id="film-looks" class="looks" role="group" aria-label="Direction of view"></span>
+<span class="hint" id="film-keys">Drag to turn, with shift to move, scroll or pinch to zoom, double-click to reset. With the keyboard: arrows turn, with shift they move, + and &#8722; zoom, 0 resets.</span>
 </div>
 </div>
 )";
 
-constexpr const char* kPlotsMarkup = R"(<div class="controls">
+/// Above the plots; `film`: whether there is one that they can move.
+std::string plots_markup(bool has_film) {
+  return fmt::format(R"(<div class="controls">
 <span>Shown: <output id="plots-shown"></output></span>
 <button type="button" id="plots-reset" disabled>Whole time</button>
-<span class="hint" id="plot-keys">Drag to zoom, double-click to reset, click to move the animation there. With the keyboard: arrows move the cursor, + and &#8722; zoom, page keys pan, 0 resets, Enter moves the animation.</span>
+<span class="hint" id="plot-keys">Drag to zoom, double-click to reset{}. With the keyboard: arrows move the cursor, + and &#8722; zoom, page keys pan, 0 resets{}.</span>
 </div>
 <div id="plots" class="plots"></div>
 <div id="spoken" class="unseen" role="status" aria-live="polite"></div>
 <noscript><p class="note warning">Plots and animation need JavaScript.</p></noscript>
-)";
+)",
+                     has_film ? ", click to move the animation there" : "",
+                     has_film ? ", Enter moves the animation" : "");
+}
 
 std::string number(double value) { return fmt::format("{:.6g}", value); }
 
@@ -62,17 +76,6 @@ Sample largest(const SensorRange& range) {
   return {range.t_max, range.max};
 }
 
-/// Of any tip, across its blade [m].
-double largest_deflection(const Simulation& simulation, const SensorStatistics& statistics) {
-  double found = 0.0;
-  for (std::size_t i = 0; i < simulation.scenario().rotor.blades.size(); ++i) {
-    const std::string tip = "blade" + std::to_string(i + 1) + ".tip.across";
-    const double value = largest(range_of(simulation, statistics, tip)).value;
-    if (std::abs(value) > std::abs(found)) found = value;
-  }
-  return found;
-}
-
 double relative_residual(const Simulation& simulation, const SensorStatistics& statistics) {
   const double residual = largest(range_of(simulation, statistics, "energy.residual")).value;
   const double kinetic = largest(range_of(simulation, statistics, "energy.kinetic")).value;
@@ -81,14 +84,11 @@ double relative_residual(const Simulation& simulation, const SensorStatistics& s
 
 std::vector<report::Tile> make_tiles(const Simulation& simulation,
                                      const SensorStatistics& statistics, const RunOutcome& outcome,
-                                     const std::vector<std::string>& tips) {
+                                     const TipSummary& tips) {
   std::vector<report::Tile> tiles;
-  if (!tips.empty()) {
-    const auto split = tips.front().find(" at ");
-    const double deflection = largest_deflection(simulation, statistics);
-    tiles.push_back({"Largest tip deflection", report::quantity(deflection, "m", 5),
-                     split == std::string::npos ? "" : tips.front().substr(split + 1)});
-  }
+  const bool is_in_space = simulation.scenario().space.has_value();
+  tiles.push_back({is_in_space ? "Largest tip displacement" : "Largest tip deflection",
+                   report::quantity(tips.largest, "m", 5), tips.when});
   const auto at = [](const Sample& sample) { return fmt::format("at {} s", number(sample.t)); };
   const Sample speed = largest(range_of(simulation, statistics, "hub.speed"));
   tiles.push_back({"Largest hub speed", report::figure(speed.value, 4) + " rad/s", at(speed)});
@@ -230,8 +230,7 @@ std::string describe_data(const Recorder& recorder) {
 }  // namespace
 
 std::string make_html(const Simulation& simulation, const SensorStatistics& statistics,
-                      const RunOutcome& outcome, const std::vector<std::string>& tips,
-                      const Recorder& recorder) {
+                      const RunOutcome& outcome, const TipSummary& tips, const Recorder& recorder) {
   const Scenario& scenario = simulation.scenario();
   report::Page page(
       scenario.title.empty() ? scenario.name : scenario.title,
@@ -240,18 +239,19 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
   page.widen();
   add_warnings(page, simulation, statistics, outcome);
   page.add_tiles(make_tiles(simulation, statistics, outcome, tips));
-  if (recorder.animation().times().size() > 1) {
+  const bool has_film = recorder.animation().times().size() > 1;
+  if (has_film) {
     page.add_heading("Motion");
     page.add_markup(kAnimationMarkup);
   }
   page.add_heading("Over time");
-  page.add_markup(kPlotsMarkup);
+  page.add_markup(plots_markup(has_film));
   page.add_paragraph(describe_data(recorder));
   page.add_heading("What was run");
   page.add_fact_groups({model_facts(simulation), setting_facts(simulation), machine_facts()});
   page.add_heading("Extremes of the sensors");
   page.add_table(extremes(simulation, statistics));
-  page.add_data("run-data", make_data(recorder, scenario.rotor.hub.radius));
+  page.add_data("run-data", make_data(recorder));
   page.add_script(report::run_script());
   return page.html();
 }

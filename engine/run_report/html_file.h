@@ -4,16 +4,20 @@
 // docs/results.md.
 
 #include <string>
-#include <vector>
 
 #include "engine/results.h"
 #include "engine/run_report/recorder.h"
 
 namespace spoke::run_report {
 
-/// The page. tips: lines on the largest deflections, the largest first.
+/// The largest deflection of all tips.
+struct TipSummary {
+  double largest = 0.0;  ///< with its sign [m]
+  std::string when;      ///< "at 6.765 s (blades 1-3)"
+};
+
+/// The page.
 std::string make_html(const Simulation& simulation, const SensorStatistics& statistics,
-                      const RunOutcome& outcome, const std::vector<std::string>& tips,
-                      const Recorder& recorder);
+                      const RunOutcome& outcome, const TipSummary& tips, const Recorder& recorder);
 
 }  // namespace spoke::run_report

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/run_report/base64.h"
+#include "engine/run_report/scene_data.h"
 #include "engine/support/json.h"
 
 namespace spoke::run_report {
@@ -43,30 +44,43 @@ Json describe_plots(const Recorder& recorder) {
   return plots;
 }
 
-/// Displacements as 16-bit shares of the largest one.
-Json describe_animation(const Animation& animation, double hub_radius) {
+/// Numbers as 16-bit shares of the largest one, and that share.
+struct Shares {
+  float unit = 1.0F;
+  std::string text;
+};
+
+Shares encode_shares(const std::vector<float>& numbers) {
   constexpr float kMost = 32767.0F;
-  const float largest = animation.largest_displacement();
-  const float unit = largest > 0.0F ? largest / kMost : 1.0F;
-  std::vector<std::int16_t> displacements;
-  displacements.reserve(animation.displacements().size());
-  for (const float number : animation.displacements())
-    displacements.push_back(static_cast<std::int16_t>(std::lround(number / unit)));
-  Json blades = Json::array(), joints = Json::array();
-  for (const Animation::Blade& blade : animation.blades()) {
-    std::vector<float> places;
-    for (const Position& p : blade.undeformed)
-      places.insert(places.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
-    blades.push_back(encode(places));
-    joints.push_back(blade.nodes_per_body);
-  }
+  float largest = 0.0F;
+  for (const float number : numbers) largest = std::max(largest, std::abs(number));
+  Shares shares;
+  if (largest > 0.0F) shares.unit = largest / kMost;
+  std::vector<std::int16_t> rounded;
+  rounded.reserve(numbers.size());
+  for (const float number : numbers)
+    rounded.push_back(static_cast<std::int16_t>(std::lround(number / shares.unit)));
+  shares.text = encode(rounded);
+  return shares;
+}
+
+/// What engine/report/film.js plays.
+Json describe_animation(const Animation& animation) {
+  const Shares displacements = encode_shares(animation.displacements()),
+               rotations = encode_shares(animation.rotations()),
+               axial = encode_shares(animation.axial_forces()),
+               bending = encode_shares(animation.bending_moments());
   return {{"times", encode(to_floats(animation.times()))},
           {"hub", encode(animation.hub())},
-          {"hubRadius", hub_radius},
-          {"blades", blades},
-          {"joints", joints},
-          {"unit", unit},
-          {"displacements", encode(displacements)}};
+          {"groups", encode(animation.groups())},
+          {"displacements", displacements.text},
+          {"rotations", rotations.text},
+          {"axial", axial.text},
+          {"bending", bending.text},
+          {"units", Json{{"displacement", displacements.unit},
+                         {"rotation", rotations.unit},
+                         {"axial", axial.unit},
+                         {"bending", bending.unit}}}};
 }
 
 }  // namespace
@@ -88,15 +102,17 @@ void Recorder::add_row(double t, std::span<const double> sensors) {
   curves_.add(t, values_);
 }
 
-std::string make_data(const Recorder& recorder, double hub_radius) {
+std::string make_data(const Recorder& recorder) {
   double end = 0.0;
   const auto samples = recorder.curves().curve(0);
   if (!samples.empty()) end = samples.back().t;
   if (!recorder.animation().times().empty())
     end = std::max(end, recorder.animation().times().back());
   Json data = {{"end", end > 0.0 ? end : 1.0}, {"plots", describe_plots(recorder)}};
-  if (recorder.animation().times().size() > 1)
-    data.set("film", describe_animation(recorder.animation(), hub_radius));
+  if (recorder.animation().times().size() > 1) {
+    data.set("scene", describe_scene(recorder.animation().scene()));
+    data.set("film", describe_animation(recorder.animation()));
+  }
   return data.dump();
 }
 

@@ -33,6 +33,6 @@ class Recorder {
 };
 
 /// The data of the page's script, as JSON.
-std::string make_data(const Recorder& recorder, double hub_radius);
+std::string make_data(const Recorder& recorder);
 
 }  // namespace spoke::run_report

@@ -7,9 +7,11 @@
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/marker_motion.h"
 #include "engine/simulation/planar_views.h"
 #include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"
+#include "models/error.h"
 
 namespace spoke {
 namespace {
@@ -97,6 +99,14 @@ class PlanarModel final : public SimulatedModel {
   const EnergyBalance& balance() const override { return sensors_->balance(); }
   const StepRecord& record(std::int64_t step) const override {
     return of_step(context_.data.records, step).step;
+  }
+
+  void calc_shape(int, double, TreeShape&) override {
+    throw InputError("the shape of a tree: the model is in the plane, expected one in space");
+  }
+  HubPose hub_pose() const override {
+    const double* q = context_.data.hub_coordinates.q;
+    return {{q[0], q[1], 0.0}, in_space(Rotation::from_angle(q[kRotation]))};
   }
 
   std::string describe_failure(const FailedStep& failed) const override {

@@ -12,6 +12,7 @@
 #include "engine/simulation/sensors.h"
 #include "engine/simulation_options.h"
 #include "engine/step/step_context.h"
+#include "engine/tree_shape.h"
 #include "models/drive.h"
 #include "models/scenario.h"
 
@@ -75,6 +76,10 @@ class SimulatedModel {
   virtual const EnergyBalance& balance() const = 0;
   /// Of a complete step.
   virtual const StepRecord& record(std::int64_t step) const = 0;
+
+  /// See Simulation::calc_shape() and hub_pose().
+  virtual void calc_shape(int tree, double t, TreeShape& shape) = 0;
+  virtual HubPose hub_pose() const = 0;
 
   /// See describe_failure() and describe_failed_load().
   virtual std::string describe_failure(const FailedStep& failed) const = 0;

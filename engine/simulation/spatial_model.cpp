@@ -148,6 +148,18 @@ class SpatialModel final : public SimulatedModel {
     return of_step(context_.data.records, step).step;
   }
 
+  void calc_shape(int tree, double t, TreeShape& shape) override {
+    const auto i = static_cast<std::size_t>(tree);
+    const Subsystem<Space>& subsystem = context_.system.subsystems[i];
+    SubsystemData<Space>& data = context_.data.subsystems[i];
+    prescribe_joints(context_.system, t, subsystem, data);
+    spoke::calc_shape(subsystem, data, rotor_placement(scenario_.space->hub).rotation, shape);
+  }
+  HubPose hub_pose() const override {
+    const HubState<Space> hub = calc_hub_state(context_.data);
+    return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
+  }
+
   std::string describe_failure(const FailedStep& failed) const override {
     std::ostringstream text;
     text << "diverged at t = " << failed.time << " s, step " << failed.step << ": "

@@ -241,11 +241,8 @@ double sum_slope_products(const FlexibleBody& body, const double* q, const doubl
   const PlaneCoordinates y = in_axes_of(last, body.is_straight, p);
   for (int k = 0; k < GaussRule::kPoints; ++k) {
     const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], last.length);
-    Double2 slope_x{}, slope_y{};
-    for (int i = 0; i < 4; ++i) {
-      slope_x += h[i] * x.bending[i];
-      slope_y += h[i] * y.bending[i];
-    }
+    const Double2 slope_x = h[2] * x.rise + h[1] * x.slope[0] + h[3] * x.slope[1];
+    const Double2 slope_y = h[2] * y.rise + h[1] * y.slope[0] + h[3] * y.slope[1];
     sum += (GaussRule::weights[k] * xi * last.length) * slope_x * slope_y;
   }
   return total(sum);

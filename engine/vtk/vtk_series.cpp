@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/results.h"
+#include "engine/vtk/vtk_text.h"
 #include "models/error.h"
 #include "models/system/plane.h"
 
@@ -35,47 +36,6 @@ bool is_of_series(std::string_view name) {
   return std::all_of(number.begin(), number.end(),
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
-
-/// The elements of a VTK file in XML, numbers as text that reads back equal.
-class VtkText {
- public:
-  void line(std::string_view text) { text_.append(text).append("\n"); }
-
-  template <class Number>
-  void add(Number number) {
-    std::array<char, 32> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-    text_.append(buffer.data(), static_cast<std::size_t>(end - buffer.data())).append(" ");
-  }
-  void add(const Position& v) {
-    add(v.x());
-    add(v.y());
-    add(0);
-  }
-  /// An array; `fill` adds its numbers.
-  template <class Fill>
-  void array(std::string_view type, std::string_view name, std::string_view attributes, Fill fill) {
-    text_.append("<DataArray type=\"").append(type).append("\" Name=\"").append(name).append("\"");
-    if (!attributes.empty()) text_.append(" ").append(attributes);
-    text_.append(" format=\"ascii\">\n");
-    fill();
-    text_.append("\n</DataArray>\n");
-  }
-  /// A text as VTK has it: the codes of its letters and a zero.
-  void text_array(std::string_view name, std::string_view text) {
-    text_.append("<Array type=\"String\" Name=\"").append(name);
-    text_.append("\" NumberOfTuples=\"1\" format=\"ascii\">\n");
-    for (const unsigned char c : text) add(int{c});
-    text_.append("0\n</Array>\n");
-  }
-  void number_array(std::string_view name, double value) {
-    array("Float64", name, "NumberOfTuples=\"1\"", [&] { add(value); });
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
 
 using Shapes = std::vector<BladeShape>;
 
@@ -202,7 +162,8 @@ void remove_vtk_series(const fs::path& folder) {
   if (fs::is_empty(folder, error)) fs::remove(folder, error);
 }
 
-VtkSeries::VtkSeries(fs::path folder) : folder_(std::move(folder)) {
+VtkSeries::VtkSeries(const Simulation& simulation, fs::path folder) : folder_(std::move(folder)) {
+  if (simulation.scenario().space) trees_.emplace(simulation.scenario());
   remove_vtk_series(folder_);
   std::error_code error;
   fs::create_directories(folder_, error);
@@ -210,7 +171,8 @@ VtkSeries::VtkSeries(fs::path folder) : folder_(std::move(folder)) {
 }
 
 void VtkSeries::write(const Simulation& simulation) {
-  write_file(folder_ / file_name(times_.size()), make_vtk_blades(simulation, shapes_));
+  write_file(folder_ / file_name(times_.size()),
+             trees_ ? trees_->make(simulation) : make_vtk_blades(simulation, shapes_));
   times_.push_back(simulation.time());
 }
 

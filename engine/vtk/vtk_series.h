@@ -1,13 +1,15 @@
 #pragma once
 
-// The deformed blades over time for ParaView and other programs that read VTK's files: a .vtp file
-// of lines for each output time and blades.pvd, which lists them. docs/results.md documents them.
+// The deformed model over time for ParaView and other programs that read VTK's files: a .vtp file
+// for each output time and blades.pvd, which lists them. docs/results.md documents them.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/simulation.h"
+#include "engine/vtk/vtk_trees.h"
 
 namespace spoke {
 
@@ -15,9 +17,9 @@ class VtkSeries {
  public:
   /// Makes the folder, free of an earlier series. Throws InputError if that cannot be done; so do
   /// the others.
-  explicit VtkSeries(std::filesystem::path folder);
+  VtkSeries(const Simulation& simulation, std::filesystem::path folder);
 
-  /// Writes the blades at simulation.time() as the next file, whole or not at all.
+  /// Writes the model at simulation.time() as the next file, whole or not at all.
   void write(const Simulation& simulation);
   /// Writes blades.pvd.
   void close();
@@ -28,6 +30,7 @@ class VtkSeries {
   std::filesystem::path folder_;
   std::vector<double> times_;
   std::vector<BladeShape> shapes_;  ///< by blade
+  std::optional<VtkTrees> trees_;   ///< of a model in space
 };
 
 /// Removes the files of a series, and the folder if nothing else is in it. Throws InputError if

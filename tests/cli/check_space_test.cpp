@@ -99,8 +99,9 @@ TEST_CASE("a model in space has three formulations") {
 
 TEST_CASE("what is not simulated of a model in space is refused in one line") {
   const WorkFolder folder;
-  const std::vector<std::vector<std::string>> refused{
-      {"run", shipped("heavy_top"), "--vtk", "--out", "b"}};
+  const std::vector<std::vector<std::string>> refused{{"run", shipped("articulated_rotor"), "--set",
+                                                       "hub.drive={ kind = \"free\" }", "--out",
+                                                       "a"}};
   for (const std::vector<std::string>& command : refused) {
     CAPTURE(command[2]);
     const Ended ended = run_spoke(command, folder);
@@ -109,4 +110,56 @@ TEST_CASE("what is not simulated of a model in space is refused in one line") {
     CHECK(ended.err.find('\n') == ended.err.size() - 1);
   }
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("check draws a model, in space or not, in a page that runs nothing") {
+  const WorkFolder folder;
+  for (const char* name : {"tree_of_bodies", "wu_haug_rotor"}) {
+    CAPTURE(name);
+    const Ended ended = run_spoke({"check", shipped(name), "--html", "model.html"}, folder);
+    CHECK(ended.status == 0);
+    CHECK(ended.out.find("  drawn           model.html\n") != std::string::npos);
+    CHECK(read_file(folder.path() / "model.html").find("id=\"model-view\"") != std::string::npos);
+  }
+  CHECK(folder.entries() == 1);
+  // What is not simulated yet is drawn all the same.
+  const auto mounted = folder.write("mounted.toml", read_file(shipped("heavy_top")) + R"(
+[hub.mount]
+rotation = { amplitude = [0.1, 0.0, 0.0], frequency = 0.6 }
+)");
+  CHECK(run_spoke({"check", mounted.string(), "--html", "m.html"}, folder).status == 0);
+}
+
+TEST_CASE("a page that cannot be written is refused") {
+  const WorkFolder folder;
+  const Ended there = run_spoke({"check", shipped("heavy_top"), "--html", "."}, folder);
+  CHECK(there.status == 2);
+  CHECK(there.err.find('.') != std::string::npos);
+  const Ended nowhere = run_spoke({"check", shipped("heavy_top"), "--html", "no/m.html"}, folder);
+  CHECK(nowhere.status == 2);
+  CHECK(nowhere.err.find("no/m.html: cannot be written") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("heavy_top"), "--html", ""}, folder).status == 2);
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("run tells the largest tip displacements of a model in space") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"run", shipped("tree_of_bodies"), "--set",
+                                 "integration.duration=1", "--no-report", "--out", "o"},
+                                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("  tip moved       ") != std::string::npos);
+  CHECK(ended.out.find(" s (appendage)\n") != std::string::npos);
+}
+
+TEST_CASE("--vtk writes models in space") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"run", shipped("heavy_top"), "--set", "integration.duration=0.1",
+                                 "--vtk", "--no-report", "--out", "o"},
+                                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("vtk (11 times)") != std::string::npos);
+  const std::string last = read_file(folder.path() / "o" / "vtk" / "blades_000010.vtp");
+  CHECK(last.find("NumberOfLines=\"0\"") != std::string::npos);
+  CHECK(last.ends_with("</VTKFile>\n"));
 }

@@ -81,7 +81,7 @@ TEST_CASE("check --help names its options and output") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"check", "--help"}, folder);
   CHECK(ended.status == 0);
-  check_contains(ended.out, {"SCENARIO", "--set", "-v", "natural frequency", "rk4",
+  check_contains(ended.out, {"SCENARIO", "--html", "--set", "-v", "natural frequency", "rk4",
                              "Exit status:", "Example:"});
 }
 

@@ -149,7 +149,7 @@ TEST_CASE("a resumed run goes on with the rows of its sensors, and with no other
                 "sensors of the scenario",
                 folder);
   check_refused(run_of("2", {"--resume", checkpoint}),
-                "it has records of 41 sensors and 3 blades, expected 29 and 3", folder);
+                "it has records of 41 sensors and 3 tips, expected 29 and 3", folder);
   REQUIRE(run_spoke(run_of("2", with({"--resume", checkpoint})), folder).status == 0);
   const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
   CHECK(rows == read_file(folder.path() / "whole" / "sensors.csv"));

@@ -3,16 +3,31 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 
-TEST_CASE("the embedded script is its sources, letter by letter") {
+#include "engine/report/model_script.h"
+
+namespace {
+
+std::string read_scripts(std::initializer_list<const char*> names) {
   std::string sources;
-  for (const char* name : {"time_plots.js", "rotor_view.js", "run_page.js"}) {
+  for (const char* name : names) {
     std::ifstream stream(std::string(SPOKE_REPORT_DIR) + '/' + name, std::ios::binary);
     sources.append(std::istreambuf_iterator<char>(stream), {});
   }
-  CHECK(sources.size() > 10000);
-  CHECK(spoke::report::run_script() == sources);
-  CHECK(sources.find("</script") == std::string::npos);
+  return sources;
+}
+
+}  // namespace
+
+TEST_CASE("the embedded scripts are their sources, letter by letter") {
+  const std::string scene = read_scripts({"page_tools.js", "space_math.js", "scene.js", "camera.js",
+                                          "scene_marks.js", "scene_view.js"});
+  CHECK(scene.size() > 10000);
+  CHECK(spoke::report::run_script() ==
+        scene + read_scripts({"film.js", "time_plots.js", "run_page.js"}));
+  CHECK(spoke::report::model_script() == scene + read_scripts({"model_page.js"}));
+  CHECK(spoke::report::run_script().find("</script") == std::string::npos);
 }

@@ -6,10 +6,12 @@
 
 #include "engine/report/markup.h"
 #include "tests/approx.h"
+#include "tests/engine/space/system/models.h"
 #include "tests/run_report/scenarios.h"
 
 using namespace spoke;
 using namespace spoke::run_report;
+using namespace spoke::test;
 using nlohmann::json;
 using spoke::testing::approx;
 
@@ -38,19 +40,53 @@ struct Run {
   Recorder recorder;
 };
 
+double largest_lag(const Run& run) {
+  return run.statistics.ranges()[run.simulation.sensor_index("blade2.tip.across")].min;
+}
+
 }  // namespace
 
 TEST_CASE("the data hold the curves of all plots and a film") {
   const Run run(test_scenario());
-  const json data = json::parse(make_data(run.recorder, 0.5));
+  const json data = json::parse(make_data(run.recorder));
   CHECK(data["end"] == approx(2.0));
   REQUIRE(data["plots"].size() == 8);
   CHECK(data["plots"][0]["title"] == "Tip deflection across the blade");
   CHECK(data["plots"][0]["curves"].size() == 2);
   // 21 samples of a time and a value, 4 bytes each, in base64
   CHECK(data["plots"][0]["curves"][0]["samples"].get<std::string>().size() == 224);
-  CHECK(data["film"]["hubRadius"] == 0.5);
-  CHECK(data["film"]["joints"] == json::array({3, 3}));
+  CHECK(data["scene"]["trees"] == json::array({"blade 1", "blade 2"}));
+  CHECK(data["scene"]["strips"].size() == 4);
+  // 21 frames of an angle of 16 nodes, 2 bytes each, in base64
+  CHECK(data["film"]["rotations"].get<std::string>().size() == 896);
+}
+
+TEST_CASE("a page without a moving picture does not speak of one") {
+  const Simulation simulation(test_scenario(), test_options());
+  SensorStatistics statistics(simulation.sensor_names().size());
+  statistics.add(0.0, simulation.sensor_values());
+  Recorder recorder(simulation);
+  recorder.add_row(0.0, simulation.sensor_values());
+  const std::string still = make_html(simulation, statistics, {0.5, ""}, {}, recorder);
+  CHECK(still.find("Drag to zoom, double-click to reset. With the keyboard") != std::string::npos);
+  CHECK(still.find("animation there") == std::string::npos);
+  const Run run(test_scenario());
+  const std::string moving = make_html(run.simulation, run.statistics, {0.5, ""}, {}, run.recorder);
+  CHECK(moving.find("click to move the animation there") != std::string::npos);
+}
+
+TEST_CASE("a run in space has a moving picture, and its largest tip displacement first") {
+  Scenario scenario = parse_scenario(make_text(kFlyingHub, kTree), "test");
+  scenario.integration.duration = 2.0;
+  const Run run(scenario);
+  const json data = json::parse(make_data(run.recorder));
+  CHECK(data["scene"]["isPlanar"] == false);
+  CHECK(data["scene"]["joints"].size() == 5);
+  const std::string html =
+      make_html(run.simulation, run.statistics, {0.5, ""}, {0.125, "at 1 s (arm)"}, run.recorder);
+  CHECK(html.find("Largest tip displacement") != std::string::npos);
+  CHECK(html.find("at 1 s (arm)") != std::string::npos);
+  CHECK(html.find("id=\"film-inertial\"") != std::string::npos);
 }
 
 TEST_CASE("deflections across and along the blade have the blade's directions") {
@@ -97,7 +133,7 @@ TEST_CASE("roots and the scenario's own sensors have plots") {
 TEST_CASE("the page has the model's numbers, settings and extremes, and escapes the title") {
   const Run run(test_scenario());
   const std::string html = make_html(run.simulation, run.statistics, {0.5, ""},
-                                     {"-0.1 m at 1 s (blades 1-2)"}, run.recorder);
+                                     {largest_lag(run), "at 1 s (blades 1-2)"}, run.recorder);
   for (const char* part :
        {"two &lt;/script&gt; blades", "2 s in 200 steps of 0.01 s", "at 1 s (blades 1-2)",
         "beam elements</dt><dd>12<", "structured", "blade2.tip.y",
@@ -106,8 +142,7 @@ TEST_CASE("the page has the model's numbers, settings and extremes, and escapes 
     CHECK(html.find(part) != std::string::npos);
   }
   // Both blades lag alike, by some millimetres.
-  const double lag = run.statistics.ranges()[run.simulation.sensor_index("blade2.tip.across")].min;
-  const std::string tile = "<strong>" + report::quantity(lag, "m", 5) + "</strong>";
+  const std::string tile = "<strong>" + report::quantity(largest_lag(run), "m", 5) + "</strong>";
   CAPTURE(tile);
   CHECK(tile.ends_with(" mm</strong>"));
   CHECK(html.find(tile) != std::string::npos);

@@ -1,0 +1,136 @@
+// States of a scene over time, and in between on straight lines. Uses page_tools.js, space_math.js and
+// scene.js.
+
+/** data: {times; hub: by frame (place, angle about the axis) or a pose; groups: poses by frame and
+ *  group but the first; displacements, rotations: by frame and node, as shares of units; forces}. */
+class Film {
+  constructor(scene, data) {
+    this.scene = scene;
+    this.times = decode(data.times, Float32Array);
+    this.hub = decode(data.hub, Float32Array);
+    this.groups = decode(data.groups, Float32Array);
+    this.displacements = decode(data.displacements, Int16Array);
+    this.rotations = decode(data.rotations, Int16Array);
+    this.units = data.units;
+    this.forces = { axial: decode(data.axial, Int16Array), bending: decode(data.bending, Int16Array) };
+    this.hubSize = this.hub.length / this.times.length;
+    this.nodeSize = this.displacements.length / (this.times.length * scene.nodeCount);
+    this.turnSize = this.rotations.length / (this.times.length * scene.nodeCount);
+    this.largest = this.findLargest();
+    this.bounds = [false, true].map((isInertial) => this.findBounds(isInertial));
+  }
+  get begin() {
+    return this.times[0];
+  }
+  get end() {
+    return this.times[this.times.length - 1];
+  }
+
+  /** The largest displacement of all [m], and when. */
+  findLargest() {
+    let [square, frame] = [0, 0];
+    const { displacements: d, nodeSize } = this;
+    for (let k = 0; k < d.length; k += nodeSize) {
+      let sum = 0;
+      for (let c = 0; c < nodeSize; ++c) sum += d[k + c] * d[k + c];
+      if (sum > square) [square, frame] = [sum, Math.floor(k / (nodeSize * this.scene.nodeCount))];
+    }
+    return { size: Math.sqrt(square) * this.units.displacement, time: this.times[frame] };
+  }
+  /** The largest force of a kind: in size [N, N m]. */
+  largestForce(kind) {
+    return this.forces[kind].reduce((most, value) => Math.max(most, Math.abs(value)), 0) * this.units[kind];
+  }
+
+  /** Where a time stands between two frames. */
+  place(time) {
+    const after = Math.min(Math.max(1, lowerBound(this.times, time)), this.times.length - 1);
+    const before = Math.max(0, after - 1);
+    const length = this.times[after] - this.times[before];
+    const share = length > 0 ? (time - this.times[before]) / length : 0;
+    return { before, after, share: Math.min(Math.max(share, 0), 1) };
+  }
+  hubAt({ before, after, share }) {
+    const { hub, hubSize } = this;
+    const [a, b] = [hubSize * before, hubSize * after];
+    if (hubSize === 7) return poseBetween(hub, a, b, share);
+    const value = (c) => hub[a + c] + share * (hub[b + c] - hub[a + c]);
+    return { p: [value(0), value(1), value(2)], R: rotationOf(times(value(3), this.scene.axis)) };
+  }
+  groupAt(group, { before, after, share }) {
+    if (group === 0) return { p: [0, 0, 0], R: kUnit };
+    const moving = this.scene.groups - 1;
+    return poseBetween(this.groups, 7 * (moving * before + group - 1), 7 * (moving * after + group - 1), share);
+  }
+  /** Numbers of a frame, in between of two; of a node three: of the plane x, y and the angle. */
+  spread(numbers, unit, perNode, { before, after, share }) {
+    const { nodeCount } = this.scene;
+    const made = new Float64Array(3 * nodeCount);
+    const [a, b] = [perNode * nodeCount * before, perNode * nodeCount * after];
+    for (let k = 0; k < nodeCount; ++k)
+      for (let c = 0; c < perNode; ++c) {
+        const at = perNode * k + c;
+        made[3 * k + (perNode === 1 ? 2 : c)] = unit * (numbers[a + at] + share * (numbers[b + at] - numbers[a + at]));
+      }
+    return made;
+  }
+  forcesAt(kind, { before, after, share }) {
+    const { elementCount } = this.scene;
+    const numbers = this.forces[kind];
+    const made = new Float64Array(elementCount);
+    for (let e = 0; e < elementCount; ++e) {
+      const [a, b] = [numbers[elementCount * before + e], numbers[elementCount * after + e]];
+      made[e] = this.units[kind] * (a + share * (b - a));
+    }
+    return made;
+  }
+
+  at(time) {
+    const place = this.place(time);
+    return {
+      hub: this.hubAt(place),
+      groups: Array.from({ length: this.scene.groups }, (_, g) => this.groupAt(g, place)),
+      displacements: this.spread(this.displacements, this.units.displacement, this.nodeSize, place),
+      rotations: this.spread(this.rotations, this.units.rotation, this.turnSize, place),
+      forces: (kind) => this.forcesAt(kind, place),
+    };
+  }
+  /** Where a node is at a time, in the inertial frame. */
+  nodeAt(node, time, scale) {
+    const place = this.place(time);
+    const group = this.groupAt(this.scene.nodeGroups[node], place);
+    const hub = this.hubAt(place);
+    let p = add(group.p, turn(group.R, this.scene.nodePlace(node)));
+    const { before, after, share } = place;
+    const { displacements: d, nodeSize } = this;
+    const at = (frame, c) => d[nodeSize * (this.scene.nodeCount * frame + node) + c];
+    const u = [0, 1, 2].map((c) =>
+      c < nodeSize ? scale * this.units.displacement * (at(before, c) + share * (at(after, c) - at(before, c))) : 0,
+    );
+    return add(hub.p, turn(hub.R, add(p, u)));
+  }
+
+  /** The sphere in which all is that is ever seen; how far the hub travels. */
+  findBounds(isInertial) {
+    const frames = Math.min(this.times.length, 60);
+    const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+    const hubs = [];
+    const places = [];
+    const reaches = Array.from({ length: this.scene.nodeCount }, (_, k) => this.scene.reachOf(k));
+    for (let f = 0; f < frames; ++f) {
+      const time = this.times[Math.round((f * (this.times.length - 1)) / Math.max(1, frames - 1))];
+      const state = this.at(time);
+      const { p, R } = isInertial ? state.hub : { p: [0, 0, 0], R: kUnit };
+      hubs.push(p);
+      places.push({ p, reach: this.scene.reachOf(-1) });
+      placesOf(this.scene, state, 1).forEach((v, k) =>
+        places.push({ p: add(p, turn(R, v)), reach: reaches[k] }));
+    }
+    for (const { p, reach } of places)
+      for (let c = 0; c < 3; ++c) {
+        low[c] = Math.min(low[c], p[c] - reach);
+        high[c] = Math.max(high[c], p[c] + reach);
+      }
+    return boundsOf(places, low, high, hubs);
+  }
+}

@@ -1,0 +1,86 @@
+// Where joints stand before a model is simulated.
+
+#include "engine/scene/frame.h"
+#include "models/space/rotation_vector.h"
+#include "models/tree/tree.h"
+
+namespace spoke::scene {
+namespace {
+
+using spatial::Joint;
+using spatial::JointCoordinate;
+using spatial::JointKind;
+using spatial::Placement;
+using spatial::Tree;
+
+double initial_value(const JointCoordinate& coordinate, double azimuth) {
+  if (!coordinate.motion) return coordinate.initial;
+  if (const auto* table = std::get_if<spatial::MotionTable>(&*coordinate.motion))
+    return table->value.value(0.0);
+  if (const auto* wave = std::get_if<spatial::AzimuthMotion>(&*coordinate.motion))
+    return wave->mean + wave->cosine * std::cos(azimuth) + wave->sine * std::sin(azimuth);
+  return std::get<spatial::ProgramMotion>(*coordinate.motion).initial;
+}
+
+Placement turned(const Vector& axis, double angle) {
+  return {Vector::Zero(), space::exponential(angle * axis.normalized()).axes};
+}
+
+/// The child's frame in the joint's.
+Placement calc_motion(const Joint& joint, double azimuth) {
+  Vector value = Vector::Zero();
+  for (int c = 0; c < count_coordinates(joint.kind); ++c)
+    value[c] = initial_value(joint.coordinates[static_cast<std::size_t>(c)], azimuth);
+  const Vector &first = joint.axes[0], &second = joint.axes[1];
+  switch (joint.kind) {
+    case JointKind::fixed:
+      break;
+    case JointKind::revolute:
+      return turned(first, value[0]);
+    case JointKind::universal:
+      return turned(first, value[0]) * turned(second, value[1]);
+    case JointKind::spherical:
+      return {Vector::Zero(), space::exponential(value).axes};
+    case JointKind::prismatic:
+      return {value[0] * first.normalized(), spatial::Tensor::Identity()};
+    case JointKind::cylindrical:
+      return turned(first, value[0]) *
+             Placement{value[1] * first.normalized(), spatial::Tensor::Identity()};
+  }
+  return {};
+}
+
+Placement inverse(const Placement& placement) {
+  const spatial::Tensor back = placement.rotation.transpose();
+  return {-(back * placement.position), back};
+}
+
+/// Motions of the groups of a tree, of which `next` is the first.
+void add_motions(const Tree& tree, std::vector<Placement>& groups, std::size_t& next) {
+  const std::vector<Placement> places = calc_placements(tree);
+  std::vector<Placement> motions;
+  for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
+    const spatial::TreeBody& body = tree.bodies[j];
+    const Placement before =
+        body.parent < 0 ? Placement{} : motions[static_cast<std::size_t>(body.parent)];
+    // In the hub's frame, as if the child were moved from where it is at coordinates of zero.
+    motions.push_back(before * places[j] * calc_motion(body.joint, tree.azimuth) *
+                      inverse(places[j]));
+    if (count_coordinates(body.joint.kind) > 0) groups[next++] = motions.back();
+  }
+}
+
+}  // namespace
+
+Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
+  Frame frame;
+  frame.groups.resize(static_cast<std::size_t>(scene.groups));
+  frame.displacements.assign(scene.nodes.size(), Vector::Zero());
+  frame.rotations = frame.displacements;
+  if (!scenario.space) return frame;
+  std::size_t next = 1;
+  for (const Tree& tree : build_trees(*scenario.space)) add_motions(tree, frame.groups, next);
+  return frame;
+}
+
+}  // namespace spoke::scene

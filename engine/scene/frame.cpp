@@ -1,0 +1,98 @@
+// Shapes of blades and trees as motions of groups, displacements and rotations.
+
+#include "engine/scene/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/space/rotation_vector.h"
+
+namespace spoke::scene {
+namespace {
+
+using spatial::Placement;
+using spatial::Tensor;
+
+void clear(const Scene& scene, Frame& frame) {
+  frame.groups.assign(static_cast<std::size_t>(scene.groups), Placement{});
+  frame.displacements.clear();
+  frame.rotations.clear();
+  frame.axial_forces.clear();
+  frame.bending_moments.clear();
+}
+
+}  // namespace
+
+Vector Frame::place(const Scene& scene, std::size_t node) const {
+  const Placement& group = groups[static_cast<std::size_t>(scene.nodes[node].group)];
+  return group.position + group.rotation * scene.nodes[node].p + displacements[node];
+}
+
+void FrameReader::read(const Simulation& simulation, Frame& frame) {
+  clear(scene_, frame);
+  frame.hub = simulation.hub_pose();
+  frame.hub_angle = simulation.sensor("hub.angle");
+  if (scene_.is_planar)
+    read_blades(simulation, frame);
+  else
+    read_trees(simulation, frame);
+  for (const Strip& strip : scene_.strips) read_forces(strip, frame);
+}
+
+void FrameReader::read_blades(const Simulation& simulation, Frame& frame) {
+  blades_.resize(scene_.trees.size());
+  for (std::size_t i = 0; i < blades_.size(); ++i)
+    simulation.calc_shape(static_cast<int>(i), blades_[i]);
+  for (const NodeSource& source : scene_.sources) {
+    const BladeShape& blade = blades_[static_cast<std::size_t>(source.tree)];
+    const ShapeNode& node =
+        blade.nodes[static_cast<std::size_t>(source.body * blade.elements + source.node)];
+    frame.displacements.emplace_back(node.displacement.x(), node.displacement.y(), 0.0);
+    frame.rotations.emplace_back(0.0, 0.0, node.angle);
+  }
+}
+
+void FrameReader::read_trees(const Simulation& simulation, Frame& frame) {
+  trees_.resize(scene_.trees.size());
+  for (std::size_t i = 0; i < trees_.size(); ++i)
+    simulation.calc_shape(static_cast<int>(i), trees_[i]);
+  for (std::size_t k = 0; k < scene_.sources.size(); ++k) {
+    const NodeSource& source = scene_.sources[k];
+    const TreeNode& node = body_of(source).nodes[static_cast<std::size_t>(source.node)];
+    frame.displacements.push_back(node.displacement);
+    frame.rotations.push_back(node.rotation);
+    const Node& drawn = scene_.nodes[k];
+    if (drawn.group == 0) continue;
+    // What a rigid body does, all of its nodes show alike.
+    const Tensor now = space::exponential(node.rotation).axes.transpose() * node.R;
+    Placement& group = frame.groups[static_cast<std::size_t>(drawn.group)];
+    group.rotation = now * drawn.axes.transpose();
+    group.position = node.p - node.displacement - group.rotation * drawn.p;
+  }
+}
+
+/// Of shown elements that hold several of the model, the mean.
+void FrameReader::read_forces(const Strip& strip, Frame& frame) const {
+  for (int k = 0; k + 1 < strip.nodes; ++k) {
+    const auto at = static_cast<std::size_t>(strip.first + k);
+    const NodeSource &from = scene_.sources[at], &to = scene_.sources[at + 1];
+    double axial = 0.0, bending = 0.0;
+    for (int e = from.node; e < to.node; ++e) {
+      if (scene_.is_planar) {
+        const BladeShape& blade = blades_[static_cast<std::size_t>(from.tree)];
+        const auto element = static_cast<std::size_t>(from.body * blade.elements + e);
+        axial += blade.axial_forces[element];
+        bending += std::abs(blade.bending_moments[element]);
+      } else {
+        const ElementForces& forces = body_of(from).forces[static_cast<std::size_t>(e)];
+        axial += forces.axial;
+        bending += forces.bending;
+      }
+    }
+    const double count = to.node - from.node;
+    frame.axial_forces.push_back(axial / count);
+    frame.bending_moments.push_back(bending / count);
+  }
+}
+
+}  // namespace spoke::scene

@@ -1,0 +1,43 @@
+#pragma once
+
+// From a scenario to its scene.
+
+#include <vector>
+
+#include "engine/scene/scene.h"
+
+namespace spoke::scene {
+
+/// The scene of a scenario that check_scenario() accepts. Of bodies with many elements every few
+/// nodes are shown, so that there are about `most_nodes` in all, two for each body at least.
+Scene make_scene(const Scenario& scenario, std::size_t most_nodes);
+
+/// Likewise, of one world.
+Scene make_planar_scene(const Scenario& scenario, std::size_t most_nodes);
+Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes);
+
+/// Numbers of the nodes of a body that are shown: every `stride`-th, and the last.
+std::vector<int> shown_nodes(int elements, std::size_t stride);
+
+/// So many that scenes of few elements look smooth, and those of many stay small.
+int rings_per_element(std::size_t elements);
+
+/// The rings of elements between shown nodes, whose stations are given: `make(station)` makes the
+/// ring there.
+template <class Make>
+std::vector<Ring> make_rings(const std::vector<double>& stations, int first, int per_element,
+                             Make make) {
+  std::vector<Ring> rings;
+  for (std::size_t e = 0; e + 1 < stations.size(); ++e) {
+    const bool is_last = e + 2 == stations.size();
+    for (int i = 0; i < per_element + (is_last ? 1 : 0); ++i) {
+      const double xi = static_cast<double>(i) / per_element;
+      rings.push_back(make(stations[e] + xi * (stations[e + 1] - stations[e])));
+      rings.back().at.node = first + static_cast<int>(e);
+      rings.back().at.xi = xi;
+    }
+  }
+  return rings;
+}
+
+}  // namespace spoke::scene

@@ -1,0 +1,121 @@
+#pragma once
+
+// A model as it is drawn: what can be seen of it, fixed to nodes that frames move. Made of a
+// scenario alone, before anything is simulated. Plane and space look alike here.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "models/scenario.h"
+
+namespace spoke::scene {
+
+using spatial::Vector;
+
+/// A section of a beam, or a rigid body's frame. All places and directions of a scene are those of
+/// the undeformed model with joint coordinates zero, in the hub's frame as the scenario describes
+/// it [m].
+struct Node {
+  int group = 0;  ///< of bodies that only rigid motion could not part: 0 stands on the hub
+  Vector p = Vector::Zero();
+  spatial::Tensor axes = spatial::Tensor::Identity();  ///< of the body, see TreeNode::R
+};
+
+/// Where a node's state is found: in the shape of a blade or tree.
+struct NodeSource {
+  int tree = 0;
+  int body = 0;  ///< in the tree
+  int node = 0;  ///< of the body
+};
+
+/// A place that nodes carry: of a beam's element between `node` and the next one, at the share
+/// `xi` of it; where xi is 0, fixed to the node. node -1: fixed to the hub.
+struct Place {
+  int node = -1;
+  double xi = 0.0;
+  Vector p = Vector::Zero();
+};
+
+/// An outline of a section: an ellipse.
+struct Ring {
+  Place at;
+  Vector y = Vector::UnitY(), z = Vector::UnitZ();  ///< the section's axes
+  double half_y = 0.0, half_z = 0.0;                ///< semi-axes along them [m]
+};
+
+/// A flexible body: nodes that stand one behind the other, and elements between them.
+struct Strip {
+  std::string name;  ///< "blade 1 / body 2"
+  int tree = 0;
+  int first = 0;  ///< node
+  int nodes = 0;
+  std::vector<Ring> rings;  ///< from the inboard end
+};
+
+/// A convex body with plane faces, fixed to a node.
+struct Solid {
+  std::string name;
+  int tree = -1;  ///< -1: the hub
+  int node = -1;  ///< -1: the hub
+  std::vector<Vector> vertices;
+  std::vector<std::vector<int>> faces;  ///< corners, counterclockwise as seen from outside
+};
+
+/// A rigid connection within a rigid body.
+struct Link {
+  int tree = 0;
+  int node = 0;
+  Vector from = Vector::Zero(), to = Vector::Zero();
+};
+
+/// A joint, with the axes of its freedoms.
+struct JointMark {
+  std::string name;  ///< "blade 1 / flap"
+  std::string kind;  ///< "revolute", ...
+  int node = 0;      ///< of the child
+  std::vector<Vector> axes;
+  std::vector<std::string> coordinates;  ///< "free", "sprung", "prescribed"
+};
+
+/// A load at a place.
+struct LoadMark {
+  Place at;
+  /// "inertial", "hub", "body" or "section": with what the vectors turn. Those of "inertial" have
+  /// inertial axes, all others the hub's.
+  std::string frame;
+  Vector force = Vector::Zero();   ///< [N], or [N/m] if it is distributed
+  Vector moment = Vector::Zero();  ///< [N m], or [N]
+  bool is_distributed = false;
+};
+
+/// What is measured somewhere.
+struct SensorMark {
+  std::string name;
+  Place at;
+};
+
+/// All that is drawn.
+struct Scene {
+  bool is_planar = false;
+  Vector axis = Vector::UnitZ();    ///< of the hub
+  Vector gravity = Vector::Zero();  ///< inertial axes [m/s^2]
+  int groups = 1;
+  std::vector<std::string> trees;  ///< names of blades and subsystems
+  std::vector<int> tips;           ///< node, by tree
+  std::vector<Node> nodes;
+  std::vector<NodeSource> sources;  ///< by node
+  std::vector<Strip> strips;
+  std::vector<Solid> solids;
+  std::vector<Link> links;
+  std::vector<JointMark> joints;
+  std::vector<LoadMark> loads;
+  std::vector<SensorMark> sensors;
+
+  /// Of all strips together.
+  std::size_t element_count() const;
+  /// The largest distance of a node from the hub's origin [m].
+  double radius() const;
+};
+
+}  // namespace spoke::scene

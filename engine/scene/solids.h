@@ -1,0 +1,19 @@
+#pragma once
+
+// Solids that scenes are made of besides beams.
+
+#include "engine/scene/scene.h"
+
+namespace spoke::scene {
+
+/// The box with this mass and inertia [kg, kg m^2] about its centre, its axes the principal ones;
+/// if two of its principal moments are equal, the cylinder.
+Solid make_body(const Vector& center, double mass, const spatial::Tensor& inertia);
+
+/// A cylinder about an axis through the origin [m].
+Solid make_cylinder(const Vector& axis, double radius, double half_height);
+
+/// Moves a solid: a vertex v goes to p + R v.
+void place(const Vector& p, const spatial::Tensor& R, Solid& solid);
+
+}  // namespace spoke::scene

@@ -1,0 +1,304 @@
+// The scene of a model in space.
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "engine/scene/make_scene.h"
+#include "engine/scene/section_size.h"
+#include "engine/scene/solids.h"
+#include "models/tree/space_beam.h"
+#include "models/tree/tree.h"
+
+namespace spoke::scene {
+namespace {
+
+using spatial::Placement;
+using spatial::Tree;
+using spatial::TreeBody;
+
+std::size_t count_nodes(const std::vector<Tree>& trees) {
+  std::size_t nodes = 0;
+  for (const Tree& tree : trees)
+    for (const TreeBody& body : tree.bodies) {
+      const auto* beam = std::get_if<spatial::FlexibleBody>(&body.shape);
+      nodes += beam ? beam->nodes.size() : 1;
+    }
+  return nodes;
+}
+
+std::string describe(const spatial::JointCoordinate& coordinate) {
+  if (coordinate.motion) return "prescribed";
+  return coordinate.stiffness > 0.0 ? "sprung" : "free";
+}
+
+/// A place that is loaded, with the axes there, in the hub's.
+struct LoadedPlace {
+  Place at;
+  spatial::Tensor body, section;
+};
+
+/// Adds one tree.
+class TreeScene {
+ public:
+  TreeScene(const Tree& tree, int number, bool is_blade, std::size_t stride, int per_element,
+            Scene& scene)
+      : tree_(tree),
+        number_(number),
+        is_blade_(is_blade),
+        stride_(stride),
+        per_element_(per_element),
+        placements_(calc_placements(tree)),
+        scene_(scene) {
+    for (const spatial::Beam& beam : tree.beams) beams_.push_back(make_space_beam(beam, 0.0));
+  }
+
+  void add() {
+    scene_.trees.push_back(tree_.name);
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
+      first_.push_back(static_cast<int>(scene_.nodes.size()));
+      add_group(j);
+      if (std::holds_alternative<spatial::FlexibleBody>(tree_.bodies[j].shape))
+        add_beam(j);
+      else
+        add_rigid(j);
+      add_joint(j);
+    }
+    scene_.tips.push_back(static_cast<int>(scene_.nodes.size()) - 1);
+  }
+
+  /// Where a load acts on this tree; none if it acts elsewhere. `position`: station, none: the tip.
+  std::optional<LoadedPlace> find_place(const spatial::LoadPlace& place,
+                                        std::optional<double> position, const Vector& point) const {
+    std::optional<LoadedPlace> found;
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
+      if (!is_on(place, j)) continue;
+      const Placement& body = placements_[j];
+      const auto* part = std::get_if<spatial::FlexibleBody>(&tree_.bodies[j].shape);
+      if (!part)
+        return LoadedPlace{
+            {first_[j], 0.0, body.position + body.rotation * point}, body.rotation, body.rotation};
+      const double x = std::clamp(position.value_or(part->nodes.back()), part->nodes.front(),
+                                  part->nodes.back());
+      found = {place_on(j, *part, x), body.rotation, place_of(j, *part, x).rotation};
+      if (position && *position <= part->nodes.back()) break;
+    }
+    return found;
+  }
+  /// Of the loaded beam [m].
+  double length_of(const spatial::LoadPlace& place) const {
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
+      if (is_on(place, j))
+        if (const auto* part = std::get_if<spatial::FlexibleBody>(&tree_.bodies[j].shape))
+          return tree_.beams[part->beam].length;
+    return 0.0;
+  }
+
+ private:
+  bool is_on(const spatial::LoadPlace& place, std::size_t j) const {
+    if (place.subsystem.empty())
+      return is_blade_ && place.blade.holds(static_cast<std::size_t>(number_));
+    if (is_blade_ || place.subsystem != tree_.name) return false;
+    const std::string& name = tree_.bodies[j].name;
+    return name == place.body || name.starts_with(place.body + " / body ");
+  }
+
+  void add_group(std::size_t j) {
+    const TreeBody& body = tree_.bodies[j];
+    if (count_coordinates(body.joint.kind) > 0)
+      groups_.push_back(scene_.groups++);
+    else
+      groups_.push_back(body.parent < 0 ? 0 : groups_[static_cast<std::size_t>(body.parent)]);
+  }
+  void add_node(std::size_t j, int node, const Vector& p) {
+    scene_.nodes.push_back({groups_[j], p, placements_[j].rotation});
+    scene_.sources.push_back({number_, static_cast<int>(j), node});
+  }
+  std::string name_of(std::size_t j) const { return tree_.name + " / " + tree_.bodies[j].name; }
+
+  /// A station of a beam, in the hub's frame.
+  Placement place_of(std::size_t j, const spatial::FlexibleBody& part, double x) const {
+    const space::Beam& beam = beams_[part.beam];
+    const space::SectionAt at = beam.geometry(x);
+    return placements_[j] * Placement{at.p - beam.curve.at(part.nodes.front()), at.axes.axes};
+  }
+
+  void add_beam(std::size_t j) {
+    const auto& part = std::get<spatial::FlexibleBody>(tree_.bodies[j].shape);
+    Strip strip{name_of(j), number_, static_cast<int>(scene_.nodes.size()), 0, {}};
+    std::vector<double> stations;
+    for (const int k : shown_nodes(static_cast<int>(part.nodes.size()) - 1, stride_)) {
+      stations.push_back(part.nodes[static_cast<std::size_t>(k)]);
+      add_node(j, k, place_of(j, part, stations.back()).position);
+    }
+    strip.nodes = static_cast<int>(stations.size());
+    strip.rings = make_rings(stations, strip.first, per_element_, [&](double x) {
+      const Placement at = place_of(j, part, x);
+      const SectionSize size = find_section_size(tree_.beams[part.beam], beams_[part.beam], x);
+      Ring ring;
+      ring.at.p = at.position + at.rotation * Vector(0.0, size.center_y, size.center_z);
+      ring.y = at.rotation.col(1);
+      ring.z = at.rotation.col(2);
+      ring.half_y = size.half_y;
+      ring.half_z = size.half_z;
+      return ring;
+    });
+    add_point_masses(j, part);
+    scene_.strips.push_back(std::move(strip));
+  }
+
+  void add_point_masses(std::size_t j, const spatial::FlexibleBody& part) {
+    for (const spatial::PointMass& mass : tree_.beams[part.beam].point_masses) {
+      const bool is_here = mass.position > part.nodes.front() || j == 0;
+      if (!is_here || mass.position > part.nodes.back() || mass.offset.isZero()) continue;
+      const Placement at = placements_[j];
+      const Placement on = place_of(j, part, mass.position);
+      // A stalk from the axis to the mass, fixed to a node near by.
+      scene_.links.push_back({number_, node_before(j, part, mass.position), on.position,
+                              on.position + at.rotation * mass.offset});
+    }
+  }
+  /// The last shown node at or inboard of a station.
+  int node_before(std::size_t j, const spatial::FlexibleBody& part, double x) const {
+    int node = first_[j];
+    while (node + 1 < static_cast<int>(scene_.nodes.size()) && station_of(part, node + 1) <= x)
+      ++node;
+    return node;
+  }
+  double station_of(const spatial::FlexibleBody& part, int node) const {
+    return part
+        .nodes[static_cast<std::size_t>(scene_.sources[static_cast<std::size_t>(node)].node)];
+  }
+  Place place_on(std::size_t j, const spatial::FlexibleBody& part, double x) const {
+    int node = first_[j];
+    while (station_of(part, node + 1) < x) ++node;
+    const double a = station_of(part, node), b = station_of(part, node + 1);
+    return {node, (x - a) / (b - a), place_of(j, part, x).position};
+  }
+
+  void add_rigid(std::size_t j) {
+    const auto& body = std::get<spatial::RigidBody>(tree_.bodies[j].shape);
+    const int node = first_[j];
+    const Placement& at = placements_[j];
+    add_node(j, 0, at.position);
+    Solid solid = make_body(body.center, body.mass, body.inertia);
+    solid.name = name_of(j);
+    solid.tree = number_;
+    solid.node = node;
+    place(at.position, at.rotation, solid);
+    scene_.solids.push_back(std::move(solid));
+    const auto link = [&](const Vector& to) {
+      if (!to.isZero(1e-12))
+        scene_.links.push_back({number_, node, at.position, at.position + at.rotation * to});
+    };
+    link(body.center);
+    for (const TreeBody& child : tree_.bodies)
+      if (child.parent == static_cast<int>(j)) link(child.placement.position);
+  }
+
+  void add_joint(std::size_t j) {
+    const spatial::Joint& joint = tree_.bodies[j].joint;
+    if (joint.kind == spatial::JointKind::fixed && joint.name.empty()) return;
+    JointMark mark;
+    mark.name = tree_.name + " / " + (joint.name.empty() ? tree_.bodies[j].name : joint.name);
+    mark.kind = spatial::name_of(joint.kind);
+    mark.node = first_[j];
+    for (int i = 0; i < count_axes(joint.kind); ++i)
+      mark.axes.emplace_back(placements_[j].rotation *
+                             joint.axes[static_cast<std::size_t>(i)].normalized());
+    for (int i = 0; i < count_coordinates(joint.kind); ++i)
+      mark.coordinates.push_back(describe(joint.coordinates[static_cast<std::size_t>(i)]));
+    scene_.joints.push_back(std::move(mark));
+  }
+
+  const Tree& tree_;
+  int number_;
+  bool is_blade_;
+  std::size_t stride_;
+  int per_element_;
+  std::vector<Placement> placements_;
+  std::vector<space::Beam> beams_;
+  std::vector<int> first_;   ///< node, by body
+  std::vector<int> groups_;  ///< by body
+  Scene& scene_;
+};
+
+void add_hub(const spatial::Hub& hub, Scene& scene) {
+  const double radius = scene.radius();
+  if (hub.support == HubSupport::free) {
+    scene.solids.push_back(make_body(hub.center, hub.mass, hub.inertia));
+  } else {
+    const double size = std::max(hub.radius, 0.02 * radius);
+    scene.solids.push_back(make_cylinder(hub.axis, size, std::min(0.5 * size, 0.04 * radius)));
+  }
+  scene.solids.back().name = "hub";
+}
+
+/// Draws the loads of a model.
+class LoadMarks {
+ public:
+  LoadMarks(const std::vector<TreeScene>& trees, Scene& scene) : trees_(trees), scene_(scene) {}
+
+  void add(const spatial::PointLoad& load) {
+    for (const TreeScene& tree : trees_)
+      add(tree.find_place(load.place, load.position, load.point), load.frame, load.force,
+          load.moment, false);
+  }
+  void add(const spatial::DistributedLoad& load) {
+    constexpr int kArrows = 9;
+    for (const TreeScene& tree : trees_) {
+      const double to = load.to.value_or(tree.length_of(load.place));
+      for (int k = 0; k < kArrows; ++k) {
+        const double x = load.from + (to - load.from) * k / (kArrows - 1);
+        add(tree.find_place(load.place, x, Vector::Zero()), load.frame, load.force_per_length,
+            load.moment_per_length, true);
+      }
+    }
+  }
+  void add(const spatial::HubLoad& load) {
+    scene_.loads.push_back({{-1, 0.0, load.position},
+                            std::string(name_of(load.frame)),
+                            load.force,
+                            load.torque,
+                            false});
+  }
+
+ private:
+  void add(const std::optional<LoadedPlace>& place, spatial::LoadFrame frame, const Vector& force,
+           const Vector& moment, bool is_distributed) {
+    if (!place) return;
+    spatial::Tensor R = spatial::Tensor::Identity();
+    if (frame == spatial::LoadFrame::body) R = place->body;
+    if (frame == spatial::LoadFrame::section) R = place->section;
+    scene_.loads.push_back(
+        {place->at, std::string(name_of(frame)), R * force, R * moment, is_distributed});
+  }
+
+  const std::vector<TreeScene>& trees_;
+  Scene& scene_;
+};
+
+}  // namespace
+
+Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes) {
+  const std::vector<Tree> trees = build_trees(model);
+  const std::size_t nodes = count_nodes(trees);
+  const std::size_t stride = std::max<std::size_t>(1, (nodes + most_nodes - 1) / most_nodes);
+  Scene scene;
+  scene.axis = model.hub.axis.normalized();
+  scene.gravity = model.gravity;
+  std::vector<TreeScene> made;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(), stride,
+                      rings_per_element(nodes / stride), scene);
+    made.back().add();
+  }
+  add_hub(model.hub, scene);
+  LoadMarks marks(made, scene);
+  for (const spatial::PointLoad& load : model.loads) marks.add(load);
+  for (const spatial::DistributedLoad& load : model.distributed_loads) marks.add(load);
+  for (const spatial::HubLoad& load : model.hub_loads) marks.add(load);
+  return scene;
+}
+
+}  // namespace spoke::scene
