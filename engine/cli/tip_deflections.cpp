@@ -8,8 +8,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "engine/cli/report.h"
-
 namespace spoke::cli {
 namespace {
 
@@ -107,7 +105,7 @@ std::vector<std::string> TipDeflections::describe() const {
     const char* blades = group.blades.size() == 1 ? "blade " : "blades ";
     lines.push_back(fmt::format(
         "{} ({})", group.text,
-        group.subsystem.empty() ? blades + join_ranges(group.blades) : one_line(group.subsystem)));
+        group.subsystem.empty() ? blades + join_ranges(group.blades) : group.subsystem));
   }
   return lines;
 }

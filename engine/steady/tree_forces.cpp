@@ -61,27 +61,18 @@ VectorXd calc_body_force(const BodyData<Space>& body) {
 }
 
 /// J of a handle; of the plane 0 is the inboard, 1 the outboard one.
-MatrixXd calc_jacobian(const BodyData<Plane>& body, int handle) {
-  MatrixXd J(kTwist, dense_size(*body.model->body));
-  handle == 0 ? calc_inboard_jacobian(body, J) : calc_outboard_jacobian(body, J);
-  return J;
-}
-MatrixXd calc_jacobian(const BodyData<Space>& body, int handle) {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible()) {
-    MatrixXd J(space::kTwist, space::dense_size(*flexible));
-    space::calc_handle_jacobian(*flexible, handle, body.work, J);
-    return J;
-  }
-  MatrixXd J = MatrixXd::Identity(space::kTwist, space::kTwist);
-  J.topRightCorner<3, 3>() = -space::skew(body.work.handles[handle].s);
+template <class World>
+MatrixXd calc_jacobian(const BodyData<World>& body, int handle) {
+  MatrixXd J(World::kTwist, dense_size(*body.model->body));
+  calc_handle_jacobian(body, handle, J);
   return J;
 }
 
 /// Acceleration of a handle, the deformation having none.
 Twist calc_handle_acceleration(const SubsystemData<Plane>& data, int j, int) {
   const BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(j)];
-  const double speed = angular(data.twists[static_cast<std::size_t>(j)]);
-  return calc_jacobian(body, 1).leftCols<kTwist>() * body.X + calc_outboard_bias(body, speed);
+  const Twist& twist = data.twists[static_cast<std::size_t>(j)];
+  return calc_jacobian(body, 1).leftCols<kTwist>() * body.X + calc_handle_bias(body, 1, twist);
 }
 space::Twist calc_handle_acceleration(const SubsystemData<Space>& data, int j, int handle) {
   const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];

@@ -188,7 +188,7 @@ std::string Scenario::to_json() const {
   json["integration"] = spoke::to_json(integration);
   json["limits"] = spoke::to_json(limits);
   json["output"] = {{"interval", output.interval}};
-  json["sensor"] = to_list(sensors);
+  if (!space || !sensors.empty()) json["sensor"] = to_list(sensors);
   // A title from a file name may hold anything.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
