@@ -126,6 +126,19 @@ TEST_CASE("modes: a stiff articulated blade flaps and lags as its hinge offset s
   CHECK(damped.damping_ratio == doctest::Approx(decay / std::sqrt(square)).epsilon(2e-3));
 }
 
+TEST_CASE("modes: the shipped articulated rotor flaps and lags nearly as a stiff one") {
+  const ModesResult result =
+      solve_modes(read("articulated_rotor.toml"), {.state = {.speed = 36.0}, .count = 2});
+  const double offset = 0.3 / (7.3 - 0.3);
+  const Mode& lag = result.modes.at(0);
+  CHECK(lag.name == "hinges lag 1");
+  const double undamped = lag.frequency / std::sqrt(1.0 - lag.damping_ratio * lag.damping_ratio);
+  CHECK(undamped / 36.0 == doctest::Approx(std::sqrt(1.5 * offset)).epsilon(3e-3));
+  const Mode& flap = result.modes.at(1);
+  CHECK(flap.name == "hinges flap 1");
+  CHECK(flap.frequency / 36.0 == doctest::Approx(std::sqrt(1.0 + 1.5 * offset)).epsilon(2e-3));
+}
+
 TEST_CASE("modes: a clamped beam at rest has ten known frequencies") {
   // Roots of cos x cosh x = -1.
   std::vector<double> known{3.51601527, 22.0344916, 61.6972144};
