@@ -56,20 +56,16 @@ TEST_CASE("equilibrium: steady rotation stretches a blade by tan(kL)/k - L") {
 }
 
 TEST_CASE("equilibrium: what has none is refused in a line") {
-  const auto refusal = [](const std::string& more) {
-    Scenario scenario = make_planar({.more = more});
-    return scenario;
-  };
-  Scenario free = refusal({});
+  Scenario free = make_planar({});
   free.rotor.hub.support = HubSupport::free;
   free.rotor.hub.mass = 1.0;
   CHECK(test::message_of<InputError>([&] { solve_equilibrium(free); }) ==
         "hub.support: the hub is free, expected an axle: nothing holds the model");
-  Scenario torque = refusal({});
+  Scenario torque = make_planar({});
   torque.rotor.hub.drive = TorqueDrive{Curve(1.0), 0.0};
   CHECK(test::message_of<InputError>([&] { solve_equilibrium(torque); }) ==
         "hub.drive: a torque has no steady speed by itself, expected a speed to be given");
-  CHECK(test::message_of<InputError>([&] { solve_equilibrium(refusal({}), {.speed = NAN}); }) ==
+  CHECK(test::message_of<InputError>([&] { solve_equilibrium(make_planar({}), {.speed = NAN}); }) ==
         "the speed is nan, expected a finite number");
 }
 
