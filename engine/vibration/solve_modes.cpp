@@ -90,7 +90,7 @@ void add_modes_of_tree(std::size_t i, int count, const Linearised& all, ModesRes
   const std::string of = name_trees(find_like(i, all.linear.alike), all.model);
   if (count > pencil.size())
     throw InputError(std::to_string(count) + " modes, expected at most " +
-                     std::to_string(pencil.size()) + ": as many as " + of + " has");
+                     std::to_string(pencil.size()) + ": there are no more of " + of);
   Numbering numbering;
   for (const Root& root : vibration::find_roots(pencil, count)) {
     Mode mode = make_mode(root);

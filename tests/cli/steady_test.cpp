@@ -66,7 +66,7 @@ TEST_CASE("static, modes and campbell refuse bad input in one line") {
                 "hub.support: the hub is free, expected an axle: nothing holds the model");
   check_refused({"modes", scenario, "--count", "0"}, "--count: Value 0 not in range");
   check_refused({"modes", scenario, "--count", "1000"},
-                "1000 modes, expected at most 48: as many as blades 1 to 3 has");
+                "1000 modes, expected at most 48: there are no more of blades 1 to 3");
   check_refused({"modes", scenario, "--set", "hub.drive={kind=\"torque\",torque=1.0}"},
                 "hub.drive: a torque has no steady speed by itself");
   const std::string range = "--speeds: expected FROM:TO:STEP, ascending numbers [rad/s], got ";

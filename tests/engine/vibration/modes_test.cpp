@@ -265,7 +265,7 @@ TEST_CASE(
 
 TEST_CASE("modes: bad input gets a line") {
   CHECK(test::message_of([] { solve_modes(make_planar({.bodies = 1}), {.count = 13}); }) ==
-        "13 modes, expected at most 12: as many as blade 1 has");
+        "13 modes, expected at most 12: there are no more of blade 1");
   CHECK(test::message_of([] { solve_modes(make_planar({}), {.count = 0}); }) ==
         "0 modes, expected 1 or more");
 }
