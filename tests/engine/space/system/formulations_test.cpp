@@ -112,10 +112,10 @@ TEST_CASE("runs by the formulations agree in space") {
       {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kGravity)},
       {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity)},
       {"trees, driven", make_text(kDrivenHub, kMotors + kTree, kRisingGravity)}};
-  for (const auto& [name, text] : models)
+  for (const auto& model : models)
     for (const Method& method : {Method{Rk4{1e-4}}, Method{make_generalized_alpha(0.8, 2e-3)}}) {
-      CAPTURE(std::string(name));
-      const System<Space> system = make_system(parse_model(text));
+      CAPTURE(model.first);
+      const System<Space> system = make_system(parse_model(model.second));
       Run<Space> structured(system, {method, 1e-12});
       structured.advance(30);
       for (const Formulation formulation : kDense) {
