@@ -13,23 +13,31 @@ foreach(input IN LISTS INPUTS)
   if(other)
     message(FATAL_ERROR "${input}: contains other characters than ASCII and line feeds")
   endif()
-  # A compiler need not take literals of more than 64 kB; adjoining ones are put together.
+  # A compiler need not take literals of more than 64 kB, however they are put together.
   string(LENGTH "${text}" length)
   set(at 0)
   while(at LESS length)
     string(SUBSTRING "${text}" ${at} 16000 part)
-    string(APPEND parts "    R\"embedded(${part})embedded\"\n")
+    string(APPEND parts "      R\"embedded(${part})embedded\",\n")
     math(EXPR at "${at} + 16000")
   endwhile()
 endforeach()
 file(WRITE "${OUTPUT}" "#include \"engine/report/${NAME}.h\"
 
+#include <initializer_list>
+#include <string>
+
 namespace spoke::report {
 
 std::string_view ${NAME}() {
-  static constexpr char kText[] =
-${parts}      ;
-  return {kText, sizeof kText - 1};
+  static const std::string kText = [] {
+    std::string text;
+    for (const std::string_view part : std::initializer_list<std::string_view>{
+${parts}         })
+      text += part;
+    return text;
+  }();
+  return kText;
 }
 
 }  // namespace spoke::report
