@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "engine/output_file.h"
+#include "engine/support/instructions.h"
 #include "engine/support/machine_json.h"
 #include "models/error.h"
 
@@ -107,6 +108,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"steps", simulation.steps()},
                   {"evaluations", simulation.evaluations()},
                   {"wall_time_s", outcome.wall_time},
+                  {"instructions", instructions_in_use()},
                   {"state_hash", hexadecimal(simulation.state_hash())},
                   {"sensors", describe_sensors(simulation, statistics)}});
   return summary.dump_lines();

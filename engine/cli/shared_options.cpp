@@ -135,6 +135,15 @@ void add_running(CLI::App& command, Arguments& arguments) {
                   "[auto chooses; the others take 1]")
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
+  command
+      .add_option_function<std::string>(
+          "--instructions",
+          [&](const std::string& name) { arguments.uses_baseline = name == "baseline"; },
+          "baseline: the same bits on every machine;\nauto: elementary functions as fast as this "
+          "one "
+          "has them [auto]")
+      ->check(CLI::IsMember({"auto", "baseline"}))
+      ->type_name("NAME");
 }
 
 }  // namespace spoke::cli
