@@ -1,0 +1,13 @@
+// The module spoke._spoke, from which the package spoke is made.
+
+#include "python/bindings/bindings.h"
+
+PYBIND11_MODULE(_spoke, module) {
+  module.doc() = "The compiled part of the package spoke.";
+  module.attr("__version__") = SPOKE_VERSION;
+  spoke::python::bind_errors(module);
+  spoke::python::bind_drives(module);
+  spoke::python::bind_loads(module);
+  spoke::python::bind_recording(module);
+  spoke::python::bind_simulation(module);
+}

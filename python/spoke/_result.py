@@ -1,0 +1,66 @@
+"""What a run leaves behind."""
+
+import html
+import json
+from collections.abc import Mapping
+
+
+class Result(Mapping):
+    """The sensors of a run over time: a mapping from names to NumPy arrays.
+
+        result = sim.run(every=0.01)
+        result["hub.torque"]            # (rows,) [N m], a view of the run's own numbers
+        result.t                        # (rows,) [s]
+
+    Attributes:
+        t: times of the rows, (rows,) [s].
+        numbers: (rows, 1 + sensors), time and sensors by row. Arrays are views of it.
+        units: {"hub.torque": "N m", ...}.
+        wall_time: what the steps took [s].
+    """
+
+    def __init__(self, recording):
+        self._recording = recording
+        self.numbers = recording.numbers
+        self.t = self.numbers[:, 0]
+        self.units = dict(zip(recording.names, recording.units))
+        self.wall_time = recording.wall_time
+        self._columns = {name: k + 1 for k, name in enumerate(recording.names)}
+
+    def __getitem__(self, name):
+        return self.numbers[:, self._columns[name]]
+
+    def __iter__(self):
+        return iter(self._columns)
+
+    def __len__(self):
+        return len(self._columns)
+
+    def to_pandas(self):
+        """A pandas.DataFrame with the sensors as columns, indexed by time [s]."""
+        import pandas
+
+        return pandas.DataFrame(
+            self.numbers[:, 1:], columns=list(self), index=pandas.Index(self.t, name="t"))
+
+    def summary(self):
+        """summary.json of the run as a dictionary: values in force, counts, extremes of sensors.
+
+        Raises StateError if the simulation has gone on since.
+        """
+        return json.loads(self._recording.make_summary())
+
+    def page(self):
+        """report.html of the run: plots and the moving rotor, one page without network.
+
+        Raises StateError if the simulation has gone on since.
+        """
+        return self._recording.make_page()
+
+    def _repr_html_(self):
+        page = html.escape(self.page(), quote=True)
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: 40em; border: 0"></iframe>'
+
+    def __repr__(self):
+        return (f"<spoke.Result {len(self)} sensors, {len(self.t)} rows, "
+                f"t = {self.t[0]:g} to {self.t[-1]:g} s>")
