@@ -36,7 +36,7 @@ std::uint32_t checksum_of(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
-  throw InputError(name + ": " + reason);
+  throw InputError(name + ": " + reason, {.file = name});
 }
 
 void add_state(const SavedState& state, ByteWriter& content) {

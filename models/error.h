@@ -2,19 +2,40 @@
 
 // How a simulation ends that does not come to its end.
 
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "spoke/error.h"
 #include "spoke/export.h"
 
 namespace spoke {
 
+/// Where and when a simulation left the range of its model, in the words of the sentence.
+struct Divergence {
+  std::optional<double> time{};        ///< that the step was to reach [s]; none: of an equilibrium
+  std::optional<std::int64_t> step{};  ///< from 1; none: of an equilibrium
+  std::string subsystem{};             ///< "blade 2"; empty: of none, or of all
+  std::string body{};                  ///< "body 3"; empty: of none, or of all
+  std::string node{};      ///< of the step graph, "blade 2 / body 3 / recovery"; may be empty
+  std::string quantity{};  ///< "deflection v of node 4", "energy"
+};
+
 /// A simulation that left the range of its model: one sentence naming time, step, subsystem, body,
 /// node of the graph and quantity, and what to try. The program ends with status 3.
 class SPOKE_EXPORT DivergenceError : public Error {
  public:
-  /// ErrorCode::diverged.
-  explicit DivergenceError(const std::string& sentence) : Error(ErrorCode::diverged, sentence) {}
+  /// ErrorCode::diverged. The sentence says where it happened, too.
+  explicit DivergenceError(const std::string& sentence, Divergence divergence = {})
+      : Error(ErrorCode::diverged, sentence),
+        divergence_(std::make_shared<const Divergence>(std::move(divergence))) {}
+  /// Where and when it happened.
+  const Divergence& divergence() const noexcept { return *divergence_; }
+
+ private:
+  std::shared_ptr<const Divergence> divergence_;  // copies of an exception must not throw
 };
 
 /// A load of the user's that failed: one sentence naming load, blade, time, step, and what it said.

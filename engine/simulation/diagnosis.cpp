@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
+#include <string_view>
 
 #include "engine/kernels/body_energies.h"
 #include "engine/kernels/deformation_limits.h"
@@ -14,19 +16,34 @@
 namespace spoke {
 namespace {
 
+constexpr const char* kNotFinite = " is not finite";
+constexpr const char* kHubAcceleration = "the acceleration of the hub";
+
 /// The body at which a failure showed, and what was found there.
 struct FailureSite {
   int subsystem = -1;
   int body = -1;
-  std::string finding;        ///< what was found there
+  std::string quantity;       ///< that failed there
+  std::string finding;        ///< what is wrong with it
   const char* node = "";      ///< stage of the graph that works on it
   bool has_bad_load = false;  ///< a load on it is not finite
 
   bool is_known() const { return subsystem >= 0; }
 };
 
+std::string name_blade(const FailureSite& site) {
+  return "blade " + std::to_string(site.subsystem + 1);
+}
+
 std::string name_body(const FailureSite& site) {
-  return "blade " + std::to_string(site.subsystem + 1) + " / body " + std::to_string(site.body + 1);
+  return name_blade(site) + " / body " + std::to_string(site.body + 1);
+}
+
+/// The node of the step graph at which the failure showed.
+std::string name_node(const FailureSite& site) {
+  if (!site.is_known()) return "hub solve";
+  const bool is_of_blade = std::string_view(site.node) == "sensors";
+  return (is_of_blade ? name_blade(site) : name_body(site)) + " / " + site.node;
 }
 
 /// "axial displacement u of node 3", "deflection v of node 4", "rotation psi of node 0".
@@ -39,24 +56,23 @@ std::string name_coordinate(const FlexibleBody& body, int coordinate) {
   return "coordinate " + std::to_string(coordinate);
 }
 
-std::string describe_violation(const FlexibleBody& body, const LimitViolation& violation) {
+std::string describe_violation(const LimitViolation& violation) {
   std::ostringstream text;
-  text << name_coordinate(body, violation.coordinate);
   if (std::isfinite(violation.value))
     text << " = " << violation.value << " is beyond what its linear model can mean (limit "
          << violation.limit << ")";
   else
-    text << " is not finite";
+    text << kNotFinite;
   return text.str();
 }
 
-/// "the acceleration of deflection v of node 4 is not finite", of the first coordinate.
-std::string describe_accelerations(const BodyData<Plane>& body) {
+/// "the acceleration of the deflection v of node 4", of the first coordinate that has none.
+std::string name_acceleration(const BodyData<Plane>& body) {
   const FlexibleBody& model = *body.model->body;
   for (int k = 0; k < model.coordinates(); ++k)
     if (!std::isfinite(body.a_found[body.layout.offset(k)]))
-      return "the acceleration of the " + name_coordinate(model, k) + " is not finite";
-  return "the acceleration of its frame is not finite";
+      return "the acceleration of the " + name_coordinate(model, k);
+  return "the acceleration of its frame";
 }
 
 /// Calls `apply` with the indices and data of each body of the subsystems whose step has failed,
@@ -80,8 +96,8 @@ FailureSite find_bad_load(const StepData<Plane>& data) {
       const double sum = load.course->value(t) * (load.force.x() + load.force.y() + load.moment);
       if (std::isfinite(sum) || found.is_known()) continue;
       std::ostringstream text;
-      text << "the load at x = " << load.points.front().x << " m in its frame is not finite";
-      found = {i, j, text.str(), "mass", true};
+      text << "the load at x = " << load.points.front().x << " m in its frame";
+      found = {i, j, text.str(), kNotFinite, "mass", true};
     }
   });
   return found;
@@ -98,7 +114,8 @@ FailureSite find_worst(const StepData<Plane>& data) {
         std::isfinite(violation.value) ? std::abs(violation.value) / violation.limit : HUGE_VAL;
     if (severity <= largest) return;
     largest = severity;
-    worst = {i, j, describe_violation(*body.model->body, violation), "recovery"};
+    worst = {i, j, name_coordinate(*body.model->body, violation.coordinate),
+             describe_violation(violation), "recovery"};
   });
   return worst;
 }
@@ -108,7 +125,7 @@ FailureSite find_reported(const StepData<Plane>& data) {
   FailureSite found;
   for_each_failed(data, [&](int i, int j, const BodyData<Plane>& body) {
     if (found.is_known() || body.report.failed == 0.0) return;
-    found = {i, j, describe_accelerations(body), "recovery"};
+    found = {i, j, name_acceleration(body), kNotFinite, "recovery"};
   });
   return found;
 }
@@ -120,7 +137,7 @@ FailureSite find_most_changed(const StepData<Plane>& data) {
   for_each_failed(data, [&](int i, int j, const BodyData<Plane>& body) {
     if (found.is_known() && body.report.change <= largest) return;
     largest = body.report.change;
-    found = {i, j, "", "recovery"};
+    found = {i, j, "change of a coordinate", "", "recovery"};
   });
   return found;
 }
@@ -134,7 +151,7 @@ FailureSite find_most_strained(const StepData<Plane>& data) {
       const double strain = calc_strain_energy(data.subsystems[i].bodies[j]);
       if (strain <= largest) continue;
       largest = strain;
-      found = {static_cast<int>(i), static_cast<int>(j), "", "sensors"};
+      found = {static_cast<int>(i), static_cast<int>(j), "energy", "", "sensors"};
     }
   return found;
 }
@@ -169,18 +186,17 @@ std::string describe_finding(const Scenario& scenario, const SystemContext<Plane
   std::ostringstream text;
   if (failed.outcome == StepOutcome::energy_grew) {
     text << describe_growth(scenario, failed.seen) << "; " << name_body(site)
-         << " is strained most (node \"blade " << site.subsystem + 1 << " / sensors\")";
+         << " is strained most";
   } else if (failed.outcome == StepOutcome::not_converged) {
     text << "the iteration still changes a coordinate by " << failed_progress(context.data).change
          << " (tolerance " << context.integrator.limits.tolerance << ") after "
-         << counted(context.integrator.limits.most, "iteration") << ", most in " << name_body(site)
-         << " (node \"" << name_body(site) << " / recovery\")";
+         << counted(context.integrator.limits.most, "iteration") << ", most in " << name_body(site);
   } else if (site.is_known()) {
-    text << name_body(site) << ": " << site.finding << " (node \"" << name_body(site) << " / "
-         << site.node << "\")";
+    text << name_body(site) << ": " << site.quantity << site.finding;
   } else {
-    text << "the acceleration of the hub is not finite (node \"hub solve\")";
+    text << kHubAcceleration << kNotFinite;
   }
+  text << " (node \"" << name_node(site) << "\")";
   return text.str();
 }
 
@@ -296,16 +312,26 @@ std::string find_cause(const Scenario& scenario, const SystemContext<Plane>& con
   return "take a smaller integration.step, more bodies per blade, or smaller loads";
 }
 
+Divergence locate(const FailedStep& failed, const FailureSite& site) {
+  Divergence at{.time = failed.time, .step = failed.step, .node = name_node(site)};
+  if (site.is_known()) {
+    at.subsystem = name_blade(site);
+    at.body = "body " + std::to_string(site.body + 1);
+  }
+  at.quantity = site.is_known() ? site.quantity : kHubAcceleration;
+  return at;
+}
+
 }  // namespace
 
-std::string describe_failure(const Scenario& scenario, const SystemContext<Plane>& context,
-                             const FailedStep& failed) {
+DivergenceError diagnose(const Scenario& scenario, const SystemContext<Plane>& context,
+                         const FailedStep& failed) {
   const FailureSite site = find_site(context, failed);
   std::ostringstream text;
   text << "diverged at t = " << failed.time << " s, step " << failed.step << ": "
        << describe_finding(scenario, context, failed, site) << "; "
        << find_cause(scenario, context, failed, site);
-  return text.str();
+  return DivergenceError(text.str(), locate(failed, site));
 }
 
 }  // namespace spoke

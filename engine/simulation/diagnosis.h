@@ -1,12 +1,12 @@
 #pragma once
 
-// The sentence of a DivergenceError.
+// The sentence of a DivergenceError, and its fields.
 
 #include <cstdint>
-#include <string>
 
 #include "engine/simulation/observations.h"
 #include "engine/step/step_context.h"
+#include "models/error.h"
 #include "models/scenario.h"
 
 namespace spoke {
@@ -21,7 +21,7 @@ struct FailedStep {
 
 /// One sentence that says what left its limits, where (blade, body, node of the graph, coordinate),
 /// when, and what to try.
-std::string describe_failure(const Scenario& scenario, const SystemContext<Plane>& context,
-                             const FailedStep& failed);
+DivergenceError diagnose(const Scenario& scenario, const SystemContext<Plane>& context,
+                         const FailedStep& failed);
 
 }  // namespace spoke

@@ -109,8 +109,8 @@ class PlanarModel final : public SimulatedModel {
     return {{q[0], q[1], 0.0}, in_space(Rotation::from_angle(q[kRotation]))};
   }
 
-  std::string describe_failure(const FailedStep& failed) const override {
-    return spoke::describe_failure(scenario_, context_, failed);
+  DivergenceError diagnose(const FailedStep& failed) const override {
+    return spoke::diagnose(scenario_, context_, failed);
   }
   std::string describe_failed_load(const std::string& at) const override {
     std::vector<std::string> names;

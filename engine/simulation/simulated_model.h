@@ -81,8 +81,8 @@ class SimulatedModel {
   virtual void calc_shape(int tree, double t, TreeShape& shape) = 0;
   virtual HubPose hub_pose() const = 0;
 
-  /// See describe_failure() and describe_failed_load().
-  virtual std::string describe_failure(const FailedStep& failed) const = 0;
+  /// See diagnose() and describe_failed_load().
+  virtual DivergenceError diagnose(const FailedStep& failed) const = 0;
   virtual std::string describe_failed_load(const std::string& at) const = 0;
 };
 

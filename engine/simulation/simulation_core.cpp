@@ -322,10 +322,10 @@ void SimulationCore::throw_failure(StepOutcome outcome, std::int64_t step) {
     SimulationLog::log_failure(scenario, text);
     throw LoadError(text);
   }
-  const std::string text =
-      model->describe_failure({outcome, static_cast<double>(step) * step_size, step, seen});
-  SimulationLog::log_failure(scenario, text);
-  throw DivergenceError(text);
+  const DivergenceError error =
+      model->diagnose({outcome, static_cast<double>(step) * step_size, step, seen});
+  SimulationLog::log_failure(scenario, error.what());
+  throw error;
 }
 
 }  // namespace spoke

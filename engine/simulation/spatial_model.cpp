@@ -160,12 +160,14 @@ class SpatialModel final : public SimulatedModel {
     return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
   }
 
-  std::string describe_failure(const FailedStep& failed) const override {
+  DivergenceError diagnose(const FailedStep& failed) const override {
+    Divergence at{.time = failed.time, .step = failed.step};
+    const std::string finding = find(failed, at);
     std::ostringstream text;
-    text << "diverged at t = " << failed.time << " s, step " << failed.step << ": "
-         << describe_finding(failed) << "; take a smaller integration.step, more bodies per beam, "
+    text << "diverged at t = " << failed.time << " s, step " << failed.step << ": " << finding
+         << "; take a smaller integration.step, more bodies per beam, "
          << "geometric_stiffening where a body turns fast, or smaller loads";
-    return text.str();
+    return DivergenceError(text.str(), std::move(at));
   }
   std::string describe_failed_load(const std::string& at) const override {
     std::vector<std::string> names;
@@ -178,9 +180,15 @@ class SpatialModel final : public SimulatedModel {
     return trees_[i].name + " / " + trees_[i].bodies[j].name;
   }
 
-  std::string describe_finding(const FailedStep& failed) const {
-    if (failed.outcome == StepOutcome::energy_grew) return describe_growth(scenario_, failed.seen);
+  /// Puts what has failed, and where, into `at`. Both as a part of the sentence.
+  std::string find(const FailedStep& failed, Divergence& at) const {
+    if (failed.outcome == StepOutcome::energy_grew) {
+      at.quantity = "energy";
+      return describe_growth(scenario_, failed.seen);
+    }
     if (failed.outcome == StepOutcome::not_converged) {
+      at.node = "finish";
+      at.quantity = "change of a coordinate";
       std::ostringstream text;
       text << "the iteration does not converge to " << context_.integrator.limits.tolerance
            << " within " << counted(context_.integrator.limits.most, "iteration")
@@ -189,32 +197,35 @@ class SpatialModel final : public SimulatedModel {
     }
     for (std::size_t i = 0; i < trees_.size(); ++i)
       for (std::size_t j = 0; j < trees_[i].bodies.size(); ++j) {
-        const std::string finding = describe_body(i, j);
-        if (!finding.empty()) return finding;
+        const std::string finding = find_in_body(i, j, at.quantity);
+        if (finding.empty()) continue;
+        at.subsystem = trees_[i].name;
+        at.body = trees_[i].bodies[j].name;
+        at.node = name_body(i, j) + " / recovery";
+        return name_body(i, j) + ": " + at.quantity + finding + " (node \"" + at.node + "\")";
       }
-    return "the acceleration of the hub is not finite (node \"hub solve\")";
+    at.node = "hub solve";
+    at.quantity = "the acceleration of the hub";
+    return at.quantity + " is not finite (node \"hub solve\")";
   }
 
-  /// What is wrong with a body; nothing if it is fine.
-  std::string describe_body(std::size_t i, std::size_t j) const {
+  /// What is wrong with a quantity of a body; nothing if all are fine.
+  std::string find_in_body(std::size_t i, std::size_t j, std::string& quantity) const {
     const BodyData<Space>& body = context_.data.subsystems[i].bodies[j];
-    std::ostringstream text;
-    const std::string node = " (node \"" + name_body(i, j) + " / recovery\")";
     if (const space::FlexibleBody* flexible = body.model->body->flexible()) {
       const auto at = space::find_limit_violation(*flexible, body.coordinates.q);
       if (at.node >= 0) {
-        text << name_body(i, j) << ": " << name_coordinate(at);
-        if (std::isfinite(at.value))
-          text << " = " << at.value << " is beyond what its linear model can mean (limit "
-               << at.limit << ")";
-        else
-          text << " is not finite";
-        return text.str() + node;
+        quantity = name_coordinate(at);
+        if (!std::isfinite(at.value)) return " is not finite";
+        std::ostringstream text;
+        text << " = " << at.value << " is beyond what its linear model can mean (limit " << at.limit
+             << ")";
+        return text.str();
       }
     }
-    if (!std::isfinite(body.X.sum()))
-      return name_body(i, j) + ": the acceleration of its frame is not finite" + node;
-    return {};
+    if (std::isfinite(body.X.sum())) return {};
+    quantity = "the acceleration of its frame";
+    return " is not finite";
   }
 
   const Scenario& scenario_;

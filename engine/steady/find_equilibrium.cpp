@@ -162,14 +162,15 @@ class Search {
 
 [[noreturn]] void give_up(std::size_t tree, const Search& search, double share,
                           const SteadyModel& model) {
+  const std::string coordinate =
+      model.coordinates(tree)[static_cast<std::size_t>(search.worst)].name;
   std::ostringstream text;
   text
       << "no equilibrium found at " << model.speed() << " rad/s: " << model.name_of(tree) << " / "
-      << model.coordinates(tree)[static_cast<std::size_t>(search.worst)].name
-      << " does not settle at " << 100.0 * share
+      << coordinate << " does not settle at " << 100.0 * share
       << " % of loads and speed squared; take more bodies per blade, smaller loads, another speed, "
          "or springs for joints that nothing holds";
-  throw DivergenceError(text.str());
+  throw DivergenceError(text.str(), {.subsystem = model.name_of(tree), .quantity = coordinate});
 }
 
 /// Finds the equilibrium of one tree, in as many load steps as it takes.

@@ -17,7 +17,7 @@ namespace spoke {
 namespace {
 
 [[noreturn]] void fail(const std::string& key, const std::string& what) {
-  throw InputError(key + ": " + what);
+  throw InputError(key + ": " + what, {.key = key});
 }
 
 void check(const std::string& key, double value, const Quantity& quantity) {

@@ -64,7 +64,7 @@ Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades)
 }
 
 [[noreturn]] void fail(const std::string& key, const std::string& what) {
-  throw InputError(key + ": " + what);
+  throw InputError(key + ": " + what, {.key = key});
 }
 
 void check_sensor(const std::string& path, const Sensor& sensor, const std::vector<Blade>& blades) {

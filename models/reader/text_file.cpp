@@ -29,25 +29,22 @@ std::string read_at_most(std::istream& stream, std::size_t most) {
 }  // namespace
 
 std::string read_text(const std::filesystem::path& file) {
-  const std::string expected = ", expected a scenario file (TOML)";
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(file.string() + ": " + what + ", expected a scenario file (TOML)",
+                     {.file = file.string()});
+  };
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) {
-    throw InputError(file.string() + ": no such file" + expected);
-  }
-  if (error) throw InputError(file.string() + ": " + error.message() + expected);
-  if (std::filesystem::is_directory(status)) {
-    throw InputError(file.string() + ": is a directory" + expected);
-  }
+  if (status.type() == std::filesystem::file_type::not_found) refuse("no such file");
+  if (error) refuse(error.message());
+  if (std::filesystem::is_directory(status)) refuse("is a directory");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string() + ": " + std::strerror(errno) + expected);
+  if (!stream) refuse(std::strerror(errno));
   const std::string text = read_at_most(stream, kLargestFile + 1);
-  if (stream.bad()) throw InputError(file.string() + ": cannot be read" + expected);
-  if (text.empty()) throw InputError(file.string() + ": is empty" + expected);
-  if (text.size() > kLargestFile) {
-    throw InputError(file.string() + ": is larger than 16 MiB" + expected);
-  }
+  if (stream.bad()) refuse("cannot be read");
+  if (text.empty()) refuse("is empty");
+  if (text.size() > kLargestFile) refuse("is larger than 16 MiB");
   return text;
 }
 

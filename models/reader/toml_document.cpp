@@ -163,7 +163,8 @@ std::string describe(const toml::node& node) {
 TomlDocument::TomlDocument(const std::string& text, std::string name) : name_(std::move(name)) {
   if (const auto zero = text.find('\0'); zero != std::string::npos) {
     throw InputError(name_ + ": has a zero byte at " + std::to_string(zero) +
-                     ", expected a text file (TOML in UTF-8)");
+                         ", expected a text file (TOML in UTF-8)",
+                     {.file = name_});
   }
   if (const auto deep = find_deep_key(text, kMostNames)) {
     fail("", position_of(*deep, text),
@@ -223,8 +224,7 @@ void TomlDocument::remember(const std::string& path, const std::string& where) {
   overrides_[path] = where;
 }
 
-std::string TomlDocument::place(const std::string& path,
-                                const toml::source_position& position) const {
+std::string TomlDocument::find_override(const std::string& path) const {
   for (std::string prefix = path; !prefix.empty();) {
     if (const auto found = overrides_.find(prefix); found != overrides_.end()) {
       return found->second;
@@ -232,14 +232,23 @@ std::string TomlDocument::place(const std::string& path,
     const auto dot = prefix.rfind('.');
     prefix.resize(dot == std::string::npos ? 0 : dot);
   }
-  if (!position) return name_;
-  return name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column);
+  return {};
 }
 
 void TomlDocument::fail(const std::string& path, const toml::source_position& position,
                         const std::string& what) const {
+  InputPlace place{.key = path};
+  std::string where = find_override(path);
+  if (where.empty()) {
+    where = place.file = name_;
+    if (position) {
+      place.line = static_cast<int>(position.line);
+      place.column = static_cast<int>(position.column);
+      where += ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
+    }
+  }
   const std::string message = path + (path.empty() ? "" : ": ") + what;
-  throw InputError(place(path, position) + ": " + one_line(message, std::string::npos));
+  throw InputError(where + ": " + one_line(message, std::string::npos), std::move(place));
 }
 
 }  // namespace spoke

@@ -39,7 +39,8 @@ class TomlDocument {
   toml::node& find_or_make(toml::node& parent, const Names& names, std::size_t depth,
                            const std::string& where);
   void remember(const std::string& path, const std::string& where);
-  std::string place(const std::string& path, const toml::source_position& position) const;
+  /// What gave a key its value, "--set KEY=VALUE"; empty: the file.
+  std::string find_override(const std::string& path) const;
 
   std::string name_;
   toml::table root_;

@@ -11,7 +11,9 @@ namespace spoke::spatial {
 namespace {
 
 void require(const Fault& fault) {
-  if (fault) throw InputError(fault.path + (fault.path.empty() ? "" : ": ") + fault.text);
+  if (fault)
+    throw InputError(fault.path + (fault.path.empty() ? "" : ": ") + fault.text,
+                     {.key = fault.path});
 }
 
 template <class Items, class Find>

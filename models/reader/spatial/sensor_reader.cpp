@@ -197,7 +197,7 @@ void check_sensors(const std::vector<Sensor>& sensors, const Model& model) {
   std::size_t number = 0;
   for (const Sensor& sensor : sensors) {
     const Fault fault = rules.find_next_fault(sensor).within("sensor." + std::to_string(++number));
-    if (fault) throw InputError(fault.path + ": " + fault.text);
+    if (fault) throw InputError(fault.path + ": " + fault.text, {.key = fault.path});
   }
 }
 

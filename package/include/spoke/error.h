@@ -2,8 +2,10 @@
 
 // The errors that every part of the library may throw. models/error.h has those of a simulation.
 
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "spoke/export.h"
 
@@ -32,12 +34,27 @@ class SPOKE_EXPORT Error : public std::runtime_error {
   ErrorCode code_;
 };
 
+/// Where input that cannot be used stands, as far as that is known.
+struct InputPlace {
+  std::string file{};  ///< as it was named; empty: not known, or it stands in no file
+  int line = 0;        ///< from 1; 0: not known
+  int column = 0;      ///< from 1, in bytes; 0: not known
+  std::string key{};   ///< path of the key, "blade.bodies"; empty: not known, or it is no key's
+};
+
 /// Input that cannot be used: one sentence naming where it stands (file:line:column where there is
 /// one), the key, the value, and what was expected. The program ends with status 2.
 class SPOKE_EXPORT InputError : public Error {
  public:
-  /// ErrorCode::bad_input.
-  explicit InputError(const std::string& sentence) : Error(ErrorCode::bad_input, sentence) {}
+  /// ErrorCode::bad_input. The sentence says where it stands, too.
+  explicit InputError(const std::string& sentence, InputPlace place = {})
+      : Error(ErrorCode::bad_input, sentence),
+        place_(std::make_shared<const InputPlace>(std::move(place))) {}
+  /// Where the input stands.
+  const InputPlace& place() const noexcept { return *place_; }
+
+ private:
+  std::shared_ptr<const InputPlace> place_;  // copies of an exception must not throw
 };
 
 }  // namespace spoke

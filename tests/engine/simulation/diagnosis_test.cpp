@@ -52,7 +52,7 @@ std::string diverge_unchecked(const Scenario& scenario, const RunnerOptions& opt
   StepRunner runner(context, options);
   const auto fail = [&](StepOutcome outcome, std::int64_t step) {
     const double time = static_cast<double>(step) * integration.step;
-    return describe_failure(scenario, context, {outcome, time, step, {}});
+    return std::string(diagnose(scenario, context, {outcome, time, step, {}}).what());
   };
   const StepOutcome start = runner.start();
   if (start != StepOutcome::done) return fail(start, 0);
@@ -102,6 +102,25 @@ TEST_CASE("rk4 above its stability limit is named with that limit") {
   check_parts(diverge(scenario),
               {"diverged at t = ", "step ", "blade 1 / body ", " of node ", " / recovery\"",
                "the step of 0.005 s is above", limit.c_str(), highest.c_str()});
+}
+
+TEST_CASE("a divergence has what its sentence names as fields") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(4, 4), 0.005);
+  scenario.integration.method = IntegrationMethod::rk4;
+  Divergence at;
+  std::string message;
+  try {
+    Simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1}).run_until(1.0);
+  } catch (const DivergenceError& error) {
+    at = error.divergence();
+    message = error.what();
+  }
+  REQUIRE(at.step);
+  CHECK(*at.time == approx(0.005 * static_cast<double>(*at.step)));
+  CHECK(at.subsystem == "blade 1");
+  CHECK(at.node == at.subsystem + " / " + at.body + " / recovery");
+  check_parts(message, {("step " + std::to_string(*at.step) + ": ").c_str(), at.node.c_str(),
+                        at.quantity.c_str()});
 }
 
 TEST_CASE("rk4 above its stability limit by damping is named with it") {

@@ -386,3 +386,26 @@ TEST_CASE("bad overrides are refused with the override as their place") {
   check_message(error("blades.1.length=7"),
                 "f.toml:9:9: blade.count: given along with [[blades]], expected only one of them");
 }
+
+TEST_CASE("an error has the place that its sentence names as fields") {
+  const auto place_of = [](const std::string& text, const Overrides& overrides) {
+    try {
+      parse_scenario(text, "f.toml", overrides);
+    } catch (const InputError& error) {
+      return error.place();
+    }
+    return InputPlace{};
+  };
+  const InputPlace in_file = place_of(with("length = 8.0", "length = -8.0"), {});
+  CHECK(in_file.file == "f.toml");
+  CHECK(in_file.line == 10);
+  CHECK(in_file.column == 10);
+  CHECK(in_file.key == "blade.length");
+  const InputPlace overridden = place_of(kText, {"blade.length=-8"});
+  CHECK(overridden.file.empty());
+  CHECK(overridden.line == 0);
+  CHECK(overridden.key == "blade.length");
+  const InputPlace no_toml = place_of("a = 1\nb = [", {});
+  CHECK(no_toml.line == 2);
+  CHECK(no_toml.key.empty());
+}
