@@ -23,8 +23,8 @@
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/cli/tip_deflections.h"
 #include "engine/results.h"
+#include "engine/run_report/tip_deflections.h"
 #include "engine/simulation.h"
 #include "graph/machine/duration_text.h"
 
@@ -99,7 +99,7 @@ class RepeatedSteps {
   Simulation simulation_;
   int count_;
   SensorStatistics statistics_;
-  cli::TipDeflections tips_;
+  run_report::TipDeflections tips_;
   OutputTimes due_;
   std::int64_t rows_ = 0;
   SavedState start_;

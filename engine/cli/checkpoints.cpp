@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/cli/tip_deflections.h"
+#include "engine/run_report/tip_deflections.h"
 #include "models/count_text.h"
 #include "models/error.h"
 
@@ -28,7 +28,7 @@ void require_fit(const std::filesystem::path& file, const RunRecord& record,
     refuse(file, fmt::format("output.interval is {} in the checkpoint and {} here",
                              record.output_interval, interval));
   const std::size_t sensors = simulation.sensor_names().size();
-  const std::size_t tips = count_tips(simulation.scenario());
+  const std::size_t tips = run_report::count_tips(simulation.scenario());
   if (record.ranges.size() != sensors || record.tips.size() != tips)
     refuse(file, fmt::format("it has records of {} and {}, expected {} and {}",
                              counted(std::ssize(record.ranges), "sensor"),

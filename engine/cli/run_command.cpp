@@ -18,11 +18,11 @@
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/standard_streams.h"
-#include "engine/cli/tip_deflections.h"
 #include "engine/cli/trace_files.h"
 #include "engine/results.h"
 #include "engine/run_report/html_file.h"
 #include "engine/run_report/picture_steps.h"
+#include "engine/run_report/tip_deflections.h"
 #include "engine/trace/files.h"
 #include "engine/vtk/vtk_series.h"
 #include "models/count_text.h"
@@ -82,7 +82,7 @@ struct Recording {
   }
 
   SensorStatistics statistics;
-  TipDeflections tips;
+  run_report::TipDeflections tips;
   OutputTimes due;
   SensorFile file;
   std::optional<run_report::Recorder> report;

@@ -1,6 +1,6 @@
 // Each tip's displacement as one number, and the extremes in words.
 
-#include "engine/cli/tip_deflections.h"
+#include "engine/run_report/tip_deflections.h"
 
 #include <spdlog/fmt/fmt.h>
 
@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace spoke::cli {
+namespace spoke::run_report {
 namespace {
 
 /// Numbers in increasing order, as "1-3, 5".
@@ -110,7 +110,7 @@ std::vector<std::string> TipDeflections::describe() const {
   return lines;
 }
 
-run_report::TipSummary TipDeflections::summarise() const {
+TipSummary TipDeflections::summarise() const {
   const auto largest = std::max_element(tips_.begin(), tips_.end(), [](const Tip& a, const Tip& b) {
     return std::abs(a.extreme.largest) < std::abs(b.extreme.largest);
   });
@@ -123,4 +123,4 @@ std::size_t count_tips(const Scenario& scenario) {
   return scenario.space->blades.size() + scenario.space->subsystems.size();
 }
 
-}  // namespace spoke::cli
+}  // namespace spoke::run_report

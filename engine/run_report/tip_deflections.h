@@ -13,7 +13,7 @@
 #include "engine/run_report/html_file.h"
 #include "engine/simulation.h"
 
-namespace spoke::cli {
+namespace spoke::run_report {
 
 /// Finds the largest deflection of each tip over all steps: of a rotor in the plane across the
 /// undeformed blade, in space the distance from the tip's undeformed place. The sensors have a
@@ -32,7 +32,7 @@ class TipDeflections {
   /// deflection, the largest first.
   std::vector<std::string> describe() const;
   /// The first of these.
-  run_report::TipSummary summarise() const;
+  TipSummary summarise() const;
 
  private:
   struct Tip {
@@ -54,4 +54,4 @@ class TipDeflections {
 /// How many tips a scenario has, one for each blade and subsystem.
 std::size_t count_tips(const Scenario& scenario);
 
-}  // namespace spoke::cli
+}  // namespace spoke::run_report
