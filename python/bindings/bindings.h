@@ -12,9 +12,15 @@ void bind_errors(pybind11::module_& module);
 void bind_drives(pybind11::module_& module);
 /// Marker, Wrench, and loads that are Python functions.
 void bind_loads(pybind11::module_& module);
-/// Scenario, Simulation, SavedState, and what a simulation is asked for.
+/// Scenario.
+void bind_scenario(pybind11::module_& module);
+/// Simulation, SavedState, and what a simulation is asked for.
 void bind_simulation(pybind11::module_& module);
 /// Recording: what a run leaves behind.
 void bind_recording(pybind11::module_& module);
+/// Trace: which thread ran which node when.
+void bind_trace(pybind11::module_& module);
+/// Equilibria, modes and Campbell diagrams.
+void bind_steady(pybind11::module_& module);
 
 }  // namespace spoke::python

@@ -1,9 +1,8 @@
 // What moves the hub.
 
-#include "models/drive.h"
-
 #include <pybind11/stl.h>
 
+#include "models/drive.h"
 #include "python/bindings/bindings.h"
 
 namespace spoke::python {
@@ -24,8 +23,10 @@ void bind_drives(py::module_& module) {
   py::implicitly_convertible<py::int_, Curve>();
 
   py::class_<SpinUp>(module, "SpinUp", "A smooth start to a constant speed.")
-      .def(py::init([](double speed, double ramp) { return SpinUp{speed, ramp}; }), "speed"_a,
-           "ramp"_a, "To `speed` [rad/s] within `ramp` [s].")
+      .def(py::init([](double speed, double ramp) {
+             return SpinUp{speed, ramp};
+           }),
+           "speed"_a, "ramp"_a, "To `speed` [rad/s] within `ramp` [s].")
       .def_readonly("speed", &SpinUp::speed, "[rad/s]")
       .def_readonly("ramp", &SpinUp::ramp, "[s]");
   py::class_<SpinUpHoldSpinDown>(module, "SpinUpHoldSpinDown",

@@ -5,17 +5,16 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "engine/run_report/html_file.h"
-#include "engine/run_report/picture_steps.h"
 #include "models/error.h"
 #include "python/bindings/bindings.h"
 
 namespace spoke::python {
-namespace {
 
 namespace py = pybind11;
 using Clock = std::chrono::steady_clock;
@@ -23,10 +22,21 @@ using Clock = std::chrono::steady_clock;
 /// Asks Python now and then, during steps without the interpreter lock, whether a signal has come.
 class SignalWatch {
  public:
+  /// Python handles signals in its main thread alone: others need not ask.
+  SignalWatch() {
+    const py::module_ threading = py::module_::import("threading");
+    is_main_ = threading.attr("current_thread")().is(threading.attr("main_thread")());
+  }
   /// True if Python raises what it has come to.
   bool has_come() {
-    if (raised_ || ++calls_ % kCallsBetween != 0 || Clock::now() < next_) return raised_.has_value();
-    next_ = Clock::now() + kPause;
+    if (!is_main_ || raised_ || ++calls_ < calls_between_) return raised_.has_value();
+    calls_ = 0;
+    const auto now = Clock::now();
+    // A look at the clock costs 25 ns: of short steps every 16th will do.
+    calls_between_ = now - looked_ < kShort ? std::min(2 * calls_between_, 16) : 1;
+    looked_ = now;
+    if (now < next_) return false;
+    next_ = now + kPause;
     const py::gil_scoped_acquire lock;
     if (PyErr_CheckSignals() != 0) raised_.emplace();  // takes the exception from the interpreter
     return raised_.has_value();
@@ -37,89 +47,136 @@ class SignalWatch {
   }
 
  private:
-  static constexpr std::uint64_t kCallsBetween = 16;  // a look at the clock costs 25 ns
+  static constexpr std::chrono::milliseconds kShort{1};
   static constexpr std::chrono::milliseconds kPause{50};
-  std::uint64_t calls_ = 0;
-  Clock::time_point next_ = Clock::now() + kPause;
+  bool is_main_ = false;
+  int calls_ = 0;
+  int calls_between_ = 1;
+  Clock::time_point looked_ = Clock::now();
+  Clock::time_point next_ = looked_ + kPause;
   std::optional<py::error_already_set> raised_;
 };
 
-}  // namespace
-
-Recording::Recording(std::shared_ptr<Simulation> simulation)
+Recording::Recording(std::shared_ptr<UsedSimulation> simulation, double every, bool has_page)
     : simulation_(std::move(simulation)),
+      due_(every),
       statistics_(simulation_->sensor_names().size()),
-      recorder_(*simulation_) {}
-
-std::unique_ptr<Recording> Recording::run(std::shared_ptr<Simulation> simulation, double until,
-                                          double every) {
-  OutputTimes due(every);
-  std::unique_ptr<Recording> recording(new Recording(std::move(simulation)));
-  recording->integrate(until, due);
-  return recording;
+      tips_(*simulation_) {
+  if (has_page) recorder_.emplace(*simulation_);
 }
 
 void Recording::add_row(double t, std::span<const double> sensors) {
   numbers_.push_back(t);
   numbers_.insert(numbers_.end(), sensors.begin(), sensors.end());
-  recorder_.add_row(t, sensors);
-  last_row_ = t;
+  if (recorder_) recorder_->add_row(t, sensors);
 }
 
-void Recording::add(double t, std::span<const double> sensors, OutputTimes& due) {
+void Recording::add(double t, std::span<const double> sensors) {
   statistics_.add(t, sensors);
-  if (due.is_due(t)) add_row(t, sensors);
+  tips_.add(t, sensors);
+  if (due_.is_due(t)) add_row(t, sensors);
 }
 
-void Recording::integrate(double until, OutputTimes& due) {
+/// Stops on the way to take pictures of the page.
+template <class Observe>
+void Recording::step_to(double until, const bool& is_stopped, const Observe& observe) {
+  UsedSimulation& simulation = *simulation_;
+  const run_report::PictureSteps pictures(simulation, recorder_->animation().most_frames());
+  const double end = until - 0.5 * simulation.step_size();
+  while (!is_stopped && !simulation.done() && simulation.time() < end) {
+    const std::int64_t picture = pictures.next(simulation.steps());
+    simulation.run_until(std::min(until, static_cast<double>(picture) * simulation.step_size()),
+                         observe);
+    if (simulation.steps() == picture) recorder_->add_picture(simulation);
+  }
+}
+
+void Recording::step_to(double until, SignalWatch& watch) {
+  bool is_stopped = false;
+  const auto observe = [&](double t, std::span<const double> sensors) {
+    add(t, sensors);
+    if (is_stopped || !watch.has_come()) return;
+    is_stopped = true;
+    simulation_->stop();
+  };
+  if (recorder_)
+    step_to(until, is_stopped, observe);
+  else
+    simulation_->run_until(until, observe);
+}
+
+/// The last step is a row, also of a run that ended early.
+void Recording::finish() {
+  last_step_ = simulation_->steps();
+  const double t = statistics_.last_time();
+  if (numbers_[numbers_.size() - width()] < t) add_row(t, statistics_.final_values());
+  numbers_.shrink_to_fit();
+}
+
+void Recording::run(double until) {
   if (std::isnan(until)) throw InputError("until is not a number, expected a time [s]");
-  Simulation& simulation = *simulation_;
+  const Use use(*simulation_);
   SignalWatch watch;
-  add(simulation.time(), simulation.sensor_values(), due);
-  recorder_.add_picture(simulation);
   const auto start = Clock::now();
+  const auto took = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   {
     const py::gil_scoped_release unlocked;
-    const run_report::PictureSteps pictures(simulation, recorder_.animation().most_frames());
-    const double end = until - 0.5 * simulation.step_size();
-    bool is_stopped = false;
-    const auto observe = [&](double t, std::span<const double> sensors) {
-      add(t, sensors, due);
-      if (!is_stopped && watch.has_come()) {
-        is_stopped = true;
-        simulation.stop();
-      }
-    };
-    while (!is_stopped && !simulation.done() && simulation.time() < end) {
-      const std::int64_t picture = pictures.next(simulation.steps());
-      simulation.run_until(std::min(until, static_cast<double>(picture) * simulation.step_size()),
-                           observe);
-      if (simulation.steps() == picture) recorder_.add_picture(simulation);
+    add(simulation_->time(), simulation_->sensor_values());
+    if (recorder_) recorder_->add_picture(*simulation_);
+    try {
+      step_to(until, watch);
+    } catch (const DivergenceError& error) {
+      outcome_ = {took(), error.what()};
+      finish();
+      throw;
+    } catch (const LoadError&) {
+      outcome_.wall_time = took();
+      finish();
+      last_ = simulation_->save();
+      const py::gil_scoped_acquire lock;
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // Ctrl-C within the load
+      throw;
     }
+    outcome_.wall_time = took();
+    finish();
+    last_ = simulation_->save();
   }
   watch.rethrow();
-  outcome_.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
-  if (last_row_ < simulation.time()) add_row(simulation.time(), simulation.sensor_values());
-  last_step_ = simulation.steps();
 }
 
-void Recording::require_its_state() const {
-  if (simulation_->steps() != last_step_)
-    throw StateError("the simulation has gone on since the run ended: ask before it does");
+/// What is made of the simulation as it was when the run ended.
+template <class Make>
+std::string Recording::at_last_step(Make&& make) {
+  const Use use(*simulation_);
+  const py::gil_scoped_release unlocked;
+  if (!last_) {
+    if (simulation_->steps() != last_step_)
+      throw StateError("the simulation that diverged was restored since: ask before it is");
+    return make();
+  }
+  const SavedState present = simulation_->save();
+  simulation_->restore(*last_);
+  const std::string text = make();
+  simulation_->restore(present);
+  return text;
 }
 
-std::string Recording::make_summary() const {
-  require_its_state();
-  return spoke::make_summary(*simulation_, statistics_, outcome_);
+std::string Recording::make_summary() {
+  return at_last_step([&] { return spoke::make_summary(*simulation_, statistics_, outcome_); });
 }
 
-std::string Recording::make_page() const {
-  require_its_state();
-  return run_report::make_html(*simulation_, statistics_, outcome_, {}, recorder_);
+std::string Recording::make_page() {
+  if (!recorder_) throw StateError("no page: the run was made with report=False");
+  return at_last_step([&] {
+    return run_report::make_html(*simulation_, statistics_, outcome_, tips_.summarise(),
+                                 *recorder_);
+  });
 }
 
 void bind_recording(py::module_& module) {
   py::class_<Recording>(module, "Recording", "The sensors of a run at its output times.")
+      .def(py::init<std::shared_ptr<UsedSimulation>, double, bool>())
+      .def("run", &Recording::run)
       .def_property_readonly(
           "numbers",
           [](const py::object& self) {
@@ -131,15 +188,13 @@ void bind_recording(py::module_& module) {
             return view;
           },
           "(rows, 1 + sensors): time [s], then the sensors. A view: nothing is copied.")
-      .def_property_readonly(
-          "names", [](const Recording& r) { return r.simulation().sensor_names(); },
-          "Of the sensors.")
-      .def_property_readonly(
-          "units", [](const Recording& r) { return r.simulation().sensor_units(); },
-          "Of the sensors.")
-      .def_property_readonly("wall_time", &Recording::wall_time, "Of the steps [s].")
-      .def("make_summary", &Recording::make_summary, "The text of summary.json.")
-      .def("make_page", &Recording::make_page, "The text of report.html.");
+      .def_property_readonly("names",
+                             [](const Recording& r) { return r.simulation().sensor_names(); })
+      .def_property_readonly("units",
+                             [](const Recording& r) { return r.simulation().sensor_units(); })
+      .def_property_readonly("wall_time", &Recording::wall_time)
+      .def("make_summary", &Recording::make_summary)
+      .def("make_page", &Recording::make_page);
 }
 
 }  // namespace spoke::python

@@ -2,52 +2,66 @@
 
 // A run as Python asks for it: steps with the interpreter lock released, rows in memory.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/run_report/recorder.h"
 #include "engine/results.h"
-#include "engine/simulation.h"
+#include "engine/run_report/picture_steps.h"
+#include "engine/run_report/recorder.h"
+#include "engine/run_report/tip_deflections.h"
+#include "python/bindings/used_simulation.h"
 
 namespace spoke::python {
 
-/// The sensors of a run at its output times.
+class SignalWatch;
+
+/// The sensors of a run at its output times, and what its page shows.
 class Recording {
  public:
-  /// Steps to time `until` [s] and keeps a row every `every` [s], the present state and the last
-  /// step included; 0: every step. Throws like Simulation::run_until(), and what Python raises
-  /// where a signal asks for it, at the end of a step. The interpreter lock must be held.
-  static std::unique_ptr<Recording> run(std::shared_ptr<Simulation> simulation, double until,
-                                        double every);
+  /// Of a run from the simulation's present state on, with a row every `every` [s]; 0: every step.
+  /// `has_page`: whether make_page() will be asked for. Throws InputError unless every >= 0.
+  Recording(std::shared_ptr<UsedSimulation> simulation, double every, bool has_page);
+
+  /// Steps to time `until` [s]; the present state and the last step are rows, too. Throws like
+  /// Simulation::run_until(), and what Python raises where a signal asks for it, at the end of a
+  /// step; what came before is recorded. Once, with the interpreter lock held.
+  void run(double until);
 
   std::size_t rows() const { return numbers_.size() / width(); }
   /// Of a row: time, then the sensors.
   std::size_t width() const { return simulation_->sensor_names().size() + 1; }
-  /// By row. Stays where it is.
+  /// By row. Stay where they are once the run is over.
   const std::vector<double>& numbers() const { return numbers_; }
   const Simulation& simulation() const { return *simulation_; }
   double wall_time() const { return outcome_.wall_time; }  ///< of the steps [s]
 
-  /// summary.json of the run. Throws StateError if the simulation has gone on since.
-  std::string make_summary() const;
-  /// report.html of the run. Throws likewise.
-  std::string make_page() const;
+  /// summary.json of the run. Throws StateError if the run diverged and the simulation was restored
+  /// since.
+  std::string make_summary();
+  /// report.html of the run. Throws likewise, and StateError without `has_page`.
+  std::string make_page();
 
  private:
-  explicit Recording(std::shared_ptr<Simulation> simulation);
-  void add(double t, std::span<const double> sensors, OutputTimes& due);
   void add_row(double t, std::span<const double> sensors);
-  void integrate(double until, OutputTimes& due);
-  void require_its_state() const;
+  void add(double t, std::span<const double> sensors);
+  template <class Observe>
+  void step_to(double until, const bool& is_stopped, const Observe& observe);
+  void step_to(double until, SignalWatch& watch);
+  void finish();
+  template <class Make>
+  std::string at_last_step(Make&& make);
 
-  std::shared_ptr<Simulation> simulation_;
+  std::shared_ptr<UsedSimulation> simulation_;
+  OutputTimes due_;
   std::vector<double> numbers_;
   SensorStatistics statistics_;
-  run_report::Recorder recorder_;
+  run_report::TipDeflections tips_;
+  std::optional<run_report::Recorder> recorder_;  ///< of the page
   RunOutcome outcome_;
-  double last_row_ = -1.0;  ///< its time [s]
+  std::optional<SavedState> last_;  ///< at its end; none after a step that failed
   std::int64_t last_step_ = 0;
 };
 

@@ -1,6 +1,5 @@
 """What a run leaves behind."""
 
-import html
 import json
 from collections.abc import Mapping
 
@@ -14,7 +13,7 @@ class Result(Mapping):
 
     Attributes:
         t: times of the rows, (rows,) [s].
-        numbers: (rows, 1 + sensors), time and sensors by row. Arrays are views of it.
+        numbers: (rows, 1 + sensors), time and sensors by row, read-only. Arrays are views of it.
         units: {"hub.torque": "N m", ...}.
         wall_time: what the steps took [s].
     """
@@ -37,29 +36,26 @@ class Result(Mapping):
         return len(self._columns)
 
     def to_pandas(self):
-        """A pandas.DataFrame with the sensors as columns, indexed by time [s]."""
+        """A pandas.DataFrame with the sensors as columns, indexed by time [s]; a copy."""
         import pandas
 
         return pandas.DataFrame(
-            self.numbers[:, 1:], columns=list(self), index=pandas.Index(self.t, name="t"))
+            self.numbers[:, 1:].copy(), columns=list(self), index=pandas.Index(self.t, name="t"))
 
     def summary(self):
         """summary.json of the run as a dictionary: values in force, counts, extremes of sensors.
 
-        Raises StateError if the simulation has gone on since.
+        Raises StateError if the run diverged and the simulation was restored since.
         """
         return json.loads(self._recording.make_summary())
 
     def page(self):
         """report.html of the run: plots and the moving rotor, one page without network.
 
-        Raises StateError if the simulation has gone on since.
+        Raises StateError if the run was made with report=False, or if it diverged and the
+        simulation was restored since.
         """
         return self._recording.make_page()
-
-    def _repr_html_(self):
-        page = html.escape(self.page(), quote=True)
-        return f'<iframe srcdoc="{page}" style="width: 100%; height: 40em; border: 0"></iframe>'
 
     def __repr__(self):
         return (f"<spoke.Result {len(self)} sensors, {len(self.t)} rows, "

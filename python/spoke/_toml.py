@@ -36,4 +36,7 @@ def _literal(value, key):
         return "{" + ", ".join(items) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_literal(item, key) for item in value) + "]"
-    raise InputError(f"{key}: a {type(value).__name__}, expected a number, text, list or dict")
+    error = InputError(
+        f"{key}: is a {type(value).__name__}, expected a number, text, list or dictionary")
+    error.key = key
+    raise error

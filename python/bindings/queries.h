@@ -1,0 +1,18 @@
+#pragma once
+
+// What a simulation is asked for between steps.
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "python/bindings/used_simulation.h"
+
+namespace spoke::python {
+
+/// HubMotion, BodyState, BladeShape.
+void bind_query_results(pybind11::module_& module);
+/// Sensors, hub, bodies, shapes, markers, reactions and section forces.
+void bind_queries(pybind11::class_<UsedSimulation, std::shared_ptr<UsedSimulation>>& simulation);
+
+}  // namespace spoke::python

@@ -1,0 +1,61 @@
+#pragma once
+
+// A simulation that notices if two Python threads use it at once.
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <utility>
+
+#include "engine/simulation.h"
+#include "models/error.h"
+
+namespace spoke::python {
+
+/// A Simulation as Python has it. The interpreter lock, which is released while steps are made,
+/// does not keep threads apart.
+class UsedSimulation : public Simulation {
+ public:
+  using Simulation::Simulation;
+
+ private:
+  friend class Use;
+  std::atomic_flag is_used_ = ATOMIC_FLAG_INIT;
+};
+
+/// Uses a simulation alone, as long as it lives. Throws StateError if somebody else does: another
+/// thread, or whoever called this one, as a load that asks the simulation it acts on.
+class Use {
+ public:
+  explicit Use(UsedSimulation& simulation) : simulation_(simulation) {
+    if (simulation_.is_used_.test_and_set(std::memory_order_acquire))
+      throw StateError("the simulation is in use, by another thread or by a run that called this");
+  }
+  ~Use() { simulation_.is_used_.clear(std::memory_order_release); }
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+
+ private:
+  UsedSimulation& simulation_;
+};
+
+// A member function as one of Python's: alone, and without the interpreter lock.
+
+template <class R, class... A>
+auto alone(R (Simulation::*member)(A...)) {
+  return [member](UsedSimulation& simulation, A... arguments) -> R {
+    const Use use(simulation);
+    const pybind11::gil_scoped_release unlocked;
+    return (simulation.*member)(std::forward<A>(arguments)...);
+  };
+}
+template <class R, class... A>
+auto alone(R (Simulation::*member)(A...) const) {
+  return [member](UsedSimulation& simulation, A... arguments) -> R {
+    const Use use(simulation);
+    const pybind11::gil_scoped_release unlocked;
+    return (simulation.*member)(std::forward<A>(arguments)...);
+  };
+}
+
+}  // namespace spoke::python

@@ -1,0 +1,42 @@
+"""Steady motion, and vibrations about it."""
+
+from . import _spoke
+from ._simulation import read_scenario
+
+
+def equilibrium(scenario, *, set=None, speed=None):
+    """Finds the Equilibrium of a model in steady rotation, or at rest.
+
+    scenario, set: as of read_scenario().
+    speed: of the hub about its axis [rad/s]; None: the one that the scenario's drive leads to.
+
+    Raises InputError if nothing holds the hub or a joint, or if the drive is a torque and no speed
+    is given; DivergenceError, with subsystem and quantity, if no equilibrium is found.
+    """
+    return _spoke._solve_equilibrium(read_scenario(scenario, set), speed)
+
+
+def modes(scenario, *, set=None, speed=None, count=10):
+    """Finds the lowest Modes of a model about its equilibrium, in the frame that turns with the hub.
+
+    scenario, set, speed: as of equilibrium().
+    count: how many, of each blade where blades do not couple, else of the whole model.
+
+    Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero.
+    """
+    return _spoke._solve_modes(read_scenario(scenario, set), speed, count)
+
+
+def campbell(scenario, speeds, *, set=None, count=6, harmonics=6, threads=None):
+    """Follows modes over speeds of rotation: a Campbell diagram.
+
+    scenario, set: as of read_scenario().
+    speeds: ascending, two or more [rad/s].
+    count: modes to follow, as of modes().
+    harmonics: excitation lines, from once per revolution on.
+    threads: on which speeds are shared out; None: all that are available.
+
+    Raises like modes(), and InputError unless speeds ascend.
+    """
+    return _spoke._solve_campbell(read_scenario(scenario, set), speeds, count, harmonics,
+                                  threads or 0)

@@ -1,0 +1,111 @@
+"""Errors: one sentence, and fields that say the same."""
+
+import pickle
+
+import pytest
+from conftest import ROTOR, SHORT
+
+import spoke
+
+
+def raised(kind, call):
+    with pytest.raises(kind) as caught:
+        call()
+    assert "\n" not in str(caught.value)
+    return caught.value
+
+
+def test_an_input_error_names_file_line_column_and_key(tmp_path):
+    file = tmp_path / "rotor.toml"
+    file.write_text("[blade]\ncount = 3\nlength = -8.0\n[integration]\nduration = 1.0\n"
+                    "[hub]\ndrive = {kind = \"fixed\"}\n")
+    error = raised(spoke.InputError, lambda: spoke.Simulation(file))
+    assert (error.file, error.line, error.key) == (str(file), 3, "blade.length")
+    assert error.column == 10
+    assert str(error).startswith(f"{file}:3:10: blade.length: ")
+    assert isinstance(error, ValueError) and isinstance(error, spoke.Error)
+
+
+@pytest.mark.parametrize("values, key", [
+    ({"blade.bodies": 0}, "blade.bodies"),
+    ({"blade.body": 8}, "blade.body"),
+    ({"hub.drive.kind": "spin"}, "hub.drive.kind"),
+    ({"integration.step": "fast"}, "integration.step"),
+])
+def test_an_input_error_names_the_key_that_was_set(values, key):
+    error = raised(spoke.InputError, lambda: spoke.Simulation(ROTOR, set=values))
+    assert (error.file, error.line, error.column, error.key) == (None, None, None, key)
+
+
+def test_what_is_no_scenario_is_refused():
+    assert raised(spoke.InputError, lambda: spoke.Simulation("absent.toml")).file == "absent.toml"
+    assert raised(spoke.InputError, lambda: spoke.Simulation("a = \n[")).line == 1
+    error = raised(spoke.InputError, lambda: spoke.Simulation({"blade": {"length": object()}}))
+    assert error.key == "blade.length"
+    raised(spoke.InputError, lambda: spoke.Simulation({}))
+    raised(spoke.InputError, lambda: spoke.Simulation(ROTOR, executor="fastest"))
+    raised(spoke.InputError, lambda: spoke.Simulation(ROTOR, formulation="new"))
+    with pytest.raises(TypeError):
+        spoke.Simulation(17)
+
+
+def test_questions_about_what_is_not_there_are_refused(rotor):
+    raised(spoke.InputError, lambda: rotor.sensor("blade9.tip.y"))
+    raised(spoke.InputError, lambda: rotor.marker(spoke.Marker(9, 0, 0.5)))
+    raised(spoke.InputError, lambda: rotor.run(until=float("nan")))
+    raised(spoke.InputError, lambda: rotor.run(every=-1.0))
+
+
+def test_a_divergence_error_names_where_and_when_and_leaves_what_came_before():
+    sim = spoke.Simulation(ROTOR, executor="serial",
+                           set={"integration.method": "rk4", "integration.duration": 1.0})
+    start = sim.save()
+    error = raised(spoke.DivergenceError, sim.run)
+    assert isinstance(error, ArithmeticError)
+    assert error.step == round(error.time / sim.step_size)
+    assert f"step {error.step}:" in str(error)
+    assert error.node == f"{error.subsystem} / {error.body} / recovery"
+    assert error.node in str(error) and error.quantity in str(error)
+    assert 0 < len(error.result.t) and error.result.t[-1] < error.time
+    assert "diverged" in error.result.page()
+    raised(spoke.StateError, sim.save)
+    sim.restore(start)
+    assert sim.steps == 0
+    raised(spoke.StateError, error.result.page)
+
+
+def test_errors_survive_pickling():
+    error = raised(spoke.InputError, lambda: spoke.Simulation(ROTOR, set={"blade.bodies": 0}))
+    again = pickle.loads(pickle.dumps(error))
+    assert (str(again), again.key) == (str(error), error.key)
+
+
+def failing_load(function, **arguments):
+    return spoke.Load("gust", [spoke.Marker(0, 3, 1.0)], function, **arguments)
+
+
+def test_what_a_load_raises_is_a_load_error_and_the_run_can_go_on():
+    def gust(t, motions):
+        if t > 0.2 and armed:
+            raise ValueError("the wind is too strong")
+        return [((0, 0, 0), (0, 0, 0))]
+
+    armed = True
+    sim = spoke.Simulation(ROTOR, set=SHORT, executor="serial", loads=[failing_load(gust)])
+    error = raised(spoke.LoadError, sim.run)
+    assert "gust" in str(error) and "ValueError: the wind is too strong" in str(error)
+    assert "test_errors.py, line" in str(error)
+    assert error.result.t[-1] == pytest.approx(0.2)
+    armed = False
+    sim.run()
+    assert sim.done
+
+
+@pytest.mark.parametrize("returned", [None, 1.0, [], [(0, 0, 0)], [((0, 0), (0, 0, 0))],
+                                      [(("x", 0, 0), (0, 0, 0))],
+                                      [((float("nan"), 0, 0), (0, 0, 0))],
+                                      [((0, 0, 1.0), (0, 0, 0))]])
+def test_what_a_load_must_not_return(returned):
+    error = raised(spoke.LoadError, lambda: spoke.Simulation(
+        ROTOR, set=SHORT, loads=[failing_load(lambda t, motions: returned)]))
+    assert "gust" in str(error)

@@ -1,0 +1,208 @@
+"""Scenarios from everywhere, states, and what a simulation is asked for between steps."""
+
+import pickle
+
+import numpy as np
+import pytest
+from conftest import MODELS, ROTOR, SHORT, SOURCE
+
+import spoke
+from spoke import model
+
+
+def hash_of(scenario, **arguments):
+    sim = spoke.Simulation(scenario, executor="serial", **arguments)
+    sim.run(until=0.1)
+    return sim.state_hash
+
+
+def test_scenarios_from_file_string_dict_and_code_are_one():
+    tables = {
+        "hub": {"support": "axle", "drive": {"kind": "spin_up", "speed": 4.0, "ramp": 15}},
+        "blade": {"count": 3, "length": 8, "bodies": 2, "density": 2766.67, "area": 7.299e-5,
+                  "second_moment": np.float64(8.214e-9), "youngs_modulus": 6.895e10},
+        "integration": {"step": 0.005, "duration": 20.0},
+        "sensor": [{"quantity": "velocity", "name": "outer"}],
+    }
+    text = """
+        sensor = [{quantity = "velocity", name = "outer"}]
+        [hub]
+        support = "axle"
+        drive = {kind = "spin_up", speed = 4.0, ramp = 15.0}
+        [blade]
+        count = 3
+        length = 8.0
+        bodies = 2
+        density = 2766.67
+        area = 7.299e-5
+        second_moment = 8.214e-9
+        youngs_modulus = 6.895e10
+        [integration]
+        step = 0.005
+        duration = 20.0
+        """
+    code = model.scenario(
+        hub=model.hub(support="axle", drive=spoke.SpinUp(speed=4.0, ramp=15.0)),
+        blade=model.blade(count=3, length=8.0, bodies=2, density=2766.67, area=7.299e-5,
+                          second_moment=8.214e-9, youngs_modulus=6.895e10),
+        integration=model.integration(step=0.005, duration=20.0),
+        sensor=[model.sensor(quantity="velocity", name="outer")])
+    jsons = {spoke.read_scenario(scenario).to_json() for scenario in (tables, text, code)}
+    assert len(jsons) == 1
+    assert len({hash_of(scenario) for scenario in (tables, text, code)}) == 1
+
+
+def test_values_set_take_precedence():
+    four, eight = (spoke.Simulation(ROTOR, set={"blade.bodies": n}).coordinates for n in (4, 8))
+    assert eight == 2 * four
+    scenario = spoke.read_scenario(ROTOR, {"hub.drive": {"kind": "free", "initial_speed": 4}})
+    assert '"free"' in scenario.to_json()
+
+
+@pytest.mark.parametrize("drive", [
+    spoke.SpinUp(4.0, 15.0),
+    spoke.SpinUpHoldSpinDown(4.0, 1.0, 2.0, 3.0),
+    spoke.SpeedTable(spoke.Curve([0.0, 1.0], [0.0, 2.0])),
+    spoke.FixedDrive(),
+    spoke.ConstantSpeed(1.0),
+    spoke.TorqueDrive(5.0),
+    spoke.TorqueDrive(spoke.Curve([0.0, 1.0], [0.0, 2.0]), 1.0),
+    spoke.TorqueBySpeed(spoke.Curve([0.0, 1.0], [2.0, 0.0]), ramp=1.0),
+    spoke.FreeDrive(2.0),
+])
+def test_drives_of_named_arguments_are_what_a_simulation_has(drive):
+    tables = {"integration": {"duration": 1.0}, "hub": model.hub(drive=drive),
+              "blade": {"count": 1, "length": 8.0, "density": 2766.67, "area": 7.299e-5,
+                        "second_moment": 8.214e-9, "youngs_modulus": 6.895e10}}
+    found = spoke.Simulation(tables).drive
+    assert type(found) is type(drive)
+    assert model.hub(drive=found) == model.hub(drive=drive)
+
+
+def keys_of_docs():
+    """By heading of the plane's chapters in docs/scenario.md the keys of its first table."""
+    keys, heading = {}, None
+    for line in (SOURCE / "docs/scenario.md").read_text().splitlines():
+        if line.startswith("#"):
+            heading = line.strip("# ").split(":")[0].strip("`[]").replace("blade.", "")
+            if "in space" in line or line == "## Models in space":
+                heading = None
+        elif heading and line.startswith("| `"):
+            for key in line.split("|")[1].split(","):
+                keys.setdefault(heading, set()).add(key.strip(" `"))
+    return keys
+
+
+def test_named_arguments_are_the_keys_of_the_documents():
+    import inspect
+    keys = keys_of_docs()
+    common = {"blade", "ramp", "time", "factor"}
+    for name in ("hub", "blade", "sections", "point_mass", "gravity", "damping", "load",
+                 "distributed_load", "drag", "hub_load", "integration", "limits", "output",
+                 "sensor"):
+        function = getattr(model, name)
+        arguments = {argument.rstrip("_") for argument in inspect.signature(function).parameters}
+        expected = {key for key in keys[name] if not key.startswith('"')}
+        if name in ("load", "distributed_load", "drag"):
+            expected |= common
+        if name == "hub_load":
+            expected |= common - {"blade"}
+        if name == "hub":
+            expected |= {"drive"}
+        assert arguments - {"more"} == expected, name
+        for argument in arguments - {"more"} - common:
+            assert argument in function.__doc__, (name, argument)
+
+
+def test_a_saved_state_goes_on_with_the_bits_of_the_run(rotor, tmp_path):
+    rotor.run(until=0.2)
+    state, file = rotor.save(), tmp_path / "state.spoke"
+    rotor.save_to(file)
+    rotor.run()
+    end = rotor.state_hash
+    rotor.restore(state)
+    assert (rotor.time, rotor.steps) == (pytest.approx(0.2), state.steps)
+    for restore in (lambda sim: sim.restore(state), lambda sim: sim.restore_from(file),
+                    lambda sim: sim.restore(pickle.loads(pickle.dumps(state)))):
+        other = spoke.Simulation(ROTOR, set=SHORT)
+        restore(other)
+        other.run()
+        assert other.state_hash == end
+
+
+def test_a_checkpoint_of_the_program_is_restored(program, rotor):
+    folder = program("run", ROTOR, "--quiet", "--set", "integration.duration=0.3",
+                     "--checkpoint-every", 1000)
+    rotor.restore_from(folder / "checkpoint.spoke")
+    assert rotor.time == pytest.approx(0.3)
+    rotor.run()
+    other = spoke.Simulation(ROTOR, set=SHORT)
+    other.run()
+    assert rotor.state_hash == other.state_hash
+
+
+def test_markers_know_what_sensors_show(rotor):
+    rotor.run()
+    tip, = spoke.markers_at(rotor.scenario, 0, [8.0])
+    assert tip == spoke.Marker(blade=0, body=3, station=1.0)
+    state = rotor.marker(tip)
+    shown = [rotor.sensor("blade1.tip.x"), rotor.sensor("blade1.tip.y")]
+    assert state.position.shape == (3,) and state.rotation.shape == (3, 3)
+    assert state.deflection[1] == pytest.approx(shown[1], abs=1e-12)
+    assert state.rotation @ state.rotation.T == pytest.approx(np.eye(3), abs=1e-12)
+    shape = rotor.shape(0)
+    assert shape.displacements[-1] == pytest.approx(shown, abs=1e-12)
+    assert shape.places.shape == (17, 2) and shape.angles.shape == (17,)
+    assert shape.axial_forces.shape == (16,)
+    assert rotor.body(0, 3).coordinates.shape == (12,)
+
+
+def test_reactions_balance(rotor):
+    rotor.run()
+    moment = rotor.hub_reaction().moment[2]
+    assert moment == pytest.approx(rotor.sensor("hub.torque"), rel=1e-9)
+    root = spoke.Marker(0, 0, 0.0)
+    # What the joint does to the blade is what the hub feels of it, and the root section bears it.
+    joint = rotor.joint_reaction(0, 0)
+    inboard = rotor.section_force(root)
+    rotation = rotor.marker(root).rotation
+    assert (rotation.T @ joint.force)[0] == pytest.approx(-inboard.force[0], rel=0.05)
+    assert rotor.hub.velocity[2] == pytest.approx(rotor.sensor("hub.speed"))
+
+
+def test_places_in_space():
+    sim = spoke.Simulation(MODELS / "spatial_wu_haug.toml")
+    places = sim.places(0)
+    assert places.shape[1] == 3
+    assert np.linalg.norm(places[-1]) == pytest.approx(8.0)
+
+
+def test_a_drive_is_replaced_between_steps():
+    sim = spoke.Simulation(ROTOR, set={"hub.drive": {"kind": "torque", "torque": 0.0},
+                                       "integration.duration": 1.0})
+    sim.run(until=0.5)
+    assert sim.sensor("hub.speed") == 0.0
+    sim.set_drive(spoke.TorqueDrive(50.0))
+    sim.run()
+    assert sim.sensor("energy.kinetic") > 1.0
+    assert isinstance(sim.drive, spoke.TorqueDrive)
+    with pytest.raises(spoke.InputError):
+        sim.set_drive(spoke.ConstantSpeed(100.0))
+
+
+def test_a_trace_has_the_bits_of_a_run_and_every_node_in_it(rotor):
+    trace = rotor.trace(10)
+    other = spoke.Simulation(ROTOR, set=SHORT, executor="serial")
+    other.run(until=0.05)
+    assert rotor.state_hash == other.state_hash
+    assert len(trace.steps) == 10
+    slices = trace.slices
+    assert np.shares_memory(slices, trace.slices)
+    assert set(slices["node"]) == set(range(len(trace.nodes)))
+    assert (slices["end"] >= slices["begin"]).all()
+    assert (trace.edges[:, 0] < trace.edges[:, 1]).all()
+    assert 0.0 < trace.summary()["work"] < 1.0
+    assert "traceEvents" in trace.chrome_trace()
+    assert trace.page().startswith("<!")
+    with pytest.raises(spoke.InputError):
+        rotor.trace(10**6)

@@ -1,0 +1,60 @@
+"""Equilibria, modes and Campbell diagrams: those of the program."""
+
+import json
+
+import numpy as np
+import pytest
+from conftest import MODELS, ROTOR
+
+import spoke
+
+DRIVEN = MODELS / "spatial_wu_haug.toml"
+
+
+def test_an_equilibrium_is_that_of_the_program(program):
+    folder = program("static", ROTOR, "--speed", 3)
+    written = json.loads((folder / "static.json").read_text())
+    found = spoke.equilibrium(ROTOR, speed=3.0)
+    assert found.speed == 3.0
+    assert len(found.blades) == 3
+    assert json.dumps(list(found.blades[0].tip_displacement)) in json.dumps(written)
+    assert found.blades[0].nodes.shape == found.blades[0].undeformed.shape == (4 * 5, 3)
+    # The root holds the blade against the centrifugal force, m w^2 r.
+    mass = 2766.67 * 7.299e-5 * 8.0
+    assert found.blades[0].loads[0].force[0] == pytest.approx(-mass * 9.0 * 4.0, rel=1e-3)
+    assert found.page().startswith("<!")
+
+
+def test_modes_are_those_of_the_program(program):
+    folder = program("modes", ROTOR, "--speed", 3, "--count", 4)
+    rows = np.genfromtxt(folder / "modes.csv", delimiter=",", names=True, dtype=None,
+                         encoding="utf-8")
+    found = spoke.modes(ROTOR, speed=3.0, count=4)
+    assert len(found) == len(rows)
+    assert np.array_equal(found.frequencies, rows["frequency_rad_per_s"])
+    assert found.eigenvalues.dtype == complex
+    assert found.damping_ratios.shape == found.frequencies.shape
+    largest = max(np.abs(blade).max() for blade in found[0].shape if blade.size)
+    assert largest == pytest.approx(1.0)
+    assert [mode.name for mode in found] == [mode.name for mode in found.modes]
+    assert found[-1].frequency == found.frequencies[-1]
+
+
+def test_a_campbell_diagram_follows_modes():
+    speeds = np.linspace(0.0, 4.0, 3)
+    found = spoke.campbell(ROTOR, speeds, count=2, harmonics=3, set={"blade.count": 1})
+    assert np.array_equal(found.speeds, speeds)
+    for branch in found.branches:
+        assert branch["frequencies"].shape == speeds.shape
+    assert found.branches[0]["frequencies"][0] == pytest.approx(
+        spoke.modes(ROTOR, speed=0.0, count=1, set={"blade.count": 1}).frequencies[0])
+    for crossing in found.crossings:
+        assert crossing["frequency"] == pytest.approx(crossing["harmonic"] * crossing["speed"])
+    assert found._repr_html_().startswith("<iframe")
+    with pytest.raises(spoke.InputError):
+        spoke.campbell(ROTOR, [1.0, 0.5])
+
+
+def test_an_equilibrium_that_is_not_found_says_where():
+    with pytest.raises(spoke.InputError):
+        spoke.equilibrium(MODELS / "free_hub_satellite.toml")
