@@ -1,5 +1,5 @@
-# `cpack -G DEB`: the program (spoke) and the library (libspoke-dev; if shared, also libspokeX.Y). What
-# programs and shared libraries depend on is found by dpkg-shlibdeps.
+# `cpack -G DEB`: the program (spoke), the library (libspoke-dev; if shared, also libspokeX.Y) and, if it
+# is built, the Python package (python3-spoke). What programs and shared libraries depend on is found by dpkg-shlibdeps.
 set(SPOKE_PACKAGE_MAINTAINER "The Spoke developers <spoke@localhost>" CACHE STRING
     "Maintainer of the Debian packages: Name <address>")
 set(release 1)
@@ -21,6 +21,9 @@ if(SPOKE_PROGRAM)
 endif()
 if(BUILD_SHARED_LIBS)
   list(APPEND CPACK_COMPONENTS_ALL library)
+endif()
+if(TARGET spoke_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -55,8 +58,22 @@ else()
 endif()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "g++, pkg-config")
 
+# Of the interpreter's versions the one that it was built for, as the module's name says.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spoke)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "dynamics of rotors with flexible blades (Python 3)
+${what} This package contains the Python module spoke.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3-numpy")
+if(TARGET spoke_python)
+  get_target_property(minor spoke_python SPOKE_PYTHON_MINOR)
+  math(EXPR next_minor "${minor} + 1")
+  string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    ", python3 (>= 3.${minor}), python3 (<< 3.${next_minor})")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, spoke")
+
 # Each Debian package carries the licence under this name; a plain installation need not.
-foreach(component program library development)
+foreach(component program library development python)
   string(TOUPPER ${component} COMPONENT)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE RENAME copyright
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${COMPONENT}_PACKAGE_NAME}

@@ -1,4 +1,5 @@
-# What `cmake --install` installs, in components: `program`, `development`, and `library` if shared.
+# What `cmake --install` installs, in components: `program`, `development`, `library` if shared, and
+# `python` if its package is built.
 # All paths are relative to the prefix, so that the tree can be moved.
 set(cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/spoke)
 set(models_folder ${CMAKE_INSTALL_DATADIR}/spoke/models)
@@ -54,6 +55,13 @@ if(SPOKE_PROGRAM)
   set_target_properties(spoke PROPERTIES EXPORT_NAME program)
   install(TARGETS spoke EXPORT spokeProgramTargets RUNTIME COMPONENT program)
   install(EXPORT spokeProgramTargets NAMESPACE spoke:: DESTINATION ${cmake_folder} COMPONENT program)
+endif()
+if(TARGET spoke_python)
+  spoke_require_built(python $<TARGET_FILE:spoke_python>)
+  get_target_property(python_sources spoke_python SPOKE_SOURCES)
+  install(TARGETS spoke_python
+    LIBRARY DESTINATION ${SPOKE_PYTHON_DESTINATION}/spoke COMPONENT python)
+  install(FILES ${python_sources} DESTINATION ${SPOKE_PYTHON_DESTINATION}/spoke COMPONENT python)
 endif()
 file(GLOB scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/models/*.toml)
 install(FILES ${scenarios} DESTINATION ${models_folder} COMPONENT program)
