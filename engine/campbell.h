@@ -19,7 +19,7 @@ struct CampbellOptions {
   int count = 6;                 ///< modes to follow, as in ModeOptions
   int harmonics = 6;             ///< excitation lines, from once per revolution on
   int threads = 0;               ///< on which speeds are shared out; 0: all that are available
-  /// Told, on the calling thread, how many speeds are done.
+  /// Told, on the calling thread, how many speeds are done; what it throws ends the search.
   std::function<void(std::size_t)> progress{};
 };
 

@@ -49,6 +49,14 @@ std::vector<ModesResult> solve_all(const Scenario& scenario, const CampbellOptio
   std::vector<ModesResult> states(count);
   std::vector<std::exception_ptr> failures(count);
   std::atomic<std::size_t> next{0}, done{0};
+  const auto tell = [&](std::size_t now) {
+    try {
+      options.progress(now);
+    } catch (...) {
+      next = count;  // the others begin no more
+      throw;
+    }
+  };
   const auto work = [&](bool tells) {
     for (std::size_t k = next++; k < count; k = next++) {
       try {
@@ -57,15 +65,16 @@ std::vector<ModesResult> solve_all(const Scenario& scenario, const CampbellOptio
         failures[k] = std::current_exception();
       }
       const std::size_t now = ++done;
-      if (tells && options.progress) options.progress(now);
+      if (tells && options.progress) tell(now);
     }
   };
   const int asked = options.threads > 0 ? options.threads : graph::available_threads();
   const std::size_t threads = std::min<std::size_t>(static_cast<std::size_t>(asked), count);
-  std::vector<std::thread> others;
-  for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, false);
-  work(true);
-  for (std::thread& other : others) other.join();
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, false);
+    work(true);
+  }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
   return states;

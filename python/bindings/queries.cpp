@@ -107,10 +107,7 @@ void bind_queries(py::class_<UsedSimulation, std::shared_ptr<UsedSimulation>>& s
       .def_property_readonly("sensor_units", &Simulation::sensor_units, "In the same order.")
       .def_property_readonly(
           "sensors",
-          [](UsedSimulation& s) {
-            const Use use(s);
-            return copy_of(s.sensor_values());
-          },
+          [](UsedSimulation& s) { return copy_of(alone(&Simulation::sensor_values)(s)); },
           "(sensors,): all sensors at `time`, a copy.")
       .def("sensor", alone(&Simulation::sensor), "name"_a,
            "One sensor at `time`. Raises InputError, with the nearest name, if there is none.")

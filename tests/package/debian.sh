@@ -34,6 +34,21 @@ for library in $(objdump -p "$program" | awk '/NEEDED/ { print $2 }'); do
   owner=$(dpkg-query -S "*/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/$library" | head -1 | cut -d: -f1)
   demand spoke Depends "(^|[ ,])${owner//+/[+]}"  # or a name behind it that says more: libspdlog1.10-fmt9
 done
+# Of the Python package, if the build has one, too; it needs the interpreter that it was built for.
+if ls "$work"/packages/python3-spoke_*.deb >/dev/null 2>&1; then
+  demand python3-spoke Section '^python$'
+  demand python3-spoke Depends python3-numpy
+  demand python3-spoke Depends 'python3 \(<< 3\.[0-9]+\)'
+  demand python3-spoke Depends libtbb
+  dpkg-deb --extract "$work"/packages/python3-spoke_*.deb "$work/python3-spoke"
+  [ -s "$work/python3-spoke/usr/share/doc/python3-spoke/copyright" ]
+  modules=$work/python3-spoke/usr/lib/python3/dist-packages
+  if [ -d "$modules" ]; then  # by the interpreter of Debian
+    PYTHONPATH=$modules /usr/bin/python3 -B -c "import spoke
+assert spoke.__file__.startswith('$modules'), spoke.__file__
+assert spoke.Simulation('$work/spoke/usr/share/spoke/models/wu_haug_rotor.toml').coordinates == 144"
+  fi
+fi
 [ -s "$work/spoke/usr/share/doc/spoke/copyright" ]
 [ -s "$work/libspoke-dev/usr/share/doc/libspoke-dev/copyright" ]
 [ -s "$work/libspoke-dev/usr/include/spoke/spoke.h" ]

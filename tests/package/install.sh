@@ -11,6 +11,11 @@ for file in bin/spoke include/spoke/spoke.h share/spoke/models/wu_haug_rotor.tom
   share/doc/spoke/LICENSE share/doc/spoke/docs/embedding.md share/doc/spoke/examples/first_rotor.cpp; do
   [ -s "$work/moved/$file" ] || { echo "not installed: $file"; exit 1; }
 done
+if grep -q 'dist-packages/spoke' "$work/install.log"; then  # the Python package, if the build has one
+  modules=$(dirname "$(find "$work/moved" -path '*/dist-packages/spoke' -type d)")
+  PYTHONPATH=$modules /usr/bin/python3 -B -c "import spoke
+assert spoke.__file__.startswith('$modules'), spoke.__file__"
+fi
 if found=$(grep -rlE "$work/first|$build" "$work/moved" --include='*.cmake' --include='*.pc' --include='*.h'); then
   printf 'files that know where they were built or first installed:\n%s\n' "$found"
   exit 1

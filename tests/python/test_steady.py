@@ -1,14 +1,15 @@
 """Equilibria, modes and Campbell diagrams: those of the program."""
 
 import json
+import os
+import signal
+import threading
 
 import numpy as np
 import pytest
 from conftest import MODELS, ROTOR
 
 import spoke
-
-DRIVEN = MODELS / "spatial_wu_haug.toml"
 
 
 def test_an_equilibrium_is_that_of_the_program(program):
@@ -53,6 +54,13 @@ def test_a_campbell_diagram_follows_modes():
     assert found._repr_html_().startswith("<iframe")
     with pytest.raises(spoke.InputError):
         spoke.campbell(ROTOR, [1.0, 0.5])
+
+
+def test_an_interrupt_ends_a_campbell_diagram():
+    speeds = np.linspace(0.0, 4.0, 20000)
+    threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        spoke.campbell(ROTOR, speeds, count=2)
 
 
 def test_an_equilibrium_that_is_not_found_says_where():

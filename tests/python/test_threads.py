@@ -26,7 +26,7 @@ def test_simulations_in_threads_have_the_bits_of_one_alone(rotor):
 
 
 def test_python_goes_on_while_steps_are_made():
-    sim = spoke.Simulation(ROTOR, set={"integration.duration": 5.0}, executor="serial")
+    sim = spoke.Simulation(ROTOR, set={"integration.duration": 50.0}, executor="serial")
     thread = threading.Thread(target=sim.run)
     count = 0
     thread.start()
@@ -38,29 +38,34 @@ def test_python_goes_on_while_steps_are_made():
 
 
 def test_one_simulation_is_not_for_two_threads_at_once():
-    sim = spoke.Simulation(ROTOR, set=LONG, executor="serial")
-    kept = []
+    entered, left = threading.Event(), threading.Event()
+    left.set()
 
-    def run():
-        try:
-            sim.run(until=30.0)
-        except BaseException as error:  # none
-            kept.append(error)
+    def wait(t, motions):
+        entered.set()
+        left.wait()
+        return [((0, 0, 0), (0, 0, 0))]
 
-    thread = threading.Thread(target=run)
+    marker, = spoke.markers_at(spoke.read_scenario(ROTOR), 0, [8.0])
+    sim = spoke.Simulation(ROTOR, set=SHORT, executor="serial",
+                           loads=[spoke.Load("waits", [marker], wait)])
+    entered.clear()
+    left.clear()
+    thread = threading.Thread(target=sim.run)
     thread.start()
-    time.sleep(0.02)
-    with pytest.raises(spoke.StateError, match="in use"):
-        while thread.is_alive():
-            sim.step()
+    entered.wait()
+    for use in (sim.step, sim.run, sim.save, lambda: sim.time):
+        with pytest.raises(spoke.StateError, match="in use"):
+            use()
+    left.set()
     thread.join()
-    assert not kept
+    assert sim.done
 
 
 @pytest.mark.parametrize("executor", ["serial", "auto"])
 def test_an_interrupt_ends_a_run_after_a_step_from_which_it_goes_on(executor):
     sim = spoke.Simulation(ROTOR, set=LONG, executor=executor)
-    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         sim.run()
