@@ -47,6 +47,13 @@ struct HubMotion {
   Twist acceleration{0.0, 0.0, 0.0};  ///< [m/s^2, rad/s^2]
 };
 
+/// The motion of a joint's coordinate at one time.
+struct CoordinateMotion {
+  double value = 0.0;         ///< [rad, m]
+  double velocity = 0.0;      ///< [rad/s, m/s]
+  double acceleration = 0.0;  ///< [rad/s^2, m/s^2]
+};
+
 class SimulationCore;
 
 /// Simulates one system. Not copyable; different Simulations may run in different threads.
@@ -184,6 +191,22 @@ class SPOKE_EXPORT Simulation {
   /// InputError, StateError after a step that failed, LoadError or DivergenceError if there is no
   /// acceleration with it; the simulation then stays as it is.
   void set_drive(const Drive& drive);
+  /// The number of the joint of that name on a blade or subsystem, counted from 0 in the order of
+  /// Scenario::space: the handle of those who use it often. Throws InputError if there is none.
+  int joint_index(int tree, std::string_view name) const;
+  /// Where a joint's coordinate is at time() whose motion is prescribed, by whatever; joint as in
+  /// joint_reaction(), coordinate from 0 in the order of the scenario. Throws InputError if there
+  /// is none.
+  CoordinateMotion joint_motion(int tree, int joint, int coordinate = 0) const;
+  /// Replaces the motion of a coordinate that the scenario leaves to the program (motion = { by =
+  /// "program" }): from time() on value + velocity s + acceleration s^2/2, with s the time since.
+  /// It goes on from where the coordinate is, joint_motion(), in value and velocity (to 1e-9); a
+  /// controller thus sets accelerations. Throws like set_drive(); the simulation then stays as it
+  /// is.
+  void set_joint_motion(int tree, int joint, int coordinate, const CoordinateMotion& motion);
+  /// The same by a function of time: `course` over time [s], which goes on likewise; a constant
+  /// stretch before time() lets it start from rest.
+  void set_joint_motion(int tree, int joint, int coordinate, const Curve& course);
   /// Replaces load number `index` of those given to the constructor, by one with the same markers.
   /// To change the parameters of a load of one's own, change them and set it again. Throws
   /// like set_drive().

@@ -49,17 +49,22 @@ PrescribedMotion follow_azimuth(const spatial::AzimuthMotion& motion, double psi
 
 /// Of a curve the rate is its derivative, and the acceleration the derivative of that: the curve's
 /// cubic pieces have a linear one.
-PrescribedMotion follow_table(const spatial::MotionTable& motion, double t) {
+PrescribedMotion follow(const spatial::MotionTable& motion, double t) {
   return {motion.value.value(t), motion.value.derivative(t), motion.value.second_derivative(t)};
 }
 
-PrescribedMotion prescribe(const spatial::Motion& motion, double t, double psi,
+PrescribedMotion follow(const space::SaidMotion& said, double t) {
+  const double s = t - said.since;
+  return {said.value + s * (said.rate + 0.5 * s * said.acceleration),
+          said.rate + s * said.acceleration, said.acceleration};
+}
+
+PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double psi,
                            const DriveMotion& hub) {
-  if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
-    return follow_table(*table, t);
+  if (const auto* table = std::get_if<spatial::MotionTable>(&motion)) return follow(*table, t);
   if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion))
     return follow_azimuth(*azimuth, psi, hub);
-  return {std::get<spatial::ProgramMotion>(motion).initial, 0.0, 0.0};
+  return follow(std::get<space::SaidMotion>(motion), t);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "engine/load.h"
 #include "engine/simulation/diagnosis.h"
 #include "engine/simulation/sensors.h"
+#include "engine/simulation/spatial_joints.h"
 #include "engine/simulation_options.h"
 #include "engine/step/step_context.h"
 #include "engine/tree_shape.h"
@@ -37,6 +38,8 @@ class SimulatedModel {
   const StepContext& context() const { return const_cast<SimulatedModel*>(this)->context(); }
   /// Null if the model is in space.
   virtual SystemContext<Plane>* plane() { return nullptr; }
+  /// Null if the model is in the plane.
+  virtual SpatialJoints* joints() { return nullptr; }
 
   /// What the rings of the table hold of a step [bytes].
   virtual double ring_bytes() const = 0;

@@ -195,6 +195,22 @@ void SimulationCore::renew() {
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
 }
 
+SpatialJoints& SimulationCore::joints(const char* what) const {
+  SpatialJoints* joints = model->joints();
+  if (!joints)
+    throw InputError(std::string(what) + ": the model is in the plane, expected one in space");
+  return *joints;
+}
+
+void SimulationCore::set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
+                                      const space::DrivenMotion& course) {
+  SpatialJoints& all = joints("the motion of a joint");
+  require_state("go on from with another motion of a joint");
+  space::DrivenMotion& in_force = all.said_motion(place);
+  all.check_continuation(place, begin, static_cast<double>(runner->steps()) * step_size);
+  replace(in_force, course);
+}
+
 SystemContext<Plane>& SimulationCore::plane(const char* what) const {
   SystemContext<Plane>* context = model->plane();
   if (!context)

@@ -47,6 +47,7 @@ class SpatialModel final : public SimulatedModel {
   }
 
   StepContext& context() override { return context_; }
+  SpatialJoints* joints() override { return &joints_; }
 
   double ring_bytes() const override {
     std::size_t values = 0;
@@ -221,6 +222,7 @@ class SpatialModel final : public SimulatedModel {
   std::vector<spatial::Tree> trees_;
   std::vector<AskedLoad> loads_;
   SystemContext<Space> context_;
+  SpatialJoints joints_{trees_, context_};
   std::optional<SpatialSensors> sensors_;  // once there is a table
 };
 

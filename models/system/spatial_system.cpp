@@ -199,7 +199,7 @@ class SubsystemMaker {
     for (int c = 0; c < count_coordinates(joint.kind); ++c) {
       const spatial::JointCoordinate& coordinate = joint.coordinates[static_cast<std::size_t>(c)];
       if (coordinate.motion) {
-        course.driven.push_back(*coordinate.motion);
+        course.driven.push_back(spatial::make_driven_motion(*coordinate.motion));
         continue;
       }
       course.efforts.push_back(coordinate.effort);
@@ -271,7 +271,7 @@ void require_known_azimuth(const System<Space>& system) {
   if (prescribes_motion(system.hub.drive)) return;
   for (const Subsystem<Space>& subsystem : system.subsystems)
     for (const TreeBody<Space>& body : subsystem.bodies)
-      for (const spatial::Motion& motion : body.joint.course.driven)
+      for (const space::DrivenMotion& motion : body.joint.course.driven)
         if (std::holds_alternative<spatial::AzimuthMotion>(motion))
           throw InputError(
               "a joint's motion follows the azimuth, expected a drive that prescribes the hub's "
