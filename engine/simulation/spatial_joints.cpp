@@ -72,9 +72,10 @@ std::size_t SpatialJoints::find_driven(const JointPlace& place) const {
 space::PrescribedMotion SpatialJoints::motion(const JointPlace& place, double t) {
   const std::size_t driven = find_driven(place);
   const auto i = static_cast<std::size_t>(place.tree);
-  SubsystemData<Space>& data = context_.data.subsystems[i];
-  prescribe_joints(context_.system, t, context_.system.subsystems[i], data);
-  return data.bodies[static_cast<std::size_t>(place.joint)].joint.driven[driven];
+  prescribe_joints(context_.system, t, i, context_.data);
+  return context_.data.subsystems[i]
+      .bodies[static_cast<std::size_t>(place.joint)]
+      .joint.driven[driven];
 }
 
 space::DrivenMotion& SpatialJoints::said_motion(const JointPlace& place) {

@@ -42,6 +42,7 @@ class SpatialModel final : public SimulatedModel {
     context_.system = make_system(*scenario.space, trees_);
     context_.formulation = formulation;
     context_.integrator = integrator;
+    require_azimuth_motion();
     context_.loads_tie_blades = ties_blades(loads_);
     require_memory(context_.system, formulation);
   }
@@ -134,7 +135,7 @@ class SpatialModel final : public SimulatedModel {
     for (std::size_t i = 0; i < context_.data.subsystems.size(); ++i) {
       const Subsystem<Space>& subsystem = context_.system.subsystems[i];
       SubsystemData<Space>& data = context_.data.subsystems[i];
-      prescribe_joints(context_.system, t, subsystem, data);
+      prescribe_joints(context_.system, t, i, context_.data);
       update_kinematics(subsystem, data);
       of_step(data.samples, step) = calc_sample(context_.system, i, data);
       keep_joint_values(subsystem, step, data);
@@ -153,7 +154,7 @@ class SpatialModel final : public SimulatedModel {
     const auto i = static_cast<std::size_t>(tree);
     const Subsystem<Space>& subsystem = context_.system.subsystems[i];
     SubsystemData<Space>& data = context_.data.subsystems[i];
-    prescribe_joints(context_.system, t, subsystem, data);
+    prescribe_joints(context_.system, t, i, context_.data);
     spoke::calc_shape(subsystem, data, rotor_placement(scenario_.space->hub).rotation, shape);
   }
   HubPose hub_pose() const override {
@@ -175,6 +176,16 @@ class SpatialModel final : public SimulatedModel {
   }
 
  private:
+  /// Accelerations of the hub that a stage of rk4 finds come too late for its joints.
+  void require_azimuth_motion() const {
+    if (!std::holds_alternative<Rk4>(context_.integrator.method)) return;
+    for (const Subsystem<Space>& subsystem : context_.system.subsystems)
+      if (follows_free_hub(context_.system, subsystem))
+        throw InputError(
+            "integration.method: is \"rk4\" where a joint's motion follows the azimuth of a hub "
+            "that no drive prescribes the rotation of, expected \"generalized_alpha\"");
+  }
+
   std::string name_body(std::size_t i, std::size_t j) const {
     return trees_[i].name + " / " + trees_[i].bodies[j].name;
   }

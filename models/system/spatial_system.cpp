@@ -43,6 +43,7 @@ space::Hub make_hub(const spatial::Hub& hub) {
   made.orientation = make_quaternion(to_axis.inverse());
   made.inertia = calc_mass(body);
   made.mass = hub.mass;
+  made.mount = hub.mount;
   made.velocity = space::make_twist(hub.velocity, to_axis * space::Position(hub.angular_velocity));
   return made;
 }
@@ -258,30 +259,21 @@ class SubsystemMaker {
   Subsystem<Space> made_;
 };
 
-void refuse(bool is_there, const char* key, const char* what) {
-  if (is_there)
-    throw InputError(std::string(key) + ": " + what + ", which is read but not simulated yet");
-}
-
-void require_simulated(const spatial::Model& model) {
-  refuse(model.hub.mount.has_value(), "hub.mount", "the axle's mount moves");
-}
-
-void require_known_azimuth(const System<Space>& system) {
-  if (prescribes_motion(system.hub.drive)) return;
+/// A hub that is free in space has no azimuth.
+void require_azimuth(const System<Space>& system) {
+  if (system.hub.support == HubSupport::axle) return;
   for (const Subsystem<Space>& subsystem : system.subsystems)
     for (const TreeBody<Space>& body : subsystem.bodies)
       for (const space::DrivenMotion& motion : body.joint.course.driven)
         if (std::holds_alternative<spatial::AzimuthMotion>(motion))
           throw InputError(
-              "a joint's motion follows the azimuth, expected a drive that prescribes the hub's "
-              "rotation");
+              "a joint's motion follows the azimuth of a hub that is free in space, expected a "
+              "hub on an axle");
 }
 
 }  // namespace
 
 System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees) {
-  require_simulated(model);
   const space::Rotation to_axis = axis_rotation(model.hub).inverse();
   System<Space> system;
   system.hub = make_hub(model.hub);
@@ -294,7 +286,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   for (std::size_t i = 0; i < trees.size(); ++i)
     system.subsystems.push_back(
         SubsystemMaker(trees[i], to_axis, beams).make(make_body_loads(model, trees[i], i)));
-  require_known_azimuth(system);
+  require_azimuth(system);
   return system;
 }
 
