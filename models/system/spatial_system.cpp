@@ -210,32 +210,50 @@ class SubsystemMaker {
     return course;
   }
 
-  /// Of each body: mass and first moment about the hub, in the description's frame of the hub, of
-  /// all that it carries, itself left out.
-  std::vector<spatial::MassProperties> calc_carried() const {
-    std::vector<spatial::MassProperties> carried(tree_.bodies.size());
-    std::vector<spatial::MassProperties> whole(tree_.bodies.size());
+  /// Of each body: mass and first moment about the hub, in the description's frame of the hub, with
+  /// all that it carries.
+  std::vector<spatial::MassProperties> calc_branches() const {
+    std::vector<spatial::MassProperties> branches(tree_.bodies.size());
     for (std::size_t j = tree_.bodies.size(); j-- > 0;) {
-      whole[j] = calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
-      for (const int c : made_.bodies[j].children) {
-        carried[j] += whole[static_cast<std::size_t>(c)];
-        whole[j] += whole[static_cast<std::size_t>(c)];
-      }
+      branches[j] = calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
+      for (const int c : made_.bodies[j].children)
+        branches[j] += branches[static_cast<std::size_t>(c)];
     }
+    return branches;
+  }
+
+  /// What the elements of a body carry, in B: each child hangs at a node of its own or a shared
+  /// one.
+  std::vector<space::CarriedMass> find_carried(
+      std::size_t j, const space::Rotation& to_body,
+      const std::vector<spatial::MassProperties>& branches) const {
+    const std::vector<int>& children = made_.bodies[j].children;  // from the root outward
+    std::vector<space::CarriedMass> carried;                      // from the tip inward
+    carried.push_back({static_cast<int>(flexible(j)->nodes.size()) - 1});
+    for (auto c = children.rbegin(); c != children.rend(); ++c) {
+      const auto child = static_cast<std::size_t>(*c);
+      const int node = static_cast<int>(body(child).parent_node);
+      if (node == 0) break;  // no element carries it
+      if (node < carried.back().end) {
+        carried.push_back(carried.back());
+        carried.back().end = node;
+      }
+      carried.back().mass += branches[child].mass;
+      carried.back().moment += to_body * (to_axis_ * space::Position(branches[child].first_moment));
+    }
+    std::reverse(carried.begin(), carried.end());
     return carried;
   }
 
   void add_tension() {
-    const std::vector<spatial::MassProperties> carried = calc_carried();
+    const std::vector<spatial::MassProperties> branches = calc_branches();
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
       const spatial::FlexibleBody* part = flexible(j);
       if (!part || !tree_.beams[part->beam].geometric_stiffening) continue;
-      const spatial::MassProperties& outboard = carried[j];
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
-      made_.bodies[j].stiffening = space::TensionPlace{
-          pose.R, to_body * pose.p, to_body * (to_axis_ * space::Position(outboard.first_moment)),
-          outboard.mass};
+      made_.bodies[j].stiffening =
+          space::TensionPlace{pose.R, to_body * pose.p, find_carried(j, to_body, branches)};
     }
   }
 
