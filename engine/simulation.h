@@ -32,15 +32,24 @@ struct LinearProperties {
   double rk4_largest_step = 0.0;
 };
 
-/// A view of one body's deformation coordinates: 3 E values, the E axial ones (u) first, then the
-/// 2 E of bending (v, psi by node, without those that the reference frame fixes) [m, rad].
+/// A view of one body's deformation coordinates: in the plane 3 E values, the E axial ones (u)
+/// first, then the 2 E of bending (v, psi by node, without those that the reference frame fixes);
+/// in space 6 E: u, v, w and rotations tx, ty, tz by node, likewise; of a rigid body none [m, rad].
 struct BodyState {
   std::vector<double> coordinates;    ///< [m, rad]
   std::vector<double> velocities;     ///< [m/s, rad/s]
   std::vector<double> accelerations;  ///< [m/s^2, rad/s^2]
 };
 
-/// A hub's motion in the inertial frame: x [m], y [m], angle [rad] and their derivatives.
+/// A hub's motion in the inertial frame, of either world; vectors are resolved there.
+struct HubFrame : HubPose {
+  spatial::Vector velocity = spatial::Vector::Zero();              ///< of the origin [m/s]
+  spatial::Vector angular_velocity = spatial::Vector::Zero();      ///< [rad/s]
+  spatial::Vector acceleration = spatial::Vector::Zero();          ///< of the origin [m/s^2]
+  spatial::Vector angular_acceleration = spatial::Vector::Zero();  ///< [rad/s^2]
+};
+
+/// A planar hub's motion in the inertial frame: x [m], y [m], angle [rad] and their derivatives.
 struct HubMotion {
   Twist position{0.0, 0.0, 0.0};      ///< [m, rad]
   Twist velocity{0.0, 0.0, 0.0};      ///< [m/s, rad/s]
@@ -80,7 +89,8 @@ class SPOKE_EXPORT Simulation {
   /// The graph that run_until() runs: of one pass, or of the passes of a window of steps. Valid
   /// while this lives.
   const graph::StepGraph& run_graph() const;
-  /// Of the rotor at rest. Takes a while for large ones.
+  /// Of the rotor at rest. Takes a while for large ones. Throws InputError if the model is in
+  /// space: solve_modes() finds its vibrations.
   LinearProperties linear_properties() const;
   /// The kind of the executor: "auto", "serial", ..., or the name of one of the program's own.
   std::string_view executor_name() const;
@@ -147,9 +157,12 @@ class SPOKE_EXPORT Simulation {
   /// DivergenceError is thrown, and the simulation stands at the end of that step.
   std::vector<Warning> warnings() const;
 
-  /// The hub's motion at time().
+  /// The hub's motion at time(). Throws InputError if the model is in space.
   HubMotion hub() const;
-  /// The deformation of a body. Throws InputError if there is none, both counted from 0.
+  /// The hub's motion at time(), of either world.
+  HubFrame hub_frame() const;
+  /// The deformation of a body. Throws InputError if there is none, both counted from 0, in space
+  /// blades before subsystems.
   BodyState body(int blade, int body) const;
   /// Where the nodes of a blade stand at time(), and the tension of its elements. `shape` keeps its
   /// memory from call to call. Throws InputError if there is no such blade, counted from 0.

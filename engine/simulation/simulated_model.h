@@ -38,7 +38,8 @@ class SimulatedModel {
   const StepContext& context() const { return const_cast<SimulatedModel*>(this)->context(); }
   /// Null if the model is in space.
   virtual SystemContext<Plane>* plane() { return nullptr; }
-  /// Null if the model is in the plane.
+  // Null if the model is in the plane.
+  virtual SystemContext<Space>* space() { return nullptr; }
   virtual SpatialJoints* joints() { return nullptr; }
 
   /// What the rings of the table hold of a step [bytes].
@@ -83,6 +84,8 @@ class SimulatedModel {
   /// See Simulation::calc_shape() and hub_pose().
   virtual void calc_shape(int tree, double t, TreeShape& shape) = 0;
   virtual HubPose hub_pose() const = 0;
+  /// Velocities and accelerations of the hub's frame at time t [s]; see Simulation::hub_frame().
+  virtual MarkerState hub_frame(double t) const = 0;
 
   /// See describe_failure() and describe_failed_load().
   virtual std::string describe_failure(const FailedStep& failed) const = 0;

@@ -218,14 +218,6 @@ SystemContext<Plane>& SimulationCore::plane(const char* what) const {
   return *context;
 }
 
-const BodyData<Plane>& SimulationCore::find_body(int blade, int body) const {
-  const auto& blades = plane("the view of a body").data.subsystems;
-  require_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
-  const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
-  require_range("the index of the body", body, 0, static_cast<std::int64_t>(bodies.size()) - 1);
-  return bodies[static_cast<std::size_t>(body)];
-}
-
 SavedState SimulationCore::save() {
   require_state("save");
   const std::int64_t steps = runner->steps();

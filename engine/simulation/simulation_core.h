@@ -67,8 +67,6 @@ class SimulationCore {
   SpatialJoints& joints(const char* what) const;
   /// A rotor in the plane. Throws InputError if the model is in space: `what` is then refused.
   SystemContext<Plane>& plane(const char* what) const;
-  /// Of a rotor in the plane.
-  const BodyData<Plane>& find_body(int blade, int body) const;
 
   Scenario scenario;
   SimulationOptions options;

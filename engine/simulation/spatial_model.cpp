@@ -48,6 +48,7 @@ class SpatialModel final : public SimulatedModel {
   }
 
   StepContext& context() override { return context_; }
+  SystemContext<Space>* space() override { return &context_; }
   SpatialJoints* joints() override { return &joints_; }
 
   double ring_bytes() const override {
@@ -162,6 +163,8 @@ class SpatialModel final : public SimulatedModel {
     return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
   }
 
+  MarkerState hub_frame(double t) const override { return calc_hub_frame(context_, t); }
+
   std::string describe_failure(const FailedStep& failed) const override {
     std::ostringstream text;
     text << "diverged at t = " << failed.time << " s, step " << failed.step << ": "
@@ -204,7 +207,9 @@ class SpatialModel final : public SimulatedModel {
         const std::string finding = describe_body(i, j);
         if (!finding.empty()) return finding;
       }
-    return "the acceleration of the hub is not finite (node \"hub solve\")";
+    const bool is_augmented = context_.formulation == Formulation::augmented;
+    return std::string("the acceleration of the hub is not finite (node \"") +
+           (is_augmented ? "solve" : "hub solve") + "\")";
   }
 
   /// What is wrong with a body; nothing if it is fine.

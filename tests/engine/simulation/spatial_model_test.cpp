@@ -89,10 +89,40 @@ TEST_CASE("views that belong to the plane are refused of a model in space") {
   const std::string reason = "the model is in space, expected a rotor in the plane";
   BladeShape shape;
   for (const std::string& message :
-       {message_of([&] { simulation.hub(); }), message_of([&] { simulation.body(0, 0); }),
-        message_of([&] { simulation.calc_shape(0, shape); }),
+       {message_of([&] { simulation.hub(); }), message_of([&] { simulation.calc_shape(0, shape); }),
         message_of([&] { simulation.linear_properties(); })})
     CHECK(message.find(reason) != std::string::npos);
+}
+
+TEST_CASE("the hub's frame and the coordinates of bodies are seen in space") {
+  for (const std::string& hub : {kFlyingHub, kDrivenHub}) {
+    Simulation simulation(
+        make_scenario(make_text(hub, kTree, kGravity), IntegrationMethod::rk4, 1e-3, 0.2), kSerial);
+    constexpr double h = 1e-3;
+    simulation.run_until(0.1);
+    const HubFrame before = simulation.hub_frame();
+    simulation.step();
+    const HubFrame now = simulation.hub_frame();
+    const BodyState boom = simulation.body(0, 0);
+    simulation.step();
+    const HubFrame after = simulation.hub_frame();
+    const double slack = 1e-4;  // of differences
+    CHECK((now.velocity - (after.position - before.position) / (2 * h)).norm() < slack);
+    CHECK((now.acceleration - (after.velocity - before.velocity) / (2 * h)).norm() < 100 * slack);
+    CHECK((now.angular_acceleration - (after.angular_velocity - before.angular_velocity) / (2 * h))
+              .norm() < 100 * slack);
+    const spatial::Tensor turning =
+        (after.rotation - before.rotation) * now.rotation.transpose() / (2 * h);
+    CHECK(std::abs(now.angular_velocity.z() - turning(1, 0)) < slack);
+    CHECK(boom.coordinates.size() == 12);
+    const auto shown = simulation.body(0, 0).coordinates;
+    CHECK(shown[1] - boom.coordinates[1] ==
+          doctest::Approx(0.5 * h * (boom.velocities[1] + simulation.body(0, 0).velocities[1]))
+              .epsilon(1e-3));
+    CHECK(simulation.body(0, 1).coordinates.empty());
+    CHECK(message_of([&] { simulation.body(0, 9); }).find("the index of the body is 9") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("another drive acts from the next step on, in space too") {
