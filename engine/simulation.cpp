@@ -128,25 +128,36 @@ void Simulation::set_drive(const Drive& drive) {
   check_drive(drive);
   Drive& in_force = core_->model->drive();
   check_continuation(in_force, drive, time());
-  const Drive before = std::exchange(in_force, drive);
-  try {
-    core_->renew();
-  } catch (...) {
-    in_force = before;
-    throw;
-  }
+  core_->replace(in_force, drive);
+}
+
+int Simulation::joint_index(int tree, std::string_view name) const {
+  return core_->joints("the name of a joint").find(tree, name);
+}
+
+CoordinateMotion Simulation::joint_motion(int tree, int joint, int coordinate) const {
+  const space::PrescribedMotion motion =
+      core_->joints("the motion of a joint").motion({tree, joint, coordinate}, time());
+  return {motion.value, motion.rate, motion.acceleration};
+}
+
+void Simulation::set_joint_motion(int tree, int joint, int coordinate,
+                                  const CoordinateMotion& motion) {
+  core_->set_joint_motion(
+      {tree, joint, coordinate}, {motion.value, motion.velocity, motion.acceleration},
+      space::SaidMotion{time(), motion.value, motion.velocity, motion.acceleration});
+}
+
+void Simulation::set_joint_motion(int tree, int joint, int coordinate, const Curve& course) {
+  const double t = time();
+  core_->set_joint_motion({tree, joint, coordinate},
+                          {course.value(t), course.derivative(t), course.second_derivative(t)},
+                          spatial::MotionTable{course});
 }
 
 void Simulation::set_load(int index, std::shared_ptr<const Load> load) {
   core_->require_state("go on from with another load");
-  std::shared_ptr<const Load>& in_force = core_->model->replaceable_load(index, load);
-  in_force.swap(load);
-  try {
-    core_->renew();
-  } catch (...) {
-    in_force.swap(load);
-    throw;
-  }
+  core_->replace(core_->model->replaceable_load(index, load), load);
 }
 
 }  // namespace spoke

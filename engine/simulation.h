@@ -32,19 +32,35 @@ struct LinearProperties {
   double rk4_largest_step = 0.0;
 };
 
-/// A view of one body's deformation coordinates: 3 E values, the E axial ones (u) first, then the
-/// 2 E of bending (v, psi by node, without those that the reference frame fixes) [m, rad].
+/// A view of one body's deformation coordinates: in the plane 3 E values, the E axial ones (u)
+/// first, then the 2 E of bending (v, psi by node, without those that the reference frame fixes);
+/// in space 6 E: u, v, w and rotations tx, ty, tz by node, likewise; of a rigid body none [m, rad].
 struct BodyState {
   std::vector<double> coordinates;    ///< [m, rad]
   std::vector<double> velocities;     ///< [m/s, rad/s]
   std::vector<double> accelerations;  ///< [m/s^2, rad/s^2]
 };
 
-/// A hub's motion in the inertial frame: x [m], y [m], angle [rad] and their derivatives.
+/// A hub's motion in the inertial frame, of either world; vectors are resolved there.
+struct HubFrame : HubPose {
+  spatial::Vector velocity = spatial::Vector::Zero();              ///< of the origin [m/s]
+  spatial::Vector angular_velocity = spatial::Vector::Zero();      ///< [rad/s]
+  spatial::Vector acceleration = spatial::Vector::Zero();          ///< of the origin [m/s^2]
+  spatial::Vector angular_acceleration = spatial::Vector::Zero();  ///< [rad/s^2]
+};
+
+/// A planar hub's motion in the inertial frame: x [m], y [m], angle [rad] and their derivatives.
 struct HubMotion {
   Twist position{0.0, 0.0, 0.0};      ///< [m, rad]
   Twist velocity{0.0, 0.0, 0.0};      ///< [m/s, rad/s]
   Twist acceleration{0.0, 0.0, 0.0};  ///< [m/s^2, rad/s^2]
+};
+
+/// The motion of a joint's coordinate at one time.
+struct CoordinateMotion {
+  double value = 0.0;         ///< [rad, m]
+  double velocity = 0.0;      ///< [rad/s, m/s]
+  double acceleration = 0.0;  ///< [rad/s^2, m/s^2]
 };
 
 class SimulationCore;
@@ -73,7 +89,8 @@ class SPOKE_EXPORT Simulation {
   /// The graph that run_until() runs: of one pass, or of the passes of a window of steps. Valid
   /// while this lives.
   const graph::StepGraph& run_graph() const;
-  /// Of the rotor at rest. Takes a while for large ones.
+  /// Of the rotor at rest. Takes a while for large ones. Throws InputError if the model is in
+  /// space: solve_modes() finds its vibrations.
   LinearProperties linear_properties() const;
   /// The kind of the executor: "auto", "serial", ..., or the name of one of the program's own.
   std::string_view executor_name() const;
@@ -140,9 +157,12 @@ class SPOKE_EXPORT Simulation {
   /// DivergenceError is thrown, and the simulation stands at the end of that step.
   std::vector<Warning> warnings() const;
 
-  /// The hub's motion at time().
+  /// The hub's motion at time(). Throws InputError if the model is in space.
   HubMotion hub() const;
-  /// The deformation of a body. Throws InputError if there is none, both counted from 0.
+  /// The hub's motion at time(), of either world.
+  HubFrame hub_frame() const;
+  /// The deformation of a body. Throws InputError if there is none, both counted from 0, in space
+  /// blades before subsystems.
   BodyState body(int blade, int body) const;
   /// Where the nodes of a blade stand at time(), and the tension of its elements. `shape` keeps its
   /// memory from call to call. Throws InputError if there is no such blade, counted from 0.
@@ -184,6 +204,22 @@ class SPOKE_EXPORT Simulation {
   /// InputError, StateError after a step that failed, LoadError or DivergenceError if there is no
   /// acceleration with it; the simulation then stays as it is.
   void set_drive(const Drive& drive);
+  /// The number of the joint of that name on a blade or subsystem, counted from 0 in the order of
+  /// Scenario::space: the handle of those who use it often. Throws InputError if there is none.
+  int joint_index(int tree, std::string_view name) const;
+  /// Where a joint's coordinate is at time() whose motion is prescribed, by whatever; joint as in
+  /// joint_reaction(), coordinate from 0 in the order of the scenario. Throws InputError if there
+  /// is none.
+  CoordinateMotion joint_motion(int tree, int joint, int coordinate = 0) const;
+  /// Replaces the motion of a coordinate that the scenario leaves to the program (motion = { by =
+  /// "program" }): from time() on value + velocity s + acceleration s^2/2, with s the time since.
+  /// It goes on from where the coordinate is, joint_motion(), in value and velocity (to 1e-9); a
+  /// controller thus sets accelerations. Throws like set_drive(); the simulation then stays as it
+  /// is.
+  void set_joint_motion(int tree, int joint, int coordinate, const CoordinateMotion& motion);
+  /// The same by a function of time: `course` over time [s], which goes on likewise; a constant
+  /// stretch before time() lets it start from rest.
+  void set_joint_motion(int tree, int joint, int coordinate, const Curve& course);
   /// Replaces load number `index` of those given to the constructor, by one with the same markers.
   /// To change the parameters of a load of one's own, change them and set it again. Throws
   /// like set_drive().

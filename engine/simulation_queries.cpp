@@ -9,10 +9,24 @@
 namespace spoke {
 namespace {
 
-std::vector<double> unpadded(const double* flex, const FlexLayout& layout) {
-  std::vector<double> values(flex + layout.u(), flex + layout.u() + layout.axial);
-  values.insert(values.end(), flex + layout.v(), flex + layout.v() + layout.bending);
-  return values;
+template <class World>
+const BodyData<World>& find_body(const SystemContext<World>& context, int blade, int body) {
+  const auto& blades = context.data.subsystems;
+  require_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
+  const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
+  require_range("the index of the body", body, 0, static_cast<std::int64_t>(bodies.size()) - 1);
+  return bodies[static_cast<std::size_t>(body)];
+}
+
+template <class World>
+BodyState make_view(const BodyData<World>& body) {
+  const auto values = [&body](const double* flex) {
+    std::vector<double> unpadded;
+    body.layout.for_parts(
+        [&](int first, int n) { unpadded.insert(unpadded.end(), flex + first, flex + first + n); });
+    return unpadded;
+  };
+  return {values(body.coordinates.q), values(body.coordinates.v), values(body.coordinates.a)};
 }
 
 }  // namespace
@@ -23,15 +37,21 @@ HubMotion Simulation::hub() const {
           Twist(hub.a[0], hub.a[1], hub.a[2])};
 }
 
+HubFrame Simulation::hub_frame() const {
+  const MarkerState frame = core_->model->hub_frame(time());
+  return {hub_pose(), frame.velocity, frame.angular_velocity, frame.acceleration,
+          frame.angular_acceleration};
+}
+
 BodyState Simulation::body(int blade, int body) const {
-  const BodyData<Plane>& data = core_->find_body(blade, body);
-  return {unpadded(data.coordinates.q, data.layout), unpadded(data.coordinates.v, data.layout),
-          unpadded(data.coordinates.a, data.layout)};
+  if (const SystemContext<Space>* space = core_->model->space())
+    return make_view(find_body(*space, blade, body));
+  return make_view(find_body(core_->plane("the view of a body"), blade, body));
 }
 
 void Simulation::calc_shape(int blade, BladeShape& shape) const {
-  core_->find_body(blade, 0);
   SystemContext<Plane>& context = core_->plane("the shape of a blade");
+  find_body(context, blade, 0);
   const auto index = static_cast<std::size_t>(blade);
   spoke::calc_shape(core_->scenario.rotor.blades[index], context.system.subsystems[index],
                     context.data.subsystems[index], shape);

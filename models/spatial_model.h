@@ -229,8 +229,10 @@ struct VectorTable {
   std::array<Curve, 3> components{};  ///< x, y, z [m, rad]
 };
 
-/// amplitude sin(frequency t + phase).
+/// constant + rate t + amplitude sin(frequency t + phase).
 struct VectorHarmonic {
+  Vector constant = Vector::Zero();   ///< [m, rad]
+  Vector rate = Vector::Zero();       ///< [m/s, rad/s]
   Vector amplitude = Vector::Zero();  ///< [m, rad]
   double frequency = 0.0;             ///< [rad/s]
   double phase = 0.0;                 ///< [rad]

@@ -86,7 +86,7 @@ void add_hub(const System<World>& system, const StepData<World>& data, Work& wor
   work.matrix.topLeftCorner<d, d>() = mass;
   work.right.head<d>() = force;
   const TwistOf<World> given = calc_prescribed_acceleration(
-      system, data.progress[0].control.time, data.hub.R, data.hub_coordinates.a[World::kAxial]);
+      system, data.progress[0].control.time, data.hub, data.hub_coordinates.a[World::kAxial]);
   int row = work.first_hub_multiplier;
   for (int c = 0; c < d; ++c)
     if (is_prescribed(system.hub, c)) {

@@ -41,13 +41,25 @@ TwistOf<World> calc_inertial_acceleration(const System<World>& system, double t,
                                           const HubSolution<World>& solution);
 
 /// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub
-/// frame, at time t [s]; components that are not prescribed are zero. `alpha`: the drive's
-/// [rad/s^2].
+/// frame, at time t [s]; components that are not prescribed are those that the mount carries along,
+/// zero without one. `alpha`: the drive's [rad/s^2].
 template <class World>
 TwistOf<World> calc_prescribed_acceleration(const System<World>& system, double t,
-                                            const RotationOf<World>& R, double alpha);
+                                            const HubState<World>& hub, double alpha);
 
-/// Sets position, velocity and acceleration of the hub's prescribed components at time t [s].
+/// The angular acceleration of the mount about the axle [rad/s^2].
+inline double calc_carried_spin_up(const System<Plane>&, double) { return 0.0; }
+double calc_carried_spin_up(const System<Space>& system, double t) noexcept;
+
+/// Velocity (resolved in H) and angular velocity of the hub at the end of a step.
+space::Twist calc_recorded_twist(const SystemRecord<Space>& record) noexcept;
+
+/// Sets what the mount makes of the hub's orientation at time t [s]; that of a free hub stays.
+inline void place_axle(const System<Plane>&, double, BodyTypes<Plane>::Attitude&) noexcept {}
+void place_axle(const System<Space>& system, double t, space::HubAttitude& attitude) noexcept;
+
+/// Sets position, velocity and acceleration of the hub's prescribed components at time t [s]. With
+/// a mount they depend on the axle's angle and speed, which must be set if they are free.
 template <class World>
 void impose_hub_motion(const System<World>& system, double t, CoordinateBlock& hub) noexcept;
 

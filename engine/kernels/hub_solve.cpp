@@ -60,7 +60,7 @@ void solve_hub(const System<World>& system, StepData<World>& data) noexcept {
   set_applied(system, data);
   const HubEquation<World> equation = sum_hub_equation(system, data);
   const TwistOf<World> given = calc_prescribed_acceleration(
-      system, data.progress[0].control.time, data.hub.R, data.hub_coordinates.a[World::kAxial]);
+      system, data.progress[0].control.time, data.hub, data.hub_coordinates.a[World::kAxial]);
   // (2) A prescribed component is given: its row becomes that of the identity.
   TwistMatrixOf<World> matrix = equation.mass;
   TwistOf<World> right = equation.force;

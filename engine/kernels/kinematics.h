@@ -41,10 +41,14 @@ space::Rotation calc_rotation_to_hub(const Subsystem<Space>& subsystem,
                                      const SubsystemData<Space>& data, int body) noexcept;
 void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept;
 
-/// Sets the prescribed motions of the joints at time t [s]; those of the plane have none.
-inline void prescribe_joints(const System<Plane>&, double, const Subsystem<Plane>&,
-                             SubsystemData<Plane>&) {}
-void prescribe_joints(const System<Space>& system, double t, const Subsystem<Space>& subsystem,
-                      SubsystemData<Space>& data) noexcept;
+/// Whether a joint follows the azimuth of a hub whose rotation is an unknown.
+bool follows_free_hub(const System<Space>& system, const Subsystem<Space>& subsystem);
+
+/// Sets the prescribed motions of the joints of subsystem `i` at time t [s]; those of the plane
+/// have none. Where the hub's rotation is an unknown, the azimuth is that of its coordinates, and
+/// its acceleration that of the last iterate.
+inline void prescribe_joints(const System<Plane>&, double, std::size_t, StepData<Plane>&) {}
+void prescribe_joints(const System<Space>& system, double t, std::size_t i,
+                      StepData<Space>& data) noexcept;
 
 }  // namespace spoke

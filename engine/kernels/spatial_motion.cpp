@@ -49,29 +49,48 @@ PrescribedMotion follow_azimuth(const spatial::AzimuthMotion& motion, double psi
 
 /// Of a curve the rate is its derivative, and the acceleration the derivative of that: the curve's
 /// cubic pieces have a linear one.
-PrescribedMotion follow_table(const spatial::MotionTable& motion, double t) {
+PrescribedMotion follow(const spatial::MotionTable& motion, double t) {
   return {motion.value.value(t), motion.value.derivative(t), motion.value.second_derivative(t)};
 }
 
-PrescribedMotion prescribe(const spatial::Motion& motion, double t, double psi,
+PrescribedMotion follow(const space::SaidMotion& said, double t) {
+  const double s = t - said.since;
+  return {said.value + s * (said.rate + 0.5 * s * said.acceleration),
+          said.rate + s * said.acceleration, said.acceleration};
+}
+
+PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double psi,
                            const DriveMotion& hub) {
-  if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
-    return follow_table(*table, t);
+  if (const auto* table = std::get_if<spatial::MotionTable>(&motion)) return follow(*table, t);
   if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion))
     return follow_azimuth(*azimuth, psi, hub);
-  return {std::get<spatial::ProgramMotion>(motion).initial, 0.0, 0.0};
+  return follow(std::get<space::SaidMotion>(motion), t);
+}
+
+/// The rotation that the azimuth is of.
+DriveMotion calc_hub_rotation(const System<Space>& system, double t, const CoordinateBlock& hub) {
+  if (prescribes_motion(system.hub.drive)) return calc_motion(system.hub.drive, t);
+  return {hub.q[Space::kAxial], hub.v[Space::kAxial], hub.a[Space::kAxial]};
 }
 
 }  // namespace
 
-void prescribe_joints(const System<Space>& system, double t, const Subsystem<Space>& subsystem,
-                      SubsystemData<Space>& data) noexcept {
-  const bool has_drive = prescribes_motion(system.hub.drive);
-  const DriveMotion hub = has_drive ? calc_motion(system.hub.drive, t) : DriveMotion{};
-  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+bool follows_free_hub(const System<Space>& system, const Subsystem<Space>& subsystem) {
+  if (prescribes_motion(system.hub.drive)) return false;
+  for (const TreeBody<Space>& body : subsystem.bodies)
+    for (const space::DrivenMotion& motion : body.joint.course.driven)
+      if (std::holds_alternative<spatial::AzimuthMotion>(motion)) return true;
+  return false;
+}
+
+void prescribe_joints(const System<Space>& system, double t, std::size_t i,
+                      StepData<Space>& data) noexcept {
+  const DriveMotion hub = calc_hub_rotation(system, t, data.hub_coordinates);
+  const Subsystem<Space>& subsystem = system.subsystems[i];
+  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
     const space::JointCourse& course = subsystem.bodies[j].joint.course;
     for (std::size_t c = 0; c < course.driven.size(); ++c)
-      data.bodies[j].joint.driven[c] =
+      data.subsystems[i].bodies[j].joint.driven[c] =
           prescribe(course.driven[c], t, hub.angle + course.azimuth, hub);
   }
 }
@@ -125,7 +144,7 @@ space::Rotation calc_rotation_to_hub(const Subsystem<Space>& subsystem,
 
 HubState<Space> calc_hub_state(const StepData<Space>& data) {
   const CoordinateBlock& hub = data.hub_coordinates;
-  const space::HubState state = space::calc_hub_state(hub.q, hub.v, data.hub_attitude.reference);
+  const space::HubState state = space::calc_hub_state(hub.q, hub.v, data.hub_attitude);
   return {state.p, state.R, state.twist};
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/kernels/spatial_relative_motion.h"
 
+#include "engine/kernels/hub_motion.h"
 #include "engine/kernels/spatial_terms.h"
 #include "engine/space/body_energies.h"
 
@@ -132,7 +133,8 @@ space::Twist calc_hub_acceleration(const System<Space>& system, std::size_t i,
   const double* a = data.hub_coordinates.a;
   const space::Position less_gravity =
       space::Position(a[0], a[1], a[2]) - space::Position(system.gravity_at(t));
-  return space::make_twist(data.hub.R.inverse() * less_gravity, space::Angular(a[3], a[4], a[5]));
+  return space::make_twist(data.hub.R.inverse() * less_gravity,
+                           space::Angular(a[3], a[4], a[5] + calc_carried_spin_up(system, t)));
 }
 
 space::Twist calc_frame_acceleration(const Subsystem<Space>& subsystem,

@@ -1,6 +1,7 @@
 // Where joints stand before a model is simulated.
 
 #include "engine/scene/frame.h"
+#include "models/space/mount.h"
 #include "models/space/rotation_vector.h"
 #include "models/tree/tree.h"
 
@@ -70,6 +71,14 @@ void add_motions(const Tree& tree, std::vector<Placement>& groups, std::size_t& 
   }
 }
 
+/// Of the hub, which its mount may have moved.
+HubPose calc_start(const spatial::Hub& hub) {
+  space::Hub at_rest;
+  at_rest.mount = hub.mount;
+  const space::AxleMotion start = calc_axle_motion(at_rest, 0.0);
+  return {start.p, start.R.axes};
+}
+
 }  // namespace
 
 Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
@@ -78,6 +87,7 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   frame.displacements.assign(scene.nodes.size(), Vector::Zero());
   frame.rotations = frame.displacements;
   if (!scenario.space) return frame;
+  frame.hub = calc_start(scenario.space->hub);
   std::size_t next = 1;
   for (const Tree& tree : build_trees(*scenario.space)) add_motions(tree, frame.groups, next);
   return frame;

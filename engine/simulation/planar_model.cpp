@@ -109,6 +109,16 @@ class PlanarModel final : public SimulatedModel {
     return {{q[0], q[1], 0.0}, in_space(Rotation::from_angle(q[kRotation]))};
   }
 
+  MarkerState hub_frame(double) const override {
+    const CoordinateBlock& hub = context_.data.hub_coordinates;
+    MarkerState frame;
+    frame.velocity = {hub.v[0], hub.v[1], 0.0};
+    frame.angular_velocity = {0.0, 0.0, hub.v[kRotation]};
+    frame.acceleration = {hub.a[0], hub.a[1], 0.0};
+    frame.angular_acceleration = {0.0, 0.0, hub.a[kRotation]};
+    return frame;
+  }
+
   DivergenceError diagnose(const FailedStep& failed) const override {
     return spoke::diagnose(scenario_, context_, failed);
   }

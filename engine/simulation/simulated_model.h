@@ -10,6 +10,7 @@
 #include "engine/load.h"
 #include "engine/simulation/diagnosis.h"
 #include "engine/simulation/sensors.h"
+#include "engine/simulation/spatial_joints.h"
 #include "engine/simulation_options.h"
 #include "engine/step/step_context.h"
 #include "engine/tree_shape.h"
@@ -37,6 +38,9 @@ class SimulatedModel {
   const StepContext& context() const { return const_cast<SimulatedModel*>(this)->context(); }
   /// Null if the model is in space.
   virtual SystemContext<Plane>* plane() { return nullptr; }
+  // Null if the model is in the plane.
+  virtual SystemContext<Space>* space() { return nullptr; }
+  virtual SpatialJoints* joints() { return nullptr; }
 
   /// What the rings of the table hold of a step [bytes].
   virtual double ring_bytes() const = 0;
@@ -80,6 +84,8 @@ class SimulatedModel {
   /// See Simulation::calc_shape() and hub_pose().
   virtual void calc_shape(int tree, double t, TreeShape& shape) = 0;
   virtual HubPose hub_pose() const = 0;
+  /// Velocities and accelerations of the hub's frame at time t [s]; see Simulation::hub_frame().
+  virtual MarkerState hub_frame(double t) const = 0;
 
   /// See diagnose() and describe_failed_load().
   virtual DivergenceError diagnose(const FailedStep& failed) const = 0;

@@ -195,19 +195,27 @@ void SimulationCore::renew() {
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
 }
 
+SpatialJoints& SimulationCore::joints(const char* what) const {
+  SpatialJoints* joints = model->joints();
+  if (!joints)
+    throw InputError(std::string(what) + ": the model is in the plane, expected one in space");
+  return *joints;
+}
+
+void SimulationCore::set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
+                                      const space::DrivenMotion& course) {
+  SpatialJoints& all = joints("the motion of a joint");
+  require_state("go on from with another motion of a joint");
+  space::DrivenMotion& in_force = all.said_motion(place);
+  all.check_continuation(place, begin, static_cast<double>(runner->steps()) * step_size);
+  replace(in_force, course);
+}
+
 SystemContext<Plane>& SimulationCore::plane(const char* what) const {
   SystemContext<Plane>* context = model->plane();
   if (!context)
     throw InputError(std::string(what) + ": the model is in space, expected a rotor in the plane");
   return *context;
-}
-
-const BodyData<Plane>& SimulationCore::find_body(int blade, int body) const {
-  const auto& blades = plane("the view of a body").data.subsystems;
-  require_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
-  const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
-  require_range("the index of the body", body, 0, static_cast<std::int64_t>(bodies.size()) - 1);
-  return bodies[static_cast<std::size_t>(body)];
 }
 
 SavedState SimulationCore::save() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/load.h"
@@ -47,10 +48,25 @@ class SimulationCore {
   void evaluate();
   /// The same, after a force has changed: the next step starts from it.
   void renew();
+  /// Puts `next` in the place of something that is in force, and takes it back if there is no
+  /// acceleration with it.
+  template <class T>
+  void replace(T& in_force, T next) {
+    std::swap(in_force, next);
+    try {
+      renew();
+    } catch (...) {
+      std::swap(in_force, next);
+      throw;
+    }
+  }
+  /// Replaces the course of a coordinate that the program prescribes, which begins like this.
+  void set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
+                        const space::DrivenMotion& course);
+  /// Of a model in space. Throws InputError if it is in the plane: `what` is then refused.
+  SpatialJoints& joints(const char* what) const;
   /// A rotor in the plane. Throws InputError if the model is in space: `what` is then refused.
   SystemContext<Plane>& plane(const char* what) const;
-  /// Of a rotor in the plane.
-  const BodyData<Plane>& find_body(int blade, int body) const;
 
   Scenario scenario;
   SimulationOptions options;

@@ -97,10 +97,8 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
 
 /// Momentum of the hub, and its moment about the inertial origin.
 space::Twist calc_hub_momentum(const space::Hub& hub, const SystemRecord<Space>& record) {
-  const space::Rotation& R = record.hub_rotation;
-  const space::Position velocity = R.inverse() * space::Position(linear(record.velocity));
-  const space::Twist twist = space::make_twist(velocity, angular(record.velocity));
-  return translate(space::Position(linear(record.position)), R * (hub.inertia * twist));
+  return translate(space::Position(linear(record.position)),
+                   record.hub_rotation * (hub.inertia * calc_recorded_twist(record)));
 }
 
 double calc_total_momentum(const SensorColumn& column, const space::Hub& hub, std::int64_t step,

@@ -42,11 +42,14 @@ class SpatialModel final : public SimulatedModel {
     context_.system = make_system(*scenario.space, trees_);
     context_.formulation = formulation;
     context_.integrator = integrator;
+    require_azimuth_motion();
     context_.loads_tie_blades = ties_blades(loads_);
     require_memory(context_.system, formulation);
   }
 
   StepContext& context() override { return context_; }
+  SystemContext<Space>* space() override { return &context_; }
+  SpatialJoints* joints() override { return &joints_; }
 
   double ring_bytes() const override {
     std::size_t values = 0;
@@ -133,7 +136,7 @@ class SpatialModel final : public SimulatedModel {
     for (std::size_t i = 0; i < context_.data.subsystems.size(); ++i) {
       const Subsystem<Space>& subsystem = context_.system.subsystems[i];
       SubsystemData<Space>& data = context_.data.subsystems[i];
-      prescribe_joints(context_.system, t, subsystem, data);
+      prescribe_joints(context_.system, t, i, context_.data);
       update_kinematics(subsystem, data);
       of_step(data.samples, step) = calc_sample(context_.system, i, data);
       keep_joint_values(subsystem, step, data);
@@ -152,13 +155,15 @@ class SpatialModel final : public SimulatedModel {
     const auto i = static_cast<std::size_t>(tree);
     const Subsystem<Space>& subsystem = context_.system.subsystems[i];
     SubsystemData<Space>& data = context_.data.subsystems[i];
-    prescribe_joints(context_.system, t, subsystem, data);
+    prescribe_joints(context_.system, t, i, context_.data);
     spoke::calc_shape(subsystem, data, rotor_placement(scenario_.space->hub).rotation, shape);
   }
   HubPose hub_pose() const override {
     const HubState<Space> hub = calc_hub_state(context_.data);
     return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
   }
+
+  MarkerState hub_frame(double t) const override { return calc_hub_frame(context_, t); }
 
   DivergenceError diagnose(const FailedStep& failed) const override {
     Divergence at{.time = failed.time, .step = failed.step};
@@ -176,6 +181,16 @@ class SpatialModel final : public SimulatedModel {
   }
 
  private:
+  /// Accelerations of the hub that a stage of rk4 finds come too late for its joints.
+  void require_azimuth_motion() const {
+    if (!std::holds_alternative<Rk4>(context_.integrator.method)) return;
+    for (const Subsystem<Space>& subsystem : context_.system.subsystems)
+      if (follows_free_hub(context_.system, subsystem))
+        throw InputError(
+            "integration.method: is \"rk4\" where a joint's motion follows the azimuth of a hub "
+            "that no drive prescribes the rotation of, expected \"generalized_alpha\"");
+  }
+
   std::string name_body(std::size_t i, std::size_t j) const {
     return trees_[i].name + " / " + trees_[i].bodies[j].name;
   }
@@ -204,9 +219,9 @@ class SpatialModel final : public SimulatedModel {
         at.node = name_body(i, j) + " / recovery";
         return name_body(i, j) + ": " + at.quantity + finding + " (node \"" + at.node + "\")";
       }
-    at.node = "hub solve";
+    at.node = context_.formulation == Formulation::augmented ? "solve" : "hub solve";
     at.quantity = "the acceleration of the hub";
-    return at.quantity + " is not finite (node \"hub solve\")";
+    return at.quantity + " is not finite (node \"" + at.node + "\")";
   }
 
   /// What is wrong with a quantity of a body; nothing if all are fine.
@@ -232,6 +247,7 @@ class SpatialModel final : public SimulatedModel {
   std::vector<spatial::Tree> trees_;
   std::vector<AskedLoad> loads_;
   SystemContext<Space> context_;
+  SpatialJoints joints_{trees_, context_};
   std::optional<SpatialSensors> sensors_;  // once there is a table
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/kernels/hub_motion.h"
 #include "engine/simulation/spatial_columns.h"
 #include "models/tree/sensor_place.h"
 
@@ -14,8 +15,7 @@ namespace {
 /// The hub's energies: kinetic, and the work of gravity.
 Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space>& record) {
   const space::Hub& hub = system.hub;
-  space::Twist twist = record.velocity;
-  linear(twist) = record.hub_rotation.inverse() * space::Position(linear(record.velocity));
+  const space::Twist twist = calc_recorded_twist(record);
   Energies energies;
   energies.kinetic = 0.5 * twist.dot(hub.inertia * twist);
   if (system.gravity_ramp == 0.0) {

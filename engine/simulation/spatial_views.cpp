@@ -5,6 +5,7 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
 #include "engine/kernels/marker_motion.h"
+#include "engine/kernels/spatial_relative_motion.h"
 #include "models/error.h"
 
 namespace spoke {
@@ -58,6 +59,19 @@ Wrench calc_section_force(const SystemContext<Space>& context, const Marker& mar
   };
   return make(resultants(body.coordinates.q) +
               context.system.damping.stiffness_factor * resultants(body.coordinates.v));
+}
+
+MarkerState calc_hub_frame(const SystemContext<Space>& context, double t) {
+  const HubState<Space> hub = calc_hub_state(context.data);
+  const space::Twist velocity = hub.R * hub.twist;
+  const space::Twist acceleration =
+      hub.R * calc_hub_acceleration(context.system, 0, context.data, t);
+  MarkerState frame;
+  frame.velocity = linear(velocity);
+  frame.angular_velocity = angular(velocity);
+  frame.acceleration = space::Position(linear(acceleration)) + context.system.gravity_at(t);
+  frame.angular_acceleration = angular(acceleration);
+  return frame;
 }
 
 }  // namespace spoke

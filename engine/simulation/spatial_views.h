@@ -14,4 +14,7 @@ Wrench calc_hub_reaction(const StepData<Space>& data);
 /// Throws InputError if the marker is on a rigid body.
 Wrench calc_section_force(const SystemContext<Space>& context, const Marker& marker);
 
+/// Velocities and accelerations of the hub's frame, in the inertial frame, at time t [s].
+MarkerState calc_hub_frame(const SystemContext<Space>& context, double t);
+
 }  // namespace spoke

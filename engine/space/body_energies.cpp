@@ -56,7 +56,7 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
   const StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
   const HubStiffening hub = calc_hub_stiffening(*model.tension, motion.gravity, stiffening);
   energies.kinetic -= 0.5 * motion.hub_w.dot(hub.inertia.lazyProduct(motion.hub_w));
-  energies.tension = motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
+  energies.tension = motion.gravity.dot(calc_tension_moment(*model.tension, stiffening.value));
   return energies;
 }
 
@@ -73,13 +73,13 @@ double calc_gravity_power(const BodyModel& model, const BodyState& state, const 
   const double power = gravity.dot(momentum);
   if (!model.tension) return power;
   std::fill_n(work.force, kTwist * body.node_count(), 0.0);
-  StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
+  const StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
   // On the hub, which turns gravity in H: g x gamma.
-  const Position gamma = calc_tension_moment(*model.tension, stiffening);
+  const Position gamma = calc_tension_moment(*model.tension, stiffening.value);
   const double on_hub = motion.hub_w.dot(cross(motion.gravity, gamma));
   // gamma is quadratic in q: its rate is that of q^T K q', twice.
-  stiffening.value.tension = 2.0 * stiffening.rate.tension;
-  return power + on_hub - motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
+  const Position rate = 2.0 * calc_tension_moment(*model.tension, stiffening.rate);
+  return power + on_hub - motion.gravity.dot(rate);
 }
 
 double calc_strain_energy(const FlexibleBody& body, const double* q,

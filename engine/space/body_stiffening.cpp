@@ -11,7 +11,8 @@ namespace {
 /// What each matrix counts at a speed of the hub.
 struct Weights {
   std::array<double, ElementStiffening::kWeights> tension;
-  Position w;  ///< the hub's angular velocity, in B [rad/s]
+  Position w;      ///< the hub's angular velocity, in B [rad/s]
+  double gravity;  ///< along the body [m/s^2]
 };
 
 /// W0 = |w|^2 1 - w w^T, x component of W0 c.
@@ -19,12 +20,16 @@ double along_x(const Position& w, const Position& c) {
   return w.squaredNorm() * c.x() - w.x() * w.dot(c);
 }
 
+/// Of an element's own body; what elements carry is to be added.
 Weights calc_weights(const TensionPlace& place, const BodyMotion& motion) {
   const Position w = place.R_HB.inverse() * motion.hub_w;
   const double gravity = (place.R_HB.inverse() * motion.gravity).x();
-  return {{along_x(w, place.outboard_moment) + gravity * place.outboard_mass,
-           along_x(w, place.origin) + gravity, along_x(w, Position::UnitX())},
-          w};
+  return {{0.0, along_x(w, place.origin) + gravity, along_x(w, Position::UnitX())}, w, gravity};
+}
+
+/// The tension of what an element carries, at a speed of the hub.
+double carried_tension(const CarriedMass& carried, const Weights& weights) {
+  return along_x(weights.w, carried.moment) + weights.gravity * carried.mass;
 }
 
 /// Coordinates of an element's two nodes along its axes, as far as tension and torsion feel them.
@@ -185,14 +190,32 @@ void add_inertias(const BeamElement& element, const Position& w, const double* q
   }
 }
 
+/// Moves what the sums of K1 hold to the forms, by what the elements carry; they begin anew.
+void take_carried(const CarriedMass& carried, TensionSums& K1, StiffeningSums& sums) {
+  const auto take = [&carried](double form, TensionForms& forms) {
+    forms.carried += form * carried.moment;
+    forms.carried_mass += form * carried.mass;
+  };
+  take(total(K1.value), sums.value.tension);
+  take(total(K1.rate), sums.rate.tension);
+  K1 = {};
+}
+
 template <bool kIsStraight>
 StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const double* q,
                        const double* v, double* force) {
   const FlexibleBody& body = *model.body;
-  const Weights weights = calc_weights(*model.tension, motion);
+  Weights weights = calc_weights(*model.tension, motion);
   StiffeningSums sums;
   TensionSums tension[ElementStiffening::kWeights];
-  for (const BeamElement& element : body.beam) {
+  const CarriedMass* carried = model.tension->carried.data();
+  weights.tension[0] = carried_tension(*carried, weights);
+  for (int e = 0; e < body.elements; ++e) {
+    if (e == carried->end) {
+      take_carried(*carried, tension[0], sums);
+      weights.tension[0] = carried_tension(*++carried, weights);
+    }
+    const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
     const PlaneCoordinates x = in_element_axes<kIsStraight>(element, q);
     const PlaneCoordinates rate = in_element_axes<kIsStraight>(element, v);
     PlaneCoordinates f{};
@@ -206,10 +229,11 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
     v += kTwist;
     force += kTwist;
   }
-  for (int k = 0; k < ElementStiffening::kWeights; ++k) {
-    sums.value.tension[k] = total(tension[k].value);
-    sums.rate.tension[k] = total(tension[k].rate);
-  }
+  take_carried(*carried, tension[0], sums);
+  sums.value.tension.KL = total(tension[1].value);
+  sums.rate.tension.KL = total(tension[1].rate);
+  sums.value.tension.Kx = total(tension[2].value);
+  sums.rate.tension.Kx = total(tension[2].rate);
   return sums;
 }
 
@@ -253,8 +277,7 @@ namespace {
 /// (e.c) 1 - 1/2 (e c^T + c e^T), and of the propeller terms tr(F) 1 - F, in B.
 Matrix3 calc_inertia(const TensionPlace& place, const StiffeningForms& forms) {
   const Position e = Position::UnitX();
-  const Position c = forms.tension[0] * place.outboard_moment + forms.tension[1] * place.origin +
-                     forms.tension[2] * e;
+  const Position c = forms.tension.carried + forms.tension.KL * place.origin + forms.tension.Kx * e;
   Matrix3 inertia =
       -0.5 * (e * c.transpose() + c * e.transpose()) - forms.propeller + forms.inertias;
   inertia.diagonal().array() += c.x() + forms.propeller.trace();
@@ -268,8 +291,8 @@ Matrix3 turn(const Rotation& R, const Matrix3& tensor) {
 
 }  // namespace
 
-Position calc_tension_moment(const TensionPlace& place, const StiffeningSums& sums) noexcept {
-  const double form = place.outboard_mass * sums.value.tension[0] + sums.value.tension[1];
+Position calc_tension_moment(const TensionPlace& place, const StiffeningForms& forms) noexcept {
+  const double form = forms.tension.carried_mass + forms.tension.KL;
   return 0.5 * form * place.R_HB.axes.col(0);
 }
 
@@ -278,7 +301,7 @@ HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gra
   HubStiffening stiffening;
   stiffening.inertia = turn(place.R_HB, calc_inertia(place, sums.value));
   stiffening.rate = turn(place.R_HB, 2.0 * calc_inertia(place, sums.rate));
-  stiffening.moment = cross(gravity, calc_tension_moment(place, sums));
+  stiffening.moment = cross(gravity, calc_tension_moment(place, sums.value));
   return stiffening;
 }
 

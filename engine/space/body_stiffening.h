@@ -7,9 +7,17 @@
 
 namespace spoke::space {
 
+/// Quadratic forms q^T K q' of the matrices of a tension.
+struct TensionForms {
+  Position carried = Position::Zero();  ///< first moments that elements carry, times those of K1
+  double carried_mass = 0.0;            ///< the masses, times those of K1
+  double KL = 0.0;
+  double Kx = 0.0;
+};
+
 /// Quadratic forms of the stiffening in two flex vectors.
 struct StiffeningForms {
-  Position tension = Position::Zero();  ///< q^T K q' of the matrices K1, KL, Kx
+  TensionForms tension;
   Matrix3 propeller = Matrix3::Zero();  ///< of the propeller matrices, a symmetric tensor in B
   Matrix3 inertias = Matrix3::Zero();   ///< of small masses: their share of Lambda, in B
 };
@@ -34,6 +42,6 @@ HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gra
                                   const StiffeningSums& sums) noexcept;
 
 /// gamma: the energy of gravity's tension is g . gamma, in H [kg m].
-Position calc_tension_moment(const TensionPlace& place, const StiffeningSums& sums) noexcept;
+Position calc_tension_moment(const TensionPlace& place, const StiffeningForms& forms) noexcept;
 
 }  // namespace spoke::space

@@ -6,6 +6,7 @@
 
 #include "engine/body/body_types.h"
 #include "engine/space/body_data.h"
+#include "engine/space/hub_motion.h"
 #include "engine/space/joint_terms.h"
 #include "engine/space/rigid_body_terms.h"
 #include "engine/space/rotation_block.h"
@@ -98,8 +99,8 @@ struct BodyTypes<Space> {
   using HandleWrenches = space::JointWrench;
   using JointMotion = space::JointMotion;
   using HubStiffening = space::HubStiffening;
-  using Attitude = space::RotationState;
-  using RecordedRotation = space::Rotation;
+  using Attitude = space::HubAttitude;
+  using RecordedRotation = space::RecordedHub;
 };
 
 }  // namespace spoke

@@ -41,6 +41,8 @@ std::unique_ptr<SteadyModel> make_planar(const Rotor& rotor, const SteadyOptions
 /// Pitch by the azimuth has a mean, whatever turns the hub.
 std::unique_ptr<SteadyModel> make_spatial(const spatial::Model& model,
                                           const SteadyOptions& options) {
+  if (model.hub.mount)
+    throw InputError("hub.mount: the axle moves, expected one at rest to find an equilibrium");
   const std::vector<spatial::Tree> trees = build_trees(model);
   std::vector<TreeNames> names;
   for (const spatial::Tree& tree : trees) names.push_back(name_tree(tree));

@@ -43,11 +43,11 @@ space::Position steady_gravity(const System<Space>& system, bool turns) {
   return turns ? axial_part(system, system.gravity) : system.gravity;
 }
 
-double final_value(const spatial::Motion& motion) {
+double final_value(const space::DrivenMotion& motion) {
   if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
     return steady::final_value(table->value);
   if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion)) return azimuth->mean;
-  return std::get<spatial::ProgramMotion>(motion).initial;
+  return std::get<space::SaidMotion>(motion).value;
 }
 
 std::vector<Curve*> hold_joints(System<Plane>&) { return {}; }
@@ -57,7 +57,7 @@ std::vector<Curve*> hold_joints(System<Space>& system) {
   for (Subsystem<Space>& subsystem : system.subsystems)
     for (TreeBody<Space>& body : subsystem.bodies) {
       space::JointCourse& course = body.joint.course;
-      for (spatial::Motion& motion : course.driven)
+      for (space::DrivenMotion& motion : course.driven)
         motion = spatial::MotionTable{Curve(final_value(motion))};
       for (Curve& effort : course.efforts) motors.push_back(&effort);
     }

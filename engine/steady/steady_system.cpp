@@ -217,7 +217,7 @@ PrescribedHub<World> SteadySystem<World>::hub_motion(const HubOffset& offset) co
   PrescribedHub<World> hub = calc_prescribed_motion(context_.system, 0.0);
   hub.state.R = hub.state.R * turn_of(offset.turn, World{});
   hub.state.twist += offset.twist;
-  hub.acceleration = calc_prescribed_acceleration(context_.system, 0.0, hub.state.R, 0.0);
+  hub.acceleration = calc_prescribed_acceleration(context_.system, 0.0, hub.state, 0.0);
   return hub;
 }
 

@@ -120,11 +120,12 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
       g.label("finish", i),
       reads(blade.progress, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
             blade.effective, blade.hub_state, blade.records),
-      writes(blade.progress, blade.records), [&integrator, &window, &data]() noexcept {
+      writes(blade.progress, blade.records),
+      [&hub = g.c.system.hub, &integrator, &window, &data]() noexcept {
         if (data.progress->is_halted)
           data.progress->completed = StepProgress::kNone;
         else
-          finish_subsystem(integrator, window, data);
+          finish_subsystem<World>(hub, integrator, window, data);
       });
 }
 

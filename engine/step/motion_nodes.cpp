@@ -104,16 +104,20 @@ void add_velocity(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   const System<World>& system = g.c.system;
   const Subsystem<World>& subsystem = system.subsystems[i];
-  SubsystemData<World>& data = g.c.data.subsystems[i];
-  PartList outputs{blade.twists};
+  StepData<World>& table = g.c.data;
+  SubsystemData<World>& data = table.subsystems[i];
+  PartList outputs{blade.twists}, azimuth;
   if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
   if constexpr (tree::kHasJointCoordinates<World>)
     outputs.push_back(blade.rotations);  // with the joints
+  if constexpr (tree::kHasJointCoordinates<World>)
+    if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts.hub_coordinates);
   g.builder.add_node(
       g.label("velocity", i),
-      reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state),
-      writes(outputs), unless_halted(*data.progress, [&system, &subsystem, &data]() noexcept {
-        prescribe_joints(system, data.progress->control.time, subsystem, data);
+      reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state, azimuth),
+      writes(outputs),
+      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i]() noexcept {
+        prescribe_joints(system, data.progress->control.time, static_cast<std::size_t>(i), table);
         calc_velocities(subsystem, data);
         if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
       }));

@@ -105,14 +105,32 @@ double gravity_power(const space::Hub& hub, const space::Position& gravity,
   return gravity.dot(linear(momentum));
 }
 
-/// Of a hub on an axle, that gravity does where it turns by `angle` [J]; its centre of mass may be
-/// off the axis in space only.
-double gravity_work(const System<Plane>&, double) { return 0.0; }
-double gravity_work(const System<Space>& system, double angle) {
-  if (system.gravity_ramp > 0.0) return 0.0;
+bool has_mount(const Hub&) { return false; }
+bool has_mount(const space::Hub& hub) { return hub.mount.has_value(); }
+
+/// What a mount that moves does to the hub besides turning it about the axle [W].
+double mount_power(const Hub&, const Twist&, const Twist&) { return 0.0; }
+double mount_power(const space::Hub& hub, const space::Twist& reaction, const space::Twist& twist) {
+  if (!hub.mount) return 0.0;
+  return reaction.head<Space::kAxial>().dot(twist.head<Space::kAxial>());
+}
+
+/// Of a hub alone: kinetic, less the work of gravity, which is that of a load if it rises [J].
+double mechanical_energy(const System<Space>& system, const HubState<Space>& hub) {
+  const double kinetic = 0.5 * hub.twist.dot(system.hub.inertia * hub.twist);
+  if (system.gravity_ramp > 0.0) return kinetic;
   const space::Matrix3& rt = system.hub.inertia.rt;
   const space::Position moment(rt(2, 1), rt(0, 2), rt(1, 0));
-  return system.gravity.dot(rotation_of(system.hub, angle) * moment);
+  return kinetic - system.gravity.dot(system.hub.mass * hub.p + hub.R * moment);
+}
+
+/// Place, velocity and orientation of the hub at the end of a step.
+template <class World>
+void record_hub(const StepData<World>& data, SystemRecord<World>& record) {
+  record.position = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.q);
+  record.velocity = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.v);
+  if constexpr (tree::kHasJointCoordinates<World>)
+    record.hub_rotation = {calc_hub_state(data).R, data.hub_attitude.mount_spin};
 }
 
 /// Begins a block with or without an orientation in it.
@@ -203,6 +221,7 @@ void begin_hub(const System<World>& system, const Method& method, StepData<World
   const PassControl& control = data.progress[0].control;
   begin_hub_coordinates(system, method, control, data);
   impose_hub_motion(system, control.time, data.hub_coordinates);
+  place_axle(system, control.time, data.hub_attitude);
   data.hub = calc_hub_state(data);
 }
 
@@ -243,12 +262,13 @@ void complete_hub(const System<World>& system, const Method& method,
 }
 
 template <class World>
-void finish_subsystem(const Integrator& integrator, const Window& window,
-                      SubsystemData<World>& subsystem) noexcept {
+void finish_subsystem(const typename World::Hub& hub, const Integrator& integrator,
+                      const Window& window, SubsystemData<World>& subsystem) noexcept {
   StepProgress& progress = *subsystem.progress;
   const TwistOf<World> reaction = calc_reaction(subsystem);
   PassReport report;
   report.power.applied = reaction[World::kAxial] * subsystem.hub->twist[World::kAxial];
+  report.power.applied += mount_power(hub, reaction, subsystem.hub->twist);
   add_reports(subsystem, report);
   add_deflections(subsystem, -1, report.deflection);
   ReactionRecord<World>& record = of_step(subsystem.records, progress.step);
@@ -262,12 +282,13 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   StepProgress& progress = data.progress[0];
   const HubSolution<World>& hub = data.hub_solution;
   PassReport report;
-  // Of a prescribed rotation the step's work on the hub's own inertia is known.
-  const bool is_turned = is_prescribed(system.hub, World::kAxial);
+  // Of a rotation that is prescribed in space the step's work on the hub's own inertia is known.
+  const bool is_turned = is_prescribed(system.hub, World::kAxial) && !has_mount(system.hub);
   const double known =
       is_turned ? axial_inertia(system.hub) * hub.acceleration[World::kAxial] : 0.0;
   report.power.applied =
       (hub.reaction[World::kAxial] - known + hub.applied_torque) * data.hub.twist[World::kAxial];
+  report.power.applied += mount_power(system.hub, hub.reaction, data.hub.twist);
   report.power.applied += hub.load.dot(data.hub.twist);
   if (system.gravity_ramp > 0.0) {
     const PositionOf<World> gravity =
@@ -290,38 +311,57 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   }
   record.reaction = hub.reaction;
   record.applied_torque = hub.applied_torque;
-  if constexpr (tree::kHasJointCoordinates<World>) record.hub_rotation = calc_hub_state(data).R;
-  record.position = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.q);
-  record.velocity = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.v);
+  record_hub(data, record);
 }
+
+namespace {
+
+/// Work on a hub whose whole motion is prescribed in a step, besides that on its subsystems [J].
+double work_in_step(const System<Plane>& system, double, double speed_before,
+                    const StepData<Plane>& data) {
+  return work_on_hub(system, speed_before, data.hub_coordinates.v[Plane::kAxial]);
+}
+double work_in_step(const System<Space>& system, double t_before, double,
+                    const StepData<Space>& data) {
+  return mechanical_energy(system, calc_hub_state(data)) -
+         mechanical_energy(system, calc_prescribed_motion(system, t_before).state);
+}
+
+/// The hub at the end of a step; of that in the plane its orientation, where anything depends on
+/// it.
+HubState<Plane> state_in_record(const System<Plane>& system, const StepData<Plane>& data) {
+  const CoordinateBlock& hub = data.hub_coordinates;
+  const bool needs_rotation = system.gravity != Position(0.0, 0.0) || !system.hub_loads.empty();
+  return {Position::Zero(), needs_rotation ? rotation_of(system.hub, hub.q[kRotation]) : Rotation{},
+          Twist::Map(hub.v)};
+}
+HubState<Space> state_in_record(const System<Space>&, const StepData<Space>& data) {
+  return calc_hub_state(data);
+}
+
+}  // namespace
 
 template <class World>
 void record_reactions(const System<World>& system, const Integrator& integrator,
                       StepData<World>& data) noexcept {
-  const auto no_position = PositionOf<World>::Zero();
   const double h = step_size(integrator);
   const std::int64_t last = std::min(last_complete_step(data), data.window.last);
-  const bool needs_rotation = system.gravity != no_position || !system.hub_loads.empty();
   CoordinateBlock& hub = data.hub_coordinates;
   for (std::int64_t step = data.window.first; step <= last; ++step) {
     SystemRecord<World> record;
     const double speed_before = hub.v[World::kAxial];
-    const double lift_before = gravity_work(system, hub.q[World::kAxial]);
     const double t = static_cast<double>(step) * h;
     impose_hub_motion(system, t, hub);
-    record.position = Eigen::Map<const TwistOf<World>>(hub.q);
-    record.velocity = Eigen::Map<const TwistOf<World>>(hub.v);
-    // Its own inertia takes what the subsystems leave of the drive's work.
-    if (step > 0)
-      record.step.work = work_on_hub(system, speed_before, hub.v[World::kAxial]) + lift_before -
-                         gravity_work(system, hub.q[World::kAxial]);
-    const RotationOf<World> R =
-        needs_rotation ? rotation_of(system.hub, hub.q[World::kAxial]) : RotationOf<World>{};
-    const TwistOf<World> a = calc_prescribed_acceleration(system, t, R, hub.a[World::kAxial]);
-    if constexpr (tree::kHasJointCoordinates<World>)
-      record.hub_rotation = rotation_of(system.hub, hub.q[World::kAxial]);
-    record.reaction = calc_hub_mass(system.hub) * a -
-                      calc_hub_load(system, t, HubState<World>{no_position, R, record.velocity});
+    place_axle(system, t, data.hub_attitude);
+    record_hub(data, record);
+    // Its own inertia takes what the subsystems leave of the work of support and drive.
+    if (step > 0) record.step.work = work_in_step(system, t - h, speed_before, data);
+    const HubState<World> state = state_in_record(system, data);
+    HubSolution<World> applied{};
+    applied.load = calc_hub_load(system, t, state);
+    record.reaction = calc_hub_mass(system.hub) *
+                          calc_prescribed_acceleration(system, t, state, hub.a[World::kAxial]) -
+                      calc_hub_force<World>(system.hub, state, applied);
     for (std::size_t i = 0; i < data.subsystems.size(); ++i)
       add_record(of_step(data.subsystems[i].records, step), static_cast<int>(i), record);
     of_step(data.records, step) = record;
@@ -339,14 +379,16 @@ template void begin_bodies(const Method&, SubsystemData<Plane>&) noexcept;
 template void begin_hub(const System<Plane>&, const Method&, StepData<Plane>&) noexcept;
 template void complete_body(const Method&, const PassControl&, BodyData<Plane>&) noexcept;
 template void complete_hub(const System<Plane>&, const Method&, StepData<Plane>&) noexcept;
-template void finish_subsystem(const Integrator&, const Window&, SubsystemData<Plane>&) noexcept;
+template void finish_subsystem(const Hub&, const Integrator&, const Window&,
+                               SubsystemData<Plane>&) noexcept;
 template void finish_system(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
 template void record_reactions(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
 template void begin_bodies(const Method&, SubsystemData<Space>&) noexcept;
 template void begin_hub(const System<Space>&, const Method&, StepData<Space>&) noexcept;
 template void complete_body(const Method&, const PassControl&, BodyData<Space>&) noexcept;
 template void complete_hub(const System<Space>&, const Method&, StepData<Space>&) noexcept;
-template void finish_subsystem(const Integrator&, const Window&, SubsystemData<Space>&) noexcept;
+template void finish_subsystem(const space::Hub&, const Integrator&, const Window&,
+                               SubsystemData<Space>&) noexcept;
 template void finish_system(const System<Space>&, const Integrator&, StepData<Space>&) noexcept;
 template void record_reactions(const System<Space>&, const Integrator&, StepData<Space>&) noexcept;
 

@@ -35,8 +35,8 @@ void complete_hub(const System<World>& system, const Method& method,
 
 /// Not coupled: ends the pass of a subsystem, with its own progress.
 template <class World>
-void finish_subsystem(const Integrator& integrator, const Window& window,
-                      SubsystemData<World>& subsystem) noexcept;
+void finish_subsystem(const typename World::Hub& hub, const Integrator& integrator,
+                      const Window& window, SubsystemData<World>& subsystem) noexcept;
 
 /// Coupled: ends the pass of the system.
 template <class World>

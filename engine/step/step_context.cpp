@@ -71,6 +71,7 @@ void allocate(SystemContext<World>& context, int window_steps) {
   data.hub_coordinates.v[World::kAxial] = calc_initial_speed(context.system.hub.drive);
   set_start(context.system, !alpha, data);
   impose_hub_motion(context.system, 0.0, data.hub_coordinates);
+  place_axle(context.system, 0.0, data.hub_attitude);
 }
 
 template void allocate(SystemContext<Plane>&, int);

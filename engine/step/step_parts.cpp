@@ -326,6 +326,7 @@ StepParts add_parts(SystemContext<World>& context, StepGraphBuilder& builder) {
                      bytes_of(*hub.a, World::kTwist)};
   if constexpr (tree::kHasJointCoordinates<World>) {
     coordinates.push_back(bytes_of(data.hub_attitude.reference));
+    coordinates.push_back(bytes_of(data.hub_attitude.mount_spin));
     history.push_back(bytes_of(data.hub_attitude.sum));
   }
   StepParts parts;

@@ -49,8 +49,10 @@ void for_each_value(SystemRecord<World>& record, Exchange&& exchange) {
   exchange(record.applied_torque);
   exchange_all(record.position);
   exchange_all(record.velocity);
-  if constexpr (has_attitude<World>)
+  if constexpr (has_attitude<World>) {
     for (double& value : record.hub_rotation.axes.reshaped()) exchange(value);
+    exchange(record.hub_rotation.mount_spin);
+  }
 }
 
 template <class Apply>

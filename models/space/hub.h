@@ -2,10 +2,13 @@
 
 // The hub of a system in space, and what acts on it.
 
+#include <optional>
+
 #include "models/curve.h"
 #include "models/drive.h"
 #include "models/rotor.h"
 #include "models/space/space.h"
+#include "models/spatial_model.h"
 
 namespace spoke::space {
 
@@ -13,9 +16,11 @@ namespace spoke::space {
 struct Hub {
   HubSupport support = HubSupport::axle;
   Drive drive = FreeDrive{};
-  Quaternion orientation;          ///< of H in the inertial frame at angle 0, or at t = 0
-  SymmetricTwistMatrix inertia;    ///< M_0 = [m 1, -S~; S~, Theta], about the origin, in H
-  double mass = 0.0;               ///< [kg]
+  Quaternion orientation;        ///< of H in the inertial frame at angle 0, or at t = 0
+  SymmetricTwistMatrix inertia;  ///< M_0 = [m 1, -S~; S~, Theta], about the origin, in H
+  double mass = 0.0;             ///< [kg]
+  /// How what holds the axle moves; none: at rest.
+  std::optional<spatial::MountMotion> mount = std::nullopt;
   Twist velocity = Twist::Zero();  ///< of a free hub at t = 0: inertial frame; rotation in H
 };
 
@@ -35,7 +40,7 @@ inline bool is_prescribed(const Hub& hub, int c) {
   return c == kTwist - 1 ? prescribes_motion(hub.drive) : hub.support == HubSupport::axle;
 }
 
-/// H to the inertial frame, at an angle of the drive [rad].
+/// H to the inertial frame, at an angle of the drive [rad], where the mount has not moved.
 inline Rotation rotation_of(const Hub& hub, double angle) {
   return make_rotation(hub.orientation) * exponential(Angular(0.0, 0.0, angle));
 }

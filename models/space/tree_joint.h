@@ -2,6 +2,7 @@
 
 // A joint of a tree in space, with what moves and loads it over time.
 
+#include <variant>
 #include <vector>
 
 #include "models/space/joint.h"
@@ -9,13 +10,25 @@
 
 namespace spoke::space {
 
+/// What the embedding program has said of a driven component, from a time on: value + rate s +
+/// acceleration s^2/2, s = t - since.
+struct SaidMotion {
+  double since = 0.0;         ///< [s]
+  double value = 0.0;         ///< [rad, m]
+  double rate = 0.0;          ///< [rad/s, m/s]
+  double acceleration = 0.0;  ///< [rad/s^2, m/s^2]
+};
+
+/// The motion of a driven component.
+using DrivenMotion = std::variant<spatial::MotionTable, spatial::AzimuthMotion, SaidMotion>;
+
 /// The course of a joint's driven components and of the forces on its coordinates.
 struct JointCourse {
-  std::vector<spatial::Motion> driven;  ///< by driven component
-  std::vector<Curve> efforts;           ///< by coordinate: motors [N m, N]; none: no motors
-  double azimuth = 0.0;                 ///< added to the hub's angle for AzimuthMotion [rad]
-  std::vector<double> initial;          ///< coordinates at t = 0 [rad, m]
-  std::vector<double> initial_speed;    ///< [rad/s, m/s]
+  std::vector<DrivenMotion> driven;   ///< by driven component
+  std::vector<Curve> efforts;         ///< by coordinate: motors [N m, N]; none: no motors
+  double azimuth = 0.0;               ///< added to the hub's angle for AzimuthMotion [rad]
+  std::vector<double> initial;        ///< coordinates at t = 0 [rad, m]
+  std::vector<double> initial_speed;  ///< [rad/s, m/s]
 };
 
 /// A joint of a tree.

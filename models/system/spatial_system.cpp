@@ -43,6 +43,7 @@ space::Hub make_hub(const spatial::Hub& hub) {
   made.orientation = make_quaternion(to_axis.inverse());
   made.inertia = calc_mass(body);
   made.mass = hub.mass;
+  made.mount = hub.mount;
   made.velocity = space::make_twist(hub.velocity, to_axis * space::Position(hub.angular_velocity));
   return made;
 }
@@ -199,7 +200,7 @@ class SubsystemMaker {
     for (int c = 0; c < count_coordinates(joint.kind); ++c) {
       const spatial::JointCoordinate& coordinate = joint.coordinates[static_cast<std::size_t>(c)];
       if (coordinate.motion) {
-        course.driven.push_back(*coordinate.motion);
+        course.driven.push_back(spatial::make_driven_motion(*coordinate.motion));
         continue;
       }
       course.efforts.push_back(coordinate.effort);
@@ -209,32 +210,50 @@ class SubsystemMaker {
     return course;
   }
 
-  /// Of each body: mass and first moment about the hub, in the description's frame of the hub, of
-  /// all that it carries, itself left out.
-  std::vector<spatial::MassProperties> calc_carried() const {
-    std::vector<spatial::MassProperties> carried(tree_.bodies.size());
-    std::vector<spatial::MassProperties> whole(tree_.bodies.size());
+  /// Of each body: mass and first moment about the hub, in the description's frame of the hub, with
+  /// all that it carries.
+  std::vector<spatial::MassProperties> calc_branches() const {
+    std::vector<spatial::MassProperties> branches(tree_.bodies.size());
     for (std::size_t j = tree_.bodies.size(); j-- > 0;) {
-      whole[j] = calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
-      for (const int c : made_.bodies[j].children) {
-        carried[j] += whole[static_cast<std::size_t>(c)];
-        whole[j] += whole[static_cast<std::size_t>(c)];
-      }
+      branches[j] = calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
+      for (const int c : made_.bodies[j].children)
+        branches[j] += branches[static_cast<std::size_t>(c)];
     }
+    return branches;
+  }
+
+  /// What the elements of a body carry, in B: each child hangs at a node of its own or a shared
+  /// one.
+  std::vector<space::CarriedMass> find_carried(
+      std::size_t j, const space::Rotation& to_body,
+      const std::vector<spatial::MassProperties>& branches) const {
+    const std::vector<int>& children = made_.bodies[j].children;  // from the root outward
+    std::vector<space::CarriedMass> carried;                      // from the tip inward
+    carried.push_back({static_cast<int>(flexible(j)->nodes.size()) - 1});
+    for (auto c = children.rbegin(); c != children.rend(); ++c) {
+      const auto child = static_cast<std::size_t>(*c);
+      const int node = static_cast<int>(body(child).parent_node);
+      if (node == 0) break;  // no element carries it
+      if (node < carried.back().end) {
+        carried.push_back(carried.back());
+        carried.back().end = node;
+      }
+      carried.back().mass += branches[child].mass;
+      carried.back().moment += to_body * (to_axis_ * space::Position(branches[child].first_moment));
+    }
+    std::reverse(carried.begin(), carried.end());
     return carried;
   }
 
   void add_tension() {
-    const std::vector<spatial::MassProperties> carried = calc_carried();
+    const std::vector<spatial::MassProperties> branches = calc_branches();
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
       const spatial::FlexibleBody* part = flexible(j);
       if (!part || !tree_.beams[part->beam].geometric_stiffening) continue;
-      const spatial::MassProperties& outboard = carried[j];
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
-      made_.bodies[j].stiffening = space::TensionPlace{
-          pose.R, to_body * pose.p, to_body * (to_axis_ * space::Position(outboard.first_moment)),
-          outboard.mass};
+      made_.bodies[j].stiffening =
+          space::TensionPlace{pose.R, to_body * pose.p, find_carried(j, to_body, branches)};
     }
   }
 
@@ -258,30 +277,21 @@ class SubsystemMaker {
   Subsystem<Space> made_;
 };
 
-void refuse(bool is_there, const char* key, const char* what) {
-  if (is_there)
-    throw InputError(std::string(key) + ": " + what + ", which is read but not simulated yet");
-}
-
-void require_simulated(const spatial::Model& model) {
-  refuse(model.hub.mount.has_value(), "hub.mount", "the axle's mount moves");
-}
-
-void require_known_azimuth(const System<Space>& system) {
-  if (prescribes_motion(system.hub.drive)) return;
+/// A hub that is free in space has no azimuth.
+void require_azimuth(const System<Space>& system) {
+  if (system.hub.support == HubSupport::axle) return;
   for (const Subsystem<Space>& subsystem : system.subsystems)
     for (const TreeBody<Space>& body : subsystem.bodies)
-      for (const spatial::Motion& motion : body.joint.course.driven)
+      for (const space::DrivenMotion& motion : body.joint.course.driven)
         if (std::holds_alternative<spatial::AzimuthMotion>(motion))
           throw InputError(
-              "a joint's motion follows the azimuth, expected a drive that prescribes the hub's "
-              "rotation");
+              "a joint's motion follows the azimuth of a hub that is free in space, expected a "
+              "hub on an axle");
 }
 
 }  // namespace
 
 System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees) {
-  require_simulated(model);
   const space::Rotation to_axis = axis_rotation(model.hub).inverse();
   System<Space> system;
   system.hub = make_hub(model.hub);
@@ -294,7 +304,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   for (std::size_t i = 0; i < trees.size(); ++i)
     system.subsystems.push_back(
         SubsystemMaker(trees[i], to_axis, beams).make(make_body_loads(model, trees[i], i)));
-  require_known_azimuth(system);
+  require_azimuth(system);
   return system;
 }
 

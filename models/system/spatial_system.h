@@ -15,8 +15,7 @@ namespace spoke {
 
 /// Builds the constants of a model, which equal beams share; its trees are those of build_trees().
 /// Preconditions: check_model() accepts it; each subsystem has one body on the hub. Throws
-/// InputError, naming the key, for what the engine does not simulate: motions of the mount, and
-/// pitch by the azimuth of a hub whose rotation is free.
+/// InputError where a joint follows the azimuth of a hub that is free in space.
 System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees);
 System<Space> make_system(const spatial::Model& model);
 

@@ -55,4 +55,10 @@ space::Joint make_space_joint(const Joint& joint, const Placement& placement) {
   return space::make_joint({placement.position, {placement.rotation}}, primitives);
 }
 
+space::DrivenMotion make_driven_motion(const Motion& motion) {
+  if (const auto* table = std::get_if<MotionTable>(&motion)) return *table;
+  if (const auto* azimuth = std::get_if<AzimuthMotion>(&motion)) return *azimuth;
+  return space::SaidMotion{0.0, std::get<ProgramMotion>(motion).initial, 0.0, 0.0};
+}
+
 }  // namespace spoke::spatial

@@ -50,8 +50,10 @@ void visit_fields(H& hub, const Visit& visit) {
 
 template <PerhapsConst<VectorHarmonic> V, class Visit>
 void visit_fields(V& course, std::string_view unit, const Visit& visit) {
-  visit("amplitude", course.amplitude, Quantity::any(unit), Presence::required);
-  visit("frequency", course.frequency, kSpeed, Presence::required);
+  visit("constant", course.constant, Quantity::any(unit), Presence::optional);
+  visit("rate", course.rate, Quantity::any(unit == "m" ? "m/s" : "rad/s"), Presence::optional);
+  visit("amplitude", course.amplitude, Quantity::any(unit), Presence::optional);
+  visit("frequency", course.frequency, kSpeed, Presence::optional);
   visit("phase", course.phase, kAngle, Presence::optional);
 }
 

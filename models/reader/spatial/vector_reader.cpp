@@ -40,10 +40,10 @@ Curve read_factor(const TomlSection& section) {
 
 VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit) {
   if (!section.has(key)) return VectorHarmonic{};
-  const TomlSection table =
-      section.section(key, {"time", "x", "y", "z", "amplitude", "frequency", "phase"});
+  const TomlSection table = section.section(
+      key, {"time", "x", "y", "z", "constant", "rate", "amplitude", "frequency", "phase"});
   if (table.has("time")) {
-    for (const char* other : {"amplitude", "frequency", "phase"})
+    for (const char* other : {"constant", "rate", "amplitude", "frequency", "phase"})
       if (table.has(other)) table.fail(other, "given along with time, expected only one of them");
     VectorTable course;
     const char* names[] = {"x", "y", "z"};
@@ -52,6 +52,15 @@ VectorCourse read_course(const TomlSection& section, std::string_view key, std::
         course.components[i] = read_curve(table, "time", kTime, names[i], Quantity::any(unit));
     return course;
   }
+  for (const char* component : {"x", "y", "z"})
+    if (table.has(component)) table.fail(component, "would be ignored, expected only with time");
+  if (!table.has("constant") && !table.has("rate") && !table.has("amplitude"))
+    table.fail("", "has none of time, constant, rate and amplitude, expected one or more");
+  if (table.has("amplitude") && !table.has("frequency"))
+    table.fail("frequency", "is missing, expected a number (rad/s)");
+  for (const char* other : {"frequency", "phase"})
+    if (table.has(other) && !table.has("amplitude"))
+      table.fail(other, "would be ignored, expected only with amplitude");
   VectorHarmonic course;
   visit_fields(course, unit, VectorReader{table});
   return course;

@@ -34,8 +34,8 @@ Tensor read_inertia(const TomlSection& section, std::string_view key, Isotropy i
 /// The keys "time" and "factor" of a load; 1 if there are none.
 Curve read_factor(const TomlSection& section);
 
-/// The table `key`, with "time" and arrays x, y, z, or with "amplitude" and "frequency"; zero if it
-/// is missing.
+/// The table `key`, with "time" and arrays x, y, z, or with "constant", "rate", "amplitude" and
+/// "frequency"; zero if it is missing.
 VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit);
 
 }  // namespace spoke::spatial

@@ -87,6 +87,7 @@ Position draw_vector(double size, std::mt19937& random) {
 
 TestBody::TestBody(FlexibleBody made) : body(std::move(made)) {
   blocks = {make_elastic_block(body, kExplicit), make_elastic_block(body, kImplicit)};
+  tension.carried = {{body.elements}};
   model = {&body, {&blocks[0], &blocks[1]}, &tension};
   q = v = q_elastic = v_elastic = Eigen::VectorXd::Zero(body.coordinates());
   memory.resize(count_work(body) / 2);
@@ -112,8 +113,10 @@ void randomize_state(std::mt19937& random, TestBody& test) {
     test.v_elastic[i] = draw(random);
   }
   test.motion = {draw_vector(3.0, random), draw_vector(3.0, random), draw_vector(9.0, random)};
-  test.tension = {exponential(draw_vector(1.0, random)), draw_vector(2.0, random),
-                  draw_vector(5.0, random), 1.7};
+  test.tension = {exponential(draw_vector(1.0, random)), draw_vector(2.0, random), {}};
+  const int elements = test.body.elements;  // a child hangs in the middle, and one at the tip
+  if (elements > 1) test.tension.carried.push_back({elements / 2, draw_vector(5.0, random), 2.9});
+  test.tension.carried.push_back({elements, draw_vector(5.0, random), 1.7});
 }
 
 namespace {
@@ -150,13 +153,22 @@ std::unique_ptr<TestBody> make_decoupled_body(int elements, ReferenceFrame frame
   return make_body(make_uniform_beam(section, 2.5), elements, frame, random);
 }
 
+namespace {
+
+/// What element `e` carries.
+const CarriedMass& carried_by(int e, const TestBody& test) {
+  const auto holds = [e](const CarriedMass& carried) { return e < carried.end; };
+  return *std::find_if(test.tension.carried.begin(), test.tension.carried.end(), holds);
+}
+
+}  // namespace
+
 double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub_w,
                     const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
   const FlexibleBody& body = test.body;
   const Position hub = test.tension.R_HB.inverse() * hub_w;
   // W0 = |w|^2 1 - w w^T, and its x row.
   const Position W0 = hub.squaredNorm() * Position::UnitX() - hub.x() * hub;
-  const Position weights(W0.dot(test.tension.outboard_moment), W0.dot(test.tension.origin), W0.x());
   double sum = 0.0;
   for (int e = 0; e < body.elements; ++e) {
     const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
@@ -177,7 +189,9 @@ double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub
       for (std::size_t j = 0; j < kElementSlots; ++j)
         sum += element.mass(static_cast<int>(i), static_cast<int>(j)) * V[i].dot(V[j]);
     if (test.model.tension)
-      sum -= tension_form(element.stiffening, weights, x) +
+      sum -= tension_form(element.stiffening,
+                          {W0.dot(carried_by(e, test).moment), W0.dot(test.tension.origin), W0.x()},
+                          x) +
              propeller_form(element.stiffening, to_element * hub, x) +
              inertia_form(element, hub, x);
   }
@@ -186,11 +200,11 @@ double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub
 
 double calc_potential(const TestBody& test, const Position& gravity, const Eigen::VectorXd& q) {
   const double along = (test.tension.R_HB.inverse() * gravity).x();
-  const Position weights = along * Position(test.tension.outboard_mass, 1.0, 0.0);
   double sum = q.dot(to_dense(test.body, test.body.K) * q);
   if (!test.model.tension) return 0.5 * sum;
   for (int e = 0; e < test.body.elements; ++e)
-    sum += tension_form(test.body.beam[static_cast<std::size_t>(e)].stiffening, weights,
+    sum += tension_form(test.body.beam[static_cast<std::size_t>(e)].stiffening,
+                        along * Position(carried_by(e, test).mass, 1.0, 0.0),
                         local_values(test.body, e, q));
   return 0.5 * sum;
 }

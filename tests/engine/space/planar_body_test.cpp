@@ -120,7 +120,7 @@ TEST_CASE("tension stiffens a straight body in its plane as it does the planar b
     const spoke::FlexibleBody planar = spoke::make_beam_body(planar_beam);
     TestBody test(make_beam_body(beam, equal_stations(0.0, L, E), ReferenceFrame::clamped, {0, E}));
     test.tension.origin = {distance, 0.0, 0.0};
-    test.tension.outboard_moment = {outboard, 0.0, 0.0};
+    test.tension.carried = {{E, {outboard, 0.0, 0.0}, 0.0}};
     test.motion.hub_w = {0.0, 0.0, w0};
     const std::vector<int> places = find_places(planar, test.body);
     for (const int place : places) test.q[place] = draw_vector(0.1, random).x();

@@ -89,7 +89,7 @@ std::size_t RigidTree::child_of(std::size_t j, int o) const {
 
 HubState RigidTree::hub_state() const {
   return calc_hub_state(hub_coordinates.q.data(), hub_coordinates.v.data(),
-                        hub_coordinates.orientation.reference);
+                        {hub_coordinates.orientation});
 }
 
 void RigidTree::impose(double t) {

@@ -79,7 +79,7 @@ TreeAccelerations RigidTree::solve_dense() const {
       b[q + c] += body.forces.tau[k];
     }
   }
-  const Twist given = calc_prescribed_acceleration(table.system, 0.0, table.data.hub.R,
+  const Twist given = calc_prescribed_acceleration(table.system, 0.0, table.data.hub,
                                                    table.data.hub_coordinates.a[Space::kAxial]);
   const Eigen::MatrixXd hub_rows = A.topRows<kTwist>();
   const Twist hub_right = b.head<kTwist>();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/simulation.h"
 #include "tests/engine/space/system/models.h"
 #include "tests/engine/space/system/runs.h"
 
@@ -34,4 +35,52 @@ TEST_CASE("a heavy top moves as it should") {
   const double alpha_half = top_error(make_generalized_alpha(1.0, 5e-4));
   CHECK(alpha_half < 0.1);
   CHECK(alpha / alpha_half > 3.5);
+}
+
+TEST_CASE("a mass that hangs within a body puts its tension on the elements inboard of it alone") {
+  // As a body of its own at an inner node, and as a point mass of the beam: the same blade.
+  const std::string beam = R"(
+[[subsystem]]
+name = "boom"
+[[subsystem.body]]
+name = "beam"
+kind = "beam"
+length = 1.0
+bodies = 1
+elements = 4
+sections = { mass_per_length = 1.0, axial_stiffness = 1e5, lag_stiffness = 2.0, flap_stiffness = 1.0, torsion_stiffness = 1.0 }
+)";
+  const std::string joint =
+      "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"beam\"\nkind = \"fixed\"\n";
+  const std::string mass = R"(
+[[subsystem.body]]
+name = "mass"
+kind = "rigid"
+mass = 2.0
+inertia = [1e-3, 1e-3, 1e-3]
+[[subsystem.joint]]
+parent = "beam"
+station = 0.5
+child = "mass"
+kind = "fixed"
+)";
+  const std::string point =
+      "[[subsystem.body.point_mass]]\nposition = 0.5\nmass = 2.0\ninertia = [1e-3, 1e-3, 1e-3]\n";
+  const std::string hub = "[hub]\n[hub.drive]\nkind = \"constant\"\nspeed = 12.0\n";
+  const std::string load =
+      "[[load]]\nsubsystem = \"boom\"\nbody = \"beam\"\nforce = [0, 0.3, 0.5]\n";
+  const auto tip = [&](const std::string& bodies) {
+    Scenario scenario = parse_scenario(make_text(hub, bodies, load), "test.toml");
+    scenario.integration.step = 2e-3;
+    scenario.integration.duration = 0.3;
+    Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1, 0});
+    simulation.run_until(0.3);
+    const MarkerState tip = simulation.marker({0, 0, 1.0});
+    return Eigen::Vector3d(tip.deflection - tip.foreshortening);
+  };
+  const Eigen::Vector3d hung = tip(beam + joint + mass), carried = tip(beam + point + joint);
+  CAPTURE(hung.transpose());
+  CAPTURE(carried.transpose());
+  CHECK(std::abs(carried.z()) > 1e-3);
+  CHECK((hung - carried).norm() < 1e-2 * carried.norm());
 }

@@ -85,8 +85,11 @@ Subsystem<Space> make_tree(const RandomSystem& kind, std::size_t first_joint,
     body.body = make_body(static_cast<int>(j), body.children.size(), random);
     body.joint = make_joint(joints[(first_joint + j) % joints.size()], kind.is_driven, random);
     if (j % 2 == 0 && body.body->flexible())
-      body.stiffening = space::TensionPlace{space::testing::random_rotation(random),
-                                            random_vector(random), random_vector(random), 0.5};
+      body.stiffening =
+          space::TensionPlace{space::testing::random_rotation(random),
+                              random_vector(random),
+                              {{body.body->flexible()->elements / 2, random_vector(random), 0.9},
+                               {body.body->flexible()->elements, random_vector(random), 0.5}}};
   }
   return tree;
 }
