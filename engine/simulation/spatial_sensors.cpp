@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "engine/simulation/spatial_columns.h"
+#include "engine/columns/spatial_columns.h"
 #include "models/tree/sensor_place.h"
 
 namespace spoke {
