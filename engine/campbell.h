@@ -42,16 +42,25 @@ struct CampbellCrossing {
   std::optional<double> margin;
 };
 
+/// A speed without a diagram.
+struct CampbellGap {
+  std::size_t speed = 0;  ///< which of CampbellOptions::speeds
+  std::string reason;     ///< why no equilibrium was found
+};
+
 /// A Campbell diagram.
 struct CampbellResult {
-  std::vector<ModesResult> states;  ///< by speed
+  std::vector<ModesResult> states;  ///< by speed; of a gap the speed, and no modes
+  std::vector<CampbellGap> gaps;    ///< by speed
   std::vector<CampbellBranch> branches;
   std::vector<CampbellCrossing> crossings;  ///< by branch, then harmonic, then speed
 };
 
 /// Finds the modes at all speeds, each on its own, and follows them by their shapes, from each
-/// speed to the next those of the largest modal assurance criterion first. Throws like
-/// solve_modes(), and InputError unless speeds ascend and are two or more.
+/// speed to the next those of the largest modal assurance criterion first. A speed at which no
+/// equilibrium is found is a gap, over which modes are followed. Throws like solve_modes(), but
+/// DivergenceError only if it would at all speeds but one; InputError unless speeds ascend and are
+/// two or more.
 SPOKE_EXPORT CampbellResult solve_campbell(const Scenario& scenario,
                                            const CampbellOptions& options);
 

@@ -12,6 +12,8 @@
 
 namespace spoke {
 
+class Simulation;
+
 /// About which steady motion.
 struct SteadyState {
   /// Of the hub about its axis [rad/s]; none: the speed that the scenario's drive leads to.
@@ -64,6 +66,9 @@ struct EquilibriumResult {
 /// drive is a torque and no speed is given, or if nothing holds the hub or a joint;
 /// DivergenceError, naming body and coordinate, if no equilibrium is found.
 SPOKE_EXPORT EquilibriumResult solve_equilibrium(const Scenario& scenario,
+                                                 const SteadyState& state = {});
+/// The same of what is simulated, with the drive in force; loads of the user's own do not count.
+SPOKE_EXPORT EquilibriumResult solve_equilibrium(const Simulation& simulation,
                                                  const SteadyState& state = {});
 
 }  // namespace spoke

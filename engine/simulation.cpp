@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/equilibrium.h"
 #include "engine/kernels/natural_frequencies.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
@@ -38,7 +39,7 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-const Scenario& Simulation::scenario() const { return core_->scenario; }
+const Scenario& Simulation::scenario() const { return core_->given; }
 const SimulationOptions& Simulation::options() const { return core_->options; }
 
 ModelSize Simulation::size() const {
@@ -158,6 +159,13 @@ void Simulation::set_joint_motion(int tree, int joint, int coordinate, const Cur
 void Simulation::set_load(int index, std::shared_ptr<const Load> load) {
   core_->require_state("go on from with another load");
   core_->replace(core_->model->replaceable_load(index, load), load);
+}
+
+EquilibriumResult solve_equilibrium(const Simulation& simulation, const SteadyState& state) {
+  Scenario scenario = simulation.scenario();
+  Drive& drive = scenario.space ? scenario.space->hub.drive : scenario.rotor.hub.drive;
+  drive = simulation.drive();
+  return solve_equilibrium(scenario, state);
 }
 
 }  // namespace spoke

@@ -6,6 +6,7 @@
 #include "engine/campbell.h"
 #include "engine/checkpoint.h"
 #include "engine/equilibrium.h"
+#include "engine/linearize.h"
 #include "engine/modes.h"
 #include "engine/results.h"
 #include "engine/simulation.h"

@@ -32,8 +32,8 @@ Ramp calc_ramp(double tau) {
 }
 
 DriveMotion calc_spin_up(double speed, double ramp, double t) {
-  if (t <= 0.0) return {};
   if (t >= ramp) return {speed * (t - ramp / 2.0), speed, 0.0};
+  if (t <= 0.0) return {};
   const Ramp r = calc_ramp(t / ramp);
   return {speed * ramp * r.angle, speed * r.speed, speed / ramp * r.acceleration};
 }

@@ -8,6 +8,10 @@ std::string_view name_of(IntegrationMethod method) {
   return method == IntegrationMethod::rk4 ? "rk4" : "generalized_alpha";
 }
 
+std::string_view name_of(InitialState state) {
+  return state == InitialState::equilibrium ? "equilibrium" : "undeformed";
+}
+
 std::string_view name_of(EnergyGrowth growth) {
   return growth == EnergyGrowth::stop ? "stop" : "warn";
 }

@@ -45,6 +45,21 @@ struct Limits {
   EnergyGrowth on_energy_growth = EnergyGrowth::warn;  ///< beyond that limit
 };
 
+/// Where a simulation starts.
+enum class InitialState {
+  undeformed,   ///< joints where they are said to be, the hub with the speed that its drive has
+  equilibrium,  ///< of steady rotation
+};
+
+/// The state at t = 0. From an equilibrium (docs/modes.md), what rises has risen: ramps of loads,
+/// gravity and drive count as over, unless a spin-up is to begin from rest.
+struct Initial {
+  InitialState state = InitialState::undeformed;
+  /// Of the equilibrium [rad/s]: of a drive by torque, or none, any; else one that the drive has at
+  /// its start or after its ramp up. None: after its ramp up.
+  std::optional<double> speed = std::nullopt;
+};
+
 /// What is written.
 struct Output {
   double interval = 0.05;  ///< between rows of sensors.csv [s]; 0: every step
@@ -66,6 +81,7 @@ struct SPOKE_EXPORT Scenario {
   std::vector<Sensor> sensors;
   /// What is simulated, in space. `rotor` then has no blades.
   std::optional<spatial::Model> space;
+  Initial initial;  ///< where it starts
 
   /// Every key with the value in force (defaults included), as a JSON object shaped like the file;
   /// blades always one by one, under "blades".
@@ -76,6 +92,8 @@ struct SPOKE_EXPORT Scenario {
 SPOKE_EXPORT std::string_view name_of(IntegrationMethod method);
 /// "warn", "stop".
 SPOKE_EXPORT std::string_view name_of(EnergyGrowth growth);
+/// "undeformed", "equilibrium".
+SPOKE_EXPORT std::string_view name_of(InitialState state);
 /// "axle", "free".
 SPOKE_EXPORT std::string_view name_of(HubSupport support);
 /// "clamped", "chord".

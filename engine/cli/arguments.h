@@ -28,6 +28,7 @@ struct Arguments {
     find_static,
     find_modes,
     find_campbell,
+    linearize,
   };
   Command command = Command::none;
   std::string scenario;  ///< file

@@ -4,57 +4,55 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <filesystem>
-
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
-#include "engine/cli/results_folder.h"
-#include "engine/output_file.h"
+#include "engine/cli/steady_task.h"
 #include "engine/steady_report/campbell_files.h"
-#include "models/error.h"
 
 namespace spoke::cli {
 namespace {
 
-namespace fs = std::filesystem;
+/// Shows how many speeds are done, and wipes that away at the end, whatever that is.
+class Progress {
+ public:
+  explicit Progress(std::size_t speeds) : speeds_(speeds) {}
+  ~Progress() { show_progress(""); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
-CampbellResult solve(const Arguments& arguments, const CampbellOptions& options,
-                     const Scenario& scenario) {
-  try {
-    return solve_campbell(scenario, options);
-  } catch (const InputError& error) {
-    show_progress("");
-    throw InputError(arguments.scenario + ": " + error.what());
+  void show(std::size_t done) const {
+    show_progress(fmt::format("{} of {} speeds", done, speeds_));
   }
+
+ private:
+  std::size_t speeds_;
+};
+
+CampbellResult solve(CampbellOptions options, const SteadyTask& task) {
+  const Progress progress(options.speeds.size());
+  options.progress = [&progress](std::size_t done) { progress.show(done); };
+  return task.solve([&](const Scenario& scenario) { return solve_campbell(scenario, options); });
 }
 
-void write(const CampbellResult& result, const CampbellOptions& options, const std::string& title,
-           const fs::path& folder) {
-  replace_file((folder / "campbell.csv").string(), steady_report::make_csv(result));
-  replace_file((folder / "campbell.json").string(), steady_report::make_json(result));
-  replace_file((folder / "campbell.html").string(),
-               steady_report::make_html(result, options.harmonics, title));
+void print(const CampbellResult& result, const SteadyTask& task) {
+  print_title(task.scenario().title);
+  print_table(steady_report::make_branch_table(result));
+  print_table(steady_report::make_crossing_table(result));
+  if (!result.gaps.empty()) print_table(steady_report::make_gap_table(result));
+  print_line("written", task.path("campbell.html") + ", campbell.csv, campbell.json");
 }
 
 }  // namespace
 
 int find_campbell(const Arguments& arguments) {
-  const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
-  const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "campbell"
-                                                : fs::path(arguments.out);
-  require_folder(folder);
-  CampbellOptions options{.speeds = arguments.steady.speeds, .count = arguments.steady.count};
-  options.progress = [&options](std::size_t done) {
-    show_progress(fmt::format("{} of {} speeds", done, options.speeds.size()));
-  };
-  const CampbellResult result = solve(arguments, options, scenario);
-  show_progress("");
-  const ResultsFolder taken(folder);
-  write(result, options, scenario.title.empty() ? scenario.name : scenario.title, folder);
-  print_title(scenario.title);
-  print_table(steady_report::make_branch_table(result));
-  print_table(steady_report::make_crossing_table(result));
-  print_line("written", (folder / "campbell.html").string() + ", campbell.csv, campbell.json");
+  const SteadyTask task(arguments, "campbell");
+  const CampbellOptions options{.speeds = arguments.steady.speeds, .count = arguments.steady.count};
+  const CampbellResult result = solve(options, task);
+  task.write(
+      {{"campbell.csv", steady_report::make_csv(result)},
+       {"campbell.json", steady_report::make_json(result)},
+       {"campbell.html", steady_report::make_html(result, options.harmonics, task.title())}});
+  print(result, task);
   return 0;
 }
 

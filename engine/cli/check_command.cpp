@@ -14,12 +14,19 @@
 #include "engine/results.h"
 #include "engine/run_report/model_page.h"
 #include "models/count_text.h"
+#include "models/start.h"
 
 namespace spoke::cli {
 namespace {
 
 std::string describe_frequency(double frequency) {
   return fmt::format("{:.6g} rad/s ({:.6g} Hz)", frequency, frequency / (2.0 * std::numbers::pi));
+}
+
+void print_start(const Scenario& scenario) {
+  if (scenario.initial.state == InitialState::undeformed) return;
+  print_line("starts", fmt::format("at its equilibrium at {:.6g} rad/s, all ramps over",
+                                   start_speed(scenario)));
 }
 
 /// The model as a page, if that is asked for.
@@ -39,6 +46,7 @@ int check(const Arguments& arguments) {
   if (scenario.space) {
     print_title(scenario.title);
     print_space(*scenario.space);
+    print_start(scenario);
     draw(arguments, scenario);
     return 0;
   }
@@ -56,6 +64,7 @@ int check(const Arguments& arguments) {
   print_line("integration",
              fmt::format("{}, {} of {:.6g} s", name_of(integration.method),
                          counted(simulation.planned_steps(), "step"), simulation.step_size()));
+  print_start(scenario);
   draw(arguments, scenario);
   if (integration.method == IntegrationMethod::rk4 &&
       simulation.step_size() > properties.rk4_largest_step) {

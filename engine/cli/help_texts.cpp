@@ -91,6 +91,19 @@ Example:
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 4
 )";
 
+const char* const kLinearizeText =
+    R"(Small motions x about the equilibrium of spoke static, in the frame that turns with the hub:
+x' = A x + B u, y = C x + D u; u: factors of loads, motors, the drive's torque; y: tips, joints and
+the scenario's sensors whose frames turn with the hub.
+
+Output files, in the folder of --out:
+  A.mtx, B.mtx, C.mtx, D.mtx  the matrices (Matrix Market: scipy.io.mmread reads them)
+  linear.json                 names and units of states, inputs and outputs
+
+Example:
+  spoke linearize models/articulated_rotor.toml --speed 40
+)";
+
 const char* const kCompareText =
     R"(Measures all combinations in interleaved rounds, each in a process of its own, and compares times
 per step and bits with those of the executor serial. Takes about a second for a combination as fast

@@ -13,6 +13,7 @@
 #include "engine/cli/campbell_command.h"
 #include "engine/cli/check_command.h"
 #include "engine/cli/compare_command.h"
+#include "engine/cli/linearize_command.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/modes_command.h"
 #include "engine/cli/parse_arguments.h"
@@ -61,6 +62,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::find_modes(arguments);
     case cli::Arguments::Command::find_campbell:
       return cli::find_campbell(arguments);
+    case cli::Arguments::Command::linearize:
+      return cli::linearize(arguments);
     case cli::Arguments::Command::none:
       break;
   }

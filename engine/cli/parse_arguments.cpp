@@ -16,7 +16,7 @@ namespace spoke::cli {
 namespace {
 
 constexpr const char* kCommands =
-    "run, check, static, modes, campbell, compare, predict, trace or reproduce";
+    "run, check, static, modes, campbell, linearize, compare, predict, trace or reproduce";
 
 /// Whether the executor runs on such threads, of which one option says nothing of the other.
 void check_threads(const SimulationOptions& options) {
@@ -107,6 +107,16 @@ void add_campbell(CLI::App& program, Arguments& arguments) {
   command.callback([&] { arguments.command = Arguments::Command::find_campbell; });
 }
 
+void add_linearize(CLI::App& program, Arguments& arguments) {
+  CLI::App& command = *program.add_subcommand(
+      "linearize", "Write the state-space matrices of small motions about an equilibrium");
+  add_common(command, arguments);
+  add_out(command, arguments, "results/<name of the scenario>/linear");
+  add_speed(command, arguments.steady);
+  command.footer(std::string(kLinearizeText) + '\n' + kStatusText);
+  command.callback([&] { arguments.command = Arguments::Command::linearize; });
+}
+
 void add_compare(CLI::App& program, Arguments& arguments) {
   CLI::App& compare = *program.add_subcommand(
       "compare", "Measure which executor and number of threads is fastest here");
@@ -188,8 +198,8 @@ std::string check_first(const std::vector<std::string>& arguments) {
   }
   const std::string& first = arguments[0];
   if (first == "run" || first == "check" || first == "static" || first == "modes" ||
-      first == "campbell" || first == "compare" || first == "predict" || first == "trace" ||
-      first == "reproduce")
+      first == "campbell" || first == "linearize" || first == "compare" || first == "predict" ||
+      first == "trace" || first == "reproduce")
     return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + std::string(kCommands) +
@@ -210,6 +220,7 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   add_static(program, result);
   add_modes(program, result);
   add_campbell(program, result);
+  add_linearize(program, result);
   add_compare(program, result);
   add_predict(program, result);
   add_trace(program, result);

@@ -2,50 +2,33 @@
 
 #include "engine/cli/static_command.h"
 
-#include <filesystem>
-
 #include "engine/cli/report.h"
-#include "engine/cli/results_folder.h"
-#include "engine/output_file.h"
+#include "engine/cli/steady_task.h"
 #include "engine/steady_report/static_files.h"
-#include "models/error.h"
 
 namespace spoke::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
-EquilibriumResult solve(const Arguments& arguments, const Scenario& scenario) {
-  try {
-    return solve_equilibrium(scenario, {arguments.steady.speed});
-  } catch (const InputError& error) {
-    throw InputError(arguments.scenario + ": " + error.what());
-  }
-}
-
-void print(const EquilibriumResult& result, const Scenario& scenario, const fs::path& folder) {
-  print_title(scenario.title);
+void print(const EquilibriumResult& result, const SteadyTask& task) {
+  print_title(task.scenario().title);
   for (const auto& [label, text] : steady_report::make_facts(result)) print_line(label, text);
   print_table(steady_report::make_tip_table(result));
   const report::Table joints = steady_report::make_joint_table(result);
   if (!joints.rows.empty()) print_table(joints);
-  print_line("written", (folder / "static.html").string() + ", static.json, section_forces.csv");
+  print_line("written", task.path("static.html") + ", static.json, section_forces.csv");
 }
 
 }  // namespace
 
 int find_static(const Arguments& arguments) {
-  const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
-  const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "static"
-                                                : fs::path(arguments.out);
-  require_folder(folder);
-  const EquilibriumResult result = solve(arguments, scenario);
-  const ResultsFolder taken(folder);
-  const std::string title = scenario.title.empty() ? scenario.name : scenario.title;
-  replace_file((folder / "static.json").string(), steady_report::make_json(result));
-  replace_file((folder / "section_forces.csv").string(), steady_report::make_section_csv(result));
-  replace_file((folder / "static.html").string(), steady_report::make_html(result, title));
-  print(result, scenario, folder);
+  const SteadyTask task(arguments, "static");
+  const EquilibriumResult result = task.solve([&](const Scenario& scenario) {
+    return solve_equilibrium(scenario, {arguments.steady.speed});
+  });
+  task.write({{"static.json", steady_report::make_json(result)},
+              {"section_forces.csv", steady_report::make_section_csv(result)},
+              {"static.html", steady_report::make_html(result, task.title())}});
+  print(result, task);
   return 0;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Options of the commands about steady states: `spoke static`, `modes` and `campbell`.
+// Options of the commands about steady states: `spoke static`, `modes`, `campbell` and `linearize`.
 
 #include <optional>
 #include <vector>

@@ -46,6 +46,7 @@ std::optional<Json> value_at(const Json& json, const Json::json_pointer& place) 
 std::string make_identity(const Scenario& scenario, Formulation formulation, double step_size) {
   Json json = Json::parse(scenario.to_json());
   json.erase("title");
+  json.erase("initial");  // and what it has done to drive and ramps stays
   json.erase("limits");
   json.erase("output");
   json.erase("sensor");

@@ -69,9 +69,11 @@ struct SpeedChange {
 
 std::vector<SpeedChange> find_speed_changes(const Drive& drive) {
   if (const auto* spin = std::get_if<SpinUp>(&drive)) return {{0.0, spin->ramp, spin->speed}};
-  if (const auto* spin = std::get_if<SpinUpHoldSpinDown>(&drive))
-    return {{0.0, spin->ramp, spin->speed},
-            {spin->ramp + spin->hold, spin->ramp_down, -spin->speed}};
+  if (const auto* spin = std::get_if<SpinUpHoldSpinDown>(&drive)) {
+    const SpeedChange down{spin->ramp + spin->hold, spin->ramp_down, -spin->speed};
+    if (spin->ramp == 0.0) return {down};  // it has begun at its speed
+    return {{0.0, spin->ramp, spin->speed}, down};
+  }
   std::vector<SpeedChange> changes;
   if (const auto* table = std::get_if<SpeedTable>(&drive)) {
     const std::vector<double>&times = table->speed.times(), &values = table->speed.values();

@@ -10,6 +10,7 @@
 #include "engine/kernels/marker_motion.h"
 #include "engine/simulation/planar_views.h"
 #include "engine/step/model_memory.h"
+#include "engine/step/put_bodies.h"
 #include "engine/table/state_values.h"
 #include "models/error.h"
 
@@ -41,6 +42,10 @@ class PlanarModel final : public SimulatedModel {
     place_loads(loads_, context_.data);
     sensors_.emplace(context_.system,
                      place_sensors(scenario_.sensors, scenario_.rotor, context_.data));
+  }
+
+  void put_bodies(const std::vector<Eigen::VectorXd>& q) override {
+    spoke::put_bodies(q, context_);
   }
 
   ModelExtent extent() const override {

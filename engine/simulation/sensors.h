@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/sensor_columns.h"
+#include "engine/columns/sensor_columns.h"
 #include "engine/simulation/sensor_values.h"
 #include "engine/table/step_data.h"
 

@@ -2,6 +2,7 @@
 
 // A model on the table, whatever its world: what a simulation asks of it besides its steps.
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -46,6 +47,8 @@ class SimulatedModel {
   virtual double ring_bytes() const = 0;
   /// Allocates the table with so many records, and places loads and sensors. Once, first.
   virtual void allocate(int records) = 0;
+  /// See spoke::put_bodies().
+  virtual void put_bodies(const std::vector<Eigen::VectorXd>& q) = 0;
 
   virtual ModelExtent extent() const = 0;
   virtual double memory_bytes() const = 0;

@@ -9,12 +9,14 @@
 
 #include "engine/simulation/make_model.h"
 #include "engine/simulation/model_identity.h"
+#include "engine/steady/steady_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"
 #include "graph/declaration_check.h"
 #include "models/count_text.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
+#include "models/start.h"
 
 namespace spoke {
 namespace {
@@ -66,9 +68,10 @@ void require_range(const char* what, std::int64_t value, std::int64_t least,
                      range_text(least, greatest));
 }
 
-SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& chosen,
+SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& chosen,
                                const Loads& loads)
-    : scenario(checked(given)),
+    : given(checked(asked)),
+      scenario(skip_start_up(given)),
       options(checked(chosen)),
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)),
@@ -90,6 +93,8 @@ void SimulationCore::prepare(const Loads& loads) {
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
                           options.threads, options.window, planned_steps, options.make_executor};
   model->allocate(window_records(how, model->ring_bytes()));
+  if (scenario.initial.state == InitialState::equilibrium)
+    model->put_bodies(steady::find_start(scenario));
   runner = std::make_unique<StepRunner>(model->context(), how);
 #ifndef NDEBUG
   require_kept_declarations();

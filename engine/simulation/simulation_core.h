@@ -29,7 +29,7 @@ class Simulation;
 /// The data of a simulation, open to the functions of Simulation, and what changes them.
 class SimulationCore {
  public:
-  SimulationCore(const Scenario& given, const SimulationOptions& chosen, const Loads& loads);
+  SimulationCore(const Scenario& asked, const SimulationOptions& chosen, const Loads& loads);
 
   // Each throws DivergenceError or LoadError if a step fails.
   void step();
@@ -68,7 +68,8 @@ class SimulationCore {
   /// A rotor in the plane. Throws InputError if the model is in space: `what` is then refused.
   SystemContext<Plane>& plane(const char* what) const;
 
-  Scenario scenario;
+  Scenario given;
+  Scenario scenario;  ///< that is simulated, see skip_start_up()
   SimulationOptions options;
   std::int64_t planned_steps;
   double step_size;

@@ -7,17 +7,18 @@
 #include <sstream>
 #include <utility>
 
+#include "engine/columns/spatial_columns.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/joint_values.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/spatial_samples.h"
-#include "engine/simulation/spatial_columns.h"
 #include "engine/simulation/spatial_sensors.h"
 #include "engine/simulation/spatial_views.h"
 #include "engine/space/deformation_limits.h"
 #include "engine/step/model_memory.h"
+#include "engine/step/put_bodies.h"
 #include "engine/table/state_values.h"
 #include "models/count_text.h"
 #include "models/error.h"
@@ -67,10 +68,12 @@ class SpatialModel final : public SimulatedModel {
           static_cast<std::size_t>(count_joint_values(context_.system.subsystems[i]));
     std::vector<SensorColumn> asked = place_sensors(
         scenario_.sensors, scenario_.space->blades.size(), trees_, context_.system, context_.data);
-    for (SubsystemData<Space>& data : subsystems)
-      data.reading_ring =
-          ArenaVector<double>(data.reading_count * data.samples.size(), 0.0, *data.arena);
+    make_reading_rings(context_.data);
     sensors_.emplace(context_.system, trees_, std::move(asked));
+  }
+
+  void put_bodies(const std::vector<Eigen::VectorXd>& q) override {
+    spoke::put_bodies(q, context_);
   }
 
   ModelExtent extent() const override {

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "engine/columns/spatial_columns.h"
 #include "engine/kernels/hub_motion.h"
-#include "engine/simulation/spatial_columns.h"
 #include "models/tree/sensor_place.h"
 
 namespace spoke {

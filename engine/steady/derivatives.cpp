@@ -4,16 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+
+#include "engine/steady/differences.h"
 
 namespace spoke::steady {
 namespace {
 
-// Steps by the scale of a coordinate. The error of fourth order is h^4/30 of the fifth derivative,
-// 1e-14 at this step, and round-off is 1e-16/h of what the forces are.
-constexpr double kStep = 1e-3;
-constexpr double kRoughStep = 1e-5;
-constexpr double kVelocityStep = 1e-3;
+constexpr double kRoughStep = 1e-5;  ///< by the scale of a coordinate
 
 /// Forces on the tree, then on the hub.
 Eigen::VectorXd answer(std::size_t tree, const TreeState& state, const HubOffset& hub,
@@ -23,19 +20,6 @@ Eigen::VectorXd answer(std::size_t tree, const TreeState& state, const HubOffset
   Eigen::VectorXd both(response.force.size() + response.hub_force.size());
   both << response.force, response.hub_force;
   return both;
-}
-
-/// One column: the central difference of `at`, a function of a distance.
-Eigen::VectorXd differ(double h, const std::function<Eigen::VectorXd(double)>& at) {
-  return (at(h) - at(-h)) / (2.0 * h);
-}
-Eigen::VectorXd differ_finely(double h, const std::function<Eigen::VectorXd(double)>& at) {
-  return (4.0 * differ(h, at) - differ(2.0 * h, at)) / 3.0;
-}
-
-/// Velocities by which to differ: what the coordinate's scale is in the time of a radian.
-double velocity_scale(const TreeCoordinate& coordinate, const SteadyModel& model) {
-  return coordinate.scale * std::max(1.0, std::abs(model.speed()));
 }
 
 /// By the hub's turn and twist.
@@ -95,10 +79,11 @@ TreeDerivatives calc_derivatives(std::size_t tree, const TreeState& state, bool 
       return answer(tree, moved, none, model);
     });
     moved.q[k] = state.q[k];
-    by.by_v.col(k) = differ(kVelocityStep * velocity_scale(coordinate, model), [&](double rate) {
-      moved.v[k] = state.v[k] + rate;
-      return answer(tree, moved, none, model);
-    });
+    by.by_v.col(k) =
+        differ(kVelocityStep * velocity_scale(coordinate, model.speed()), [&](double rate) {
+          moved.v[k] = state.v[k] + rate;
+          return answer(tree, moved, none, model);
+        });
     moved.v[k] = state.v[k];
   }
   if (with_hub) differ_by_hub(tree, state, model, by);

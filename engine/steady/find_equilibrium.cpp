@@ -233,6 +233,12 @@ Equilibrium find_equilibrium(SteadyModel& model) {
   return result;
 }
 
+void require_held(const Equilibrium& equilibrium) {
+  if (!equilibrium.loose.empty())
+    throw InputError(equilibrium.loose +
+                     ": nothing holds it, expected a spring, rotation, or gravity that does");
+}
+
 void require_steady_hub(const SteadyModel& model, const Equilibrium& equilibrium) {
   for (const int c : model.free_components()) {
     if (c == model.twist_size() - 1 && model.has_torque_drive()) continue;

@@ -27,6 +27,9 @@ struct Equilibrium {
 /// at its equilibrium.
 Equilibrium find_equilibrium(SteadyModel& model);
 
+/// Throws InputError if it has a loose coordinate.
+void require_held(const Equilibrium& equilibrium);
+
 /// Throws InputError unless what acts on the free components of the hub is in balance: else there
 /// is no steady rotation to vibrate about. A torque drive gives what torque is needed.
 void require_steady_hub(const SteadyModel& model, const Equilibrium& equilibrium);

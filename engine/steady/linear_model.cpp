@@ -9,28 +9,6 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The hub's motion in coordinates x of the steady frame: its twist is x' + W x besides the steady
-/// one, its acceleration, which the mass matrix stands before, x'' + P1 x' + P0 x.
-struct HubKinematics {
-  MatrixXd W, P0, P1;
-};
-
-/// W = diag(w~, w~), P1 = diag(2 w~, w~), P0 = diag(w~ w~, 0); in the plane an angle is none of
-/// them.
-HubKinematics make_hub_kinematics(const SteadyModel& model) {
-  const Eigen::Index d = model.twist_size();
-  HubKinematics hub{MatrixXd::Zero(d, d), MatrixXd::Zero(d, d), MatrixXd::Zero(d, d)};
-  Eigen::Matrix2d cross;
-  cross << 0.0, -model.speed(), model.speed(), 0.0;
-  hub.W.topLeftCorner<2, 2>() = cross;
-  hub.P1.topLeftCorner<2, 2>() = 2.0 * cross;
-  hub.P0.topLeftCorner<2, 2>() = cross * cross;
-  if (!model.is_spatial()) return hub;
-  hub.W.block<2, 2>(3, 3) = cross;
-  hub.P1.block<2, 2>(3, 3) = cross;
-  return hub;
-}
-
 /// Forces' derivatives by the hub's turn and twist, to matrices of its coordinates.
 struct HubColumns {
   MatrixXd M, C, K;
@@ -96,6 +74,20 @@ HubColumns linearize_hub(const HubKinematics& kinematics, const SteadyModel& mod
 }
 
 }  // namespace
+
+HubKinematics make_hub_kinematics(const SteadyModel& model) {
+  const Eigen::Index d = model.twist_size();
+  HubKinematics hub{MatrixXd::Zero(d, d), MatrixXd::Zero(d, d), MatrixXd::Zero(d, d)};
+  Eigen::Matrix2d cross;
+  cross << 0.0, -model.speed(), model.speed(), 0.0;
+  hub.W.topLeftCorner<2, 2>() = cross;
+  hub.P1.topLeftCorner<2, 2>() = 2.0 * cross;
+  hub.P0.topLeftCorner<2, 2>() = cross * cross;
+  if (!model.is_spatial()) return hub;
+  hub.W.block<2, 2>(3, 3) = cross;
+  hub.P1.block<2, 2>(3, 3) = cross;
+  return hub;
+}
 
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
   const std::vector<int>& free = model.free_components();

@@ -9,6 +9,14 @@
 
 namespace spoke::steady {
 
+/// The hub's motion in coordinates x of the steady frame: its twist is x' + W x besides the steady
+/// one, its acceleration, which the mass matrix stands before, x'' + P1 x' + P0 x. W = diag(w~,
+/// w~), P1 = diag(2 w~, w~), P0 = diag(w~ w~, 0); in the plane an angle is in none of them.
+struct HubKinematics {
+  Eigen::MatrixXd W, P0, P1;
+};
+HubKinematics make_hub_kinematics(const SteadyModel& model);
+
 /// Matrices of one tree; `bh`: its rows, columns of the hub's free coordinates; `hb`: the other way
 /// round.
 struct LinearTree {

@@ -15,9 +15,7 @@ EquilibriumResult solve_equilibrium(const Scenario& scenario, const SteadyState&
   if (model->is_hub_free())
     throw InputError("hub.support: the hub is free, expected an axle: nothing holds the model");
   const steady::Equilibrium found = steady::find_equilibrium(*model);
-  if (!found.loose.empty())
-    throw InputError(found.loose +
-                     ": nothing holds it, expected a spring, rotation, or gravity that does");
+  steady::require_held(found);
   return steady::describe(found, *model);
 }
 

@@ -43,22 +43,26 @@ space::Position steady_gravity(const System<Space>& system, bool turns) {
   return turns ? axial_part(system, system.gravity) : system.gravity;
 }
 
-double final_value(const space::DrivenMotion& motion) {
+double steady_value(const Curve& curve, Instant instant) {
+  return instant == Instant::start ? curve.value(0.0) : curve.values().back();
+}
+
+double steady_value(const space::DrivenMotion& motion, Instant instant) {
   if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
-    return steady::final_value(table->value);
+    return steady_value(table->value, instant);
   if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion)) return azimuth->mean;
   return std::get<space::SaidMotion>(motion).value;
 }
 
-std::vector<Curve*> hold_joints(System<Plane>&) { return {}; }
+std::vector<Curve*> hold_joints(System<Plane>&, Instant) { return {}; }
 /// Holds prescribed joints; the motors of the others.
-std::vector<Curve*> hold_joints(System<Space>& system) {
+std::vector<Curve*> hold_joints(System<Space>& system, Instant instant) {
   std::vector<Curve*> motors;
   for (Subsystem<Space>& subsystem : system.subsystems)
     for (TreeBody<Space>& body : subsystem.bodies) {
       space::JointCourse& course = body.joint.course;
       for (space::DrivenMotion& motion : course.driven)
-        motion = spatial::MotionTable{Curve(final_value(motion))};
+        motion = spatial::MotionTable{Curve(steady_value(motion, instant))};
       for (Curve& effort : course.efforts) motors.push_back(&effort);
     }
   return motors;
@@ -66,15 +70,13 @@ std::vector<Curve*> hold_joints(System<Space>& system) {
 
 }  // namespace
 
-double final_value(const Curve& curve) { return curve.values().back(); }
-
 template <class World>
-SteadyLoads<World>::SteadyLoads(System<World>& system, bool turns)
+SteadyLoads<World>::SteadyLoads(System<World>& system, bool turns, Instant instant)
     : system_(system), gravity_(steady_gravity(system, turns)) {
   system.gravity_ramp = 0.0;
-  const auto hold = [this](auto& load) {
+  const auto hold = [this, instant](auto& load) {
     auto course = std::make_shared<LoadCourse>();
-    courses_.push_back({course, final_value(load.course->factor)});
+    courses_.push_back({course, steady_value(load.course->factor, instant)});
     load.course = course;
   };
   for (Subsystem<World>& subsystem : system.subsystems)
@@ -85,11 +87,12 @@ SteadyLoads<World>::SteadyLoads(System<World>& system, bool turns)
       }
       for (BodyDrag<World>& drag : body.drags) hold(drag);
     }
-  for (Curve* motor : hold_joints(system)) efforts_.push_back({motor, final_value(*motor)});
+  for (Curve* motor : hold_joints(system, instant))
+    efforts_.push_back({motor, steady_value(*motor, instant)});
   for (auto& load : system.hub_loads) {
     if (turns) keep_axial(system, load);
     load.ramp = 0.0;
-    efforts_.push_back({&load.factor, final_value(load.factor)});
+    efforts_.push_back({&load.factor, steady_value(load.factor, instant)});
   }
   set_share(1.0);
 }

@@ -1,11 +1,12 @@
 #pragma once
 
 // What acts on a system in steady rotation: the values that loads, motors and prescribed motions
-// end with, of which a share can be applied.
+// end or begin with, of which a share can be applied.
 
 #include <memory>
 #include <vector>
 
+#include "engine/steady/steady_model.h"
 #include "models/system/system.h"
 
 namespace spoke::steady {
@@ -15,10 +16,10 @@ namespace spoke::steady {
 template <class World>
 class SteadyLoads {
  public:
-  /// Loads that depend on time take the value that they end with, motions by azimuth their mean.
-  /// If the hub turns (`turns`), of what is constant in the inertial frame only the part along the
-  /// axis is kept; of a free hub gravity is none.
-  SteadyLoads(System<World>& system, bool turns);
+  /// Loads that depend on time take the value that they have at `instant`, motions by azimuth their
+  /// mean. If the hub turns (`turns`), of what is constant in the inertial frame only the part
+  /// along the axis is kept; of a free hub gravity is none.
+  SteadyLoads(System<World>& system, bool turns, Instant instant);
 
   /// Applies that share of all loads and motors, and of gravity.
   void set_share(double share);
@@ -38,8 +39,5 @@ class SteadyLoads {
   std::vector<Scaled> courses_;
   std::vector<Effort> efforts_;  ///< of joints, and of loads on the hub
 };
-
-/// The value that a curve ends with.
-double final_value(const Curve& curve);
 
 }  // namespace spoke::steady

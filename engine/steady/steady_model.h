@@ -6,11 +6,14 @@
 // too.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/linearize.h"
 #include "models/scenario.h"
 
 namespace spoke::steady {
@@ -28,6 +31,11 @@ struct TreeCoordinate {
   double scale = 1.0;  ///< a large value of it [rad, m]
 };
 
+/// Velocities of a coordinate by which to differ: what its scale is in the time of a radian.
+inline double velocity_scale(const TreeCoordinate& coordinate, double speed) {
+  return coordinate.scale * std::max(1.0, std::abs(speed));
+}
+
 /// Where to evaluate a tree. Coordinates and velocities in the order of coordinates(): by body its
 /// joint's, then its deformation's. Elastic forces are taken at `q_elastic`, their dampers at
 /// `v_elastic`, of which those of joints do not count.
@@ -37,10 +45,11 @@ struct TreeState {
 };
 
 /// How the hub moves besides its steady rotation, in its frame: the rotation vector by which it is
-/// turned, and its additional twist. Its acceleration is zero.
+/// turned, and its additional twist and acceleration.
 struct HubOffset {
-  HubVector turn;   ///< rotational components of a twist, the others unused [rad]
-  HubVector twist;  ///< [m/s, rad/s]
+  HubVector turn;          ///< rotational components of a twist, the others unused [rad]
+  HubVector twist;         ///< [m/s, rad/s]
+  HubVector acceleration;  ///< [m/s^2, rad/s^2]
 };
 
 /// What a tree does there.
@@ -79,9 +88,17 @@ struct JointLoad {
   Eigen::Vector3d moment;  ///< [N m]
 };
 
+/// When what acts on a model has the values that count.
+enum class Instant {
+  end,    ///< those that curves end with, all ramps over
+  start,  ///< those at t = 0
+};
+
 /// What of a scenario is steady.
 struct SteadyOptions {
   double speed = 0.0;  ///< of the hub about its axis [rad/s]
+  Instant instant = Instant::end;
+  bool has_outputs = false;  ///< whether the scenario's sensors are to be read
 };
 
 class SteadyModel {
@@ -119,6 +136,9 @@ class SteadyModel {
   /// Takes coordinates as the state about which spherical joints are turned, and sets the rotation
   /// vectors of these to zero.
   virtual void settle(std::size_t tree, Eigen::VectorXd& q) = 0;
+  /// Turns spherical joints from where another model of the same bodies has settled: at coordinates
+  /// that its absolute() yields.
+  virtual void settle_at(std::size_t tree, const Eigen::VectorXd& absolute) = 0;
 
   virtual void evaluate(std::size_t tree, const TreeState& state, const HubOffset& hub,
                         TreeResponse& response) = 0;
@@ -143,8 +163,18 @@ class SteadyModel {
   /// child.
   virtual Eigen::VectorXd absolute(std::size_t tree, const Eigen::VectorXd& q) const = 0;
 
+  // What comes out, if SteadyOptions::has_outputs.
+  /// What measure() yields: displacement of the tip, and the scenario's sensors on the tree whose
+  /// frames turn with the hub.
+  virtual const std::vector<LinearSignal>& outputs(std::size_t tree) const = 0;
+  /// Sensors of the scenario's that are no such outputs, by the names of their columns.
+  virtual const std::vector<std::string>& other_sensors() const = 0;
+  /// At the state that was evaluated last, after accelerations().
+  virtual Eigen::VectorXd measure(std::size_t tree) = 0;
+
   HubOffset no_offset() const {
-    return {HubVector::Zero(twist_size()), HubVector::Zero(twist_size())};
+    const HubVector none = HubVector::Zero(twist_size());
+    return {none, none, none};
   }
 
  protected:
@@ -152,9 +182,9 @@ class SteadyModel {
 };
 
 /// The model of a scenario in steady rotation: loads, motors and prescribed joints with the values
-/// that their curves end with, pitch by azimuth with its mean. Where the hub turns, gravity and
-/// loads of constant direction count with their part along the axis. Where the hub is free, gravity
-/// does not count: all falls alike. Throws InputError like Simulation.
+/// that their curves have at options.instant, pitch by azimuth with its mean. Where the hub turns,
+/// gravity and loads of constant direction count with their part along the axis. Where the hub is
+/// free, gravity does not count: all falls alike. Throws InputError like Simulation.
 std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options);
 

@@ -7,11 +7,14 @@
 #include <limits>
 #include <utility>
 
+#include "engine/columns/spatial_columns.h"
 #include "engine/kernels/deformation_limits.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
+#include "engine/kernels/section_balance.h"
 #include "engine/kernels/spatial_samples.h"
 #include "engine/steady/tree_access.h"
 #include "engine/steady/tree_forces.h"
@@ -57,19 +60,20 @@ Eigen::Vector3d in_space(const space::Position& p) { return p; }
 }  // namespace
 
 template <class World>
-SteadySystem<World>::SteadySystem(const std::function<void(System<World>&)>& fill,
-                                  std::vector<TreeNames> names, const SteadyOptions& options)
+SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker, std::vector<TreeNames> names,
+                                  const SteadyOptions& options)
     : names_(std::move(names)) {
   speed_ = options.speed;
-  fill(context_.system);
+  maker.fill(context_.system);
   hub_ = context_.system.hub;
   for (int c = 0; c < World::kTwist; ++c)
     if (!is_prescribed(hub_, c)) free_.push_back(c);
-  loads_.emplace(context_.system, speed_ != 0.0);
+  loads_.emplace(context_.system, speed_ != 0.0, options.instant);
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
   context_.integrator = {Rk4{1.0}, {}};
   allocate(context_);
+  if (options.has_outputs) set_outputs(maker.place_sensors(context_.system, context_.data));
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
             make_progress_between_steps(context_.integrator, 0, PassControl::kEvaluateOnly));
   graph_.emplace(build_step_graph(context_));
@@ -120,6 +124,48 @@ void SteadySystem<World>::set_undeformed() {
     tip_axes_.push_back(places(i).back().axes);
     stiffness_.push_back(assemble_stiffness(i));
   }
+}
+
+/// Whether a sensor is constant in steady rotation, as is what turns with the hub.
+template <class World>
+bool SteadySystem<World>::is_steady(const SensorColumn& column) const {
+  const bool is_local = is_motion(column.quantity) ||
+                        column.quantity == SensorQuantity::section_force ||
+                        column.quantity == SensorQuantity::joint_reaction;
+  return is_local && column.frame != SensorFrame::inertial;
+}
+
+template <class World>
+void SteadySystem<World>::set_outputs(std::vector<SensorColumn> columns) {
+  static constexpr const char* kAxes[] = {"x", "y", "z"};
+  columns_.resize(trees());
+  outputs_.resize(trees());
+  for (std::size_t i = 0; i < trees(); ++i)
+    for (int c = 0; c < World::kPosition; ++c)
+      outputs_[i].push_back({names_[i].sensors + ".tip." + kAxes[c], "m"});
+  for (SensorColumn& column : columns) {
+    if (!is_steady(column)) {
+      other_sensors_.push_back(column.name);
+      continue;
+    }
+    outputs_[column.blade].push_back({column.name, column.unit});
+    columns_[column.blade].push_back(std::move(column));
+  }
+}
+
+template <class World>
+Eigen::VectorXd SteadySystem<World>::measure(std::size_t tree) {
+  SubsystemData<World>& subsystem = data(tree);
+  keep_joint_loads(context_.system.subsystems[tree], subsystem);
+  const Eigen::Vector3d displacement = tip(tree).displacement;
+  calc_readings(context_.system, tree, 0, 0.0, context_.data);
+  Eigen::VectorXd values(std::ssize(outputs_[tree]));
+  const Eigen::Index tips = values.size() - std::ssize(columns_[tree]);
+  values.head(tips) = displacement.head(tips);
+  for (std::size_t k = 0; k < columns_[tree].size(); ++k)
+    values[tips + static_cast<Eigen::Index>(k)] =
+        value_of(columns_[tree][k], hub_, 0, context_.data);
+  return values;
 }
 
 template <class World>
@@ -174,6 +220,15 @@ void SteadySystem<World>::settle(std::size_t tree, Eigen::VectorXd& q) {
 }
 
 template <class World>
+void SteadySystem<World>::settle_at(std::size_t tree, const Eigen::VectorXd& absolute) {
+  const double* next = absolute.data();
+  for (BodyData<World>& body : data(tree).bodies) {
+    put_absolute(next, body);
+    next += count_joint_coordinates(*body.model) + body.model->body->coordinates();
+  }
+}
+
+template <class World>
 Eigen::VectorXd SteadySystem<World>::absolute(std::size_t tree, const Eigen::VectorXd& q) const {
   Eigen::VectorXd result = q;
   Eigen::Index at = 0;
@@ -218,6 +273,7 @@ PrescribedHub<World> SteadySystem<World>::hub_motion(const HubOffset& offset) co
   hub.state.R = hub.state.R * turn_of(offset.turn, World{});
   hub.state.twist += offset.twist;
   hub.acceleration = calc_prescribed_acceleration(context_.system, 0.0, hub.state, 0.0);
+  hub.acceleration += offset.acceleration;
   return hub;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/columns/sensor_columns.h"
 #include "engine/steady/steady_loads.h"
 #include "engine/steady/steady_model.h"
 #include "engine/step/step_context.h"
@@ -14,19 +15,27 @@
 
 namespace spoke::steady {
 
+/// Makes the system of a world, and places the scenario's sensors in its table.
+template <class World>
+struct SystemMaker {
+  std::function<void(System<World>&)> fill;
+  std::function<std::vector<SensorColumn>(const System<World>&, StepData<World>&)> place_sensors;
+};
+
 /// Names of a tree: its own, those of its bodies and of the joints that carry them.
 struct TreeNames {
   std::string tree;
   std::vector<std::string> bodies;
   std::vector<std::string> joints;
+  std::string sensors;   ///< what the names of its sensors begin with: "blade1"
   double azimuth = 0.0;  ///< [rad]
 };
 
 template <class World>
 class SteadySystem final : public SteadyModel {
  public:
-  /// `fill` sets the system, which is then held in steady rotation.
-  SteadySystem(const std::function<void(System<World>&)>& fill, std::vector<TreeNames> names,
+  /// Of the system that `maker` makes, which is then held in steady rotation.
+  SteadySystem(const SystemMaker<World>& maker, std::vector<TreeNames> names,
                const SteadyOptions& options);
 
   std::size_t trees() const override { return names_.size(); }
@@ -44,6 +53,7 @@ class SteadySystem final : public SteadyModel {
   void set_share(double share) override;
   Eigen::VectorXd initial(std::size_t tree) const override;
   void settle(std::size_t tree, Eigen::VectorXd& q) override;
+  void settle_at(std::size_t tree, const Eigen::VectorXd& absolute) override;
   void evaluate(std::size_t tree, const TreeState& state, const HubOffset& hub,
                 TreeResponse& response) override;
   const Eigen::MatrixXd& stiffness(std::size_t tree) const override { return stiffness_[tree]; }
@@ -55,6 +65,11 @@ class SteadySystem final : public SteadyModel {
   TipMotion tip(std::size_t tree) override;
   std::vector<JointLoad> joint_loads(std::size_t tree) const override;
   Eigen::VectorXd absolute(std::size_t tree, const Eigen::VectorXd& q) const override;
+  const std::vector<LinearSignal>& outputs(std::size_t tree) const override {
+    return outputs_[tree];
+  }
+  const std::vector<std::string>& other_sensors() const override { return other_sensors_; }
+  Eigen::VectorXd measure(std::size_t tree) override;
 
  private:
   using Twist = TwistOf<World>;
@@ -67,6 +82,8 @@ class SteadySystem final : public SteadyModel {
   void find_nodes();
   Eigen::MatrixXd calc_twists(std::size_t tree);
   void set_undeformed();
+  bool is_steady(const SensorColumn& column) const;
+  void set_outputs(std::vector<SensorColumn> columns);
   Eigen::MatrixXd assemble_stiffness(std::size_t tree) const;
   SubsystemData<World>& data(std::size_t tree) { return context_.data.subsystems[tree]; }
   const SubsystemData<World>& data(std::size_t tree) const {
@@ -86,6 +103,10 @@ class SteadySystem final : public SteadyModel {
   std::vector<std::vector<Eigen::VectorXd>> q_elastic_, v_elastic_;  ///< flex vectors by body
   std::vector<Eigen::MatrixXd> stiffness_;
   std::vector<Eigen::Matrix3d> tip_axes_;  ///< undeformed, by tree
+  // By tree: the sensors that turn with the hub, and names of all outputs.
+  std::vector<std::vector<SensorColumn>> columns_;
+  std::vector<std::vector<LinearSignal>> outputs_;
+  std::vector<std::string> other_sensors_;
 };
 
 }  // namespace spoke::steady

@@ -9,6 +9,7 @@
 #include "engine/kernels/spatial_terms.h"
 #include "engine/space/dense_body.h"
 #include "engine/space/integrator/rotation.h"
+#include "engine/space/put_joint.h"
 
 namespace spoke::steady {
 namespace {
@@ -51,6 +52,11 @@ void fold_joint(double* q, BodyData<Space>& body) {
   std::copy_n(q, body.joint.coordinates.size, body.joint.coordinates.q);
   fold(rotation_block(body));
   std::copy_n(body.joint.coordinates.q, body.joint.coordinates.size, q);
+}
+
+void put_absolute(const double*, BodyData<Plane>&) {}
+void put_absolute(const double* q, BodyData<Space>& body) {
+  put_joint(body.model->joint.joint, q, body.joint);
 }
 
 void make_absolute(const BodyData<Plane>&, double*) {}

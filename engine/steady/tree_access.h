@@ -27,6 +27,9 @@ void take_joint(const BodyData<Space>& body, double* a);
 /// joint.
 void fold_joint(double* q, BodyData<Plane>& body);
 void fold_joint(double* q, BodyData<Space>& body);
+/// Puts the joint at what make_absolute() yields.
+void put_absolute(const double* q, BodyData<Plane>& body);
+void put_absolute(const double* q, BodyData<Space>& body);
 /// The rotation vector of a spherical joint in place of the one since its reference.
 void make_absolute(const BodyData<Plane>& body, double* q);
 void make_absolute(const BodyData<Space>& body, double* q);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/report/chart.h"
+#include "engine/steady_report/mode_files.h"
 #include "engine/support/json.h"
 
 namespace spoke::steady_report {
@@ -92,10 +93,9 @@ report::LineChart make_diagram(const CampbellResult& result, int harmonics) {
 
 /// Whether a mode is damped, or grows, by more than round-off.
 bool is_damped(const CampbellResult& result) {
-  constexpr double kRoundOff = 1e-9;
   for (const ModesResult& state : result.states)
     for (const Mode& mode : state.modes)
-      if (std::abs(mode.damping_ratio) > kRoundOff) return true;
+      if (damping_of(mode) != 0.0) return true;
   return false;
 }
 
@@ -133,6 +133,14 @@ report::Table make_branch_table(const CampbellResult& result) {
   return table;
 }
 
+report::Table make_gap_table(const CampbellResult& result) {
+  report::Table table{.caption = "Speeds without equilibrium",
+                      .columns = {{"speed [rad/s]", Align::number}, {"why"}}};
+  for (const CampbellGap& gap : result.gaps)
+    table.rows.push_back({{fmt::format("{:.6g}", speed_at(result, gap.speed)), gap.reason}});
+  return table;
+}
+
 std::string make_csv(const CampbellResult& result) {
   std::string text =
       "speed_rad_per_s,branch,of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,grows\n";
@@ -141,19 +149,20 @@ std::string make_csv(const CampbellResult& result) {
       if (const Mode* mode = mode_at(result, result.branches[b], k))
         text += fmt::format("{},{},\"{}\",{},{},{},{},{}\n", speed_at(result, k), b + 1,
                             result.branches[b].of, result.branches[b].name, hertz(mode->frequency),
-                            mode->frequency, mode->damping_ratio, mode->grows() ? 1 : 0);
+                            mode->frequency, damping_of(*mode), mode->grows() ? 1 : 0);
   return text;
 }
 
 std::string make_json(const CampbellResult& result) {
-  Json speeds = Json::array(), branches = Json::array(), crossings = Json::array();
+  Json speeds = Json::array(), branches = Json::array(), crossings = Json::array(),
+       gaps = Json::array();
   for (std::size_t k = 0; k < result.states.size(); ++k) speeds.push_back(speed_at(result, k));
   for (const CampbellBranch& branch : result.branches) {
     Json frequencies = Json::array(), damping = Json::array();
     for (std::size_t k = 0; k < result.states.size(); ++k) {
       const Mode* mode = mode_at(result, branch, k);
       frequencies.push_back(mode ? Json(mode->frequency) : Json());
-      damping.push_back(mode ? Json(mode->damping_ratio) : Json());
+      damping.push_back(mode ? Json(damping_of(*mode)) : Json());
     }
     branches.push_back({{"of", branch.of},
                         {"mode", branch.name},
@@ -166,8 +175,12 @@ std::string make_json(const CampbellResult& result) {
                          {"speed_rad_per_s", crossing.speed},
                          {"frequency_rad_per_s", crossing.frequency},
                          {"margin", crossing.margin ? Json(*crossing.margin) : Json()}});
-  const Json json = {
-      {"speeds_rad_per_s", speeds}, {"branches", branches}, {"crossings", crossings}};
+  for (const CampbellGap& gap : result.gaps)
+    gaps.push_back({{"speed_rad_per_s", speed_at(result, gap.speed)}, {"reason", gap.reason}});
+  const Json json = {{"speeds_rad_per_s", speeds},
+                     {"branches", branches},
+                     {"crossings", crossings},
+                     {"gaps", gaps}};
   return json.dump_lines();
 }
 
@@ -177,10 +190,11 @@ std::string make_html(const CampbellResult& result, int harmonics, const std::st
   page.add_figure(render(make_diagram(result, harmonics)));
   if (is_damped(result))
     page.add_figure(render(make_chart(result, "Damping over speed", {.title = "damping ratio"},
-                                      [](const Mode& mode) { return mode.damping_ratio; })));
+                                      [](const Mode& mode) { return damping_of(mode); })));
   else
     page.add_paragraph("No mode is damped, and none grows.");
   page.add_table(make_crossing_table(result));
+  if (!result.gaps.empty()) page.add_table(make_gap_table(result));
   page.add_table(make_branch_table(result));
   return page.html();
 }

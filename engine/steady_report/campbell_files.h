@@ -11,6 +11,8 @@ namespace spoke::steady_report {
 
 /// A row per crossing.
 report::Table make_crossing_table(const CampbellResult& result);
+/// A row per speed at which there is no equilibrium, and why.
+report::Table make_gap_table(const CampbellResult& result);
 /// Branches with their frequencies at the first and at the last speed.
 report::Table make_branch_table(const CampbellResult& result);
 /// A row per speed and branch.

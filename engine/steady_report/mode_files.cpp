@@ -14,11 +14,6 @@ namespace {
 
 double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
 
-/// What is nothing but round-off is 0.
-double damping_of(const Mode& mode) {
-  return std::abs(mode.damping_ratio) < 1e-6 ? 0.0 : mode.damping_ratio;
-}
-
 Json parts(const Eigen::Vector3cd& v, bool imaginary) {
   const Eigen::Vector3d part = imaginary ? Eigen::Vector3d(v.imag()) : Eigen::Vector3d(v.real());
   return Json::array({part.x(), part.y(), part.z()});
@@ -51,6 +46,10 @@ Json mode_json(const Mode& mode) {
 }
 
 }  // namespace
+
+double damping_of(const Mode& mode) {
+  return std::abs(mode.damping_ratio) < 1e-6 ? 0.0 : mode.damping_ratio;
+}
 
 report::Table make_mode_table(const ModesResult& result) {
   using report::Align;

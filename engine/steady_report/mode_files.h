@@ -9,6 +9,9 @@
 
 namespace spoke::steady_report {
 
+/// A mode's damping ratio; what is nothing but round-off is 0.
+double damping_of(const Mode& mode);
+
 /// A row per mode.
 report::Table make_mode_table(const ModesResult& result);
 /// What is to be said of modes that grow; empty if none does.

@@ -5,6 +5,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 #include "engine/report/chart.h"
 #include "engine/support/json.h"
@@ -16,11 +18,38 @@ using Eigen::Vector3d;
 
 Json vector_json(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-std::string vector_text(const Vector3d& v) {
-  // Beside the largest component, round-off is none.
-  const double least = 1e-12 * v.lpNorm<Eigen::Infinity>();
-  const auto number = [least](double x) { return std::abs(x) <= least ? 0.0 : x; };
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", number(v.x()), number(v.y()), number(v.z()));
+/// Beside `scale`, what may make up a value, round-off is none.
+std::string number_text(double value, double scale) {
+  constexpr double kRoundOff = 1e-10;
+  return fmt::format("{:.6g}", std::abs(value) <= kRoundOff * scale ? 0.0 : value);
+}
+
+std::string vector_text(const Vector3d& v, double scale) {
+  return fmt::format("[{}, {}, {}]", number_text(v.x(), scale), number_text(v.y(), scale),
+                     number_text(v.z(), scale));
+}
+
+/// How far a blade reaches from the hub [m].
+double reach_of(const BladeEquilibrium& blade) {
+  double reach = 0.0;
+  for (const Vector3d& p : blade.nodes) reach = std::max(reach, p.norm());
+  return reach;
+}
+
+/// How large forces at the roots of the blades are [N], and moments about the hub [N m].
+struct RootScale {
+  double force = 0.0, moment = 0.0;
+};
+RootScale calc_root_scale(const EquilibriumResult& result) {
+  RootScale scale;
+  for (const BladeEquilibrium& blade : result.blades) {
+    if (blade.loads.empty()) continue;
+    const SectionLoad& root = blade.loads.front();
+    const double force = root.force.norm();
+    scale.force = std::max(scale.force, force);
+    scale.moment = std::max(scale.moment, root.moment.norm() + reach_of(blade) * force);
+  }
+  return scale;
 }
 
 Json nodes_json(const std::vector<Vector3d>& nodes) {
@@ -82,8 +111,8 @@ report::Table make_tip_table(const EquilibriumResult& result) {
   report::Table table{.caption = "Tips, in the hub's frame",
                       .columns = {{"blade"}, {"displacement [m]"}, {"rotation [rad]"}}};
   for (const BladeEquilibrium& blade : result.blades)
-    table.rows.push_back(
-        {{blade.name, vector_text(blade.tip_displacement), vector_text(blade.tip_rotation)}});
+    table.rows.push_back({{blade.name, vector_text(blade.tip_displacement, reach_of(blade)),
+                           vector_text(blade.tip_rotation, 1.0)}});
   return table;
 }
 
@@ -93,15 +122,17 @@ report::Table make_joint_table(const EquilibriumResult& result) {
       .columns = {{"blade"}, {"joint"}, {"value", report::Align::number}, {"unit"}}};
   for (const BladeEquilibrium& blade : result.blades)
     for (const JointPosition& joint : blade.joints)
-      table.rows.push_back({{blade.name, joint.name, fmt::format("{:.6g}", joint.value),
-                             joint.turns ? "rad" : "m"}});
+      table.rows.push_back(
+          {{blade.name, joint.name, number_text(joint.value, joint.turns ? 1.0 : reach_of(blade)),
+            joint.turns ? "rad" : "m"}});
   return table;
 }
 
 std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
+  const RootScale scale = calc_root_scale(result);
   return {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
-          {"hub force", vector_text(result.hub_force) + " N, of support and drive"},
-          {"hub moment", vector_text(result.hub_moment) + " N m"},
+          {"hub force", vector_text(result.hub_force, scale.force) + " N, of support and drive"},
+          {"hub moment", vector_text(result.hub_moment, scale.moment) + " N m"},
           {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
                                    "{:.1e}",
                                    result.iterations, result.load_steps,

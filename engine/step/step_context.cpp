@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/kernels/hub_motion.h"
+#include "engine/space/put_joint.h"
 
 namespace spoke {
 namespace {
@@ -29,14 +30,9 @@ void set_start(const System<Plane>&, bool, StepData<Plane>&) {}
 void set_start(const TreeBody<Space>& model, bool is_explicit, BodyData<Space>& body) {
   space::JointData& joint = body.joint;
   const space::JointCourse& course = model.joint.course;
-  const int spherical = model.joint.joint.spherical_at;
   if (is_explicit) joint.a_found = joint.coordinates.a;
-  std::copy(course.initial.begin(), course.initial.end(), joint.coordinates.q);
+  put_joint(model.joint.joint, course.initial.data(), joint);
   std::copy(course.initial_speed.begin(), course.initial_speed.end(), joint.coordinates.v);
-  if (spherical < 0) return;
-  double* theta = joint.coordinates.q + spherical;
-  joint.rotation->reference = space::make_quaternion(space::Angular(theta[0], theta[1], theta[2]));
-  std::fill_n(theta, space::kAngular, 0.0);
 }
 
 void set_start(const System<Space>& system, bool is_explicit, StepData<Space>& data) {

@@ -6,12 +6,21 @@
 #include <cmath>
 
 namespace spoke::vibration {
+namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using steady::LinearModel;
 using steady::LinearTree;
+
+/// 0 of a matrix with a pivot of zero, too, whose condition is no number.
+double find_rcond(const Eigen::PartialPivLU<MatrixXd>& factor) {
+  const double rcond = factor.rcond();
+  return rcond > 0.0 ? rcond : 0.0;
+}
+
+}  // namespace
 
 Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> trees)
     : model_(model), trees_(std::move(trees)) {
@@ -87,7 +96,7 @@ PencilFactor::PencilFactor(const Pencil& pencil, double s) : pencil_(pencil) {
     const VectorXd scale = pencil.scale_.segment(pencil.starts_[place], t.M.rows());
     trees_.emplace_back(
         MatrixXd(scale.asDiagonal() * evaluate(t.M, t.C, t.K) * scale.asDiagonal()));
-    rcond_ = std::min(rcond_, trees_.back().rcond());
+    rcond_ = std::min(rcond_, find_rcond(trees_.back()));
     if (h == 0) continue;
     by_hub_.push_back(trees_.back().solve(
         MatrixXd(scale.asDiagonal() * evaluate(t.M_bh, t.C_bh, t.K_bh) * of_hub.asDiagonal())));
@@ -96,7 +105,7 @@ PencilFactor::PencilFactor(const Pencil& pencil, double s) : pencil_(pencil) {
   }
   if (h == 0) return;
   hub_.compute(hub);
-  rcond_ = std::min(rcond_, hub_.rcond());
+  rcond_ = std::min(rcond_, find_rcond(hub_));
 }
 
 MatrixXd PencilFactor::solve(const MatrixXd& right) const {

@@ -42,12 +42,33 @@ ModesResult solve_with_spares(const Scenario& scenario, double speed, int count)
   return solve_modes(scenario, {.state = {.speed = speed}, .count = count});
 }
 
-/// Solves all speeds, the next one by whichever thread is free. The failure at the lowest speed is
-/// thrown.
-std::vector<ModesResult> solve_all(const Scenario& scenario, const CampbellOptions& options) {
+/// What became of a speed that has no modes.
+struct Failure {
+  std::exception_ptr exception;
+  std::string gap;  ///< why there is no equilibrium; empty: it is no gap
+};
+
+/// Speeds without equilibrium are gaps, of which fewer than two others are too many; the failure at
+/// the lowest of the other speeds is thrown.
+void settle_failures(const std::vector<Failure>& failures, const CampbellOptions& options,
+                     CampbellResult& result) {
+  std::exception_ptr first;
+  for (std::size_t k = 0; k < failures.size(); ++k) {
+    if (!failures[k].exception) continue;
+    if (failures[k].gap.empty()) std::rethrow_exception(failures[k].exception);
+    if (!first) first = failures[k].exception;
+    result.states[k].equilibrium.speed = options.speeds[k];
+    result.gaps.push_back({k, failures[k].gap});
+  }
+  if (result.gaps.size() + 2 > failures.size() && first) std::rethrow_exception(first);
+}
+
+/// Solves all speeds, the next one by whichever thread is free.
+void solve_all(const Scenario& scenario, const CampbellOptions& options, CampbellResult& result) {
   const std::size_t count = options.speeds.size();
-  std::vector<ModesResult> states(count);
-  std::vector<std::exception_ptr> failures(count);
+  std::vector<ModesResult>& states = result.states;
+  states.resize(count);
+  std::vector<Failure> failures(count);
   std::atomic<std::size_t> next{0}, done{0};
   const auto tell = [&](std::size_t now) {
     try {
@@ -61,8 +82,10 @@ std::vector<ModesResult> solve_all(const Scenario& scenario, const CampbellOptio
     for (std::size_t k = next++; k < count; k = next++) {
       try {
         states[k] = solve_with_spares(scenario, options.speeds[k], options.count);
+      } catch (const DivergenceError& error) {
+        failures[k] = {std::current_exception(), error.what()};
       } catch (...) {
-        failures[k] = std::current_exception();
+        failures[k] = {std::current_exception(), {}};
       }
       const std::size_t now = ++done;
       if (tells && options.progress) tell(now);
@@ -75,9 +98,7 @@ std::vector<ModesResult> solve_all(const Scenario& scenario, const CampbellOptio
     for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, false);
     work(true);
   }
-  for (const std::exception_ptr& failure : failures)
-    if (failure) std::rethrow_exception(failure);
-  return states;
+  settle_failures(failures, options, result);
 }
 
 /// The first blade that a mode is of.
@@ -94,8 +115,8 @@ double likeness(const Mode& a, const Mode& b) {
          (a.coordinates.squaredNorm() * b.coordinates.squaredNorm());
 }
 
-/// Gives each branch its mode at speed k.
-void follow(std::size_t k, const std::vector<ModesResult>& states,
+/// Gives each branch its mode at speed k, by those at speed `before`.
+void follow(std::size_t before, std::size_t k, const std::vector<ModesResult>& states,
             std::vector<CampbellBranch>& branches) {
   struct Pair {
     double likeness;
@@ -104,11 +125,10 @@ void follow(std::size_t k, const std::vector<ModesResult>& states,
   std::vector<Pair> pairs;
   const std::vector<Mode>& modes = states[k].modes;
   for (std::size_t b = 0; b < branches.size(); ++b) {
-    branches[b].modes.emplace_back();
-    const std::optional<std::size_t> last = branches[b].modes[k - 1];
+    const std::optional<std::size_t> last = branches[b].modes[before];
     if (!last) continue;
     for (std::size_t m = 0; m < modes.size(); ++m)
-      pairs.push_back({likeness(states[k - 1].modes[*last], modes[m]), b, m});
+      pairs.push_back({likeness(states[before].modes[*last], modes[m]), b, m});
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.likeness > b.likeness; });
@@ -135,13 +155,31 @@ void name(const std::vector<ModesResult>& states, CampbellBranch& branch) {
   branch.name = most->first.second;
 }
 
-/// Branches begin with the first modes of each blade, or of the whole, at the first speed.
-std::vector<CampbellBranch> begin_branches(const ModesResult& first, int count) {
+/// Branches begin with the first modes of each blade, or of the whole, at speed k.
+std::vector<CampbellBranch> begin_branches(std::size_t k, const std::vector<ModesResult>& states,
+                                           int count) {
   std::vector<CampbellBranch> branches;
   std::map<std::string, int> counts;
-  for (std::size_t m = 0; m < first.modes.size(); ++m)
-    if (++counts[first.modes[m].of] <= count) branches.push_back({{}, {}, {m}});
+  const std::vector<Mode>& modes = states[k].modes;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (++counts[modes[m].of] > count) continue;
+    branches.push_back({{}, {}, std::vector<std::optional<std::size_t>>(states.size())});
+    branches.back().modes[k] = m;
+  }
   return branches;
+}
+
+/// Follows all modes through the speeds that are no gaps.
+void follow_all(const std::vector<ModesResult>& states, int count,
+                std::vector<CampbellBranch>& branches) {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    if (!states[k].modes.empty()) found.push_back(k);
+  branches = begin_branches(found[0], states, count);
+  for (std::size_t i = 1; i < found.size(); ++i) follow(found[i - 1], found[i], states, branches);
+  // Blades that gravity parts at rest are alike again as soon as the hub turns.
+  std::erase_if(branches, [&](const CampbellBranch& branch) { return !branch.modes[found[1]]; });
+  for (CampbellBranch& branch : branches) name(states, branch);
 }
 
 void find_crossings(const CampbellOptions& options, std::optional<double> operating,
@@ -179,12 +217,8 @@ std::optional<double> find_operating_speed(const Scenario& scenario) {
 CampbellResult solve_campbell(const Scenario& scenario, const CampbellOptions& options) {
   check(options);
   CampbellResult result;
-  result.states = solve_all(scenario, options);
-  result.branches = begin_branches(result.states.front(), options.count);
-  for (std::size_t k = 1; k < result.states.size(); ++k) follow(k, result.states, result.branches);
-  // Blades that gravity parts at rest are alike again as soon as the hub turns.
-  std::erase_if(result.branches, [](const CampbellBranch& branch) { return !branch.modes[1]; });
-  for (CampbellBranch& branch : result.branches) name(result.states, branch);
+  solve_all(scenario, options, result);
+  follow_all(result.states, options.count, result.branches);
   find_crossings(options, find_operating_speed(scenario), result);
   return result;
 }

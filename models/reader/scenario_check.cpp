@@ -11,6 +11,7 @@
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_check.h"
 #include "models/reader/spatial/sensor_reader.h"
+#include "models/start.h"
 #include "spoke/error.h"
 
 namespace spoke {
@@ -233,6 +234,9 @@ void check_scenario(const Scenario& scenario) {
   } else {
     check_rotor(scenario.rotor);
   }
+  if (scenario.initial.speed) check("initial.speed", *scenario.initial.speed, kSpeed);
+  const StartFault start = find_start_fault(scenario);
+  if (!start.key.empty()) fail("initial." + start.key, start.text);
   check_fields("integration", scenario.integration);
   const std::string fault = find_step_fault(scenario.integration);
   if (!fault.empty()) fail("integration.step", fault);

@@ -145,6 +145,13 @@ void add_loads(const char* key, const std::vector<Load>& loads, Json& json) {
   if (!loads.empty()) json[key] = to_list(loads);
 }
 
+/// Nothing of an undeformed start, as for ramps.
+void add_initial(const Initial& initial, Json& json) {
+  if (initial.state == InitialState::undeformed) return;
+  json["initial"] = {{"state", name_of(initial.state)}};
+  if (initial.speed) json["initial"]["speed"] = *initial.speed;
+}
+
 Json to_json(const Integration& integration) {
   return {{"method", name_of(integration.method)},
           {"step", integration.step},
@@ -185,6 +192,7 @@ std::string Scenario::to_json() const {
   } else {
     add_rotor(rotor, json);
   }
+  add_initial(initial, json);
   json["integration"] = spoke::to_json(integration);
   json["limits"] = spoke::to_json(limits);
   json["output"] = {{"interval", output.interval}};

@@ -10,6 +10,7 @@
 #include "models/reader/text_file.h"
 #include "models/reader/toml_document.h"
 #include "models/scenario.h"
+#include "models/start.h"
 
 namespace spoke {
 namespace {
@@ -35,6 +36,19 @@ Limits read_limits(const TomlSection& root) {
   limits.on_energy_growth = section.choice(
       "on_energy_growth", {EnergyGrowth::warn, EnergyGrowth::stop}, limits.on_energy_growth);
   return limits;
+}
+
+/// After all that the start depends on.
+Initial read_initial(const TomlSection& root, const Scenario& read) {
+  const TomlSection section = root.section("initial", {"state", "speed"});
+  Scenario scenario = read;
+  Initial& initial = scenario.initial;
+  initial.state =
+      section.choice("state", {InitialState::undeformed, InitialState::equilibrium}, initial.state);
+  if (section.has("speed")) initial.speed = section.number("speed", kSpeed);
+  const StartFault fault = find_start_fault(scenario);
+  if (!fault.key.empty()) section.fail(fault.key, fault.text);
+  return initial;
 }
 
 /// Reads what is simulated: in the plane, or in space.
@@ -65,13 +79,15 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
                         const Overrides& overrides) {
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
-  const TomlSection root(document, {"title", "world", "hub", "blade", "blades", "subsystem",
-                                    "gravity", "damping", "load", "distributed_load", "drag",
-                                    "hub_load", "integration", "limits", "output", "sensor"});
+  const TomlSection root(
+      document, {"title", "world", "hub", "blade", "blades", "subsystem", "gravity", "damping",
+                 "load", "distributed_load", "drag", "hub_load", "initial", "integration", "limits",
+                 "output", "sensor"});
   Scenario scenario;
   scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
   read_world(root, scenario);
+  scenario.initial = read_initial(root, scenario);
   scenario.integration = read_integration(root);
   scenario.limits = read_limits(root);
   visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});

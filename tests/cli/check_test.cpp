@@ -7,6 +7,14 @@
 
 #include "tests/cli/program.h"
 
+TEST_CASE("check says that a simulation starts at its equilibrium") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke(
+      {"check", shipped("wu_haug_rotor"), "--set", "initial.state=\"equilibrium\""}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("at its equilibrium at 4 rad/s, all ramps over") != std::string::npos);
+}
+
 TEST_CASE("check prints the model and writes nothing") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"check", shipped("wu_haug_rotor")}, folder);

@@ -59,7 +59,24 @@ TEST_CASE("campbell follows modes and writes its files") {
         std::string::npos);
 }
 
-TEST_CASE("static, modes and campbell refuse bad input in one line") {
+TEST_CASE("linearize writes matrices whose rows and columns have names") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"linearize", shipped("wu_haug_rotor"), "--speed", "4", "--set",
+                                 "load=[{force=[0.0,1.0]}]", "--out", "x"},
+                                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  const json names = json::parse(read_file(folder.path() / "x" / "linear.json"));
+  CHECK(names["inputs"].size() == 3);
+  CHECK(names["inputs"][0]["name"] == "blade 1 / load.1");
+  CHECK(names["outputs"][1] == json{{"name", "blade1.tip.y"}, {"unit", "m"}});
+  const std::vector<std::string> b = lines_of(read_file(folder.path() / "x" / "B.mtx"));
+  CHECK(b[0] == "%%MatrixMarket matrix coordinate real general");
+  const std::string sizes = std::to_string(names["states"].size()) + " 3 ";
+  CHECK(b[1] == sizes + std::to_string(b.size() - 2));
+}
+
+TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") {
   const std::string scenario = shipped("wu_haug_rotor");
   check_refused({"static", scenario, "--speed", "fast"}, "spoke static: ");
   check_refused({"static", shipped("satellite_booms")},
@@ -73,4 +90,7 @@ TEST_CASE("static, modes and campbell refuse bad input in one line") {
   for (const std::string speeds : {"4:0:0.5", "0:4:-1", "0:4", "a:4:1", "0:4:9", "0:nan:1"})
     check_refused({"campbell", scenario, "--speeds", speeds}, range + speeds);
   check_refused({"campbell", scenario}, "--speeds is required");
+  check_refused({"linearize", scenario, "--speed", "nan"}, "expected a finite number [rad/s]");
+  check_refused({"run", scenario, "--set", "initial={state=\"equilibrium\",speed=1.0}"},
+                "initial.speed: is 1, expected a speed that the drive has");
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/columns/sensor_columns.h"
 #include "engine/kernels/load_terms.h"
-#include "engine/simulation/sensor_columns.h"
 #include "engine/step/pass_integration.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/load_rotors.h"

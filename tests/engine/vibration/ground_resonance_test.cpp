@@ -89,7 +89,7 @@ bool grows_classically(double speed) {
 double find_change(double from, double to, const std::function<bool(double)>& is_unstable) {
   const bool at_start = is_unstable(from);
   REQUIRE(is_unstable(to) != at_start);
-  for (int i = 0; i < 14; ++i) {
+  for (int i = 0; i < 10; ++i) {
     const double middle = 0.5 * (from + to);
     (is_unstable(middle) == at_start ? from : to) = middle;
   }

@@ -1,6 +1,6 @@
 // Sensors of scenarios in space: forces by statics and reactions, motions by their derivatives.
 
-#include "engine/simulation/spatial_columns.h"
+#include "engine/columns/spatial_columns.h"
 
 #include <doctest/doctest.h>
 

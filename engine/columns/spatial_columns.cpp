@@ -1,6 +1,6 @@
 // Finds bodies, sections and what is outboard of them, and reads values from the table.
 
-#include "engine/simulation/spatial_columns.h"
+#include "engine/columns/spatial_columns.h"
 
 #include <algorithm>
 #include <utility>
@@ -151,6 +151,12 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, std::si
     }
   }
   return columns;
+}
+
+void make_reading_rings(StepData<Space>& data) {
+  for (SubsystemData<Space>& tree : data.subsystems)
+    tree.reading_ring =
+        ArenaVector<double>(tree.reading_count * tree.samples.size(), 0.0, *tree.arena);
 }
 
 std::size_t count_reading_bytes(const StepData<Space>& data) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/simulation/sensor_columns.h"
+#include "engine/columns/sensor_columns.h"
 #include "engine/table/step_data.h"
 #include "models/tree/tree.h"
 
@@ -21,6 +21,9 @@ std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades,
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, std::size_t blades,
                                         const std::vector<spatial::Tree>& trees,
                                         const System<Space>& system, StepData<Space>& data);
+
+/// Makes the rings of all readings that were listed.
+void make_reading_rings(StepData<Space>& data);
 
 /// Memory of the readings in the table [bytes].
 std::size_t count_reading_bytes(const StepData<Space>& data);

@@ -1,6 +1,6 @@
 // Sensors of the scenario's keep their bits, states and names.
 
-#include "engine/simulation/sensor_columns.h"
+#include "engine/columns/sensor_columns.h"
 
 #include <doctest/doctest.h>
 

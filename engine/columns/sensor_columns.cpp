@@ -1,6 +1,6 @@
 // Finds the bodies and sections of sensors, and reads their values from the table.
 
-#include "engine/simulation/sensor_columns.h"
+#include "engine/columns/sensor_columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,27 @@
+// Reads the scenario, and writes to the folder.
+
+#include "engine/cli/steady_task.h"
+
+#include "engine/cli/results_folder.h"
+#include "engine/output_file.h"
+
+namespace spoke::cli {
+
+SteadyTask::SteadyTask(const Arguments& arguments, const std::string& command)
+    : file_(arguments.scenario),
+      scenario_(read_scenario(arguments.scenario, arguments.overrides)),
+      folder_(arguments.out.empty() ? std::filesystem::path("results") / scenario_.name / command
+                                    : std::filesystem::path(arguments.out)) {
+  require_folder(folder_);
+}
+
+const std::string& SteadyTask::title() const {
+  return scenario_.title.empty() ? scenario_.name : scenario_.title;
+}
+
+void SteadyTask::write(const std::vector<File>& files) const {
+  const ResultsFolder taken(folder_);
+  for (const File& file : files) replace_file(path(file.name), file.text);
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+// The state-space matrices of a model about its steady motion.
+
+#include <Eigen/SparseCore>
+#include <string>
+#include <vector>
+
+#include "engine/equilibrium.h"
+#include "models/scenario.h"
+#include "spoke/export.h"
+
+namespace spoke {
+
+/// A row or column of a matrix.
+struct LinearSignal {
+  std::string name;
+  std::string unit;  ///< SI; "1": a factor
+};
+
+/// Small motions about an equilibrium, in the frame that turns with the hub:
+///     x' = A x + B u,   y = C x + D u,
+/// all of them differences from their steady values.
+struct LinearSystem {
+  EquilibriumResult equilibrium;  ///< about which; of a free hub without supports, too
+  Eigen::SparseMatrix<double> A, B, C, D;
+  /// Of x: coordinates of the hub that are free, then of each blade from root to tip, then the
+  /// rates of all, in the same order.
+  std::vector<LinearSignal> states;
+  /// Of u: by blade the factors of its loads and the efforts at its free joints, then the factors
+  /// of loads on the hub and what acts on its free coordinates, the drive's torque among it.
+  std::vector<LinearSignal> inputs;
+  /// Of y, by blade: displacement of the tip, coordinates of free joints, and the scenario's
+  /// sensors whose frames turn with the hub; then the hub's angle and speed, if these are free.
+  std::vector<LinearSignal> outputs;
+  /// Columns of the scenario's sensors that are not among them: what they show is no constant
+  /// function of the state.
+  std::vector<std::string> left_out;
+};
+
+/// Linearises a scenario's model about its equilibrium (solve_equilibrium()): as solve_modes()
+/// does, with inputs and outputs besides (docs/modes.md). Throws like solve_modes(); InputError if
+/// blades couple through the hub and have too many coordinates for a full matrix.
+SPOKE_EXPORT LinearSystem solve_linear_system(const Scenario& scenario,
+                                              const SteadyState& state = {});
+
+}  // namespace spoke

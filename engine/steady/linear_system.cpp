@@ -1,0 +1,279 @@
+// Puts the state-space matrices together.
+
+#include <Eigen/LU>
+#include <utility>
+
+#include "engine/linearize.h"
+#include "engine/steady/describe_equilibrium.h"
+#include "engine/steady/linear_model.h"
+#include "engine/steady/load_effects.h"
+#include "engine/steady/output_derivatives.h"
+#include "engine/steady/steady_speed.h"
+#include "models/error.h"
+#include "models/reader/scenario_check.h"
+
+namespace spoke {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using steady::SteadyModel;
+
+/// Coordinates of a coupled model up to which its matrices are made, which are full then: 800 MB.
+constexpr Index kMostCoupled = 5000;
+
+/// A sparse matrix in the making.
+class Entries {
+ public:
+  void add(Index row, Index column, const MatrixXd& block) {
+    for (Index c = 0; c < block.cols(); ++c)
+      for (Index r = 0; r < block.rows(); ++r)
+        if (block(r, c) != 0.0) list_.emplace_back(row + r, column + c, block(r, c));
+  }
+  Eigen::SparseMatrix<double> matrix(Index rows, Index columns) const {
+    Eigen::SparseMatrix<double> made(rows, columns);
+    made.setFromTriplets(list_.begin(), list_.end());
+    return made;
+  }
+
+ private:
+  std::vector<Eigen::Triplet<double, Index>> list_;
+};
+
+/// Coordinates that move together, and what acts on them: M x'' + C x' + K x = F u. Of one tree, or
+/// of hub and trees.
+struct Part {
+  MatrixXd M, C, K, F;
+};
+
+/// How a component of the hub's motion is called, and what acts on it.
+struct HubNames {
+  const char *coordinate, *effort;
+};
+HubNames name_component(int c, const SteadyModel& model) {
+  static constexpr HubNames kMoves[] = {{"x", "force x"}, {"y", "force y"}, {"z", "force z"}};
+  static constexpr HubNames kTurns[] = {{"rotation x", "moment x"}, {"rotation y", "moment y"}};
+  if (c == model.twist_size() - 1) return {"angle", "torque"};
+  return c < model.first_rotation() ? kMoves[c] : kTurns[c - model.first_rotation()];
+}
+
+/// A member of effects as the columns of a matrix.
+MatrixXd to_columns(const std::vector<steady::LoadEffect>& effects,
+                    Eigen::VectorXd steady::LoadEffect::*member, Index rows) {
+  MatrixXd matrix(rows, std::ssize(effects));
+  for (std::size_t k = 0; k < effects.size(); ++k)
+    matrix.col(static_cast<Index>(k)) = effects[k].*member;
+  return matrix;
+}
+
+class Assembly {
+ public:
+  Assembly(const Scenario& scenario, const steady::Equilibrium& equilibrium, SteadyModel& model)
+      : equilibrium_(equilibrium),
+        model_(model),
+        linear_(linearize(equilibrium, model)),
+        kinematics_(make_hub_kinematics(model)),
+        effects_(calc_load_effects(scenario, equilibrium, model)) {
+    count();
+    if (linear_.is_coupled() && size_ > kMostCoupled)
+      throw InputError("blades couple through the hub and have " + std::to_string(size_) +
+                       " coordinates, expected at most " + std::to_string(kMostCoupled) +
+                       ": the matrices would be full");
+  }
+
+  LinearSystem make();
+
+ private:
+  const std::vector<int>& free() const { return model_.free_components(); }
+  Index hub_size() const { return std::ssize(free()); }
+  Index tree_size(std::size_t i) const { return std::ssize(model_.coordinates(i)); }
+  Index load_count(std::size_t i) const { return std::ssize(effects_.trees[i]); }
+  bool turns(int c) const { return c >= model_.first_rotation(); }
+
+  void count();
+  void name_states();
+  void name_inputs();
+  Part make_tree_part(std::size_t i);
+  Part make_whole_part();
+  MatrixXd on_free_hub(const std::vector<steady::LoadEffect>& effects) const;
+  void add_part(const Part& part, Index coordinate, Index input);
+  void add_outputs_of(std::size_t i);
+  void add_output(const LinearSignal& signal, Index column);
+  void add_hub_outputs();
+
+  const steady::Equilibrium& equilibrium_;
+  SteadyModel& model_;
+  steady::LinearModel linear_;
+  steady::HubKinematics kinematics_;
+  steady::LoadEffects effects_;
+  std::vector<Index> coordinates_, inputs_;  ///< where those of each tree begin
+  Index size_ = 0;                           ///< coordinates of all
+  Index input_count_ = 0;
+  MatrixXd hub_by_state_, hub_by_input_;  ///< accelerations of the hub's free coordinates
+  Entries A_, B_, C_, D_;
+  LinearSystem result_;
+};
+
+void Assembly::count() {
+  size_ = hub_size();
+  for (std::size_t i = 0; i < model_.trees(); ++i) {
+    coordinates_.push_back(std::exchange(size_, size_ + tree_size(i)));
+    inputs_.push_back(std::exchange(input_count_, input_count_ + load_count(i)));
+  }
+  if (linear_.is_coupled()) input_count_ += std::ssize(effects_.hub) + hub_size();
+}
+
+void Assembly::name_states() {
+  std::vector<LinearSignal>& states = result_.states;
+  for (const int c : free())
+    states.push_back(
+        {std::string("hub / ") + name_component(c, model_).coordinate, turns(c) ? "rad" : "m"});
+  for (std::size_t i = 0; i < model_.trees(); ++i)
+    for (const steady::TreeCoordinate& coordinate : model_.coordinates(i))
+      states.push_back(
+          {model_.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"});
+  for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
+    states.push_back({"rate of " + states[k].name, states[k].unit + "/s"});
+}
+
+void Assembly::name_inputs() {
+  std::vector<LinearSignal>& inputs = result_.inputs;
+  for (const std::vector<steady::LoadEffect>& tree : effects_.trees)
+    for (const steady::LoadEffect& effect : tree) inputs.push_back(effect.input);
+  if (!linear_.is_coupled()) return;
+  for (const steady::LoadEffect& effect : effects_.hub) inputs.push_back(effect.input);
+  for (const int c : free())
+    inputs.push_back(
+        {std::string("hub / ") + name_component(c, model_).effort, turns(c) ? "N m" : "N"});
+}
+
+Part Assembly::make_tree_part(std::size_t i) {
+  const steady::LinearTree& tree = linear_.trees[linear_.alike[i]];
+  return {tree.M, tree.C, tree.K,
+          to_columns(effects_.trees[i], &steady::LoadEffect::force, tree_size(i))};
+}
+
+/// What they exert on the hub's free components.
+MatrixXd Assembly::on_free_hub(const std::vector<steady::LoadEffect>& effects) const {
+  return to_columns(effects, &steady::LoadEffect::hub_force, model_.twist_size())(free(),
+                                                                                  Eigen::all);
+}
+
+Part Assembly::make_whole_part() {
+  const MatrixXd zero = MatrixXd::Zero(size_, size_);
+  Part part{zero, zero, zero, MatrixXd::Zero(size_, input_count_)};
+  const Index h = hub_size();
+  part.M.topLeftCorner(h, h) = linear_.M;
+  part.C.topLeftCorner(h, h) = linear_.C;
+  part.K.topLeftCorner(h, h) = linear_.K;
+  for (std::size_t i = 0; i < model_.trees(); ++i) {
+    const steady::LinearTree& tree = linear_.trees[i];
+    const Index at = coordinates_[i], n = tree_size(i);
+    const auto put = [&](const MatrixXd& own, const MatrixXd& by_hub, const MatrixXd& on_hub,
+                         MatrixXd& whole) {
+      whole.block(at, at, n, n) = own;
+      whole.block(at, 0, n, h) = by_hub;
+      whole.block(0, at, h, n) = on_hub;
+    };
+    put(tree.M, tree.M_bh, tree.M_hb, part.M);
+    put(tree.C, tree.C_bh, tree.C_hb, part.C);
+    put(tree.K, tree.K_bh, tree.K_hb, part.K);
+    const std::vector<steady::LoadEffect>& effects = effects_.trees[i];
+    part.F.block(at, inputs_[i], n, load_count(i)) =
+        to_columns(effects, &steady::LoadEffect::force, n);
+    part.F.block(0, inputs_[i], h, load_count(i)) = on_free_hub(effects);
+  }
+  const Index loads = std::ssize(effects_.hub), own = input_count_ - h;
+  part.F.block(0, own - loads, h, loads) = on_free_hub(effects_.hub);
+  part.F.block(0, own, h, h).setIdentity();
+  return part;
+}
+
+/// The part's rows of A and B: x'' = -M^-1 (K x + C x' - F u).
+void Assembly::add_part(const Part& part, Index coordinate, Index input) {
+  const Index n = part.M.rows();
+  const Eigen::PartialPivLU<MatrixXd> mass(part.M);
+  const MatrixXd by_x = -mass.solve(part.K), by_rate = -mass.solve(part.C);
+  const MatrixXd by_input = mass.solve(part.F);
+  A_.add(coordinate, size_ + coordinate, MatrixXd::Identity(n, n));
+  A_.add(size_ + coordinate, coordinate, by_x);
+  A_.add(size_ + coordinate, size_ + coordinate, by_rate);
+  B_.add(size_ + coordinate, input, by_input);
+  if (!linear_.is_coupled()) return;
+  hub_by_state_.resize(hub_size(), 2 * n);
+  hub_by_state_ << by_x.topRows(hub_size()), by_rate.topRows(hub_size());
+  hub_by_input_ = by_input.topRows(hub_size());
+}
+
+/// Tip and sensors of a tree, by its own motion and by the hub's.
+void Assembly::add_outputs_of(std::size_t i) {
+  const steady::OutputDerivatives by =
+      calc_output_derivatives(i, steady::make_state(equilibrium_.q[i]), model_);
+  const Index row = std::ssize(result_.outputs), at = coordinates_[i];
+  const std::vector<LinearSignal>& signals = model_.outputs(i);
+  result_.outputs.insert(result_.outputs.end(), signals.begin(), signals.end());
+  C_.add(row, at, by.by_q);
+  C_.add(row, size_ + at, by.by_v);
+  D_.add(row, inputs_[i],
+         to_columns(effects_.trees[i], &steady::LoadEffect::outputs, std::ssize(signals)));
+  if (linear_.is_coupled()) {
+    const auto select = [&](const MatrixXd& m) { return MatrixXd(m(Eigen::all, free())); };
+    const MatrixXd by_acceleration = select(by.by_acceleration);
+    C_.add(row, 0,
+           select(by.by_turn + by.by_twist * kinematics_.W + by.by_acceleration * kinematics_.P0));
+    C_.add(row, size_, select(by.by_twist + by.by_acceleration * kinematics_.P1));
+    C_.add(row, 0, by_acceleration * hub_by_state_);
+    D_.add(row, 0, by_acceleration * hub_by_input_);
+  }
+  for (Index k = 0; k < tree_size(i); ++k)
+    if (model_.coordinates(i)[static_cast<std::size_t>(k)].node < 0)
+      add_output(result_.states[static_cast<std::size_t>(at + k)], at + k);
+}
+
+/// An output that is a state.
+void Assembly::add_output(const LinearSignal& signal, Index column) {
+  C_.add(std::ssize(result_.outputs), column, MatrixXd::Ones(1, 1));
+  result_.outputs.push_back(signal);
+}
+
+void Assembly::add_hub_outputs() {
+  for (Index k = 0; k < hub_size(); ++k)
+    for (const Index column : {k, size_ + k})
+      add_output(result_.states[static_cast<std::size_t>(column)], column);
+}
+
+LinearSystem Assembly::make() {
+  name_states();
+  name_inputs();
+  if (linear_.is_coupled()) {
+    add_part(make_whole_part(), 0, 0);
+  } else {
+    for (std::size_t i = 0; i < model_.trees(); ++i)
+      add_part(make_tree_part(i), coordinates_[i], inputs_[i]);
+  }
+  for (std::size_t i = 0; i < model_.trees(); ++i) add_outputs_of(i);
+  add_hub_outputs();
+  const Index outputs = std::ssize(result_.outputs);
+  result_.A = A_.matrix(2 * size_, 2 * size_);
+  result_.B = B_.matrix(2 * size_, input_count_);
+  result_.C = C_.matrix(outputs, 2 * size_);
+  result_.D = D_.matrix(outputs, input_count_);
+  result_.left_out = model_.other_sensors();
+  return std::move(result_);
+}
+
+}  // namespace
+
+LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& state) {
+  check_scenario(scenario);
+  const double speed = steady::find_steady_speed(scenario, state.speed);
+  const std::unique_ptr<SteadyModel> model =
+      steady::make_steady_model(scenario, {.speed = speed, .has_outputs = true});
+  const steady::Equilibrium equilibrium = steady::find_equilibrium(*model);
+  steady::require_steady_hub(*model, equilibrium);
+  LinearSystem system = Assembly(scenario, equilibrium, *model).make();
+  system.equilibrium = describe(equilibrium, *model);
+  return system;
+}
+
+}  // namespace spoke

@@ -1,0 +1,137 @@
+// Lists the inputs of a scenario, and raises them one by one.
+
+#include "engine/steady/load_effects.h"
+
+#include <functional>
+#include <utility>
+
+#include "engine/steady/output_derivatives.h"
+
+namespace spoke::steady {
+namespace {
+
+using Eigen::VectorXd;
+
+/// An input, and how a scenario has one more of it.
+struct Input {
+  std::string name;
+  std::string unit;
+  std::function<void(Scenario&)> raise;
+};
+
+void raise(Curve& curve) {
+  std::vector<double> values = curve.values();
+  for (double& value : values) value += 1.0;
+  curve = Curve(curve.times(), values);
+}
+
+/// Those of a list of loads; `find` takes it from a scenario.
+template <class Find>
+void add_loads(const char* list, const Scenario& scenario, const Find& find,
+               std::vector<Input>& inputs) {
+  const std::size_t count = find(scenario).size();
+  for (std::size_t k = 0; k < count; ++k)
+    inputs.push_back({list + ('.' + std::to_string(k + 1)), "1",
+                      [k, find](Scenario& other) { raise(find(other)[k].factor); }});
+}
+
+/// The lists of a rotor in the plane or of a model in space.
+template <class Find>
+void add_all_loads(const Scenario& scenario, const Find& find, std::vector<Input>& inputs) {
+  add_loads(
+      "load", scenario, [find](auto& s) -> auto& { return find(s).loads; }, inputs);
+  add_loads(
+      "distributed_load", scenario, [find](auto& s) -> auto& { return find(s).distributed_loads; },
+      inputs);
+  add_loads(
+      "hub_load", scenario, [find](auto& s) -> auto& { return find(s).hub_loads; }, inputs);
+}
+
+/// Motors of the free coordinates of a joint, which `find` takes from a scenario.
+template <class Find>
+void add_motors(const Scenario& scenario, const std::string& fallback, const Find& find,
+                std::vector<Input>& inputs) {
+  const spatial::Joint& joint = find(scenario);
+  const int count = count_coordinates(joint.kind);
+  const std::string name = joint.name.empty() ? fallback : joint.name;
+  for (int c = 0; c < count; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    if (joint.coordinates[k].motion) continue;
+    const bool slides = joint.kind == spatial::JointKind::prismatic ||
+                        (joint.kind == spatial::JointKind::cylindrical && c == 1);
+    inputs.push_back({name + " motor" + (count > 1 ? ' ' + std::to_string(c + 1) : ""),
+                      slides ? "N" : "N m",
+                      [k, find](Scenario& other) { raise(find(other).coordinates[k].effort); }});
+  }
+}
+
+void add_all_motors(const Scenario& scenario, std::vector<Input>& inputs) {
+  const spatial::Model& model = *scenario.space;
+  for (std::size_t b = 0; b < model.blades.size(); ++b)
+    for (std::size_t j = 0; j < model.blades[b].joints.size(); ++j)
+      add_motors(
+          scenario, "joint " + std::to_string(j + 1),
+          [ b, j ](auto& s) -> auto& { return s.space->blades[b].joints[j].joint; }, inputs);
+  for (std::size_t b = 0; b < model.subsystems.size(); ++b)
+    for (std::size_t j = 0; j < model.subsystems[b].joints.size(); ++j)
+      add_motors(
+          scenario, "joint of " + model.subsystems[b].joints[j].child,
+          [ b, j ](auto& s) -> auto& { return s.space->subsystems[b].joints[j].joint; }, inputs);
+}
+
+std::vector<Input> list_inputs(const Scenario& scenario) {
+  std::vector<Input> inputs;
+  if (scenario.space) {
+    add_all_loads(
+        scenario, [](auto& s) -> auto& { return *s.space; }, inputs);
+    add_all_motors(scenario, inputs);
+  } else {
+    add_all_loads(
+        scenario, [](auto& s) -> auto& { return s.rotor; }, inputs);
+  }
+  return inputs;
+}
+
+/// Forces and outputs of a tree at its equilibrium.
+LoadEffect answer(std::size_t tree, const TreeState& state, SteadyModel& model) {
+  TreeResponse response;
+  model.evaluate(tree, state, model.no_offset(), response);
+  return {{}, response.force, response.hub_force, measure(tree, state, model.no_offset(), model)};
+}
+
+bool does_nothing(const LoadEffect& effect) {
+  return effect.force.isZero(0.0) && effect.hub_force.isZero(0.0) && effect.outputs.isZero(0.0);
+}
+
+}  // namespace
+
+LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
+                              SteadyModel& model) {
+  LoadEffects effects;
+  effects.trees.resize(model.trees());
+  std::vector<LoadEffect> steady;
+  for (std::size_t i = 0; i < model.trees(); ++i)
+    steady.push_back(answer(i, make_state(equilibrium.q[i]), model));
+  const VectorXd on_hub = model.hub_force(model.no_offset());
+  for (const Input& input : list_inputs(scenario)) {
+    Scenario raised = scenario;
+    input.raise(raised);
+    const std::unique_ptr<SteadyModel> more =
+        make_steady_model(raised, {.speed = model.speed(), .has_outputs = true});
+    for (std::size_t i = 0; i < model.trees(); ++i) {
+      more->settle_at(i, model.absolute(i, equilibrium.q[i]));
+      LoadEffect effect = answer(i, make_state(equilibrium.q[i]), *more);
+      effect.input = {model.name_of(i) + " / " + input.name, input.unit};
+      effect.force -= steady[i].force;
+      effect.hub_force -= steady[i].hub_force;
+      effect.outputs -= steady[i].outputs;
+      if (!does_nothing(effect)) effects.trees[i].push_back(std::move(effect));
+    }
+    const VectorXd change = more->hub_force(model.no_offset()) - on_hub;
+    if (!change.isZero(0.0))
+      effects.hub.push_back({{"hub / " + input.name, input.unit}, {}, change, {}});
+  }
+  return effects;
+}
+
+}  // namespace spoke::steady

@@ -1,0 +1,24 @@
+// The equilibrium as coordinates.
+
+#include "engine/steady/steady_start.h"
+
+#include <utility>
+
+#include "engine/steady/find_equilibrium.h"
+#include "models/error.h"
+#include "models/start.h"
+
+namespace spoke::steady {
+
+std::vector<Eigen::VectorXd> find_start(const Scenario& scenario) {
+  const std::unique_ptr<SteadyModel> model =
+      make_steady_model(scenario, {start_speed(scenario), Instant::start});
+  const Equilibrium found = find_equilibrium(*model);
+  require_held(found);
+  if (model->is_hub_free()) require_steady_hub(*model, found);
+  std::vector<Eigen::VectorXd> q;
+  for (std::size_t i = 0; i < model->trees(); ++i) q.push_back(model->absolute(i, found.q[i]));
+  return q;
+}
+
+}  // namespace spoke::steady
