@@ -29,6 +29,7 @@ struct Arguments {
     find_modes,
     find_campbell,
     linearize,
+    study,
   };
   Command command = Command::none;
   std::string scenario;  ///< file
@@ -50,6 +51,8 @@ struct Arguments {
   SteadyArguments steady;
   std::string trace_out;  ///< of run: folder of a trace; empty: none
   bool quick = false;     ///< of reproduce: few rounds
+  std::string study;      ///< of study: file
+  bool resumes = false;   ///< of study: goes on from the journal in the folder
 };
 
 }  // namespace spoke::cli

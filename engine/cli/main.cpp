@@ -23,6 +23,7 @@
 #include "engine/cli/run_command.h"
 #include "engine/cli/standard_streams.h"
 #include "engine/cli/static_command.h"
+#include "engine/cli/study_command.h"
 #include "engine/cli/trace_command.h"
 #include "graph/execute/unbound_thread.h"
 #include "graph/executor.h"
@@ -64,6 +65,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::find_campbell(arguments);
     case cli::Arguments::Command::linearize:
       return cli::linearize(arguments);
+    case cli::Arguments::Command::study:
+      return cli::study(arguments);
     case cli::Arguments::Command::none:
       break;
   }

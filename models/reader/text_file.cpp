@@ -28,10 +28,9 @@ std::string read_at_most(std::istream& stream, std::size_t most) {
 
 }  // namespace
 
-std::string read_text(const std::filesystem::path& file) {
+std::string read_text(const std::filesystem::path& file, const std::string& kind) {
   const auto refuse = [&](const std::string& what) {
-    throw InputError(file.string() + ": " + what + ", expected a scenario file (TOML)",
-                     {.file = file.string()});
+    throw InputError(file.string() + ": " + what + ", expected " + kind, {.file = file.string()});
   };
   std::error_code error;
   const auto status = std::filesystem::status(file, error);

@@ -235,20 +235,24 @@ std::string TomlDocument::find_override(const std::string& path) const {
   return {};
 }
 
+std::string TomlDocument::place(const std::string& path,
+                                const toml::source_position& position) const {
+  if (std::string where = find_override(path); !where.empty()) return where;
+  if (!position) return name_;
+  return name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column);
+}
+
 void TomlDocument::fail(const std::string& path, const toml::source_position& position,
                         const std::string& what) const {
   InputPlace place{.key = path};
-  std::string where = find_override(path);
-  if (where.empty()) {
-    where = place.file = name_;
-    if (position) {
-      place.line = static_cast<int>(position.line);
-      place.column = static_cast<int>(position.column);
-      where += ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
-    }
+  if (find_override(path).empty()) {
+    place.file = name_;
+    place.line = static_cast<int>(position.line);  // 0: not known
+    place.column = static_cast<int>(position.column);
   }
   const std::string message = path + (path.empty() ? "" : ": ") + what;
-  throw InputError(where + ": " + one_line(message, std::string::npos), std::move(place));
+  throw InputError(this->place(path, position) + ": " + one_line(message, std::string::npos),
+                   std::move(place));
 }
 
 }  // namespace spoke
