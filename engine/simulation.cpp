@@ -9,6 +9,7 @@
 
 #include "engine/equilibrium.h"
 #include "engine/kernels/natural_frequencies.h"
+#include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
 #include "models/error.h"

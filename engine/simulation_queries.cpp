@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/simulation.h"
+#include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/table/state_values.h"
 

@@ -219,8 +219,7 @@ std::string check_first(const std::vector<std::string>& arguments) {
   const std::string& first = arguments[0];
   if (first == "run" || first == "check" || first == "static" || first == "modes" ||
       first == "campbell" || first == "linearize" || first == "study" || first == "compare" ||
-      first == "predict" ||
-      first == "trace" || first == "reproduce")
+      first == "predict" || first == "trace" || first == "reproduce")
     return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + std::string(kCommands) +

@@ -55,8 +55,7 @@ struct Finished {
 void require_place(const fs::path& folder, bool resumes) {
   require_folder(folder);
   for (const char* file :
-       {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5",
-                           "study.journal"})
+       {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5", "study.journal"})
     require_no_folder(folder / file);
   if (resumes) return;
   const std::string journal = (folder / "study.journal").string();
@@ -186,8 +185,7 @@ struct Prepared {
     // A study that was killed before it had a journal has nothing to resume, and begins.
     const fs::path file = folder / "study.journal";
     resumes = arguments.resumes && fs::exists(file);
-    journal.emplace(file.string(), study,
-                    resumes ? Journal::Start::resumed : Journal::Start::anew);
+    journal.emplace(file.string(), study, resumes ? Journal::Start::resumed : Journal::Start::anew);
   }
 
   static Study read(const Arguments& arguments) {
@@ -237,9 +235,8 @@ int complete(Prepared& prepared, bool quiet, int threads, study::Ranks& ranks) {
   if (!quiet && journal.count() > before)
     print_time(journal.count() - before, took.count(), threads, ranks.count());
   const Finished all{study, prepared.sampling, journal};
-  const Analysis analysis =
-      study::analyse(study, prepared.sampling,
-                     [&](const study::Visitor& visit) { all.for_each(visit); });
+  const Analysis analysis = study::analyse(
+      study, prepared.sampling, [&](const study::Visitor& visit) { all.for_each(visit); });
   const std::string written = write_results(all, analysis, prepared.folder);
   if (!quiet) print_result(study, analysis, written);
   return 0;

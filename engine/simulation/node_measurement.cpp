@@ -2,6 +2,7 @@
 
 #include "engine/simulation/node_measurement.h"
 
+#include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
 #include "graph/calibrate/measuring_executor.h"
 

@@ -9,6 +9,7 @@
 
 #include "engine/simulation/make_model.h"
 #include "engine/simulation/model_identity.h"
+#include "engine/simulation/require_range.h"
 #include "engine/steady/steady_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"
@@ -60,13 +61,6 @@ const SimulationOptions& checked(const SimulationOptions& options) {
 struct EnergyHasGrown {};
 
 }  // namespace
-
-void require_range(const char* what, std::int64_t value, std::int64_t least,
-                   std::int64_t greatest) {
-  if (value < least || value > greatest)
-    throw InputError(std::string(what) + " is " + std::to_string(value) + ", expected " +
-                     range_text(least, greatest));
-}
 
 SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& chosen,
                                const Loads& loads)

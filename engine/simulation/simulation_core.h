@@ -21,9 +21,6 @@
 
 namespace spoke {
 
-/// Throws InputError unless least <= value <= greatest.
-void require_range(const char* what, std::int64_t value, std::int64_t least, std::int64_t greatest);
-
 class Simulation;
 
 /// The data of a simulation, open to the functions of Simulation, and what changes them.
