@@ -56,7 +56,7 @@ class Simulation(_Simulation):
 
         every: interval of the result's rows [s]; None: the scenario's; 0: every step. The present
             state and the last step are rows, too.
-        report: whether to record the curves and pictures of Result.page(), which takes some 5 % of
+        report: whether to record the curves and pictures of Result.page(), which takes some 10 % of
             the run of a small rotor.
 
         The interpreter lock is released meanwhile. Ctrl-C ends the run after a step, from which it
