@@ -73,7 +73,7 @@ class Simulation(_Simulation):
         return Result(recording)
 
     def trace(self, steps=20, buffer_bytes=256e6):
-        """Makes steps as run() does, to the same bits, and records which thread ran which node when.
+        """Makes steps as run() does, to the same bits, and records which thread ran what when.
 
         steps: how many, at most those that are left.
         buffer_bytes: at most so much memory for the recording.
