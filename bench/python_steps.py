@@ -5,10 +5,10 @@
 A step: the time of a call that does nothing but go through the same binding as `step()`, by median,
 beside the time of a step. The target is 1 us at most.
 A run: the time of `run(report=False)`, from call to return, by the time that `spoke run` says its
-integration took, in turns; each as the best of the rounds. And that of `run()`, which records what
-its page shows, as `spoke run` does beside that time.
-Threads: what two simulations in two Python threads do, by what two processes `spoke run` do at once,
-in turns, by median. The target is 0.9.
+integration took, in turns; each as the best of the rounds. And that of `run()`, which records
+what its page shows, as `spoke run` does beside that time.
+Threads: what two simulations in two Python threads do, by what two processes `spoke run` do at
+once, in turns, by median. The target is 0.9.
 An array: the time to read one of a result, for 100 rows and for 100,000.
 """
 
@@ -92,8 +92,8 @@ def ask_runs():
         bare.append(time_run(report=False))
         reported.append(time_run(report=True))
         programs.append(run_program())
-    print(f"a run of 20 s {1e3 * min(bare):.1f} ms, with report {1e3 * min(reported):.1f} ms, of the "
-          f"program {1e3 * min(programs):.1f} ms: ratio {min(bare) / min(programs):.3f}")
+    print(f"a run of 20 s {1e3 * min(bare):.1f} ms, with report {1e3 * min(reported):.1f} ms, of "
+          f"the program {1e3 * min(programs):.1f} ms: ratio {min(bare) / min(programs):.3f}")
 
 
 def ask_threads():

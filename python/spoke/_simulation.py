@@ -56,7 +56,7 @@ class Simulation(_Simulation):
 
         every: interval of the result's rows [s]; None: the scenario's; 0: every step. The present
             state and the last step are rows, too.
-        report: whether to record the curves and pictures of Result.page(), which takes some 5 % of
+        report: whether to record the curves and pictures of Result.page(), which takes some 10 % of
             the run of a small rotor.
 
         The interpreter lock is released meanwhile. Ctrl-C ends the run after a step, from which it
@@ -73,7 +73,7 @@ class Simulation(_Simulation):
         return Result(recording)
 
     def trace(self, steps=20, buffer_bytes=256e6):
-        """Makes steps as run() does, to the same bits, and records which thread ran which node when.
+        """Makes steps as run() does, to the same bits, and records which thread ran what when.
 
         steps: how many, at most those that are left.
         buffer_bytes: at most so much memory for the recording.

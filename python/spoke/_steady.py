@@ -17,7 +17,7 @@ def equilibrium(scenario, *, set=None, speed=None):
 
 
 def modes(scenario, *, set=None, speed=None, count=10):
-    """Finds the lowest Modes of a model about its equilibrium, in the frame that turns with the hub.
+    """Finds the lowest Modes of a model about its equilibrium, in the hub's turning frame.
 
     scenario, set, speed: as of equilibrium().
     count: how many, of each blade where blades do not couple, else of the whole model.
