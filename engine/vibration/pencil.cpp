@@ -14,10 +14,11 @@ using Eigen::VectorXd;
 using steady::LinearModel;
 using steady::LinearTree;
 
-/// 0 of a matrix with a pivot of zero, too, whose condition is no number.
+/// The estimate passes by a pivot of zero, that of what nothing holds.
 double find_rcond(const Eigen::PartialPivLU<MatrixXd>& factor) {
-  const double rcond = factor.rcond();
-  return rcond > 0.0 ? rcond : 0.0;
+  const VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
+  const double least = pivots.minCoeff() / pivots.maxCoeff();
+  return least > 0.0 ? std::min(least, factor.rcond()) : 0.0;
 }
 
 }  // namespace
