@@ -40,6 +40,7 @@ engine/simulation/	behind Simulation
 engine/scene/	models as they are drawn
 engine/vtk/	files for ParaView
 engine/report/	pages and charts
+engine/study/	many runs, and what they say
 engine/run_report/	report.html of a run
 engine/compare/	executors compared
 engine/reproduce/	the paper's evaluation

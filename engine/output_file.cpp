@@ -101,21 +101,43 @@ void OutputFile::demand_not_removed() const {
     fail(file_, "it was removed meanwhile");
 }
 
-void replace_file(const std::string& file, std::string_view bytes, Outlives outlives) {
-  const std::string temporary = file + ".tmp";
+/// Messages name the file that was asked for.
+template <class Work>
+void ReplacedFile::name_the_file(const Work& work) const {
   try {
-    OutputFile output(temporary);
-    output.append(bytes);
-    if (outlives == Outlives::machine) output.sync();
-    output.close();
-    if (std::rename(temporary.c_str(), file.c_str()) != 0) fail(file);
+    work();
   } catch (const InputError& error) {
-    unlink(temporary.c_str());
-    // The message names the file that was asked for.
     const std::string text = error.what();
-    throw InputError(text.starts_with(temporary) ? file + text.substr(temporary.size()) : text);
+    throw InputError(text.starts_with(temporary_) ? file_ + text.substr(temporary_.size()) : text);
   }
-  if (outlives == Outlives::machine) sync_folder(file);
+}
+
+ReplacedFile::ReplacedFile(std::string file) : file_(std::move(file)), temporary_(file_ + ".tmp") {
+  name_the_file([&] { output_ = std::make_unique<OutputFile>(temporary_); });
+}
+
+ReplacedFile::~ReplacedFile() {
+  if (output_) unlink(temporary_.c_str());
+}
+
+void ReplacedFile::append(std::string_view bytes) {
+  name_the_file([&] { output_->append(bytes); });
+}
+
+void ReplacedFile::commit(Outlives outlives) {
+  name_the_file([&] {
+    if (outlives == Outlives::machine) output_->sync();
+    output_->close();
+    if (std::rename(temporary_.c_str(), file_.c_str()) != 0) fail(file_);
+  });
+  output_.reset();
+  if (outlives == Outlives::machine) sync_folder(file_);
+}
+
+void replace_file(const std::string& file, std::string_view bytes, Outlives outlives) {
+  ReplacedFile replaced(file);
+  replaced.append(bytes);
+  replaced.commit(outlives);
 }
 
 }  // namespace spoke

@@ -3,6 +3,7 @@
 // Files that results are written to, with an error for everything that can go wrong.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -52,8 +53,31 @@ enum class Outlives {
   process,  ///< a program that fails or is killed
   machine   ///< a crash or power cut, too: the disk is waited for, some milliseconds
 };
-/// Replaces a file as a whole, or leaves it as it was: readers, and programs that start after what
-/// it outlives, see the old file or the new one. Throws InputError if it cannot be written.
+/// A file that takes the place of another one, or of none, as a whole: readers, and programs that
+/// start after what it outlives, see the old file or the new one. Throws InputError if it cannot be
+/// written.
+class SPOKE_EXPORT ReplacedFile {
+ public:
+  /// Opens a file beside `file`, of that name and ".tmp".
+  explicit ReplacedFile(std::string file);
+  /// Removes what has not taken the place.
+  ~ReplacedFile();
+  ReplacedFile(const ReplacedFile&) = delete;
+  ReplacedFile& operator=(const ReplacedFile&) = delete;
+
+  void append(std::string_view bytes);
+  /// Takes the place, once.
+  void commit(Outlives outlives = Outlives::machine);
+
+ private:
+  template <class Work>
+  void name_the_file(const Work& work) const;
+
+  std::string file_, temporary_;
+  std::unique_ptr<OutputFile> output_;
+};
+
+/// Replaces a file as a whole by these bytes, see ReplacedFile.
 SPOKE_EXPORT void replace_file(const std::string& file, std::string_view bytes,
                                Outlives outlives = Outlives::machine);
 

@@ -28,6 +28,7 @@ struct Arguments {
     find_static,
     find_modes,
     find_campbell,
+    study,
   };
   Command command = Command::none;
   std::string scenario;  ///< file
@@ -49,6 +50,8 @@ struct Arguments {
   SteadyArguments steady;
   std::string trace_out;  ///< of run: folder of a trace; empty: none
   bool quick = false;     ///< of reproduce: few rounds
+  std::string study;      ///< of study: file
+  bool resumes = false;   ///< of study: goes on from the journal in the folder
 };
 
 }  // namespace spoke::cli

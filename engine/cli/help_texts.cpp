@@ -91,6 +91,32 @@ Example:
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 4
 )";
 
+const char* const kStudyText =
+    R"(A study names a scenario, parameters of it, the design that says which values they take together,
+and responses. Each run is made on one thread, as many at once as there are threads; results do not
+depend on their number. A run that diverges is a row that says why.
+
+Output files, in the folder of --out:
+  runs.csv        a row per run: status, parameters, responses, diagnosis
+  histories.csv   a row per run and time, if the study asks for histories
+  study.json      extremes, means, main effects and Sobol indices of the responses
+  study.journal   the runs as they ended: what --resume goes on from, whenever the study was killed
+
+The first Ctrl-C (SIGINT) or SIGTERM completes the runs that have begun, and ends; a second one ends
+at once.
+
+Example:
+  spoke study models/studies/blade_stiffness.toml --threads 2
+)";
+
+const char* const kStudyStatusText = R"(Exit status:
+  0  done; runs that diverged are rows
+  1  a fault in spoke itself
+  2  bad command line, study or scenario, or output that cannot be written;
+     the message on stderr says file:line:column, key, what is wrong and what is expected
+  130, 143  SIGINT or SIGTERM ended it; go on with --resume
+)";
+
 const char* const kCompareText =
     R"(Measures all combinations in interleaved rounds, each in a process of its own, and compares times
 per step and bits with those of the executor serial. Takes about a second for a combination as fast

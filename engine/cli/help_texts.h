@@ -13,6 +13,8 @@ extern const char* const kCheckText;
 extern const char* const kStaticText;
 extern const char* const kModesText;
 extern const char* const kCampbellText;
+extern const char* const kStudyText;
+extern const char* const kStudyStatusText;
 extern const char* const kCompareText;
 extern const char* const kPredictText;
 extern const char* const kTraceText;

@@ -22,6 +22,7 @@
 #include "engine/cli/run_command.h"
 #include "engine/cli/standard_streams.h"
 #include "engine/cli/static_command.h"
+#include "engine/cli/study_command.h"
 #include "engine/cli/trace_command.h"
 #include "graph/execute/unbound_thread.h"
 #include "graph/executor.h"
@@ -61,6 +62,8 @@ int execute(const cli::Arguments& arguments) {
       return cli::find_modes(arguments);
     case cli::Arguments::Command::find_campbell:
       return cli::find_campbell(arguments);
+    case cli::Arguments::Command::study:
+      return cli::study(arguments);
     case cli::Arguments::Command::none:
       break;
   }

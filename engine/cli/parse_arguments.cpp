@@ -16,7 +16,7 @@ namespace spoke::cli {
 namespace {
 
 constexpr const char* kCommands =
-    "run, check, static, modes, campbell, compare, predict, trace or reproduce";
+    "run, check, static, modes, campbell, study, compare, predict, trace or reproduce";
 
 /// Whether the executor runs on such threads, of which one option says nothing of the other.
 void check_threads(const SimulationOptions& options) {
@@ -107,6 +107,26 @@ void add_campbell(CLI::App& program, Arguments& arguments) {
   command.callback([&] { arguments.command = Arguments::Command::find_campbell; });
 }
 
+void add_study(CLI::App& program, Arguments& arguments) {
+  CLI::App& command =
+      *program.add_subcommand("study", "Run a scenario many times, with other values");
+  command.add_option("STUDY", arguments.study, "Study file (TOML; see docs/studies.md)")
+      ->required()
+      ->type_name("FILE");
+  add_out(command, arguments, "results/<name of the study>");
+  command
+      .add_option("--threads", arguments.options.threads.outer,
+                  "Runs at once, each on a thread [the cores available]")
+      ->check(CLI::Range(1, graph::kMostThreads))
+      ->type_name("N");
+  command.add_flag("--resume", arguments.resumes,
+                   "Go on with the study that was begun in the folder");
+  command.add_flag("--quiet", arguments.quiet, "Print nothing but warnings and errors");
+  command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");
+  command.footer(std::string(kStudyText) + '\n' + kStudyStatusText);
+  command.callback([&] { arguments.command = Arguments::Command::study; });
+}
+
 void add_compare(CLI::App& program, Arguments& arguments) {
   CLI::App& compare = *program.add_subcommand(
       "compare", "Measure which executor and number of threads is fastest here");
@@ -188,8 +208,8 @@ std::string check_first(const std::vector<std::string>& arguments) {
   }
   const std::string& first = arguments[0];
   if (first == "run" || first == "check" || first == "static" || first == "modes" ||
-      first == "campbell" || first == "compare" || first == "predict" || first == "trace" ||
-      first == "reproduce")
+      first == "campbell" || first == "study" || first == "compare" || first == "predict" ||
+      first == "trace" || first == "reproduce")
     return "spoke " + first;
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + std::string(kCommands) +
@@ -210,6 +230,7 @@ Arguments parse_arguments(const std::vector<std::string>& arguments) {
   add_static(program, result);
   add_modes(program, result);
   add_campbell(program, result);
+  add_study(program, result);
   add_compare(program, result);
   add_predict(program, result);
   add_trace(program, result);

@@ -28,8 +28,8 @@ std::string read_at_most(std::istream& stream, std::size_t most) {
 
 }  // namespace
 
-std::string read_text(const std::filesystem::path& file) {
-  const std::string expected = ", expected a scenario file (TOML)";
+std::string read_text(const std::filesystem::path& file, const std::string& kind) {
+  const std::string expected = ", expected " + kind;
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) {

@@ -28,8 +28,10 @@ class TomlDocument {
 
   const toml::table& root() const { return root_; }
 
-  /// Throws InputError "place: path: what". The place is the override that gave the key its value,
-  /// else file:line:column as far as known.
+  /// Where a key is said: the override that gave it its value, else file:line:column as far as
+  /// known.
+  std::string place(const std::string& path, const toml::source_position& position) const;
+  /// Throws InputError "place: path: what".
   [[noreturn]] void fail(const std::string& path, const toml::source_position& position,
                          const std::string& what) const;
 
@@ -39,7 +41,6 @@ class TomlDocument {
   toml::node& find_or_make(toml::node& parent, const Names& names, std::size_t depth,
                            const std::string& where);
   void remember(const std::string& path, const std::string& where);
-  std::string place(const std::string& path, const toml::source_position& position) const;
 
   std::string name_;
   toml::table root_;

@@ -184,6 +184,13 @@ void TomlSection::flatten(const toml::array& array, const std::string& path,
   }
 }
 
+const toml::array& TomlSection::values(std::string_view key) const {
+  const std::string expected = "an array of values";
+  const toml::array* array = required(key, expected).as_array();
+  if (array == nullptr || array->empty()) fail_expected(key, expected);
+  return *array;
+}
+
 std::vector<double> TomlSection::increasing_numbers(std::string_view key,
                                                     const Quantity& quantity) const {
   std::vector<double> values = numbers(key, quantity);
@@ -207,10 +214,18 @@ std::size_t TomlSection::choice(std::string_view key, const Keys& names) const {
   fail_expected(key, expected);
 }
 
-void TomlSection::fail(std::string_view key, const std::string& what) const {
+std::string TomlSection::place(std::string_view key) const {
+  const std::string path = key.empty() ? path_ : path_of(key);
+  return document_->place(path, position(key)) + ": " + path;
+}
+
+const toml::source_position& TomlSection::position(std::string_view key) const {
   const toml::node* node = key.empty() ? nullptr : table_->get(key);
-  document_->fail(key.empty() ? path_ : path_of(key),
-                  node == nullptr ? position_ : node->source().begin, what);
+  return node == nullptr ? position_ : node->source().begin;
+}
+
+void TomlSection::fail(std::string_view key, const std::string& what) const {
+  document_->fail(key.empty() ? path_ : path_of(key), position(key), what);
 }
 
 void TomlSection::fail_at(std::string_view path, const std::string& what) const {

@@ -48,6 +48,8 @@ class TomlSection {
   /// of that many. Arrays within these only group the numbers.
   std::vector<std::vector<double>> rows(std::string_view key, const Quantity& quantity,
                                         std::size_t count, std::size_t other_count = 0) const;
+  /// An array of one value or more, of any types.
+  const toml::array& values(std::string_view key) const;
   /// An array of numbers, each greater than the one before.
   std::vector<double> increasing_numbers(std::string_view key, const Quantity& quantity) const;
 
@@ -62,6 +64,8 @@ class TomlSection {
     return values.begin()[choice(key, names)];
   }
 
+  /// Where a key stands, or the table if the key is empty: "file:4:7: blade.length".
+  std::string place(std::string_view key) const;
   /// Throws InputError about a key, or about the table if the key is empty.
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
   /// Throws InputError about what a path of keys and of indices from 1 leads to: "joint.2.axis".
@@ -76,6 +80,7 @@ class TomlSection {
 
   void check_keys(const Keys& known) const;
   std::string path_of(std::string_view key) const;
+  const toml::source_position& position(std::string_view key) const;
   const toml::node& required(std::string_view key, const std::string& expected) const;
   void flatten(const toml::array& array, const std::string& path, const Quantity& quantity,
                std::vector<double>& numbers) const;

@@ -1,0 +1,202 @@
+// Makes the runs of a study, and writes what they say.
+
+#include "engine/cli/study_command.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "engine/cli/interruption.h"
+#include "engine/cli/report.h"
+#include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
+#include "engine/cli/study_progress.h"
+#include "engine/output_file.h"
+#include "engine/report/markup.h"
+#include "engine/study/files.h"
+#include "engine/study/runner.h"
+#include "engine/study/study_reader.h"
+#include "graph/executor.h"
+#include "models/count_text.h"
+#include "models/error.h"
+
+namespace spoke::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using study::Analysis;
+using study::Journal;
+using study::Response;
+using study::ResponseKind;
+using study::Sampling;
+using study::Study;
+
+constexpr std::size_t kMostLines = 12;  // of responses
+
+/// What is made of a finished journal.
+struct Finished {
+  const Study& study;
+  const Sampling& sampling;
+  const Journal& journal;
+
+  void for_each(const study::Visitor& visit) const {
+    for (std::int64_t run = 0; run < study.design.runs; ++run) visit(journal.read(run));
+  }
+};
+
+/// Refuses what could not be written, while the files of an earlier study are still there, and to
+/// throw away the runs of an unfinished one.
+void require_place(const fs::path& folder, bool resumes) {
+  require_folder(folder);
+  for (const char* file : {"runs.csv", "histories.csv", "study.json", "study.journal"})
+    require_no_folder(folder / file);
+  const std::string journal = (folder / "study.journal").string();
+  if (resumes) {
+    if (!fs::exists(journal))
+      throw InputError(journal + ": no such file, expected that of a study to resume");
+    return;
+  }
+  const auto found = study::find_journal(journal);
+  if (found && found->runs < found->planned)
+    throw InputError(
+        fmt::format("{}: has {} of {} runs of a study that was not ended, expected "
+                    "--resume, or another folder (or remove the file)",
+                    journal, found->runs, found->planned));
+}
+
+/// Makes the runs that the journal has not. False if a signal ended it before.
+bool make_runs(const Study& study, const Sampling& sampling, int threads, Journal& journal) {
+  constexpr std::chrono::seconds kPause{5};  // between waits for the disk
+  auto synced = std::chrono::steady_clock::now();
+  StudyProgress progress(journal.count(), study.design.runs);
+  study::JournalExchange exchange(journal, study.design.runs, [&](std::int64_t done) {
+    progress.update(done);
+    if (const auto now = std::chrono::steady_clock::now(); now - synced > kPause) {
+      synced = now;
+      journal.sync();
+    }
+    return Interruption::signal() == 0;
+  });
+  study::make_runs(study, sampling, threads, exchange);
+  journal.sync();
+  return journal.is_complete();
+}
+
+/// Writes a file that may be larger than memory.
+template <class Write>
+void replace_by(const fs::path& file, const Write& write) {
+  constexpr std::size_t kBuffer = 1 << 20;
+  ReplacedFile replaced(file.string());
+  std::string waiting;
+  write([&](std::string_view piece) {
+    waiting += piece;
+    if (waiting.size() < kBuffer) return;
+    replaced.append(waiting);
+    waiting.clear();
+  });
+  replaced.append(waiting);
+  replaced.commit();
+}
+
+std::string write_results(const Finished& all, const Analysis& analysis, const fs::path& folder) {
+  const study::ForEachRun for_each = [&](const study::Visitor& visit) { all.for_each(visit); };
+  replace_by(folder / "runs.csv", [&](const study::Sink& sink) {
+    study::write_runs_csv(all.study, all.sampling, for_each, sink);
+  });
+  std::string written = (folder / "runs.csv").string() + ", study.json";
+  replace_file((folder / "study.json").string(),
+               study::make_json(all.study, all.sampling, analysis));
+  std::error_code none;
+  if (all.study.has_histories()) {
+    replace_by(folder / "histories.csv", [&](const study::Sink& sink) {
+      study::write_histories_csv(all.study, for_each, sink);
+    });
+    written += ", histories.csv";
+  } else {
+    fs::remove(folder / "histories.csv", none);
+  }
+  return written;
+}
+
+std::string describe_design(const Study& study) {
+  std::string text =
+      fmt::format("{}, {}", study::name_of(study.design.kind), counted(study.design.runs, "run"));
+  text += " of " + study.scenario_file;
+  return text;
+}
+
+std::string describe_response(const Response& response, const study::Summary& summary) {
+  if (summary.count == 0) return response.name + ": no run has it";
+  const auto text = [&](double value) { return report::quantity(value, response.unit, 4); };
+  return fmt::format("{}: {} (run {}) to {} (run {}), mean {}, deviation {}", response.name,
+                     text(summary.min), summary.run_of_min + 1, text(summary.max),
+                     summary.run_of_max + 1, text(summary.mean), text(summary.deviation));
+}
+
+void print_result(const Study& study, const Analysis& analysis, const std::string& written) {
+  const study::RunCounts& counts = analysis.counts;
+  std::string runs = fmt::format("{} done", counts.done);
+  if (counts.doubtful > 0) runs += fmt::format(", {} doubtful", counts.doubtful);
+  if (counts.diverged > 0) runs += fmt::format(", {} diverged", counts.diverged);
+  if (counts.refused > 0) runs += fmt::format(", {} refused by the scenario", counts.refused);
+  print_line("runs", runs);
+  std::size_t lines = 0;
+  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+    if (study.responses[k].kind == ResponseKind::history) continue;
+    if (lines < kMostLines)
+      print_line(lines == 0 ? "responses" : "",
+                 describe_response(study.responses[k], analysis.responses[k].summary));
+    ++lines;
+  }
+  if (lines > kMostLines)
+    print_line("", fmt::format("{} more: see study.json", lines - kMostLines));
+  print_line("written", written);
+}
+
+}  // namespace
+
+int study(const Arguments& arguments) {
+  Study study = study::read_study(arguments.study);
+  study::check_study(study);
+  const fs::path folder =
+      arguments.out.empty() ? fs::path("results") / study.name : fs::path(arguments.out);
+  require_place(folder, arguments.resumes);
+  const ResultsFolder taken(folder);
+  const Sampling sampling(study);
+  Journal journal((folder / "study.journal").string(), study,
+                  arguments.resumes ? Journal::Start::resumed : Journal::Start::anew);
+  const int asked = arguments.options.threads.outer;
+  const int threads = asked > 0 ? asked : graph::available_threads();
+  if (!arguments.quiet) {
+    print_title(study.title);
+    print_line("study", describe_design(study));
+    if (arguments.resumes)
+      print_line("resumed", fmt::format("behind {}", counted(journal.count(), "run")));
+    flush_output();
+  }
+  const Interruption interruption;
+  const auto start = std::chrono::steady_clock::now();
+  const std::int64_t before = journal.count();
+  if (!make_runs(study, sampling, threads, journal)) {
+    print_error(fmt::format("interrupted by {} behind {} of {} runs; go on with --resume",
+                            name_of_signal(Interruption::signal()), journal.count(),
+                            study.design.runs));
+    return 128 + Interruption::signal();
+  }
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!arguments.quiet && journal.count() > before)
+    print_line("took", fmt::format("{:.3g} s, {:.3g} runs a second on {}", seconds,
+                                   static_cast<double>(journal.count() - before) / seconds,
+                                   counted(threads, "thread")));
+  const Finished all{study, sampling, journal};
+  const Analysis analysis =
+      study::analyse(study, sampling, [&](const study::Visitor& visit) { all.for_each(visit); });
+  const std::string written = write_results(all, analysis, folder);
+  if (!arguments.quiet) print_result(study, analysis, written);
+  return 0;
+}
+
+}  // namespace spoke::cli

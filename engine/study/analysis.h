@@ -1,0 +1,80 @@
+#pragma once
+
+// What the runs of a study say together: extremes and means of the responses, main effects of the
+// parameters, Sobol indices.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/study/sampling.h"
+#include "engine/study/single_run.h"
+#include "engine/study/study.h"
+
+namespace spoke::study {
+
+/// Calls `visit` for every run, in order. A study has more results than memory may hold.
+using Visitor = std::function<void(const RunResult&)>;
+using ForEachRun = std::function<void(const Visitor& visit)>;
+
+/// A response over all runs that have it. Of none: count 0.
+struct Summary {
+  std::int64_t count = 0;
+  double min = 0.0, max = 0.0, mean = 0.0;
+  double deviation = 0.0;  ///< standard deviation of the runs, divided by count - 1
+  std::int64_t run_of_min = 0, run_of_max = 0;
+};
+
+/// The mean response where a parameter has values of a level, or in a part of its range that is as
+/// probable as the others.
+struct EffectLevel {
+  double low = 0.0, high = 0.0;  ///< values of the parameter there; of a level both its value
+  std::int64_t count = 0;        ///< runs
+  double mean = 0.0;             ///< of the response
+};
+
+/// What a parameter does to a response by itself.
+struct MainEffect {
+  std::size_t parameter = 0;
+  std::vector<EffectLevel> levels;
+  /// The part of the response's variance that the means of the levels explain, 0 to 1. Of random
+  /// designs less what chance explains (epsilon squared).
+  double share = 0.0;
+};
+
+/// Sobol indices of a parameter for a response (docs/studies.md).
+struct SobolIndex {
+  std::size_t parameter = 0;
+  double first = 0.0, total = 0.0;
+};
+
+/// What is known of a response.
+struct ResponseAnalysis {
+  Summary summary;
+  std::vector<MainEffect> effects;  ///< none of a table
+  std::vector<SobolIndex> indices;  ///< of the design saltelli
+  std::int64_t index_points = 0;    ///< whose runs all have the response
+};
+
+/// How many runs ended how.
+struct RunCounts {
+  std::int64_t done = 0, doubtful = 0, diverged = 0, refused = 0;
+  std::int64_t without_responses() const { return diverged + refused; }
+};
+
+/// What a study's runs say.
+struct Analysis {
+  RunCounts counts;
+  std::vector<std::int64_t> failed;         ///< the first runs that diverged or were refused
+  std::vector<ResponseAnalysis> responses;  ///< by response
+};
+
+/// At most so many runs are listed in Analysis::failed.
+inline constexpr std::size_t kMostListed = 20;
+
+/// Goes through all runs, some times.
+Analysis analyse(const Study& study, const Sampling& sampling, const ForEachRun& for_each);
+
+}  // namespace spoke::study

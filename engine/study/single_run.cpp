@@ -1,0 +1,230 @@
+// From values to a scenario, to a simulation or vibration modes, to responses.
+
+#include "engine/study/single_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "engine/modes.h"
+#include "engine/simulation.h"
+#include "models/error.h"
+#include "models/reader/nearest_name.h"
+#include "models/reader/quantity.h"
+
+namespace spoke::study {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr int kNamedModes = 10;  // among which a mode is looked for by its name
+
+SimulationOptions on_one_thread() {
+  SimulationOptions options;
+  options.executor = ExecutorKind::serial;
+  options.threads = {1, 1};
+  return options;
+}
+
+Scenario make_scenario(const Study& study, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i]))
+      throw InputError("--set " + study.parameters[i].key + "=: is " +
+                       toml_text(study.parameters[i], values[i]) + ", expected a finite number");
+  return parse_scenario(study.scenario_text, study.scenario_file, make_overrides(study, values));
+}
+
+/// Whether nobody needs to be told of steps: then they are made without.
+bool needs_steps(const Study& study) {
+  return std::any_of(study.responses.begin(), study.responses.end(), [](const Response& r) {
+    return r.kind != ResponseKind::frequency && r.kind != ResponseKind::final;
+  });
+}
+
+/// The measurements of a study's responses of sensors.
+struct Measurements {
+  Measurements(const Study& study, const Simulation& simulation) {
+    for (std::size_t k = 0; k < study.responses.size(); ++k) {
+      const Response& response = study.responses[k];
+      if (response.kind == ResponseKind::frequency) continue;
+      places.push_back(k);
+      sensors.push_back(simulation.sensor_index(response.sensor));
+      measured.emplace_back(response, simulation.scenario().output.interval);
+    }
+  }
+
+  void add(double t, std::span<const double> values) {
+    for (std::size_t i = 0; i < measured.size(); ++i) measured[i].add(t, values[sensors[i]]);
+  }
+
+  std::vector<std::size_t> places, sensors;  ///< of responses, of sensors
+  std::vector<Measurement> measured;
+};
+
+void describe_warnings(const Simulation& simulation, RunResult& result) {
+  for (const Warning& warning : simulation.warnings()) {
+    result.status = RunStatus::doubtful;
+    result.diagnosis += (result.diagnosis.empty() ? "" : "; ") + warning.text;
+  }
+}
+
+void simulate(const Study& study, const Scenario& scenario, RunResult& result) {
+  Simulation simulation(scenario, on_one_thread());
+  Measurements measurements(study, simulation);
+  measurements.add(simulation.time(), simulation.sensor_values());
+  if (needs_steps(study)) {
+    simulation.run_until(
+        std::numeric_limits<double>::infinity(),
+        [&](double t, std::span<const double> values) { measurements.add(t, values); });
+  } else {
+    simulation.run_until(std::numeric_limits<double>::infinity());
+    measurements.add(simulation.time(), simulation.sensor_values());
+  }
+  for (std::size_t i = 0; i < measurements.measured.size(); ++i) {
+    const std::size_t k = measurements.places[i];
+    result.responses[k] = measurements.measured[i].result();
+    if (study.responses[k].kind == ResponseKind::history)
+      result.histories.push_back(measurements.measured[i].take_history());
+  }
+  describe_warnings(simulation, result);
+}
+
+/// A mode by its number or name; null if there is none.
+const Mode* find_mode(const Response& response, const ModesResult& modes) {
+  int number = 0;
+  for (const Mode& mode : modes.modes) {
+    if (!response.mode_of.empty() && mode.of != response.mode_of) continue;
+    ++number;
+    if (response.mode_name.empty() ? number == response.mode : mode.name == response.mode_name)
+      return &mode;
+  }
+  return nullptr;
+}
+
+/// "flap 1", "lag 1" or "torsion 1"; of what there is.
+std::string list_modes(const Response& response, const ModesResult& modes) {
+  std::vector<std::string_view> names;
+  for (const Mode& mode : modes.modes)
+    names.push_back(response.mode_name.empty() ? mode.of : mode.name);
+  const auto nearest = nearest_name(response.mode_name, names);
+  if (nearest && !response.mode_name.empty())
+    return "did you mean \"" + std::string(*nearest) + "\"?";
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::string list;
+  for (const std::string_view name : names)
+    list += (list.empty() ? "\"" : ", \"") + std::string(name) + '"';
+  return "expected one of " + list;
+}
+
+/// Solves for the modes once for each speed.
+void find_frequencies(const Study& study, const Scenario& scenario, RunResult& result) {
+  std::map<std::optional<double>, int> counts;
+  for (const Response& response : study.responses)
+    if (response.kind == ResponseKind::frequency)
+      counts[response.speed] = std::max(
+          {counts[response.speed], response.mode, response.mode_name.empty() ? 1 : kNamedModes});
+  for (const auto& [speed, count] : counts) {
+    const ModesResult modes = solve_modes(scenario, {{speed}, count});
+    for (std::size_t k = 0; k < study.responses.size(); ++k) {
+      const Response& response = study.responses[k];
+      if (response.kind != ResponseKind::frequency || response.speed != speed) continue;
+      const Mode* mode = find_mode(response, modes);
+      if (mode == nullptr)
+        throw InputError(response.place + ": there is no such mode, " +
+                         list_modes(response, modes));
+      result.responses[k] = mode->frequency / (2.0 * std::numbers::pi);
+    }
+  }
+}
+
+void run_scenario(const Study& study, const Scenario& scenario, RunResult& result) {
+  if (study.simulates()) simulate(study, scenario, result);
+  if (std::any_of(study.responses.begin(), study.responses.end(),
+                  [](const Response& r) { return r.kind == ResponseKind::frequency; }))
+    find_frequencies(study, scenario, result);
+}
+
+/// A complaint about an override, as one about the parameter that made it.
+InputError locate(const Study& study, const std::string& message) {
+  for (const Parameter& parameter : study.parameters) {
+    const std::string begin = "--set " + parameter.key + '=';
+    if (parameter.key.empty() || !message.starts_with(begin)) continue;
+    const std::size_t end = message.find(": ", begin.size());
+    return InputError(parameter.place + ": in run 1: " + message.substr(end + 2));
+  }
+  for (const std::string& file : {study.file, study.scenario_file})
+    if (message.starts_with(file + ':')) return InputError(message);
+  return InputError(study.scenario_file + ": " + message);
+}
+
+void check_sensors(const Simulation& simulation, Study& study) {
+  const std::vector<std::string>& known = simulation.sensor_names();
+  for (Response& response : study.responses) {
+    if (response.kind == ResponseKind::frequency) continue;
+    const auto found = std::find(known.begin(), known.end(), response.sensor);
+    if (found == known.end()) {
+      const std::vector<std::string_view> names(known.begin(), known.end());
+      const auto nearest = nearest_name(response.sensor, names);
+      throw InputError(response.place + ": \"" + response.sensor + "\" is no sensor, " +
+                       (nearest ? "did you mean \"" + std::string(*nearest) + "\"?"
+                                : "expected one such as \"" + known.front() + '"'));
+    }
+    const bool is_time =
+        response.kind == ResponseKind::first_crossing || response.kind == ResponseKind::period;
+    response.unit =
+        is_time ? "s" : simulation.sensor_units()[static_cast<std::size_t>(found - known.begin())];
+    const double end = simulation.scenario().integration.duration;
+    const double begin = std::max(response.from, response.time);
+    if (begin > end)
+      throw InputError(response.place + ": looks at " + describe(begin) +
+                       " s, expected a time within the duration, " + describe(end) + " s");
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(RunStatus status) {
+  constexpr std::array<std::string_view, 4> names = {"done", "doubtful", "diverged", "refused"};
+  return names[static_cast<std::size_t>(status)];
+}
+
+void check_study(Study& study) {
+  parse_scenario(study.scenario_text, study.scenario_file);
+  const Sampling sampling(study);
+  try {
+    const Scenario scenario = make_scenario(study, sampling.values(0));
+    RunResult result;
+    result.responses.assign(study.responses.size(), kNone);
+    if (study.simulates()) check_sensors(Simulation(scenario, on_one_thread()), study);
+    if (std::any_of(study.responses.begin(), study.responses.end(),
+                    [](const Response& r) { return r.kind == ResponseKind::frequency; }))
+      find_frequencies(study, scenario, result);
+  } catch (const InputError& error) {
+    throw locate(study, error.what());
+  } catch (const DivergenceError&) {
+    // A row of its own.
+  }
+}
+
+RunResult make_run(const Study& study, const Sampling& sampling, std::int64_t run) {
+  RunResult result;
+  result.run = run;
+  result.responses.assign(study.responses.size(), kNone);
+  try {
+    run_scenario(study, make_scenario(study, sampling.values(run)), result);
+    return result;
+  } catch (const DivergenceError& error) {
+    result.status = RunStatus::diverged;
+    result.diagnosis = error.what();
+  } catch (const InputError& error) {
+    result.status = RunStatus::refused;
+    result.diagnosis = error.what();
+  }
+  result.responses.assign(study.responses.size(), kNone);
+  result.histories.clear();
+  return result;
+}
+
+}  // namespace spoke::study

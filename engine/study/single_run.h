@@ -1,0 +1,45 @@
+#pragma once
+
+// One run of a study, on one thread.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/study/measurement.h"
+#include "engine/study/sampling.h"
+#include "engine/study/study.h"
+
+namespace spoke::study {
+
+/// How a run ended.
+enum class RunStatus : std::uint8_t {
+  done,
+  doubtful,  ///< done, with warnings
+  diverged,
+  refused,  ///< the scenario does not take the values
+};
+
+/// "done", "doubtful", "diverged", "refused".
+std::string_view name_of(RunStatus status);
+
+/// What a run leaves.
+struct RunResult {
+  std::int64_t run = 0;
+  RunStatus status = RunStatus::done;
+  std::string diagnosis;           ///< why it diverged or was refused, or the warnings
+  std::vector<double> responses;   ///< by response; not a number: none, or a history
+  std::vector<History> histories;  ///< by response that is one, in order
+
+  bool has_responses() const { return status <= RunStatus::doubtful; }
+};
+
+/// Finds out on the first run whether its scenario can be simulated and has the sensors and modes
+/// that are asked for, and fills in their units. Throws InputError, naming the place in the study
+/// file.
+void check_study(Study& study);
+
+/// Makes a run. What depends on the values of parameters becomes part of the result.
+RunResult make_run(const Study& study, const Sampling& sampling, std::int64_t run);
+
+}  // namespace spoke::study
