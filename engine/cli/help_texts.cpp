@@ -100,6 +100,7 @@ Output files, in the folder of --out:
   runs.csv        a row per run: status, parameters, responses, diagnosis
   histories.csv   a row per run and time, if the study asks for histories
   study.json      extremes, means, main effects and Sobol indices of the responses
+  study.html      the runs to look at: points, parallel coordinates, effects; needs no network
   study.journal   the runs as they ended: what --resume goes on from, whenever the study was killed
 
 The first Ctrl-C (SIGINT) or SIGTERM completes the runs that have begun, and ends; a second one ends

@@ -15,9 +15,11 @@
 #include "engine/cli/study_progress.h"
 #include "engine/output_file.h"
 #include "engine/report/markup.h"
+#include "engine/study/analyse.h"
 #include "engine/study/files.h"
 #include "engine/study/runner.h"
 #include "engine/study/study_reader.h"
+#include "engine/study_report/html_file.h"
 #include "graph/executor.h"
 #include "models/count_text.h"
 #include "models/error.h"
@@ -50,7 +52,8 @@ struct Finished {
 /// throw away the runs of an unfinished one.
 void require_place(const fs::path& folder, bool resumes) {
   require_folder(folder);
-  for (const char* file : {"runs.csv", "histories.csv", "study.json", "study.journal"})
+  for (const char* file :
+       {"runs.csv", "histories.csv", "study.json", "study.html", "study.journal"})
     require_no_folder(folder / file);
   const std::string journal = (folder / "study.journal").string();
   if (resumes) {
@@ -105,9 +108,11 @@ std::string write_results(const Finished& all, const Analysis& analysis, const f
   replace_by(folder / "runs.csv", [&](const study::Sink& sink) {
     study::write_runs_csv(all.study, all.sampling, for_each, sink);
   });
-  std::string written = (folder / "runs.csv").string() + ", study.json";
+  std::string written = (folder / "runs.csv").string() + ", study.json, study.html";
   replace_file((folder / "study.json").string(),
                study::make_json(all.study, all.sampling, analysis));
+  replace_file((folder / "study.html").string(),
+               study_report::make_html(all.study, all.sampling, for_each, analysis));
   std::error_code none;
   if (all.study.has_histories()) {
     replace_by(folder / "histories.csv", [&](const study::Sink& sink) {

@@ -154,6 +154,13 @@ button.primary {
 .legend button[aria-pressed=false] .swatch { opacity: 0.25; }
 .legend .swatch { width: 22px; height: 6px; }
 .legend output { min-width: 7.5em; text-align: left; font-variant-numeric: tabular-nums; color: var(--soft); }
+.runs { display: grid; gap: 0.9rem; grid-template-columns: repeat(auto-fit, minmax(min(34rem, 100%), 1fr)); }
+.runs figure { border: 1px solid var(--rule); border-radius: 10px; margin: 0; padding: 0.9rem 1rem; min-width: 0; }
+.runs figcaption { margin: 0 0 0.5rem; } .runs canvas {
+  display: block; width: 100%; height: 26rem; cursor: crosshair; touch-action: pan-y; user-select: none;
+}
+.chosen { min-height: 6rem; font-size: 0.9rem; } .chosen p { max-width: none; }
+code { font: 0.85em/1.5 ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
 @media print {
   .controls { display: none; } main > figure, main > dl { border: none; padding: 0; }
   body { font-size: 10pt; } main { max-width: none; padding: 0; } h2 { break-after: avoid; }

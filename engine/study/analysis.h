@@ -64,17 +64,21 @@ struct RunCounts {
   std::int64_t without_responses() const { return diverged + refused; }
 };
 
+/// A run that diverged or was refused.
+struct FailedRun {
+  std::int64_t run = 0;
+  RunStatus status = RunStatus::diverged;
+  std::string diagnosis;
+};
+
 /// What a study's runs say.
 struct Analysis {
   RunCounts counts;
-  std::vector<std::int64_t> failed;         ///< the first runs that diverged or were refused
+  std::vector<FailedRun> failed;            ///< the first ones
   std::vector<ResponseAnalysis> responses;  ///< by response
 };
 
 /// At most so many runs are listed in Analysis::failed.
 inline constexpr std::size_t kMostListed = 20;
-
-/// Goes through all runs, some times.
-Analysis analyse(const Study& study, const Sampling& sampling, const ForEachRun& for_each);
 
 }  // namespace spoke::study

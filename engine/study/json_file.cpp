@@ -104,8 +104,11 @@ std::string make_json(const Study& study, const Sampling& sampling, const Analys
   for (const Parameter& parameter : study.parameters) parameters.push_back(json_of(parameter));
   for (std::size_t k = 0; k < study.responses.size(); ++k)
     responses.push_back(json_of(study.responses[k], analysis.responses[k], study, sampling));
-  for (const std::int64_t run : analysis.failed)
-    failed.push_back({{"run", run + 1}, {"replay", replay_command(study, sampling, run)}});
+  for (const FailedRun& run : analysis.failed)
+    failed.push_back({{"run", run.run + 1},
+                      {"status", name_of(run.status)},
+                      {"diagnosis", run.diagnosis},
+                      {"replay", replay_command(study, sampling, run.run)}});
   const RunCounts& counts = analysis.counts;
   const Json json = {{"version", SPOKE_VERSION},
                      {"title", study.title},

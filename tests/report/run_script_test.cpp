@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/report/model_script.h"
+#include "engine/report/study_script.h"
 
 namespace {
 
@@ -29,5 +30,8 @@ TEST_CASE("the embedded scripts are their sources, letter by letter") {
   CHECK(spoke::report::run_script() ==
         scene + read_scripts({"film.js", "time_plots.js", "run_page.js"}));
   CHECK(spoke::report::model_script() == scene + read_scripts({"model_page.js"}));
+  CHECK(spoke::report::study_script() ==
+        read_scripts({"page_tools.js", "run_table.js", "study_page.js"}));
+  CHECK(spoke::report::study_script().find("</script") == std::string::npos);
   CHECK(spoke::report::run_script().find("</script") == std::string::npos);
 }

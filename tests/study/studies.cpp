@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/study/analyse.h"
+
 namespace spoke::test {
 
 using namespace spoke::study;

@@ -1,6 +1,6 @@
 // Counts and summaries; effects and indices are found by the files beside this one.
 
-#include "engine/study/analysis.h"
+#include "engine/study/analyse.h"
 
 #include <cmath>
 
@@ -26,7 +26,8 @@ void count(const RunResult& result, Analysis& analysis) {
       ++counts.refused;
       break;
   }
-  if (analysis.failed.size() < kMostListed) analysis.failed.push_back(result.run);
+  if (analysis.failed.size() < kMostListed)
+    analysis.failed.push_back({result.run, result.status, result.diagnosis});
 }
 
 /// Means and variances by Welford's recurrence, whose sums do not cancel.

@@ -1,4 +1,4 @@
-#include "engine/study/analysis.h"
+#include "engine/study/analyse.h"
 
 #include <doctest/doctest.h>
 
@@ -104,6 +104,8 @@ TEST_CASE("runs that ended badly are counted and listed") {
   CHECK(analysis.counts.done == 1);
   CHECK(analysis.counts.doubtful == 1);
   CHECK(analysis.counts.without_responses() == 2);
-  CHECK(analysis.failed == std::vector<std::int64_t>{2, 3});
+  REQUIRE(analysis.failed.size() == 2);
+  CHECK(analysis.failed[1].run == 3);
+  CHECK(analysis.failed[1].status == RunStatus::refused);
   CHECK(analysis.responses[0].summary.count == 2);
 }
