@@ -55,12 +55,8 @@ void require_place(const fs::path& folder, bool resumes) {
   for (const char* file :
        {"runs.csv", "histories.csv", "study.json", "study.html", "study.journal"})
     require_no_folder(folder / file);
+  if (resumes) return;
   const std::string journal = (folder / "study.journal").string();
-  if (resumes) {
-    if (!fs::exists(journal))
-      throw InputError(journal + ": no such file, expected that of a study to resume");
-    return;
-  }
   const auto found = study::find_journal(journal);
   if (found && found->runs < found->planned)
     throw InputError(
@@ -170,14 +166,16 @@ int study(const Arguments& arguments) {
   require_place(folder, arguments.resumes);
   const ResultsFolder taken(folder);
   const Sampling sampling(study);
-  Journal journal((folder / "study.journal").string(), study,
-                  arguments.resumes ? Journal::Start::resumed : Journal::Start::anew);
+  // A study that was killed before it had a journal has nothing to resume, and begins.
+  const fs::path file = folder / "study.journal";
+  const bool resumes = arguments.resumes && fs::exists(file);
+  Journal journal(file.string(), study, resumes ? Journal::Start::resumed : Journal::Start::anew);
   const int asked = arguments.options.threads.outer;
   const int threads = asked > 0 ? asked : graph::available_threads();
   if (!arguments.quiet) {
     print_title(study.title);
     print_line("study", describe_design(study));
-    if (arguments.resumes)
+    if (resumes)
       print_line("resumed", fmt::format("behind {}", counted(journal.count(), "run")));
     flush_output();
   }

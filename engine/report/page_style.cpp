@@ -154,8 +154,9 @@ button.primary {
 .legend button[aria-pressed=false] .swatch { opacity: 0.25; }
 .legend .swatch { width: 22px; height: 6px; }
 .legend output { min-width: 7.5em; text-align: left; font-variant-numeric: tabular-nums; color: var(--soft); }
-.runs { display: grid; gap: 0.9rem; grid-template-columns: repeat(auto-fit, minmax(min(34rem, 100%), 1fr)); }
-.runs figure { border: 1px solid var(--rule); border-radius: 10px; margin: 0; padding: 0.9rem 1rem; min-width: 0; }
+.side { display: grid; gap: 0.9rem; grid-template-columns: repeat(auto-fit, minmax(min(38rem, 100%), 1fr)); }
+.runs { display: grid; gap: 0.9rem; }
+.runs figure, .side figure { border: 1px solid var(--rule); border-radius: 10px; margin: 0; padding: 0.9rem 1rem; min-width: 0; }
 .runs figcaption { margin: 0 0 0.5rem; } .runs canvas {
   display: block; width: 100%; height: 26rem; cursor: crosshair; touch-action: pan-y; user-select: none;
 }

@@ -185,8 +185,9 @@ Journal::Journal(const std::string& file, const Study& study, Start start)
     find_records(study);
     return;
   }
-  output_ = std::make_unique<OutputFile>(file);
-  output_->append(std::string(kMagic) + framed(pack(head_of(study))));
+  // As a whole, so that there is no journal without a head.
+  replace_file(file, std::string(kMagic) + framed(pack(head_of(study))));
+  output_ = std::make_unique<OutputFile>(file, OutputFile::Start::existing);
   open_reader();
 }
 

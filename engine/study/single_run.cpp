@@ -118,24 +118,40 @@ std::string list_modes(const Response& response, const ModesResult& modes) {
   return "expected one of " + list;
 }
 
+/// Modes about a speed: as many as responses ask for by number, and where some do by name as many
+/// more as there are, up to kNamedModes.
+ModesResult solve_modes_of(const Study& study, const Scenario& scenario,
+                           const std::optional<double>& speed) {
+  int least = 1, most = 1;
+  for (const Response& response : study.responses) {
+    if (response.kind != ResponseKind::frequency || response.speed != speed) continue;
+    least = std::max(least, response.mode);
+    most = std::max({most, least, response.mode_name.empty() ? 1 : kNamedModes});
+  }
+  for (; most > least; --most) try {
+      return solve_modes(scenario, {{speed}, most});
+    } catch (const InputError&) {
+      // Fewer modes than that, or what the last attempt will say.
+    }
+  return solve_modes(scenario, {{speed}, most});
+}
+
 /// Solves for the modes once for each speed.
 void find_frequencies(const Study& study, const Scenario& scenario, RunResult& result) {
-  std::map<std::optional<double>, int> counts;
-  for (const Response& response : study.responses)
-    if (response.kind == ResponseKind::frequency)
-      counts[response.speed] = std::max(
-          {counts[response.speed], response.mode, response.mode_name.empty() ? 1 : kNamedModes});
-  for (const auto& [speed, count] : counts) {
-    const ModesResult modes = solve_modes(scenario, {{speed}, count});
-    for (std::size_t k = 0; k < study.responses.size(); ++k) {
-      const Response& response = study.responses[k];
-      if (response.kind != ResponseKind::frequency || response.speed != speed) continue;
-      const Mode* mode = find_mode(response, modes);
-      if (mode == nullptr)
-        throw InputError(response.place + ": there is no such mode, " +
-                         list_modes(response, modes));
-      result.responses[k] = mode->frequency / (2.0 * std::numbers::pi);
-    }
+  std::map<std::optional<double>, ModesResult> solved;
+  for (std::size_t k = 0; k < study.responses.size(); ++k) {
+    const Response& response = study.responses[k];
+    if (response.kind != ResponseKind::frequency) continue;
+    auto found = solved.find(response.speed);
+    if (found == solved.end())
+      found = solved
+                  .emplace(response.speed, solve_modes_of(study, scenario, response.speed))
+                  .first;
+    const Mode* mode = find_mode(response, found->second);
+    if (mode == nullptr)
+      throw InputError(response.place + ": there is no such mode, " +
+                       list_modes(response, found->second));
+    result.responses[k] = mode->frequency / (2.0 * std::numbers::pi);
   }
 }
 

@@ -157,6 +157,7 @@ void add_effects(const Study& study, const Sampling& sampling, const Analysis& a
       "response's variance that these means explain. What several parameters do together only is "
       "in no main effect.");
   page.add_figure(report::render(make_share_chart(study, analysis, sampling)));
+  page.add_markup("<div class=\"side\">\n");
   for (std::size_t k = 0; k < study.responses.size(); ++k) {
     if (!is_number(study.responses[k]) || analysis.responses[k].summary.count == 0) continue;
     if (!analysis.responses[k].indices.empty())
@@ -165,6 +166,7 @@ void add_effects(const Study& study, const Sampling& sampling, const Analysis& a
                           " whose runs all have the response.");
     page.add_figure(report::render(make_effect_chart(study, k, analysis)));
   }
+  page.add_markup("</div>\n");
 }
 
 void add_commands(const Study& study, const Sampling& sampling, const Analysis& analysis,
