@@ -101,6 +101,7 @@ Output files, in the folder of --out:
   histories.csv   a row per run and time, if the study asks for histories
   study.json      extremes, means, main effects and Sobol indices of the responses
   study.html      the runs to look at: points, parallel coordinates, effects; needs no network
+  study.h5        parameters, responses and histories as HDF5, if the program was built with it
   study.journal   the runs as they ended: what --resume goes on from, whenever the study was killed
 
 The first Ctrl-C (SIGINT) or SIGTERM completes the runs that have begun, and ends; a second one ends

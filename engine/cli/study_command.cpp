@@ -17,6 +17,7 @@
 #include "engine/report/markup.h"
 #include "engine/study/analyse.h"
 #include "engine/study/files.h"
+#include "engine/study/hdf5_file.h"
 #include "engine/study/runner.h"
 #include "engine/study/study_reader.h"
 #include "engine/study_report/html_file.h"
@@ -53,7 +54,8 @@ struct Finished {
 void require_place(const fs::path& folder, bool resumes) {
   require_folder(folder);
   for (const char* file :
-       {"runs.csv", "histories.csv", "study.json", "study.html", "study.journal"})
+       {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5",
+                           "study.journal"})
     require_no_folder(folder / file);
   if (resumes) return;
   const std::string journal = (folder / "study.journal").string();
@@ -117,6 +119,12 @@ std::string write_results(const Finished& all, const Analysis& analysis, const f
     written += ", histories.csv";
   } else {
     fs::remove(folder / "histories.csv", none);
+  }
+  if (study::has_hdf5()) {
+    study::write_hdf5((folder / "study.h5").string(), all.study, all.sampling, for_each);
+    written += ", study.h5";
+  } else {
+    fs::remove(folder / "study.h5", none);  // of another study
   }
   return written;
 }

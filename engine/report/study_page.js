@@ -181,7 +181,9 @@ class ParallelPlot {
     context.font = '600 12px system-ui, sans-serif';
     context.fillStyle = colorOf('--ink');
     // Neighbours' names stand in two rows.
-    context.fillText(fitted(context, column.title, Math.max(2 * this.gap - 16, 120)), x, k % 2 === 0 ? 12 : 28);
+    const title = fitted(context, column.title, Math.max(2 * this.gap - 16, 120));
+    const half = 0.5 * context.measureText(title).width + 1;
+    context.fillText(title, Math.min(Math.max(x, half), this.canvas.clientWidth - half), k % 2 === 0 ? 12 : 28);
     context.font = '11px system-ui, sans-serif';
     context.fillStyle = colorOf('--soft');
     context.fillText(column.text(column.high), x, this.top - 5);
@@ -311,7 +313,8 @@ class ScatterPlot {
   ticks(column, most) {
     if (column.choices) return column.choices.map((text, k) => ({ value: k, text }));
     const { ticks, step } = roundTicks(column.low, column.high, most);
-    return ticks.map((value) => ({ value, text: numberText(Math.abs(value) < 1e-9 * step ? 0 : value) }));
+    const text = (value) => numberText(Math.abs(value) < 1e-9 * step ? 0 : value).replace(/\.?0+e/, 'e');
+    return ticks.map((value) => ({ value, text: text(value) }));
   }
   drawAxes(context) {
     context.font = '11.5px system-ui, sans-serif';

@@ -1,0 +1,19 @@
+#pragma once
+
+// study.h5: parameters, responses and histories of all runs, for numerical tools.
+
+#include <string>
+
+#include "engine/study/analysis.h"
+
+namespace spoke::study {
+
+/// Whether this build writes HDF5 files.
+bool has_hdf5();
+
+/// Writes the file in place of one of that name, as a whole. Layout: docs/studies.md. Memory does
+/// not grow with the runs. Throws InputError if it cannot be written; if this build is without.
+void write_hdf5(const std::string& file, const Study& study, const Sampling& sampling,
+                const ForEachRun& for_each);
+
+}  // namespace spoke::study
