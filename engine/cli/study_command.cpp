@@ -18,6 +18,7 @@
 #include "engine/study/analyse.h"
 #include "engine/study/files.h"
 #include "engine/study/hdf5_file.h"
+#include "engine/study/ranks.h"
 #include "engine/study/runner.h"
 #include "engine/study/study_reader.h"
 #include "engine/study_report/html_file.h"
@@ -68,7 +69,8 @@ void require_place(const fs::path& folder, bool resumes) {
 }
 
 /// Makes the runs that the journal has not. False if a signal ended it before.
-bool make_runs(const Study& study, const Sampling& sampling, int threads, Journal& journal) {
+bool make_runs(const Study& study, const Sampling& sampling, int threads, Journal& journal,
+               study::Ranks& ranks) {
   constexpr std::chrono::seconds kPause{5};  // between waits for the disk
   auto synced = std::chrono::steady_clock::now();
   StudyProgress progress(journal.count(), study.design.runs);
@@ -80,7 +82,7 @@ bool make_runs(const Study& study, const Sampling& sampling, int threads, Journa
     }
     return Interruption::signal() == 0;
   });
-  study::make_runs(study, sampling, threads, exchange);
+  ranks.make_runs_together(study, sampling, threads, exchange);
   journal.sync();
   return journal.is_complete();
 }
@@ -164,50 +166,101 @@ void print_result(const Study& study, const Analysis& analysis, const std::strin
   print_line("written", written);
 }
 
-}  // namespace
+/// What a rank other than the first does. The exit status.
+int help_first(const Arguments& arguments, int threads, study::Ranks& ranks) {
+  if (!ranks.hear()) return 0;
+  const Interruption interruption;  // the first one ends the study in order
+  const Study study = study::read_study(arguments.study);
+  ranks.make_runs_for_first(study, Sampling(study), threads);
+  return 0;
+}
 
-int study(const Arguments& arguments) {
-  Study study = study::read_study(arguments.study);
-  study::check_study(study);
-  const fs::path folder =
-      arguments.out.empty() ? fs::path("results") / study.name : fs::path(arguments.out);
-  require_place(folder, arguments.resumes);
-  const ResultsFolder taken(folder);
-  const Sampling sampling(study);
-  // A study that was killed before it had a journal has nothing to resume, and begins.
-  const fs::path file = folder / "study.journal";
-  const bool resumes = arguments.resumes && fs::exists(file);
-  Journal journal(file.string(), study, resumes ? Journal::Start::resumed : Journal::Start::anew);
-  const int asked = arguments.options.threads.outer;
-  const int threads = asked > 0 ? asked : graph::available_threads();
-  if (!arguments.quiet) {
-    print_title(study.title);
-    print_line("study", describe_design(study));
-    if (resumes)
-      print_line("resumed", fmt::format("behind {}", counted(journal.count(), "run")));
-    flush_output();
+/// The study, the folder that is taken for it, and its journal.
+struct Prepared {
+  explicit Prepared(const Arguments& arguments)
+      : study(read(arguments)),
+        sampling(study),
+        folder(arguments.out.empty() ? fs::path("results") / study.name : fs::path(arguments.out)) {
+    require_place(folder, arguments.resumes);
+    taken.emplace(folder);
+    // A study that was killed before it had a journal has nothing to resume, and begins.
+    const fs::path file = folder / "study.journal";
+    resumes = arguments.resumes && fs::exists(file);
+    journal.emplace(file.string(), study,
+                    resumes ? Journal::Start::resumed : Journal::Start::anew);
   }
+
+  static Study read(const Arguments& arguments) {
+    Study study = study::read_study(arguments.study);
+    study::check_study(study);
+    return study;
+  }
+
+  Study study;
+  Sampling sampling;
+  fs::path folder;
+  std::optional<ResultsFolder> taken;
+  std::optional<Journal> journal;
+  bool resumes = false;
+};
+
+void print_plan(const Prepared& prepared) {
+  print_title(prepared.study.title);
+  print_line("study", describe_design(prepared.study));
+  if (prepared.resumes)
+    print_line("resumed", "behind " + counted(prepared.journal->count(), "run"));
+  flush_output();
+}
+
+void print_time(std::int64_t runs, double seconds, int threads, int ranks) {
+  std::string text = fmt::format("{:.3g} s, {:.3g} runs a second on {}", seconds,
+                                 static_cast<double>(runs) / seconds, counted(threads, "thread"));
+  if (ranks > 1) text += fmt::format(" of each of {} ranks", ranks);
+  print_line("took", text);
+}
+
+/// Makes the runs and writes what they say. The exit status.
+int complete(Prepared& prepared, bool quiet, int threads, study::Ranks& ranks) {
+  const Study& study = prepared.study;
+  Journal& journal = *prepared.journal;
+  if (!quiet) print_plan(prepared);
   const Interruption interruption;
   const auto start = std::chrono::steady_clock::now();
   const std::int64_t before = journal.count();
-  if (!make_runs(study, sampling, threads, journal)) {
+  if (!make_runs(study, prepared.sampling, threads, journal, ranks)) {
     print_error(fmt::format("interrupted by {} behind {} of {} runs; go on with --resume",
                             name_of_signal(Interruption::signal()), journal.count(),
                             study.design.runs));
     return 128 + Interruption::signal();
   }
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!arguments.quiet && journal.count() > before)
-    print_line("took", fmt::format("{:.3g} s, {:.3g} runs a second on {}", seconds,
-                                   static_cast<double>(journal.count() - before) / seconds,
-                                   counted(threads, "thread")));
-  const Finished all{study, sampling, journal};
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  if (!quiet && journal.count() > before)
+    print_time(journal.count() - before, took.count(), threads, ranks.count());
+  const Finished all{study, prepared.sampling, journal};
   const Analysis analysis =
-      study::analyse(study, sampling, [&](const study::Visitor& visit) { all.for_each(visit); });
-  const std::string written = write_results(all, analysis, folder);
-  if (!arguments.quiet) print_result(study, analysis, written);
+      study::analyse(study, prepared.sampling,
+                     [&](const study::Visitor& visit) { all.for_each(visit); });
+  const std::string written = write_results(all, analysis, prepared.folder);
+  if (!quiet) print_result(study, analysis, written);
   return 0;
+}
+
+}  // namespace
+
+int study(const Arguments& arguments) {
+  const int asked = arguments.options.threads.outer;
+  const int threads = asked > 0 ? asked : graph::available_threads();
+  study::Ranks ranks;
+  if (!ranks.is_first()) return help_first(arguments, threads, ranks);
+  std::optional<Prepared> prepared;
+  try {
+    prepared.emplace(arguments);
+  } catch (...) {
+    ranks.announce(false);
+    throw;
+  }
+  ranks.announce(true);
+  return complete(*prepared, arguments.quiet, threads, ranks);
 }
 
 }  // namespace spoke::cli

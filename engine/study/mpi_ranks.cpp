@@ -1,0 +1,163 @@
+// Runs and results as messages between the first rank and the others.
+
+#include <mpi.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/study/ranks.h"
+
+namespace spoke::study {
+namespace {
+
+// Messages to the first rank: a thread asks for a run; the result of one; a rank has ended.
+constexpr int kAsk = 1, kResult = 2, kEnd = 3;
+// From it: a run, or kNoRun.
+constexpr int kRun = 4;
+constexpr std::int64_t kNoRun = -1;
+
+/// Whether a launcher has started this process beside others. Alone, MPI is not begun at all.
+bool is_launched() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"})
+    if (std::getenv(variable) != nullptr) return true;
+  return false;
+}
+
+/// Asks the first rank. Threads take turns: it answers at once.
+class RemoteExchange : public RunExchange {
+ public:
+  std::optional<std::int64_t> take() override {
+    const std::lock_guard lock(mutex_);
+    std::int64_t run = kNoRun;
+    MPI_Send(nullptr, 0, MPI_BYTE, 0, kAsk, MPI_COMM_WORLD);
+    MPI_Recv(&run, 1, MPI_INT64_T, 0, kRun, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    if (run == kNoRun) return {};
+    return run;
+  }
+  void put(const RunResult& result) override {
+    const std::string bytes = pack(result);
+    const std::lock_guard lock(mutex_);
+    MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, kResult, MPI_COMM_WORLD);
+  }
+  /// What a thread throws ends this process, and by MPI all.
+  void stop() override {}
+
+ private:
+  std::mutex mutex_;
+};
+
+/// Answers the other ranks until all have ended. What the exchange throws is kept: they are to end
+/// in order, too.
+class Server {
+ public:
+  Server(int others, JournalExchange& exchange) : others_(others), exchange_(exchange) {}
+
+  void serve() {
+    constexpr std::chrono::microseconds kPause{100};  // so that runs have the processor
+    while (others_ > 0) {
+      int has_message = 0;
+      MPI_Status status;
+      MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &has_message, &status);
+      if (has_message != 0)
+        answer(status);
+      else
+        std::this_thread::sleep_for(kPause);
+    }
+  }
+  std::exception_ptr failure() const { return failure_; }
+
+ private:
+  void answer(const MPI_Status& status) {
+    int size = 0;
+    MPI_Get_count(&status, MPI_BYTE, &size);
+    bytes_.resize(static_cast<std::size_t>(size));
+    MPI_Recv(bytes_.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
+    if (status.MPI_TAG == kEnd) --others_;
+    if (status.MPI_TAG == kAsk) {
+      const std::int64_t run = exchange_.take().value_or(kNoRun);
+      MPI_Send(&run, 1, MPI_INT64_T, status.MPI_SOURCE, kRun, MPI_COMM_WORLD);
+    }
+    if (status.MPI_TAG == kResult)
+      keep_failure([this] { exchange_.put(unpack(bytes_, "a message")); });
+  }
+  template <class Work>
+  void keep_failure(const Work& work) {
+    try {
+      if (!failure_) work();
+    } catch (...) {
+      failure_ = std::current_exception();
+      exchange_.stop();
+    }
+  }
+
+  int others_;
+  JournalExchange& exchange_;
+  std::string bytes_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+Ranks::Ranks() {
+  if (!is_launched()) return;
+  int provided = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &count_);
+}
+
+Ranks::~Ranks() {
+  int is_begun = 0;
+  MPI_Initialized(&is_begun);
+  if (is_begun != 0 && (is_released_ || std::uncaught_exceptions() == 0)) MPI_Finalize();
+}
+
+void Ranks::announce(bool goes_on) {
+  is_released_ = !goes_on;
+  if (count_ == 1) return;
+  int word = goes_on ? 1 : 0;
+  MPI_Bcast(&word, 1, MPI_INT, 0, MPI_COMM_WORLD);
+}
+
+bool Ranks::hear() {
+  int word = 0;
+  MPI_Bcast(&word, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  return word != 0;
+}
+
+void Ranks::make_runs_together(const Study& study, const Sampling& sampling, int threads,
+                               JournalExchange& exchange) {
+  std::exception_ptr failure;
+  std::thread own([&] {
+    try {
+      make_runs(study, sampling, threads, exchange);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  });
+  Server server(count_ - 1, exchange);
+  server.serve();
+  own.join();
+  is_released_ = true;
+  if (!failure) failure = server.failure();
+  if (failure) std::rethrow_exception(failure);
+}
+
+void Ranks::make_runs_for_first(const Study& study, const Sampling& sampling, int threads) {
+  RemoteExchange exchange;
+  make_runs(study, sampling, threads, exchange);
+  MPI_Send(nullptr, 0, MPI_BYTE, 0, kEnd, MPI_COMM_WORLD);
+}
+
+bool has_mpi() { return true; }
+
+}  // namespace spoke::study
