@@ -55,8 +55,7 @@ struct Finished {
 void require_place(const fs::path& folder, bool resumes) {
   require_folder(folder);
   for (const char* file :
-       {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5",
-                           "study.journal"})
+       {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5", "study.journal"})
     require_no_folder(folder / file);
   if (resumes) return;
   const std::string journal = (folder / "study.journal").string();
@@ -168,9 +167,14 @@ void print_result(const Study& study, const Analysis& analysis, const std::strin
 
 /// What a rank other than the first does. The exit status.
 int help_first(const Arguments& arguments, int threads, study::Ranks& ranks) {
-  if (!ranks.hear()) return 0;
+  const std::uint64_t announced = ranks.hear();
+  if (announced == 0) return 0;
   const Interruption interruption;  // the first one ends the study in order
   const Study study = study::read_study(arguments.study);
+  if (study::fingerprint(study) != announced)
+    throw InputError(arguments.study +
+                     ": is not what the first rank reads, or the processor is of another kind; "
+                     "expected the same files, and --instructions baseline on different ones");
   ranks.make_runs_for_first(study, Sampling(study), threads);
   return 0;
 }
@@ -186,8 +190,7 @@ struct Prepared {
     // A study that was killed before it had a journal has nothing to resume, and begins.
     const fs::path file = folder / "study.journal";
     resumes = arguments.resumes && fs::exists(file);
-    journal.emplace(file.string(), study,
-                    resumes ? Journal::Start::resumed : Journal::Start::anew);
+    journal.emplace(file.string(), study, resumes ? Journal::Start::resumed : Journal::Start::anew);
   }
 
   static Study read(const Arguments& arguments) {
@@ -237,9 +240,8 @@ int complete(Prepared& prepared, bool quiet, int threads, study::Ranks& ranks) {
   if (!quiet && journal.count() > before)
     print_time(journal.count() - before, took.count(), threads, ranks.count());
   const Finished all{study, prepared.sampling, journal};
-  const Analysis analysis =
-      study::analyse(study, prepared.sampling,
-                     [&](const study::Visitor& visit) { all.for_each(visit); });
+  const Analysis analysis = study::analyse(
+      study, prepared.sampling, [&](const study::Visitor& visit) { all.for_each(visit); });
   const std::string written = write_results(all, analysis, prepared.folder);
   if (!quiet) print_result(study, analysis, written);
   return 0;
@@ -256,10 +258,10 @@ int study(const Arguments& arguments) {
   try {
     prepared.emplace(arguments);
   } catch (...) {
-    ranks.announce(false);
+    ranks.announce(0);
     throw;
   }
-  ranks.announce(true);
+  ranks.announce(study::fingerprint(prepared->study));
   return complete(*prepared, arguments.quiet, threads, ranks);
 }
 

@@ -144,9 +144,7 @@ void find_frequencies(const Study& study, const Scenario& scenario, RunResult& r
     if (response.kind != ResponseKind::frequency) continue;
     auto found = solved.find(response.speed);
     if (found == solved.end())
-      found = solved
-                  .emplace(response.speed, solve_modes_of(study, scenario, response.speed))
-                  .first;
+      found = solved.emplace(response.speed, solve_modes_of(study, scenario, response.speed)).first;
     const Mode* mode = find_mode(response, found->second);
     if (mode == nullptr)
       throw InputError(response.place + ": there is no such mode, " +
