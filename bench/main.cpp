@@ -38,6 +38,7 @@ constexpr std::array kQuestions{
     Question{"executors", "what two threads gain on rotors, by executor", measure_executors},
     Question{"tracing", "what recording nodes costs, switched off and on", measure_tracing},
     Question{"start_up", "what the program takes beyond its integration", measure_start_up},
+    Question{"study", "how many runs a second a study makes", measure_study},
     Question{"whole_runs", "what auto gains or costs on whole runs of the program, in half an hour",
              measure_whole_runs, true}};
 

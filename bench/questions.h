@@ -37,6 +37,9 @@ void measure_start_up(const QuestionOptions& options, Report& report);
 /// What does recording which node ran when cost, switched off and on?
 void measure_tracing(const QuestionOptions& options, Report& report);
 
+/// How many runs a second does a study make, beside processes of their own?
+void measure_study(const QuestionOptions& options, Report& report);
+
 /// What does auto gain, or cost, on whole runs of the program? Takes half an hour: only if named.
 void measure_whole_runs(const QuestionOptions& options, Report& report);
 

@@ -3,16 +3,15 @@
 // milliseconds, with and without report.html; `check` and `--version` integrate nothing.
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "bench/results_folder.h"
 #include "bench/whole_processes.h"
 #include "graph/machine/duration_text.h"
 
@@ -20,27 +19,6 @@ namespace spoke::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder for the results, removed at the end.
-class ResultsFolder {
- public:
-  ResultsFolder() {
-    std::string name = (fs::temp_directory_path() / "spoke-start-up-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder");
-    path_ = name;
-  }
-  ~ResultsFolder() {
-    std::error_code none;
-    fs::remove_all(path_, none);
-  }
-  ResultsFolder(const ResultsFolder&) = delete;
-  ResultsFolder& operator=(const ResultsFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 struct Command {
   std::string name;

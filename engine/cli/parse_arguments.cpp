@@ -131,6 +131,7 @@ void add_study(CLI::App& program, Arguments& arguments) {
       ->type_name("N");
   command.add_flag("--resume", arguments.resumes,
                    "Go on with the study that was begun in the folder, if one was");
+  add_instructions(command, arguments);
   command.add_flag("--quiet", arguments.quiet, "Print nothing but warnings and errors");
   command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");
   command.footer(std::string(kStudyText) + '\n' + kStudyStatusText);

@@ -119,6 +119,18 @@ void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_
   add_path(command, "--out", arguments.out, "Folder of the results [" + unless_given + "]", "DIR");
 }
 
+void add_instructions(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option_function<std::string>(
+          "--instructions",
+          [&](const std::string& name) { arguments.uses_baseline = name == "baseline"; },
+          "baseline: the same bits on every machine;\nauto: elementary functions as fast as this "
+          "one "
+          "has them [auto]")
+      ->check(CLI::IsMember({"auto", "baseline"}))
+      ->type_name("NAME");
+}
+
 void add_running(CLI::App& command, Arguments& arguments) {
   add_formulation(command, arguments);
   add_integrator(command, arguments);
@@ -135,15 +147,7 @@ void add_running(CLI::App& command, Arguments& arguments) {
                   "[auto chooses; the others take 1]")
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
-  command
-      .add_option_function<std::string>(
-          "--instructions",
-          [&](const std::string& name) { arguments.uses_baseline = name == "baseline"; },
-          "baseline: the same bits on every machine;\nauto: elementary functions as fast as this "
-          "one "
-          "has them [auto]")
-      ->check(CLI::IsMember({"auto", "baseline"}))
-      ->type_name("NAME");
+  add_instructions(command, arguments);
 }
 
 }  // namespace spoke::cli

@@ -24,6 +24,8 @@ void add_path(CLI::App& command, const std::string& option, std::string& path,
 void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_given);
 void add_formulation(CLI::App& command, Arguments& arguments);
 void add_integrator(CLI::App& command, Arguments& arguments);
+/// --instructions.
+void add_instructions(CLI::App& command, Arguments& arguments);
 /// What runs the steps, of commands that simulate: formulation, integrator, executor, threads and
 /// window.
 void add_running(CLI::App& command, Arguments& arguments);

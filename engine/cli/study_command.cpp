@@ -167,9 +167,14 @@ void print_result(const Study& study, const Analysis& analysis, const std::strin
 
 /// What a rank other than the first does. The exit status.
 int help_first(const Arguments& arguments, int threads, study::Ranks& ranks) {
-  if (!ranks.hear()) return 0;
+  const std::uint64_t announced = ranks.hear();
+  if (announced == 0) return 0;
   const Interruption interruption;  // the first one ends the study in order
   const Study study = study::read_study(arguments.study);
+  if (study::fingerprint(study) != announced)
+    throw InputError(arguments.study +
+                     ": is not what the first rank reads, or the processor is of another kind; "
+                     "expected the same files, and --instructions baseline on different ones");
   ranks.make_runs_for_first(study, Sampling(study), threads);
   return 0;
 }
@@ -253,10 +258,10 @@ int study(const Arguments& arguments) {
   try {
     prepared.emplace(arguments);
   } catch (...) {
-    ranks.announce(false);
+    ranks.announce(0);
     throw;
   }
-  ranks.announce(true);
+  ranks.announce(study::fingerprint(prepared->study));
   return complete(*prepared, arguments.quiet, threads, ranks);
 }
 

@@ -8,11 +8,12 @@
 
 namespace spoke::study {
 
-/// Whether this build writes HDF5 files.
+/// Whether this program writes HDF5 files: it was built to, and finds the library.
 bool has_hdf5();
 
 /// Writes the file in place of one of that name, as a whole. Layout: docs/studies.md. Memory does
-/// not grow with the runs. Throws InputError if it cannot be written; if this build is without.
+/// not grow with the runs. Throws InputError if it cannot be written.
+/// Precondition: has_hdf5().
 void write_hdf5(const std::string& file, const Study& study, const Sampling& sampling,
                 const ForEachRun& for_each);
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "engine/support/byte_order.h"
+#include "engine/support/instructions.h"
 #include "models/error.h"
 
 namespace spoke::study {
@@ -46,12 +47,16 @@ std::string framed(std::string_view content) {
 /// What tells studies apart.
 struct Head {
   std::int64_t runs = 0;
-  std::string version;
+  std::string version, instructions;
   std::uint64_t study = 0, scenario = 0, table = 0;  ///< hashes of the texts
 };
 
 Head head_of(const Study& study) {
-  return {study.design.runs, SPOKE_VERSION, hash_of(study.text), hash_of(study.scenario_text),
+  return {study.design.runs,
+          SPOKE_VERSION,
+          std::string(instructions_in_use()),
+          hash_of(study.text),
+          hash_of(study.scenario_text),
           hash_of(study.table_text)};
 }
 
@@ -59,6 +64,7 @@ std::string pack(const Head& head) {
   ByteWriter writer;
   writer.add(static_cast<std::uint64_t>(head.runs));
   writer.add_text(head.version);
+  writer.add_text(head.instructions);
   for (const std::uint64_t hash : {head.study, head.scenario, head.table}) writer.add(hash);
   return writer.bytes();
 }
@@ -68,6 +74,7 @@ Head unpack_head(std::string_view bytes) {
   Head head;
   head.runs = static_cast<std::int64_t>(reader.take<std::uint64_t>());
   head.version = reader.take_text();
+  head.instructions = reader.take_text();
   for (std::uint64_t* hash : {&head.study, &head.scenario, &head.table})
     *hash = reader.take<std::uint64_t>();
   return head;
@@ -80,6 +87,9 @@ void require_same_study(const Head& there, const Study& study, const std::string
   };
   if (there.version != here.version)
     refuse("it was begun by version " + there.version + " of Spoke, this is " + here.version);
+  if (there.instructions != here.instructions)
+    refuse("it was begun with the instructions \"" + there.instructions + "\", here they are \"" +
+           here.instructions + "\", which have other bits (see --instructions)");
   if (there.study != here.study) refuse(study.file + " is not what it was");
   if (there.scenario != here.scenario) refuse(study.scenario_file + " is not what it was");
   if (there.table != here.table) refuse(study.design.table + " is not what it was");
@@ -142,6 +152,8 @@ std::optional<Head> take_head(int descriptor, std::uint64_t& place) {
 }
 
 }  // namespace
+
+std::uint64_t fingerprint(const Study& study) { return hash_of(pack(head_of(study))) | 1U; }
 
 std::string pack(const RunResult& result) {
   ByteWriter writer;

@@ -61,6 +61,10 @@ struct JournalState {
 };
 std::optional<JournalState> find_journal(const std::string& file);
 
+/// What tells studies apart that would have other results: their texts, the version of Spoke, and
+/// the instructions that this process computes with. Not 0.
+std::uint64_t fingerprint(const Study& study);
+
 /// A result as bytes, and back. Throws InputError if the bytes are none; `name` stands for them.
 std::string pack(const RunResult& result);
 RunResult unpack(std::string_view bytes, const std::string& name);

@@ -121,17 +121,15 @@ Ranks::~Ranks() {
   if (is_begun != 0 && (is_released_ || std::uncaught_exceptions() == 0)) MPI_Finalize();
 }
 
-void Ranks::announce(bool goes_on) {
-  is_released_ = !goes_on;
-  if (count_ == 1) return;
-  int word = goes_on ? 1 : 0;
-  MPI_Bcast(&word, 1, MPI_INT, 0, MPI_COMM_WORLD);
+void Ranks::announce(std::uint64_t study) {
+  is_released_ = study == 0;
+  if (count_ > 1) MPI_Bcast(&study, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
 }
 
-bool Ranks::hear() {
-  int word = 0;
-  MPI_Bcast(&word, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  return word != 0;
+std::uint64_t Ranks::hear() {
+  std::uint64_t study = 0;
+  MPI_Bcast(&study, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+  return study;
 }
 
 void Ranks::make_runs_together(const Study& study, const Sampling& sampling, int threads,

@@ -7,8 +7,8 @@ namespace spoke::study {
 Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 
-void Ranks::announce(bool) { is_released_ = true; }
-bool Ranks::hear() { return false; }
+void Ranks::announce(std::uint64_t) { is_released_ = true; }
+std::uint64_t Ranks::hear() { return 0; }
 
 void Ranks::make_runs_together(const Study& study, const Sampling& sampling, int threads,
                                JournalExchange& exchange) {

@@ -2,7 +2,7 @@
 
 // The processes of a study that mpirun has started together.
 
-#include <memory>
+#include <cstdint>
 
 #include "engine/study/runner.h"
 
@@ -23,10 +23,10 @@ class Ranks {
   int count() const { return count_; }
   bool is_first() const { return rank_ == 0; }
 
-  /// Of the first: tells the others whether there is something to do.
-  void announce(bool goes_on);
+  /// Of the first: tells the others which study there is to do, by its fingerprint(); 0: none.
+  void announce(std::uint64_t study);
   /// Of the others: waits for that.
-  bool hear();
+  std::uint64_t hear();
 
   /// Of the first: makes runs on so many threads, and hands out runs to the other ranks until all
   /// have ended. Throws like make_runs().
