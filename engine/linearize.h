@@ -30,8 +30,8 @@ struct LinearSystem {
   /// Of u: by blade the factors of its loads and the efforts at its free joints, then the factors
   /// of loads on the hub and what acts on its free coordinates, the drive's torque among it.
   std::vector<LinearSignal> inputs;
-  /// Of y, by blade: displacement of the tip, coordinates of free joints, and the scenario's
-  /// sensors whose frames turn with the hub; then the hub's angle and speed, if these are free.
+  /// Of y, by blade: displacement of the tip, the scenario's sensors whose frames turn with the
+  /// hub, and coordinates of free joints; then the hub's free coordinates with their rates.
   std::vector<LinearSignal> outputs;
   /// Columns of the scenario's sensors that are not among them: what they show is no constant
   /// function of the state.
