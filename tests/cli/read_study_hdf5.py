@@ -1,13 +1,15 @@
 """Reads study.h5 with h5py: PROGRAM SCENARIO FOLDER."""
 import csv
 import pathlib
+import shutil
 import subprocess
 import sys
 
 import h5py
 
 program, scenario, folder = sys.argv[1:]
-pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
+shutil.rmtree(folder, ignore_errors=True)
+pathlib.Path(folder).mkdir(parents=True)
 study = pathlib.Path(folder) / "study.toml"
 study.write_text(f"""
 scenario = "{scenario}"
@@ -25,7 +27,7 @@ kind = "min"
 sensor = "hub.angle"
 kind = "history"
 """)
-subprocess.run([program, "study", study, "--out", folder, "--resume", "--quiet"], check=True)
+subprocess.run([program, "study", study, "--out", folder, "--quiet"], check=True)
 
 rows = list(csv.DictReader(open(pathlib.Path(folder) / "runs.csv")))
 with h5py.File(pathlib.Path(folder) / "study.h5") as file:
