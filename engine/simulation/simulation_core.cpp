@@ -59,13 +59,6 @@ struct EnergyHasGrown {};
 
 }  // namespace
 
-void require_range(const char* what, std::int64_t value, std::int64_t least,
-                   std::int64_t greatest) {
-  if (value < least || value > greatest)
-    throw InputError(std::string(what) + " is " + std::to_string(value) + ", expected " +
-                     range_text(least, greatest));
-}
-
 SimulationCore::SimulationCore(const Scenario& given, const SimulationOptions& chosen,
                                const Loads& loads)
     : scenario(checked(given)),

@@ -13,6 +13,7 @@
 #include "engine/run/step_runner.h"
 #include "engine/saved_state.h"
 #include "engine/simulation/observations.h"
+#include "engine/simulation/require_range.h"
 #include "engine/simulation/sensors.h"
 #include "engine/simulation/simulated_model.h"
 #include "engine/simulation/simulation_log.h"
@@ -20,9 +21,6 @@
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
-
-/// Throws InputError unless least <= value <= greatest.
-void require_range(const char* what, std::int64_t value, std::int64_t least, std::int64_t greatest);
 
 class Simulation;
 

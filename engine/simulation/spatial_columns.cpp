@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/kernels/hub_motion.h"
 #include "engine/kernels/marker_motion.h"
 #include "models/space/beam_element.h"
 #include "models/system/spatial_loads.h"

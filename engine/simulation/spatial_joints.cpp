@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/kernels/kinematics.h"
-#include "engine/simulation/simulation_core.h"
+#include "engine/simulation/require_range.h"
 #include "models/error.h"
 #include "models/reader/nearest_name.h"
 
