@@ -1,3 +1,5 @@
+// The words in which a number is refused.
+
 #include "engine/simulation/require_range.h"
 
 #include <string>
