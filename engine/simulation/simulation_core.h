@@ -13,7 +13,6 @@
 #include "engine/run/step_runner.h"
 #include "engine/saved_state.h"
 #include "engine/simulation/observations.h"
-#include "engine/simulation/require_range.h"
 #include "engine/simulation/sensors.h"
 #include "engine/simulation/simulated_model.h"
 #include "engine/simulation/simulation_log.h"
