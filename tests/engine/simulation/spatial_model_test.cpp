@@ -97,8 +97,9 @@ TEST_CASE("views that belong to the plane are refused of a model in space") {
 TEST_CASE("the hub's frame and the coordinates of bodies are seen in space") {
   for (const std::string& hub : {kFlyingHub, kDrivenHub}) {
     Simulation simulation(
-        make_scenario(make_text(hub, kTree, kGravity), IntegrationMethod::rk4, 1e-3, 0.2), kSerial);
-    constexpr double h = 1e-3;
+        make_scenario(make_text(hub, kTree, kGravity), IntegrationMethod::rk4, 2.5e-4, 0.2),
+        kSerial);
+    constexpr double h = 2.5e-4;
     simulation.run_until(0.1);
     const HubFrame before = simulation.hub_frame();
     simulation.step();

@@ -75,8 +75,8 @@ kind = "fixed"
     scenario.integration.duration = 0.3;
     Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1, 0});
     simulation.run_until(0.3);
-    const MarkerState tip = simulation.marker({0, 0, 1.0});
-    return Eigen::Vector3d(tip.deflection - tip.foreshortening);
+    const MarkerState end = simulation.marker({0, 0, 1.0});
+    return Eigen::Vector3d(end.deflection - end.foreshortening);
   };
   const Eigen::Vector3d hung = tip(beam + joint + mass), carried = tip(beam + point + joint);
   CAPTURE(hung.transpose());
