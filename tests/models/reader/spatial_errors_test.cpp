@@ -109,11 +109,11 @@ TEST_CASE("hubs that cannot be are refused") {
            "f.toml:9:12: hub.mount.rotation: has none of time, constant, rate and amplitude, "
            "expected one or more"},
           {"[gravity]\n", "[hub.mount]\nrotation = { rate = [0, 1, 0], phase = 1 }\n[gravity]\n",
-           "f.toml:9:39: hub.mount.rotation.phase: would be ignored, expected only with amplitude"},
+           "f.toml:9:40: hub.mount.rotation.phase: would be ignored, expected only with amplitude"},
           {"[gravity]\n", "[hub.mount]\ntranslation = { rate = 2 }\n[gravity]\n",
            "f.toml:9:24: hub.mount.translation.rate: is 2, expected an array of 3 numbers (m/s)"},
           {"[gravity]\n", "[hub.mount]\ntranslation = { rate = [1, 0, 0], x = [1] }\n[gravity]\n",
-           "f.toml:9:40: hub.mount.translation.x: would be ignored, expected only with time"},
+           "f.toml:9:39: hub.mount.translation.x: would be ignored, expected only with time"},
           {"acceleration = [0, 0, -9.81]", "acceleration = [0, -9.81]",
            "f.toml:9:16: gravity.acceleration: is an array (2), expected an array of 3 numbers "
            "(m/s^2)"},
