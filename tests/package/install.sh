@@ -8,6 +8,7 @@ mkdir -p "$work"
 "$cmake" --install "$build" --prefix "$work/first" >"$work/install.log"
 mv "$work/first" "$work/moved"
 for file in bin/spoke include/spoke/spoke.h share/spoke/models/wu_haug_rotor.toml \
+  share/spoke/models/studies/blade_stiffness.toml \
   share/doc/spoke/LICENSE share/doc/spoke/docs/embedding.md share/doc/spoke/examples/first_rotor.cpp; do
   [ -s "$work/moved/$file" ] || { echo "not installed: $file"; exit 1; }
 done
