@@ -78,7 +78,7 @@ TEST_CASE("published: steady rotation with a flap of half the length") {
     };
     const Vector3d coarse = calc_tip(10), fine = calc_tip(20);
     const double error = (fine - known.tip).norm();
-    CHECK(error < 1.28e-3);  // 5e-4 with 32 bodies
+    CHECK(error < 1.28e-3);                            // 5e-4 with 32 bodies
     CHECK((coarse - known.tip).norm() / error > 3.5);  // order 2
   }
 }
