@@ -43,7 +43,10 @@ struct BladeEquilibrium {
   std::vector<JointPosition> joints;                ///< that are free
   std::vector<SectionLoad> loads;                   ///< from the root on
   std::vector<Eigen::Vector3d> nodes;               ///< places, from root to tip [m]
-  std::vector<Eigen::Vector3d> undeformed;          ///< of the same nodes [m]
+  std::vector<Eigen::Vector3d> undeformed;          ///< of the same nodes, joints as they are [m]
+  std::vector<Eigen::Matrix3d> undeformed_axes;     ///< there, of their bodies: columns
+  std::vector<Eigen::Vector3d> rotations;           ///< of the nodes from there, rotation vectors
+  std::vector<int> bodies;                          ///< to which they belong, from 0
 };
 
 /// A model in equilibrium.

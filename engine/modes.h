@@ -34,6 +34,11 @@ struct Mode {
   /// By blade, then other subsystems: displacement of each node, hub frame, the largest of all
   /// being 1; empty for a blade that is not in it.
   std::vector<std::vector<Eigen::Vector3cd>> shape;
+  /// Rotations of the same nodes in the same motion, hub frame [rad/m].
+  std::vector<std::vector<Eigen::Vector3cd>> rotations;
+  /// Motion of the hub's frame in it, with which the nodes go; zero where it is prescribed.
+  Eigen::Vector3cd hub_displacement = Eigen::Vector3cd::Zero();
+  Eigen::Vector3cd hub_rotation = Eigen::Vector3cd::Zero();  ///< likewise [rad/m]
   /// Coordinates in the model's own order, and those of the hub that are free, before them.
   Eigen::VectorXcd coordinates;
 

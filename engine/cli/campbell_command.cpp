@@ -8,6 +8,7 @@
 #include "engine/cli/report.h"
 #include "engine/cli/steady_task.h"
 #include "engine/steady_report/campbell_files.h"
+#include "engine/steady_report/modes_page.h"
 
 namespace spoke::cli {
 namespace {
@@ -48,10 +49,10 @@ int find_campbell(const Arguments& arguments) {
   const SteadyTask task(arguments, "campbell");
   const CampbellOptions options{.speeds = arguments.steady.speeds, .count = arguments.steady.count};
   const CampbellResult result = solve(options, task);
-  task.write(
-      {{"campbell.csv", steady_report::make_csv(result)},
-       {"campbell.json", steady_report::make_json(result)},
-       {"campbell.html", steady_report::make_html(result, options.harmonics, task.title())}});
+  task.write({{"campbell.csv", steady_report::make_csv(result)},
+              {"campbell.json", steady_report::make_json(result)},
+              {"campbell.html", steady_report::make_html(result, options.harmonics, task.scenario(),
+                                                         task.title())}});
   print(result, task);
   return 0;
 }

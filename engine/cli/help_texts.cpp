@@ -58,7 +58,7 @@ joints have the values that their curves end with, pitch by the azimuth its mean
 gravity and loads of constant direction count with their part along the axis.
 
 Output files, in the folder of --out:
-  static.html         deflections, tips, joints, wrench of the hub
+  static.html         the model in equilibrium, deflections, tips, joints, wrench of the hub
   static.json         everything
   section_forces.csv  forces and moments along the blades
 
@@ -71,6 +71,7 @@ const char* const kModesText =
 linearised model, real ones at rest without damping, else complex ones. See docs/modes.md.
 
 Output files, in the folder of --out:
+  modes.html  the chosen mode as a moving picture
   modes.csv   a row per mode
   modes.json  everything, shapes included
 
@@ -83,7 +84,7 @@ const char* const kCampbellText =
 shapes; where they meet 1 to 6 times the speed; how far that is from the speed of the drive.
 
 Output files, in the folder of --out:
-  campbell.html  the diagram, damping over speed, crossings
+  campbell.html  the diagram, damping over speed, the chosen mode moving, crossings
   campbell.csv   a row per speed and mode
   campbell.json  the same, and the crossings
 

@@ -1,4 +1,4 @@
-// Prints modes, and writes modes.json and modes.csv.
+// Prints modes, and writes modes.json, modes.csv and modes.html.
 
 #include "engine/cli/modes_command.h"
 
@@ -7,6 +7,7 @@
 #include "engine/cli/report.h"
 #include "engine/cli/steady_task.h"
 #include "engine/steady_report/mode_files.h"
+#include "engine/steady_report/modes_page.h"
 
 namespace spoke::cli {
 namespace {
@@ -18,7 +19,7 @@ void print(const ModesResult& result, const SteadyTask& task) {
   print_table(steady_report::make_mode_table(result));
   if (const std::string growth = steady_report::describe_growth(result); !growth.empty())
     print_line("unstable", growth);
-  print_line("written", task.path("modes.csv") + ", modes.json");
+  print_line("written", task.path("modes.html") + ", modes.csv, modes.json");
 }
 
 }  // namespace
@@ -29,7 +30,8 @@ int find_modes(const Arguments& arguments) {
     return solve_modes(scenario, {{arguments.steady.speed}, arguments.steady.count});
   });
   task.write({{"modes.json", steady_report::make_json(result)},
-              {"modes.csv", steady_report::make_csv(result)}});
+              {"modes.csv", steady_report::make_csv(result)},
+              {"modes.html", steady_report::make_html(result, task.scenario(), task.title())}});
   print(result, task);
   return 0;
 }

@@ -27,7 +27,7 @@ int find_static(const Arguments& arguments) {
   });
   task.write({{"static.json", steady_report::make_json(result)},
               {"section_forces.csv", steady_report::make_section_csv(result)},
-              {"static.html", steady_report::make_html(result, task.title())}});
+              {"static.html", steady_report::make_html(result, task.scenario(), task.title())}});
   print(result, task);
   return 0;
 }

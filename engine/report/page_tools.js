@@ -1,6 +1,7 @@
 // What the scripts of all pages use: colours of the style, numbers for people, canvases, data.
 
 const kColors = 8;
+const kDashes = [[], [8, 4], [2, 3], [10, 3, 2, 3]];
 const kSuperscripts = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
 
 /** The value of a colour of the page's style, by the name of its variable. */
@@ -10,6 +11,24 @@ function colorOf(name) {
 
 function seriesColor(index) {
   return colorOf(`--s${index % kColors}`);
+}
+
+/** Colours that come again are dashed, each time differently. */
+function dashesOf(index) {
+  return kDashes[Math.floor(index / kColors) % kDashes.length];
+}
+
+/** A piece of a line, for legends; the canvas is 44 by 12. */
+function drawSwatch(canvas, index) {
+  const context = canvas.getContext('2d');
+  context.clearRect(0, 0, 44, 12);
+  context.strokeStyle = seriesColor(index);
+  context.lineWidth = 5;
+  context.setLineDash(dashesOf(index).map((d) => 2 * d));
+  context.beginPath();
+  context.moveTo(0, 6);
+  context.lineTo(44, 6);
+  context.stroke();
 }
 
 /** Round values, at most `most` of them, that lie in [low, high]. */

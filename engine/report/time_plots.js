@@ -3,7 +3,6 @@
 // page_tools.js.
 
 const kMargin = { left: 62, right: 14, top: 12, bottom: 26 };
-const kDashes = [[], [8, 4], [2, 3], [10, 3, 2, 3]];
 // The least range of values that a plot shows, by the largest of them: what varies less is shown as flat.
 const kLeastSpread = 1e-4;
 
@@ -232,25 +231,13 @@ class TimePlot {
     context.strokeStyle = seriesColor(curve.color);
     context.lineWidth = 1.75;
     context.lineJoin = 'round';
-    context.setLineDash(kDashes[Math.floor(curve.color / kColors) % kDashes.length]);
+    context.setLineDash(dashesOf(curve.color));
     context.beginPath();
     for (let k = first; k < last; ++k)
       context.lineTo(this.xOf(curve.times[k]), this.yOf(curve.values[k]));
     context.stroke();
     context.setLineDash([]);
-    this.drawSwatch(curve);
-  }
-
-  drawSwatch(curve) {
-    const context = curve.swatch.getContext('2d');
-    context.clearRect(0, 0, 44, 12);
-    context.strokeStyle = seriesColor(curve.color);
-    context.lineWidth = 5;
-    context.setLineDash(kDashes[Math.floor(curve.color / kColors) % kDashes.length].map((d) => 2 * d));
-    context.beginPath();
-    context.moveTo(0, 6);
-    context.lineTo(44, 6);
-    context.stroke();
+    drawSwatch(curve.swatch, curve.color);
   }
 
   drawMarks(context) {

@@ -2,14 +2,10 @@
 
 #include "engine/steady/describe_equilibrium.h"
 
+#include "models/space/rotation_vector.h"
+
 namespace spoke::steady {
 namespace {
-
-std::vector<Eigen::Vector3d> places_of(std::size_t tree, SteadyModel& model) {
-  std::vector<Eigen::Vector3d> list;
-  for (const NodePlace& place : model.places(tree)) list.push_back(place.p);
-  return list;
-}
 
 void evaluate(std::size_t tree, const Eigen::VectorXd& q, SteadyModel& model) {
   TreeResponse response;
@@ -30,9 +26,18 @@ BladeEquilibrium describe_tree(std::size_t tree, const Eigen::VectorXd& q, Stead
       blade.joints.push_back({coordinate.name, shown[k], coordinate.turns});
   }
   evaluate(tree, rigid, model);
-  blade.undeformed = places_of(tree, model);
+  for (const NodePlace& place : model.places(tree)) {
+    blade.bodies.push_back(place.body);
+    blade.undeformed.push_back(place.p);
+    blade.undeformed_axes.push_back(place.axes);
+  }
   evaluate(tree, q, model);
-  blade.nodes = places_of(tree, model);
+  for (const NodePlace& place : model.places(tree)) {
+    const Eigen::Matrix3d& before = blade.undeformed_axes[blade.nodes.size()];
+    blade.nodes.push_back(place.p);
+    blade.rotations.emplace_back(
+        space::logarithm(space::Rotation{place.axes * before.transpose()}));
+  }
   model.accelerations(tree);
   const TipMotion tip = model.tip(tree);
   blade.tip_displacement = tip.displacement;

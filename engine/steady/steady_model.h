@@ -67,11 +67,12 @@ struct TreeMatrices {
 
 /// A node of a body, for pictures and names of shapes; hub frame.
 struct NodePlace {
-  Eigen::Vector3d p;     ///< [m]
-  Eigen::Matrix3d axes;  ///< of its section, columns
-  double mass = 0.0;     ///< lumped [kg]
-  double inertia = 0.0;  ///< about its axis, lumped [kg m^2]
-  int body = 0;          ///< of the tree
+  Eigen::Vector3d p;       ///< [m]
+  Eigen::Matrix3d axes;    ///< of its section, columns
+  Eigen::Vector3d centre;  ///< of its mass; p, but for rigid bodies [m]
+  double mass = 0.0;       ///< lumped [kg]
+  double inertia = 0.0;    ///< about its axis, lumped [kg m^2]
+  int body = 0;            ///< of the tree
 };
 
 /// The tip of a tree against its undeformed place, hub frame.

@@ -173,6 +173,7 @@ void add_places(const SubsystemData<Plane>& data, int j, std::vector<NodePlace>&
     const bool is_end = node == 0 || node == flexible.elements;
     places.push_back({{p.x(), p.y(), 0.0},
                       axes_of(pose.R * Rotation::from_angle(value(kRotation))),
+                      {p.x(), p.y(), 0.0},
                       is_end ? 0.5 * mass : mass,
                       0.0,
                       j});
@@ -186,7 +187,7 @@ void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>&
   if (!flexible) {
     const space::RigidBody& rigid = *body.model->body->rigid();
     places.push_back(
-        {pose.p + pose.R * rigid.centre, pose.R.axes, rigid.mass, rigid.inertia(0, 0), j});
+        {pose.p, pose.R.axes, pose.p + pose.R * rigid.centre, rigid.mass, rigid.inertia(0, 0), j});
     return;
   }
   const double mass = flexible->mass / flexible->elements;
@@ -200,7 +201,8 @@ void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>&
     const space::Position s = flexible->nodes[k] + space::Position(value.head<3>());
     const bool is_end = node == 0 || node == flexible->elements;
     // The linear shape of torsion spreads a node's inertia by 2/3 to itself.
-    places.push_back({pose.p + pose.R * s, (pose.R * space::exponential(value.tail<3>())).axes,
+    const space::Position p = pose.p + pose.R * s;
+    places.push_back({p, (pose.R * space::exponential(value.tail<3>())).axes, p,
                       is_end ? 0.5 * mass : mass,
                       1.5 * flexible->M.diagonal[k](space::kRotation, space::kRotation), j});
   }

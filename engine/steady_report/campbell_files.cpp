@@ -1,14 +1,12 @@
-// Tables, files and the page of a Campbell diagram.
+// Tables and files of a Campbell diagram.
 
 #include "engine/steady_report/campbell_files.h"
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "engine/report/chart.h"
 #include "engine/steady_report/mode_files.h"
 #include "engine/support/json.h"
 
@@ -29,74 +27,6 @@ const Mode* mode_at(const CampbellResult& result, const CampbellBranch& branch, 
 
 std::string frequency_text(const Mode* mode) {
   return mode ? fmt::format("{:.6g}", hertz(mode->frequency)) : std::string();
-}
-
-std::string title_of(const CampbellBranch& branch) { return branch.of + ": " + branch.name; }
-
-/// A line of each branch, by what `value` makes of a mode.
-template <class Value>
-report::LineChart make_chart(const CampbellResult& result, const char* title,
-                             const report::Axis& axis, const Value& value) {
-  report::LineChart chart{.title = title, .x = {.title = "speed", .unit = "rad/s"}, .y = axis};
-  for (const CampbellBranch& branch : result.branches) {
-    report::LineSeries line{.name = title_of(branch)};
-    for (std::size_t k = 0; k < result.states.size(); ++k)
-      if (const Mode* mode = mode_at(result, branch, k))
-        line.points.push_back({speed_at(result, k), value(*mode), mode->name});
-    chart.series.push_back(std::move(line));
-  }
-  return chart;
-}
-
-/// The frequencies that the diagram shows [Hz]: those that excitation lines come near, and the
-/// lowest three branches; lines would be crowded at the bottom if all were shown.
-double highest_shown(const CampbellResult& result, const report::LineChart& chart, int harmonics) {
-  std::vector<double> peaks;
-  for (const report::LineSeries& line : chart.series) {
-    double peak = 0.0;
-    for (const report::DataPoint& point : line.points) peak = std::max(peak, point.y);
-    peaks.push_back(peak);
-  }
-  std::sort(peaks.begin(), peaks.end());
-  double speed = 0.0;
-  for (std::size_t k = 0; k < result.states.size(); ++k)
-    speed = std::max(speed, std::abs(speed_at(result, k)));
-  if (peaks.empty()) return 0.0;
-  const double lowest = peaks[std::min<std::size_t>(peaks.size(), 3) - 1];
-  const double excited = 1.25 * hertz(harmonics * speed);
-  return harmonics == 0 ? peaks.back() : std::min(peaks.back(), std::max(lowest, excited));
-}
-
-void add_excitation_lines(const CampbellResult& result, int harmonics, report::LineChart& chart) {
-  for (int n = 1; n <= harmonics; ++n) {
-    report::LineSeries line{
-        .name = fmt::format("{} per revolution", n), .markers = false, .dashed = true};
-    for (std::size_t k = 0; k < result.states.size(); ++k)
-      line.points.push_back({speed_at(result, k), hertz(n * std::abs(speed_at(result, k)))});
-    chart.series.push_back(std::move(line));
-  }
-}
-
-report::LineChart make_diagram(const CampbellResult& result, int harmonics) {
-  report::LineChart chart =
-      make_chart(result, "Frequencies over speed", {.title = "frequency", .unit = "Hz"},
-                 [](const Mode& mode) { return hertz(mode.frequency); });
-  chart.y.low = 0.0;
-  chart.y.high = 1.05 * highest_shown(result, chart, harmonics);
-  add_excitation_lines(result, harmonics, chart);
-  for (report::LineSeries& line : chart.series)
-    std::erase_if(line.points, [&](const report::DataPoint& p) { return p.y > *chart.y.high; });
-  std::erase_if(chart.series,
-                [](const report::LineSeries& line) { return line.points.size() < 2; });
-  return chart;
-}
-
-/// Whether a mode is damped, or grows, by more than round-off.
-bool is_damped(const CampbellResult& result) {
-  for (const ModesResult& state : result.states)
-    for (const Mode& mode : state.modes)
-      if (damping_of(mode) != 0.0) return true;
-  return false;
 }
 
 }  // namespace
@@ -182,21 +112,6 @@ std::string make_json(const CampbellResult& result) {
                      {"crossings", crossings},
                      {"gaps", gaps}};
   return json.dump_lines();
-}
-
-std::string make_html(const CampbellResult& result, int harmonics, const std::string& title) {
-  report::Page page(title, "Campbell diagram: frequencies in the frame that turns with the hub");
-  page.widen();
-  page.add_figure(render(make_diagram(result, harmonics)));
-  if (is_damped(result))
-    page.add_figure(render(make_chart(result, "Damping over speed", {.title = "damping ratio"},
-                                      [](const Mode& mode) { return damping_of(mode); })));
-  else
-    page.add_paragraph("No mode is damped, and none grows.");
-  page.add_table(make_crossing_table(result));
-  if (!result.gaps.empty()) page.add_table(make_gap_table(result));
-  page.add_table(make_branch_table(result));
-  return page.html();
 }
 
 }  // namespace spoke::steady_report

@@ -1,6 +1,6 @@
 #pragma once
 
-// campbell.csv, campbell.json and campbell.html of `spoke campbell`; docs/modes.md documents them.
+// campbell.csv and campbell.json of `spoke campbell`; docs/modes.md documents them.
 
 #include <string>
 
@@ -19,7 +19,5 @@ report::Table make_branch_table(const CampbellResult& result);
 std::string make_csv(const CampbellResult& result);
 /// Everything but shapes.
 std::string make_json(const CampbellResult& result);
-/// The diagram, damping over speed, and the tables as a page; `harmonics`: excitation lines.
-std::string make_html(const CampbellResult& result, int harmonics, const std::string& title);
 
 }  // namespace spoke::steady_report

@@ -9,12 +9,31 @@
 #include <cmath>
 
 #include "engine/report/chart.h"
+#include "engine/report/static_script.h"
+#include "engine/steady_report/steady_scene.h"
 #include "engine/support/json.h"
 
 namespace spoke::steady_report {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr const char* kMarkup = R"(<div class="film">
+<div class="views">
+<figure class="whole"><canvas id="steady-view" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The model in equilibrium" aria-describedby="steady-keys"></canvas></figure>
+</div>
+<div class="controls">
+<label><span>Deflections</span><input type="range" id="steady-scale" min="0" max="200" value="0"><output id="steady-times"></output></label>
+<label><input type="checkbox" id="steady-outline"> undeformed</label>
+<label><input type="checkbox" id="steady-joints"> joints</label>
+<label><input type="checkbox" id="steady-loads"> loads</label>
+<label><input type="checkbox" id="steady-names"> names</label>
+<span id="steady-looks" class="looks" role="group" aria-label="Direction of view"></span>
+<span class="hint" id="steady-keys">Drag to turn, with shift to move, scroll or pinch to zoom, double-click to reset. With the keyboard: arrows turn, with shift they move, + and &#8722; zoom, 0 resets.</span>
+</div>
+</div>
+<noscript><p class="note warning">The picture needs JavaScript.</p></noscript>
+)";
 
 Json vector_json(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
@@ -105,6 +124,14 @@ void add_chart(const EquilibriumResult& result, Direction direction, const std::
   if (!chart.series.empty()) page.add_figure(render(chart));
 }
 
+std::string make_data(const EquilibriumResult& result, const Scenario& scenario) {
+  constexpr std::size_t kMostNodes = 2000;
+  const SteadyScene scene(scenario, result, kMostNodes);
+  const Json data = {{"scene", scene.describe()},
+                     {"states", Json::array({scene.describe(result)})}};
+  return data.dump();
+}
+
 }  // namespace
 
 report::Table make_tip_table(const EquilibriumResult& result) {
@@ -162,14 +189,19 @@ std::string make_section_csv(const EquilibriumResult& result) {
   return text;
 }
 
-std::string make_html(const EquilibriumResult& result, const std::string& title) {
+std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
+                      const std::string& title) {
   report::Page page(title, fmt::format("Equilibrium at {:.6g} rad/s", result.speed));
+  page.widen();
+  page.add_markup(kMarkup);
   page.add_facts(make_facts(result));
   add_chart(result, Direction::flap, "Deflection along the axis of rotation", page);
   add_chart(result, Direction::lag, "Deflection in the plane of rotation", page);
   page.add_table(make_tip_table(result));
   if (const report::Table joints = make_joint_table(result); !joints.rows.empty())
     page.add_table(joints);
+  page.add_data("steady-data", make_data(result, scenario));
+  page.add_script(report::static_script());
   return page.html();
 }
 

@@ -19,7 +19,8 @@ std::vector<report::Fact> make_facts(const EquilibriumResult& result);
 std::string make_json(const EquilibriumResult& result);
 /// A row per blade and body: the wrench where the body begins.
 std::string make_section_csv(const EquilibriumResult& result);
-/// Deflections over the radius, tables and facts as a page.
-std::string make_html(const EquilibriumResult& result, const std::string& title);
+/// A picture, deflections over the radius, tables and facts as a page; `scenario`: of the result.
+std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
+                      const std::string& title);
 
 }  // namespace spoke::steady_report

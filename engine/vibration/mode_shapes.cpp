@@ -26,8 +26,9 @@ std::vector<NodePlace> places_at(std::size_t tree, const VectorXd& q, SteadyMode
 
 /// Motion of a node by a unit of a direction.
 struct NodeMotion {
-  Vector3d p;
-  Vector3d rotation;
+  Vector3d p = Vector3d::Zero();
+  Vector3d centre = Vector3d::Zero();  ///< of its mass
+  Vector3d rotation = Vector3d::Zero();
 };
 
 std::vector<NodeMotion> move(std::size_t tree, const VectorXd& q, const VectorXd& direction,
@@ -43,12 +44,13 @@ std::vector<NodeMotion> move(std::size_t tree, const VectorXd& q, const VectorXd
   const std::vector<NodePlace> behind = places_at(tree, q - h * direction, model);
   for (std::size_t k = 0; k < ahead.size(); ++k) {
     if (h == 0.0) {
-      motions.push_back({Vector3d::Zero(), Vector3d::Zero()});
+      motions.emplace_back();
       continue;
     }
     const space::Rotation turn{ahead[k].axes * behind[k].axes.transpose()};
-    motions.push_back(
-        {(ahead[k].p - behind[k].p) / (2.0 * h), Vector3d(space::logarithm(turn)) / (2.0 * h)});
+    motions.push_back({(ahead[k].p - behind[k].p) / (2.0 * h),
+                       (ahead[k].centre - behind[k].centre) / (2.0 * h),
+                       Vector3d(space::logarithm(turn)) / (2.0 * h)});
   }
   return motions;
 }
@@ -77,11 +79,13 @@ TreeShape calc_tree_shape(std::size_t tree, const VectorXd& q, const VectorXcd& 
   const std::vector<NodeMotion> imag = move(tree, q, x.imag(), model);
   const std::vector<NodePlace> places = places_at(tree, q, model);
   const Eigen::Matrix3d to_root = model.root_axes(tree).transpose();
+  constexpr std::complex<double> kI(0.0, 1.0);
   TreeShape shape;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    shape.nodes.push_back(real[k].p + std::complex<double>(0.0, 1.0) * imag[k].p);
+    shape.nodes.push_back(real[k].p + kI * imag[k].p);
+    shape.rotations.push_back(real[k].rotation + kI * imag[k].rotation);
     for (const std::vector<NodeMotion>* part : {&real, &imag}) {
-      const Vector3d p = to_root * (*part)[k].p, rotation = to_root * (*part)[k].rotation;
+      const Vector3d p = to_root * (*part)[k].centre, rotation = to_root * (*part)[k].rotation;
       for (int c = 0; c < 3; ++c)
         shape.energies[static_cast<std::size_t>(c)] += places[k].mass * p[c] * p[c];
       shape.energies[3] += places[k].inertia * rotation.x() * rotation.x();

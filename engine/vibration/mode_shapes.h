@@ -14,7 +14,8 @@ namespace spoke::vibration {
 
 /// How a tree moves in a mode.
 struct TreeShape {
-  std::vector<Eigen::Vector3cd> nodes;  ///< displacements, hub frame [m]
+  std::vector<Eigen::Vector3cd> nodes;      ///< displacements, hub frame [m]
+  std::vector<Eigen::Vector3cd> rotations;  ///< of the same nodes [rad]
   /// Kinetic energies: along x, y (lag), z (flap) of the tree's root, and of rotation about x.
   std::array<double, 4> energies{};
   double total() const { return energies[0] + energies[1] + energies[2] + energies[3]; }

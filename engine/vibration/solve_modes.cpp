@@ -68,8 +68,11 @@ void normalise(Mode& mode) {
       for (int c = 0; c < 3; ++c)
         if (std::abs(p[c]) > std::abs(largest)) largest = p[c];
   if (largest == 0.0) return;
-  for (auto& nodes : mode.shape)
-    for (Eigen::Vector3cd& p : nodes) p /= largest;
+  for (auto* field : {&mode.shape, &mode.rotations})
+    for (auto& nodes : *field)
+      for (Eigen::Vector3cd& v : nodes) v /= largest;
+  mode.hub_displacement /= largest;
+  mode.hub_rotation /= largest;
 }
 
 /// Numbers modes of one name in their order; a name that is alone is numbered, too.
@@ -97,7 +100,9 @@ void add_modes_of_tree(std::size_t i, int count, const Linearised& all, ModesRes
     mode.of = of;
     const TreeShape shape = vibration::calc_tree_shape(i, all.equilibrium.q[i], root.x, all.model);
     mode.shape.resize(all.model.trees());
+    mode.rotations.resize(all.model.trees());
     mode.shape[i] = shape.nodes;
+    mode.rotations[i] = shape.rotations;
     normalise(mode);
     mode.kind = vibration::name_kind(i, root.x, all.linear.trees[i].M, shape, all.model);
     numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
@@ -105,19 +110,28 @@ void add_modes_of_tree(std::size_t i, int count, const Linearised& all, ModesRes
   }
 }
 
-/// Displacement of the hub's frame at p by its free coordinates.
-Eigen::Vector3cd calc_hub_displacement(const Eigen::VectorXcd& x, const Eigen::Vector3d& p,
-                                       const SteadyModel& model) {
-  Eigen::Vector3cd translation = Eigen::Vector3cd::Zero(), rotation = Eigen::Vector3cd::Zero();
+/// Sets the motion of the hub's frame by its free coordinates.
+void set_hub_motion(const Eigen::VectorXcd& x, const SteadyModel& model, Mode& mode) {
   const std::vector<int>& free = model.free_components();
   for (std::size_t k = 0; k < free.size(); ++k) {
     const std::complex<double> value = x[static_cast<Eigen::Index>(k)];
     if (free[k] < model.first_rotation())
-      translation[free[k]] = value;
+      mode.hub_displacement[free[k]] = value;
     else
-      rotation[model.is_spatial() ? free[k] - 3 : 2] = value;
+      mode.hub_rotation[model.is_spatial() ? free[k] - 3 : 2] = value;
   }
-  return translation + rotation.cross(p.cast<std::complex<double>>());
+}
+
+/// Adds a tree, which goes with the hub.
+void add_shape(std::size_t tree, const TreeShape& shape, SteadyModel& model, Mode& mode) {
+  const std::vector<steady::NodePlace> places = model.places(tree);
+  auto& nodes = mode.shape.emplace_back(shape.nodes);
+  auto& rotations = mode.rotations.emplace_back(shape.rotations);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Eigen::Vector3cd p = places[k].p.cast<std::complex<double>>();
+    nodes[k] += mode.hub_displacement + mode.hub_rotation.cross(p);
+    rotations[k] += mode.hub_rotation;
+  }
 }
 
 /// How blades that are like tree `i` move together.
@@ -136,6 +150,7 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   Mode mode = make_mode(root);
   mode.of = "all";
   const Eigen::Index h = all.linear.M.rows();
+  set_hub_motion(root.x.head(h), all.model, mode);
   std::size_t most = 0;
   double largest = -1.0;
   std::vector<TreeShape> shapes;
@@ -147,10 +162,7 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
       largest = shape.total();
       most = i;
     }
-    const std::vector<steady::NodePlace> places = all.model.places(i);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      shape.nodes[k] += calc_hub_displacement(root.x.head(h), places[k].p, all.model);
-    mode.shape.push_back(shape.nodes);
+    add_shape(i, shape, all.model, mode);
   }
   normalise(mode);
   const Eigen::VectorXcd hub = root.x.head(h);

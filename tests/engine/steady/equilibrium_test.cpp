@@ -34,6 +34,7 @@ TEST_CASE("equilibrium: a cantilever under a dead force at its tip is an elastic
         make_planar({.bodies = 16, .elements = 2, .more = tip_force(known.load)}));
     const BladeEquilibrium& blade = result.blades.at(0);
     CHECK(blade.tip_rotation.z() == doctest::Approx(known.slope).epsilon(1e-3));
+    CHECK(blade.rotations.back().z() == doctest::Approx(known.slope).epsilon(1e-3));
     CHECK(blade.tip_displacement.y() == doctest::Approx(known.deflection).epsilon(1e-3));
     CHECK(-blade.tip_displacement.x() == doctest::Approx(known.shortening).epsilon(2e-3));
     // Clamped: the force, and its moment about the deformed root.

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -184,8 +185,28 @@ TEST_CASE("modes: of clamped blades the lowest frequency is that of spoke check"
 TEST_CASE("modes: a free body in space at rest has six rigid motions") {
   const ModesResult result =
       solve_modes(read("satellite_booms.toml"), {.state = {.speed = 0.0}, .count = 8});
-  for (int k = 0; k < 6; ++k) CHECK(result.modes[static_cast<std::size_t>(k)].eigenvalue == 0.0);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Mode& mode = result.modes[k];
+    CHECK(mode.eigenvalue == 0.0);
+    for (std::size_t i = 0; i < mode.shape.size(); ++i) {
+      const Eigen::Vector3d tip = result.equilibrium.blades[i].nodes.back();
+      const Eigen::Vector3cd carried =
+          mode.hub_displacement + mode.hub_rotation.cross(tip.cast<std::complex<double>>());
+      CHECK((mode.shape[i].back() - carried).norm() < 1e-6);
+      CHECK((mode.rotations[i].back() - mode.hub_rotation).norm() < 1e-6);
+    }
+  }
   CHECK(result.modes.at(6).frequency > 0.1);
+}
+
+TEST_CASE("modes: the tip of a cantilever turns by 1.3765 u/L in its first mode") {
+  // The slope of cosh - cos - 0.734096 (sinh - sin) at 1.875104, by its value there.
+  for (const Scenario& scenario : {make_planar({}), make_spatial({})})
+    for (const Mode& mode : solve_modes(scenario, {.count = 2}).modes) {
+      const double turned = mode.rotations.at(0).back().norm();
+      CHECK(turned == doctest::Approx(1.376506 * mode.shape[0].back().norm()).epsilon(1e-3));
+      if (!scenario.space) break;  // the next one is the second of lag
+    }
 }
 
 TEST_CASE(

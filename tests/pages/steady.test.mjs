@@ -1,0 +1,116 @@
+// Pages of equilibria, modes and Campbell diagrams in a browser. SPOKE_PROGRAM: the built program;
+// SPOKE_MODELS_DIR: the folder of the shipped scenarios.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+
+import { openPage } from './browser.mjs';
+
+const folder = mkdtempSync(join(tmpdir(), 'spoke-steady-'));
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+/** The folder with the results of a command about a shipped scenario. */
+function solve(command, name, ...options) {
+  const out = join(folder, `${command}-${name}`);
+  const scenario = join(process.env.SPOKE_MODELS_DIR, `${name}.toml`);
+  execFileSync(process.env.SPOKE_PROGRAM, [command, scenario, '--out', out, ...options], { stdio: 'pipe' });
+  return out;
+}
+
+const campbell = solve('campbell', 'articulated_rotor', '--speeds', '0:44:4', '--count', '4');
+const equilibrium = solve('static', 'nrel_5mw_rotor');
+const free = solve('modes', 'satellite_booms', '--speed', '0', '--count', '12');
+
+async function withPage(file, options, look) {
+  const { page, problems, close } = await openPage(file, options);
+  try {
+    // No mode moves by itself, so that pictures can be compared.
+    await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: options.scheme ?? 'light' });
+    await page.reload();
+    await look(page);
+    assert.deepEqual(problems, []);
+  } finally {
+    await close();
+  }
+}
+
+/** A digest of all pixels of a canvas. */
+async function picture(canvas) {
+  const pixels = await canvas.evaluate((element) => element.toDataURL());
+  return createHash('sha256').update(pixels).digest('hex');
+}
+
+const pages = [join(campbell, 'campbell.html'), join(equilibrium, 'static.html'), join(free, 'modes.html')];
+for (const scheme of ['light', 'dark'])
+  for (const width of [400, 1280])
+    test(`pages fit into ${width} pixels, ${scheme}`, async () => {
+      for (const file of pages)
+        await withPage(file, { width, scheme }, async (page) => {
+          const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+          assert.ok(overflow <= 0, `${file}: wider than the window by ${overflow}`);
+        });
+    });
+
+test('deflections of an equilibrium are shown larger', () =>
+  withPage(pages[1], {}, async (page) => {
+    const canvas = page.locator('#steady-view');
+    const before = await picture(canvas);
+    await page.locator('#steady-scale').fill('100');
+    assert.equal(await page.locator('#steady-times').textContent(), '\u00d7 10');
+    assert.notEqual(await picture(canvas), before);
+  }));
+
+test('the diagram zooms by a rectangle, and back', () =>
+  withPage(pages[0], {}, async (page) => {
+    const canvas = page.locator('#campbell');
+    const before = await picture(canvas);
+    const box = await canvas.boundingBox();
+    assert.ok(await page.locator('#campbell-reset').isDisabled());
+    await page.mouse.move(box.x + 100, box.y + 60);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 300, box.y + 200, { steps: 4 });
+    await page.mouse.up();
+    assert.notEqual(await picture(canvas), before);
+    await page.locator('#campbell-reset').click();
+    await page.mouse.move(0, 0);
+    assert.equal(await picture(canvas), before);
+  }));
+
+test('modes are read below the pointer, chosen by keys, and their shapes follow', () =>
+  withPage(pages[0], {}, async (page) => {
+    const { branches } = JSON.parse(readFileSync(join(campbell, 'campbell.json'), 'utf8'));
+    const text = page.locator('#mode-text');
+    const view = page.locator('#mode-view');
+    await page.locator('#mode-mode').selectOption('1');
+    await page.locator('#mode-speed').selectOption('11');
+    assert.match(await text.textContent(), new RegExp(`${branches[1].mode} at 44 rad/s`));
+    const before = await picture(view);
+    await page.locator('#campbell').focus();
+    await page.keyboard.press('ArrowLeft');
+    assert.match(await text.textContent(), new RegExp(`${branches[1].mode} at 40 rad/s`));
+    assert.match(await page.locator('#spoken').textContent(), /at 40 rad\/s/);
+    assert.equal(await page.locator('#mode-speed').inputValue(), '10');
+    await page.keyboard.press('ArrowUp');
+    assert.notEqual(await page.locator('#mode-mode').inputValue(), '1');
+    assert.notEqual(await picture(view), before);
+  }));
+
+test('a chosen mode moves, the free hub too, and stops', () =>
+  withPage(pages[2], {}, async (page) => {
+    const view = page.locator('#mode-view');
+    await page.locator('#mode-mode').selectOption('8');
+    const still = await picture(view);
+    await page.locator('#mode-play').click();
+    await page.waitForTimeout(1200);
+    await page.locator('#mode-play').click();
+    const stopped = await picture(view);
+    assert.notEqual(stopped, still);
+    await page.waitForTimeout(700);
+    assert.equal(await picture(view), stopped);
+    await page.locator('#mode-amplitude').fill('0');
+    assert.notEqual(await picture(view), stopped);
+  }));
