@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <iterator>
 #include <sstream>
 #include <system_error>
@@ -114,6 +115,16 @@ std::string hexadecimal(std::uint32_t number) {
   return text;
 }
 
+/// All of a checkpoint; of what begins otherwise only the beginning, for a device may have no end.
+std::string read_bytes(std::istream& stream) {
+  std::string bytes(kMagic.size(), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  if (bytes == kMagic)
+    bytes.append(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  return bytes;
+}
+
 /// The content of an intact frame of this format.
 std::string_view require_frame(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) refuse(name, "is empty, expected a checkpoint");
@@ -183,7 +194,7 @@ Checkpoint load_checkpoint(const std::string& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(file, std::string("cannot be read: ") + std::strerror(errno));
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const std::string bytes = read_bytes(stream);
   if (stream.bad()) refuse(file, std::string("cannot be read: ") + std::strerror(errno));
   Checkpoint checkpoint = parse_checkpoint(bytes, file);
   log_file(file, "read", checkpoint.state, bytes.size());

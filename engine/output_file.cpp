@@ -38,6 +38,12 @@ bool is_synchronised(int descriptor) {
          errno == EROFS;
 }
 
+/// Also of pipes; of a link, what it leads to.
+bool is_device(const std::string& file) {
+  struct stat status {};
+  return stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
 /// Lets a new name in a folder survive a crash.
 void sync_folder(const std::string& file) {
   std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -112,12 +118,13 @@ void ReplacedFile::name_the_file(const Work& work) const {
   }
 }
 
-ReplacedFile::ReplacedFile(std::string file) : file_(std::move(file)), temporary_(file_ + ".tmp") {
+ReplacedFile::ReplacedFile(std::string file)
+    : file_(std::move(file)), temporary_(is_device(file_) ? file_ : file_ + ".tmp") {
   name_the_file([&] { output_ = std::make_unique<OutputFile>(temporary_); });
 }
 
 ReplacedFile::~ReplacedFile() {
-  if (output_) unlink(temporary_.c_str());
+  if (output_ && temporary_ != file_) unlink(temporary_.c_str());
 }
 
 void ReplacedFile::append(std::string_view bytes) {
@@ -128,7 +135,7 @@ void ReplacedFile::commit(Outlives outlives) {
   name_the_file([&] {
     if (outlives == Outlives::machine) output_->sync();
     output_->close();
-    if (std::rename(temporary_.c_str(), file_.c_str()) != 0) fail(file_);
+    if (temporary_ != file_ && std::rename(temporary_.c_str(), file_.c_str()) != 0) fail(file_);
   });
   output_.reset();
   if (outlives == Outlives::machine) sync_folder(file_);

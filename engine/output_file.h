@@ -54,8 +54,8 @@ enum class Outlives {
   machine   ///< a crash or power cut, too: the disk is waited for, some milliseconds
 };
 /// A file that takes the place of another one, or of none, as a whole: readers, and programs that
-/// start after what it outlives, see the old file or the new one. Throws InputError if it cannot be
-/// written.
+/// start after what it outlives, see the old file or the new one. Devices and pipes keep their
+/// place, and are written to. Throws InputError if it cannot be written.
 class SPOKE_EXPORT ReplacedFile {
  public:
   /// Opens a file beside `file`, of that name and ".tmp".

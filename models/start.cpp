@@ -9,10 +9,6 @@
 namespace spoke {
 namespace {
 
-const Drive& drive_of(const Scenario& scenario) {
-  return scenario.space ? scenario.space->hub.drive : scenario.rotor.hub.drive;
-}
-
 /// The one that a ramp up leads to; none of drives without one.
 std::optional<double> speed_after_ramp(const Drive& drive) {
   if (const auto* up = std::get_if<SpinUp>(&drive)) return up->speed;
@@ -110,6 +106,10 @@ void begin_at(double speed, Drive& drive) {
 }
 
 }  // namespace
+
+const Drive& drive_of(const Scenario& scenario) {
+  return scenario.space ? scenario.space->hub.drive : scenario.rotor.hub.drive;
+}
 
 StartFault find_start_fault(const Scenario& scenario) {
   const Initial& initial = scenario.initial;

@@ -1,12 +1,16 @@
 #pragma once
 
-// How a simulation from an equilibrium starts: at which speed, and without what only leads there.
+// The drive that a simulation starts with, and how one from an equilibrium starts: at which speed,
+// and without what only leads there.
 
 #include <string>
 
 #include "models/scenario.h"
 
 namespace spoke {
+
+/// What turns the hub, in the plane or in space.
+const Drive& drive_of(const Scenario& scenario);
 
 /// What is wrong with scenario.initial: the key below "initial", and in words what. Empty texts if
 /// nothing is.

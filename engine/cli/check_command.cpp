@@ -4,7 +4,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <filesystem>
 #include <numbers>
+#include <system_error>
 
 #include "engine/cli/build_simulation.h"
 #include "engine/cli/print_space.h"
@@ -14,6 +16,7 @@
 #include "engine/results.h"
 #include "engine/run_report/model_page.h"
 #include "models/count_text.h"
+#include "models/error.h"
 #include "models/start.h"
 
 namespace spoke::cli {
@@ -29,6 +32,15 @@ void print_start(const Scenario& scenario) {
                                    start_speed(scenario)));
 }
 
+/// Refuses to draw in the place of a folder, or of the scenario.
+void require_place(const Arguments& arguments) {
+  if (arguments.html.empty()) return;
+  require_no_folder(arguments.html);
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.html, arguments.scenario, none))
+    throw InputError("spoke check: --html: " + arguments.html + " is the scenario itself");
+}
+
 /// The model as a page, if that is asked for.
 void draw(const Arguments& arguments, const Scenario& scenario) {
   if (arguments.html.empty()) return;
@@ -42,7 +54,8 @@ int check(const Arguments& arguments) {
   SimulationOptions options = arguments.options;
   options.executor = ExecutorKind::serial;
   const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
-  if (!arguments.html.empty()) require_no_folder(arguments.html);
+  require_place(arguments);
+  warn_of_degrees(arguments.scenario, scenario);
   if (scenario.space) {
     print_title(scenario.title);
     print_space(*scenario.space);
@@ -51,7 +64,6 @@ int check(const Arguments& arguments) {
     return 0;
   }
   const Simulation simulation = build_simulation(arguments.scenario, scenario, options);
-  warn_of_degrees(arguments.scenario, simulation.scenario());
   const Integration& integration = simulation.scenario().integration;
   const LinearProperties properties = simulation.linear_properties();
   print_model(simulation);
@@ -69,8 +81,8 @@ int check(const Arguments& arguments) {
   if (integration.method == IntegrationMethod::rk4 &&
       simulation.step_size() > properties.rk4_largest_step) {
     print_error(fmt::format(
-        "{}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s",
-        arguments.scenario, simulation.step_size(), properties.rk4_largest_step));
+        "warning: {}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s",
+        one_line(arguments.scenario), simulation.step_size(), properties.rk4_largest_step));
   }
   return 0;
 }

@@ -106,7 +106,7 @@ int compare(const Arguments& arguments) {
   comparison.machine = this_machine();
   const compare::Axes& axes = arguments.compare.axes;
   const auto configurations = choose_configurations(axes, scenario, comparison.machine.cores);
-  require_folder(folder);
+  require_folder(folder, {"compare.json", "compare.csv", "compare.html"});
   const ResultsFolder taken(folder);
   comparison.loads.before = load_average();
   comparison.capacity = measure_capacity();

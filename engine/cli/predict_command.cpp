@@ -219,7 +219,7 @@ int predict(const Arguments& arguments) {
   const fs::path folder = arguments.out.empty()
                               ? fs::path("results") / task.scenario.name / "predict"
                               : fs::path(arguments.out);
-  require_folder(folder);
+  require_folder(folder, {"predict.json", "predict.csv", "predict.html"});
   const ResultsFolder taken(folder);
   const Machine machine = this_machine();
   const double load_before = load_average();

@@ -35,9 +35,12 @@ void print_model(const Simulation& simulation) {
              counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge"));
 }
 
-void warn_of_degrees(const std::string& file, const Scenario& scenario) {
+namespace {
+
+/// Of blades in the plane or in space.
+template <class Blade>
+void warn_of_degrees(const std::string& file, const std::vector<Blade>& blades) {
   constexpr double turn = 2.0 * std::numbers::pi;
-  const std::vector<Blade>& blades = scenario.rotor.blades;
   for (std::size_t i = 0; i < blades.size(); ++i) {
     const double azimuth = blades[i].azimuth;
     // Unless given, it is that of the first blade and a share of a turn.
@@ -47,6 +50,15 @@ void warn_of_degrees(const std::string& file, const Scenario& scenario) {
         "warning: {}: the azimuth of blade {} is {:.6g} rad, beyond a turn of 2 pi: degrees?",
         one_line(file), i + 1, azimuth));
   }
+}
+
+}  // namespace
+
+void warn_of_degrees(const std::string& file, const Scenario& scenario) {
+  if (scenario.space)
+    warn_of_degrees(file, scenario.space->blades);
+  else
+    warn_of_degrees(file, scenario.rotor.blades);
 }
 
 void print_table(const report::Table& table) {

@@ -108,7 +108,7 @@ void measure_all(const Effort& effort, Reproduction& all) {
 int reproduce(const Arguments& arguments) {
   const fs::path folder =
       arguments.out.empty() ? fs::path("results") / "reproduce" : fs::path(arguments.out);
-  require_folder(folder);
+  require_folder(folder, {"reproduce.json", "reproduce.html"});
   const ResultsFolder taken(folder);
   const Effort& effort = arguments.quick ? kQuick : kFull;
   Reproduction all{.scenario = paper_rotor(), .is_quick = arguments.quick};

@@ -11,6 +11,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "models/error.h"
 
@@ -39,7 +40,7 @@ bool is_named(int descriptor, const fs::path& folder) {
 
 }  // namespace
 
-void require_folder(const fs::path& folder) {
+void require_folder(const fs::path& folder, const std::vector<std::string>& files) {
   std::error_code error;
   fs::path existing = fs::absolute(folder, error);
   while (!error && !is_there(existing, error) && existing.has_relative_path())
@@ -48,6 +49,7 @@ void require_folder(const fs::path& folder) {
   if (!fs::is_directory(existing, error)) refuse(folder, existing.string() + " is no folder");
   if (access(existing.c_str(), W_OK | X_OK) != 0)
     refuse(folder, existing.string() + " is not writable");
+  for (const std::string& file : files) require_no_folder(folder / file);
 }
 
 void require_no_folder(const fs::path& file) {

@@ -3,12 +3,15 @@
 // The folders and files that a command is to write.
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace spoke::cli {
 
-/// Throws InputError unless the folder can be made, without making it.
-void require_folder(const std::filesystem::path& folder);
+/// Throws InputError unless the folder can be made, without making it, and if in it a folder stands
+/// where one of the files is to be written.
+void require_folder(const std::filesystem::path& folder,
+                    const std::vector<std::string>& files = {});
 
 /// Throws InputError if a folder stands where a file is to be written.
 void require_no_folder(const std::filesystem::path& file);

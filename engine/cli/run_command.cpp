@@ -292,10 +292,9 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
 
 /// Refuses what could not be written, while the files of an earlier run are still there.
 void require_places(const Arguments& arguments, const fs::path& folder) {
-  if (!arguments.trace_out.empty()) require_folder(arguments.trace_out);
+  if (!arguments.trace_out.empty()) require_folder(arguments.trace_out, trace::file_names());
   if (arguments.writes_vtk) require_folder(folder / "vtk");
-  for (const char* file : {"sensors.csv", "summary.json", "report.html", "checkpoint.spoke"})
-    require_no_folder(folder / file);
+  require_folder(folder, {"sensors.csv", "summary.json", "report.html", "checkpoint.spoke"});
 }
 
 fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario) {

@@ -21,6 +21,7 @@ const std::string& SteadyTask::title() const {
 
 void SteadyTask::write(const std::vector<File>& files) const {
   const ResultsFolder taken(folder_);
+  for (const File& file : files) require_no_folder(path(file.name));
   for (const File& file : files) replace_file(path(file.name), file.text);
 }
 

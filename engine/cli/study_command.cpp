@@ -53,10 +53,8 @@ struct Finished {
 /// Refuses what could not be written, while the files of an earlier study are still there, and to
 /// throw away the runs of an unfinished one.
 void require_place(const fs::path& folder, bool resumes) {
-  require_folder(folder);
-  for (const char* file :
-       {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5", "study.journal"})
-    require_no_folder(folder / file);
+  require_folder(folder, {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5",
+                          "study.journal"});
   if (resumes) return;
   const std::string journal = (folder / "study.journal").string();
   const auto found = study::find_journal(journal);
@@ -189,7 +187,8 @@ struct Prepared {
     taken.emplace(folder);
     // A study that was killed before it had a journal has nothing to resume, and begins.
     const fs::path file = folder / "study.journal";
-    resumes = arguments.resumes && fs::exists(file);
+    std::error_code none;
+    resumes = arguments.resumes && fs::exists(file, none);
     journal.emplace(file.string(), study, resumes ? Journal::Start::resumed : Journal::Start::anew);
   }
 

@@ -93,7 +93,7 @@ int trace(const Arguments& arguments) {
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
   const fs::path folder = arguments.out.empty() ? fs::path("results") / scenario.name / "trace"
                                                 : fs::path(arguments.out);
-  require_folder(folder);
+  require_folder(folder, trace::file_names());
   Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
   const TraceArguments& asked = arguments.trace;
   const std::int64_t steps = choose_steps(asked, simulation);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <sstream>
 
+#include "models/start.h"
 #include "models/system/beam_properties.h"
 
 namespace spoke {
@@ -88,7 +89,7 @@ constexpr double kLeastSteps = 4.0;  ///< of a change of the speed
 /// The first change within so few steps that they see next to nothing of the drive's work.
 std::optional<SpeedChange> find_speed_jump(const Scenario& scenario, double step_size) {
   constexpr double kNotable = 0.01;  // by the largest change
-  const std::vector<SpeedChange> changes = find_speed_changes(scenario.rotor.hub.drive);
+  const std::vector<SpeedChange> changes = find_speed_changes(drive_of(scenario));
   double largest = 0.0;
   for (const SpeedChange& change : changes) largest = std::max(largest, std::abs(change.change));
   for (const SpeedChange& change : changes)

@@ -173,8 +173,12 @@ class SpatialModel final : public SimulatedModel {
     const std::string finding = find(failed, at);
     std::ostringstream text;
     text << "diverged at t = " << failed.time << " s, step " << failed.step << ": " << finding
-         << "; take a smaller integration.step, more bodies per beam, "
-         << "geometric_stiffening where a body turns fast, or smaller loads";
+         << "; ";
+    if (failed.outcome == StepOutcome::energy_grew)
+      text << advise_on_growth(scenario_, step_size(context_.integrator), failed.seen);
+    else
+      text << "take a smaller integration.step, more bodies per beam, "
+           << "geometric_stiffening where a body turns fast, or smaller loads";
     return DivergenceError(text.str(), std::move(at));
   }
   std::string describe_failed_load(const std::string& at) const override {

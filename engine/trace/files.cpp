@@ -5,6 +5,7 @@
 #include <cassert>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "engine/results.h"
 #include "engine/trace/chrome_trace.h"
@@ -15,8 +16,12 @@
 
 namespace spoke::trace {
 
+std::vector<std::string> file_names() {
+  return {"trace.json", "graph.dot", "graph.svg", "trace.html"};
+}
+
 void remove_files(const std::filesystem::path& folder) {
-  for (const char* file : {"trace.json", "graph.dot", "graph.svg", "trace.html"}) {
+  for (const std::string& file : file_names()) {
     std::error_code error;
     std::filesystem::remove(folder / file, error);
     if (error)

@@ -17,6 +17,9 @@ struct WrittenFiles {
   std::vector<std::string> remarks;  ///< what was not written, and why: a line each
 };
 
+/// Of all files that write_files() may write.
+std::vector<std::string> file_names();
+
 /// Removes those files that write_files() writes, if they are there: of an earlier trace. Throws
 /// InputError if one cannot be removed.
 void remove_files(const std::filesystem::path& folder);

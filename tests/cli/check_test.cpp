@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/cli/refusal.h"
 
 TEST_CASE("check says that a simulation starts at its equilibrium") {
   const WorkFolder folder;
@@ -98,6 +99,24 @@ TEST_CASE("an azimuth beyond a turn is asked whether it is in degrees") {
   }
 }
 
+TEST_CASE("an azimuth beyond a turn is asked for in space, too") {
+  for (const std::string command : {"check", "run"}) {
+    const Ended ended = run_spoke({command, shipped("spatial_wu_haug"), "--set", "blade.azimuth=90",
+                                   "integration.duration=0.05"},
+                                  WorkFolder());
+    CHECK(ended.status == 0);
+    CHECK(ended.err == "warning: " + shipped("spatial_wu_haug") +
+                           ": the azimuth of blade 1 is 90 rad, beyond a turn of 2 pi: degrees?\n");
+  }
+}
+
+TEST_CASE("check draws no page in the place of the scenario") {
+  const WorkFolder folder;
+  const std::string scenario = folder.write("s.toml", read_file(shipped("wu_haug_rotor"))).string();
+  check_refused({"check", scenario, "--html", scenario}, scenario + " is the scenario itself",
+                folder);
+}
+
 TEST_CASE("check warns of a step that rk4 is not stable at") {
   const WorkFolder folder;
   const std::string scenario = shipped("wu_haug_rotor");
@@ -105,6 +124,7 @@ TEST_CASE("check warns of a step that rk4 is not stable at") {
       {"check", scenario, "--set", "integration.method=rk4", "integration.step=9e-5"}, folder);
   CHECK(unstable.status == 0);
   CHECK(lines_of(unstable.err).size() == 1);
+  CHECK(unstable.err.starts_with("warning: "));
   CHECK(unstable.err.find("is not stable with rk4, expected at most 8.20") != std::string::npos);
   const Ended stable = run_spoke(
       {"check", scenario, "--set", "integration.method=rk4", "--set", "integration.step=8e-5"},

@@ -99,3 +99,23 @@ TEST_CASE("a trace may go to the folder of the results") {
   CHECK(run("./o/") == 0);
   CHECK(run("o/t") == 0);
 }
+
+TEST_CASE("a folder in the place of a file is refused before anything is measured or written") {
+  const WorkFolder folder;
+  const std::string rotor = shipped("wu_haug_rotor");
+  const auto refused = [&](const Words& words, const std::string& file) {
+    fs::create_directories(folder.path() / "o" / file);
+    check_refused(with(words, {"--out", "o"}), "o/" + file + ": cannot be written: Is a directory",
+                  folder);
+    fs::remove_all(folder.path() / "o");
+  };
+  refused({"static", rotor}, "static.html");
+  refused({"modes", rotor}, "modes.csv");
+  refused({"campbell", rotor, "--speeds", "0:1:1"}, "campbell.html");
+  refused({"linearize", rotor}, "linear.json");
+  refused({"compare", rotor}, "compare.html");
+  refused({"predict", rotor}, "predict.csv");
+  refused({"trace", rotor}, "graph.dot");
+  refused({"run", rotor, "--trace", "o"}, "graph.dot");
+  refused({"reproduce"}, "reproduce.json");
+}

@@ -135,6 +135,8 @@ TEST_CASE("every flipped bit is noticed") {
 
 TEST_CASE("foreign files and newer formats are refused as such") {
   CHECK(refusal("t,blade1.tip.x\n0,0\n") == "c: is no checkpoint of Spoke");
+  CHECK(message_of([] { load_checkpoint("/dev/zero"); }) ==  // which has no end
+        "/dev/zero: is no checkpoint of Spoke");
   const std::string bytes = make_checkpoint(make_simulation().save());
   CHECK(refusal(with_format(bytes, 4)).find("c: is of format 4, this version of Spoke (") == 0);
 }

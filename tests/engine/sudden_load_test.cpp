@@ -7,12 +7,15 @@
 #include <cmath>
 #include <complex>
 #include <memory>
+#include <vector>
 
 #include "engine/simulation.h"
+#include "tests/approx.h"
 #include "tests/engine/rotors.h"
 
 using namespace spoke;
 using namespace spoke::test;
+using spoke::testing::approx;
 
 namespace {
 
@@ -30,6 +33,33 @@ Scenario cantilever(int bodies, double radius, double step) {
   scenario.rotor.damping.stiffness_factor = kDamping;
   scenario.integration.duration = 1.0;
   scenario.integration.spectral_radius = radius;
+  return scenario;
+}
+
+/// The same blade in space, which is loaded from the start.
+Scenario spatial_cantilever(int bodies, double radius, double step) {
+  Scenario scenario = cantilever(bodies, radius, step);
+  const Blade planar = scenario.rotor.blades[0];
+  const double bending = planar.youngs_modulus * planar.second_moment, L = planar.length;
+  const auto uniform = [](double value) { return std::vector<double>(2, value); };
+  spatial::Model model;
+  model.hub.drive = FixedDrive{};
+  model.damping = scenario.rotor.damping;
+  spatial::Beam& beam = model.blades.emplace_back().beam;
+  beam.length = L;
+  beam.bodies = bodies;
+  beam.elements = planar.elements;
+  beam.sections = {.station = {0.0, L},
+                   .axial_stiffness = uniform(planar.youngs_modulus * planar.area),
+                   .flap_stiffness = uniform(bending),
+                   .lag_stiffness = uniform(bending),
+                   .torsion_stiffness = uniform(bending),
+                   .mass_per_length = uniform(planar.density * planar.area)};
+  spatial::PointLoad load;
+  load.moment.z() = kMoment;
+  model.loads = {load};
+  scenario.rotor = {};
+  scenario.space = model;
   return scenario;
 }
 
@@ -138,5 +168,46 @@ TEST_CASE("a blade that is loaded at the start or later converges to its modes a
       const double fine = error(0.001, start, radius);
       CHECK(fine < 0.001);
       CHECK(std::log2(error(0.002, start, radius) / fine) > 1.7);
+    }
+}
+
+TEST_CASE("a blade in space that is loaded at the start moves as its modes do") {
+  for (const int bodies : {1, 10})
+    for (const double radius : {0.0, 1.0}) {
+      CAPTURE(bodies);
+      CAPTURE(radius);
+      const Blade blade = cantilever(bodies, radius, 0.01).rotor.blades[0];
+      Simulation simulation(spatial_cantilever(bodies, radius, 0.01),
+                            {Formulation::structured, ExecutorKind::serial, 1});
+      const Errors errors = follow(simulation, blade, 0.0);
+      CHECK(errors.peak < 0.01);
+      CHECK(errors.any < 0.06);
+      CHECK(errors.residual < (radius == 0.0 ? 0.03 : 0.01));
+    }
+}
+
+TEST_CASE("a torque that sets in later moves a rotor as one that is there from the start") {
+  for (const bool is_in_space : {false, true})
+    for (const double radius : {0.0, 0.8}) {
+      CAPTURE(is_in_space);
+      CAPTURE(radius);
+      Scenario scenario =
+          is_in_space ? spatial_cantilever(4, radius, 0.01) : cantilever(4, radius, 0.01);
+      Drive& drive = is_in_space ? scenario.space->hub.drive : scenario.rotor.hub.drive;
+      if (is_in_space) scenario.space->loads.clear();
+      const SimulationOptions serial{Formulation::structured, ExecutorKind::serial, 1};
+      drive = TorqueDrive{Curve(kMoment), 0.0};
+      Simulation at_once(scenario, serial);
+      drive = TorqueDrive{Curve(0.0), 0.0};
+      Simulation later(scenario, serial);
+      later.run_until(0.2);
+      later.set_drive(TorqueDrive{Curve(kMoment), 0.0});
+      for (int step = 0; step < 50; ++step) {
+        at_once.step();
+        later.step();
+        for (const char* sensor : {"hub.speed", "blade1.tip.y", "energy.work", "energy.strain"})
+          CHECK(later.sensor(sensor) == approx(at_once.sensor(sensor)).epsilon(1e-6));
+      }
+      CHECK(std::abs(at_once.sensor("blade1.tip.y")) > 1e-4);
     }
 }

@@ -1,0 +1,57 @@
+#include "engine/output_file.h"
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/temporary_folder.h"
+
+namespace fs = std::filesystem;
+using namespace spoke;
+using spoke::test::TemporaryFolder;
+
+namespace {
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a file is replaced as a whole or stays as it is") {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "a";
+  replace_file(file, "old");
+  {
+    ReplacedFile given_up(file);
+    given_up.append("new");
+    CHECK(read_file(file) == "old");
+  }
+  CHECK(read_file(file) == "old");
+  CHECK_FALSE(fs::exists(folder / "a.tmp"));
+  replace_file(file, "new");
+  CHECK(read_file(file) == "new");
+}
+
+TEST_CASE("a pipe keeps its place and is written to") {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder / "pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  REQUIRE(reader >= 0);
+  replace_file(pipe, "text");
+  std::array<char, 8> read_back{};
+  CHECK(read(reader, read_back.data(), read_back.size()) == 4);
+  CHECK(std::string(read_back.data()) == "text");
+  close(reader);
+  CHECK(fs::is_fifo(pipe));
+  CHECK_FALSE(fs::exists(folder / "pipe.tmp"));
+}
