@@ -12,8 +12,8 @@ namespace {
 constexpr const char* kRange = "expected FROM:TO:STEP, ascending numbers [rad/s], got ";
 constexpr double kMostSpeeds = 10000;
 
-/// A number that the whole text is.
-double parse_number(const std::string& text, const std::string& whole) {
+/// A finite number that the whole text is; else what is refused says so of the option.
+double parse_number(const std::string& text, const char* option, const std::string& refusal) {
   std::size_t used = 0;
   double value = NAN;
   try {
@@ -21,8 +21,7 @@ double parse_number(const std::string& text, const std::string& whole) {
   } catch (const std::exception&) {
     used = std::string::npos;
   }
-  if (used != text.size() || !std::isfinite(value))
-    throw CLI::ValidationError("--speeds", kRange + whole);
+  if (used != text.size() || !std::isfinite(value)) throw CLI::ValidationError(option, refusal);
   return value;
 }
 
@@ -31,9 +30,12 @@ std::vector<double> parse_range(const std::string& text) {
   const std::size_t first = text.find(':'), second = text.find(':', first + 1);
   if (first == std::string::npos || second == std::string::npos)
     throw CLI::ValidationError("--speeds", kRange + text);
-  const double from = parse_number(text.substr(0, first), text);
-  const double to = parse_number(text.substr(first + 1, second - first - 1), text);
-  const double step = parse_number(text.substr(second + 1), text);
+  const auto parse = [&](const std::string& part) {
+    return parse_number(part, "--speeds", kRange + text);
+  };
+  const double from = parse(text.substr(0, first));
+  const double to = parse(text.substr(first + 1, second - first - 1));
+  const double step = parse(text.substr(second + 1));
   if (!(to > from) || !(step > 0.0) || !(step <= to - from))
     throw CLI::ValidationError("--speeds", kRange + text);
   const double steps = std::floor((to - from) / step * (1.0 + 1e-9));
@@ -57,12 +59,11 @@ void add_speeds(CLI::App& command, SteadyArguments& arguments) {
 
 void add_speed(CLI::App& command, SteadyArguments& arguments) {
   command
-      .add_option_function<double>(
+      .add_option_function<std::string>(
           "--speed",
-          [&](double speed) {
-            if (!std::isfinite(speed))
-              throw CLI::ValidationError("--speed", "expected a finite number [rad/s]");
-            arguments.speed = speed;
+          [&](const std::string& text) {
+            arguments.speed = parse_number(text, "--speed",
+                                           "expected a finite number [rad/s], got \"" + text + '"');
           },
           "Speed of the hub about its axis [the one that the drive leads to]")
       ->type_name("RAD_PER_S");

@@ -14,7 +14,7 @@
 #include "engine/campbell.h"
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
-#include "engine/steady_report/campbell_files.h"
+#include "engine/steady_report/modes_page.h"
 #include "engine/steady_report/static_files.h"
 #include "python/bindings/bindings.h"
 
@@ -29,7 +29,7 @@ using Complex = std::complex<double>;
 struct Campbell {
   CampbellResult result;
   int harmonics = 0;
-  std::string title;
+  Scenario scenario;
 };
 
 std::string title_of(const Scenario& scenario) {
@@ -39,7 +39,7 @@ std::string title_of(const Scenario& scenario) {
 /// An equilibrium, and what its page needs besides.
 struct Equilibrium {
   EquilibriumResult result;
-  std::string title;
+  Scenario scenario;
 };
 
 template <class Number>
@@ -105,12 +105,15 @@ void bind_equilibrium(py::module_& module) {
       .def_property_readonly("load_steps", get(&EquilibriumResult::load_steps),
                              "In which loads were applied.")
       .def(
-          "page", [](const Equilibrium& e) { return steady_report::make_html(e.result, e.title); },
+          "page",
+          [](const Equilibrium& e) {
+            return steady_report::make_html(e.result, e.scenario, title_of(e.scenario));
+          },
           "static.html: one page without network.");
   module.def(
       "_solve_equilibrium",
       [](const Scenario& scenario, std::optional<double> speed) {
-        return Equilibrium{solve_equilibrium(scenario, {speed}), title_of(scenario)};
+        return Equilibrium{solve_equilibrium(scenario, {speed}), scenario};
       },
       py::call_guard<py::gil_scoped_release>());
 }
@@ -214,7 +217,7 @@ Campbell solve_diagram(const Scenario& scenario, std::vector<double> speeds, int
                             const py::gil_scoped_acquire lock;
                             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
                           }};
-  return {solve_campbell(scenario, options), harmonics, title_of(scenario)};
+  return {solve_campbell(scenario, options), harmonics, scenario};
 }
 
 void bind_campbell(py::module_& module) {
@@ -240,7 +243,8 @@ void bind_campbell(py::module_& module) {
       .def(
           "page",
           [](const Campbell& c) {
-            return steady_report::make_html(c.result, c.harmonics, c.title);
+            return steady_report::make_html(c.result, c.harmonics, c.scenario,
+                                            title_of(c.scenario));
           },
           "campbell.html: one page without network.");
   module.def("_solve_campbell", &solve_diagram, py::call_guard<py::gil_scoped_release>());

@@ -90,7 +90,9 @@ TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") 
   for (const std::string speeds : {"4:0:0.5", "0:4:-1", "0:4", "a:4:1", "0:4:9", "0:nan:1"})
     check_refused({"campbell", scenario, "--speeds", speeds}, range + speeds);
   check_refused({"campbell", scenario}, "--speeds is required");
-  check_refused({"linearize", scenario, "--speed", "nan"}, "expected a finite number [rad/s]");
+  for (const std::string speed : {"", "nan", "1e400", "3 rad"})
+    check_refused({"linearize", scenario, "--speed", speed},
+                  "expected a finite number [rad/s], got \"" + speed);
   check_refused({"run", scenario, "--set", "initial={state=\"equilibrium\",speed=1.0}"},
                 "initial.speed: is 1, expected a speed that the drive has");
 }
