@@ -8,6 +8,8 @@
 #include <string>
 
 #include "engine/report/model_script.h"
+#include "engine/report/modes_script.h"
+#include "engine/report/static_script.h"
 #include "engine/report/study_script.h"
 
 namespace {
@@ -29,9 +31,15 @@ TEST_CASE("the embedded scripts are their sources, letter by letter") {
   CHECK(scene.size() > 10000);
   CHECK(spoke::report::run_script() ==
         scene + read_scripts({"film.js", "time_plots.js", "run_page.js"}));
-  CHECK(spoke::report::model_script() == scene + read_scripts({"model_page.js"}));
+  CHECK(spoke::report::model_script() == scene + read_scripts({"still_view.js", "model_page.js"}));
+  const std::string steady = scene + read_scripts({"still_view.js", "steady_states.js"});
+  CHECK(spoke::report::static_script() == steady + read_scripts({"static_page.js"}));
+  CHECK(spoke::report::modes_script() == steady + read_scripts({"mode_choice.js", "speed_plot.js",
+                                                                "mode_view.js", "modes_page.js"}));
   CHECK(spoke::report::study_script() ==
         read_scripts({"page_tools.js", "run_table.js", "study_page.js"}));
   CHECK(spoke::report::study_script().find("</script") == std::string::npos);
+  CHECK(spoke::report::static_script().find("</script") == std::string::npos);
+  CHECK(spoke::report::modes_script().find("</script") == std::string::npos);
   CHECK(spoke::report::run_script().find("</script") == std::string::npos);
 }

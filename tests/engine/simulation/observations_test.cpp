@@ -311,8 +311,47 @@ TEST_CASE("where a drive that jumps makes energy, smaller steps are not the advi
   const std::string advice =
       "the drive's speed jumps at t = 0.1 s, let the change take 0.02 s or more";
   const Shown warned = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
+  REQUIRE(warned.texts.size() == 2);
+  CHECK(contains(warned.texts[0], "the energy has grown by "));
+  CHECK(warned.texts[0].ends_with(advice));
+  CHECK(warned.texts[1].ends_with("; let the change take 0.02 s or more"));
+  scenario.limits.on_energy_growth = EnergyGrowth::stop;
+  const Shown stopped = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
+  CHECK(stopped.divergence.ends_with(advice));
+  // Growth that has nothing to do with the jump.
+  Observations seen;
+  for (const double step : {10.0, 100.0}) {
+    seen.growth.step = step;
+    CHECK(advise_on_growth(scenario, 0.005, seen) == "take a smaller integration.step");
+  }
+}
+
+TEST_CASE("a drive in space that jumps is warned of") {
+  Scenario scenario = parse_scenario(R"(
+world = "space"
+[hub.drive]
+kind = "table"
+time = [0.0, 0.1, 0.100000001]
+speed = [0.0, 0.0, 4.0]
+[blade]
+count = 1
+length = 2.0
+bodies = 1
+elements = 2
+[blade.sections]
+mass_per_length = 1.0
+axial_stiffness = 1e5
+flap_stiffness = 50.0
+lag_stiffness = 50.0
+torsion_stiffness = 50.0
+[integration]
+duration = 0.2
+)",
+                                     "jump.toml");
+  const Shown warned = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
   REQUIRE(warned.texts.size() == 1);
-  CHECK(contains(warned.texts[0], "the drive changes the speed by 4 rad/s within 1e-09 s"));
+  CHECK(contains(warned.texts[0],
+                 "at t = 0.1 s the drive changes the speed by 4 rad/s within 1e-09 s"));
   CHECK(warned.texts[0].ends_with("let the change take 0.02 s or more"));
 }
 
