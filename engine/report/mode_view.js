@@ -1,10 +1,11 @@
-// A mode as a moving picture. Uses steady_states.js, mode_choice.js, still_view.js and scene_view.js.
+// A mode as a moving picture. Uses steady_states.js, mode_choice.js, play_clock.js,
+// fit_view.js and scene_view.js.
 
 const kPeriod = 2; // of any mode, on the screen [s]
 
 class ModeView {
   constructor(canvas, states, choice) {
-    Object.assign(this, { states, choice, isPlaying: false, phase: 0 });
+    Object.assign(this, { states, choice, phase: 0 });
     const names = ['play', 'amplitude', 'share', 'outline'];
     this.controls = Object.fromEntries(names.map((name) => [name, document.getElementById(`mode-${name}`)]));
     const { scene, bounds } = states;
@@ -17,7 +18,8 @@ class ModeView {
     this.camera.reset();
     this.camera.listen(() => this.draw());
     const { play, amplitude, outline } = this.controls;
-    play.addEventListener('click', () => (this.isPlaying ? this.pause() : this.play()));
+    this.clock = new PlayClock(play, (passed) => this.advance(passed));
+    play.addEventListener('click', () => (this.clock.isPlaying ? this.clock.pause() : this.play()));
     amplitude.addEventListener('input', () => this.draw());
     outline.addEventListener('change', () => {
       this.settings.outline = outline.checked;
@@ -34,25 +36,11 @@ class ModeView {
     this.view.draw(mode ? states.moved(speed, mode, states.amplitudeOf(mode, share), this.phase) : states.at(speed));
   }
   play() {
-    this.isPlaying = true;
-    this.last = null;
-    this.controls.play.textContent = 'Pause';
-    requestAnimationFrame((now) => this.advance(now));
+    this.clock.play();
   }
-  pause() {
-    this.isPlaying = false;
-    this.controls.play.textContent = 'Play';
-  }
-  advance(now) {
-    if (!this.isPlaying) return;
-    const passed = this.last === null ? 0 : (now - this.last) / 1000;
-    // Who prefers less motion sees a picture every half second instead of a flow of them.
-    const isCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (this.last === null || !isCalm || passed > 0.5) {
-      this.last = now;
-      this.phase += (2 * Math.PI * passed) / kPeriod;
-      this.draw();
-    }
-    requestAnimationFrame((next) => this.advance(next));
+  advance(passed) {
+    this.phase += (2 * Math.PI * passed) / kPeriod;
+    this.draw();
+    return true;
   }
 }

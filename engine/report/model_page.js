@@ -1,5 +1,5 @@
 // The page of a model that is not simulated: one view, as the model stands at t = 0. Uses page_tools.js,
-// scene.js, scene_view.js and still_view.js.
+// scene.js, scene_view.js and fit_view.js.
 
 function startPage() {
   const data = JSON.parse(document.getElementById('model-data').textContent);

@@ -1,5 +1,5 @@
 // The page of a run: decodes its data, makes the plots and the moving picture, and ties them together.
-// Uses time_plots.js, film.js and scene_view.js.
+// Uses time_plots.js, film.js, play_clock.js and scene_view.js.
 
 /** Decodes [t, value, t, value, ...]. */
 function decodeCurve({ name, samples }) {
@@ -50,7 +50,7 @@ function visibleScale(film) {
 /** The film's controls, two views and the clock that moves them. */
 class Player {
   constructor(scene, film, axis) {
-    Object.assign(this, { scene, film, axis, isPlaying: false });
+    Object.assign(this, { scene, film, axis });
     const names = ['play', 'time', 'now', 'speed', 'scale', 'times', 'color', 'outline', 'trails', 'joints', 'loads', 'names'];
     this.controls = Object.fromEntries(names.map((name) => [name, document.getElementById(`film-${name}`)]));
     this.settings = { scale: visibleScale(film), color: 'tree', outline: true, trails: true, joints: false, loads: false, names: false };
@@ -76,9 +76,10 @@ class Player {
     time.max = film.end;
     time.step = (film.end - film.begin) / 2000;
     scale.value = 100 * Math.log10(this.settings.scale);
-    play.addEventListener('click', () => (this.isPlaying ? this.pause() : this.play()));
+    this.clock = new PlayClock(play, (passed) => this.advance(passed));
+    play.addEventListener('click', () => (this.clock.isPlaying ? this.pause() : this.play()));
     time.addEventListener('input', () => this.seek(Number(time.value)));
-    speed.addEventListener('change', () => (this.lastFrame = null));
+    speed.addEventListener('change', () => this.clock.restart());
     scale.addEventListener('input', () => {
       this.settings.scale = Number((10 ** (scale.value / 100)).toPrecision(2));
       this.redraw();
@@ -164,27 +165,15 @@ class Player {
   }
 
   play() {
-    this.isPlaying = true;
-    this.lastFrame = null;
     if (this.time >= this.film.end) this.seek(this.film.begin);
-    this.controls.play.textContent = 'Pause';
-    requestAnimationFrame((now) => this.advance(now));
+    this.clock.play();
   }
   pause() {
-    this.isPlaying = false;
-    this.controls.play.textContent = 'Play';
+    this.clock.pause();
   }
-  advance(now) {
-    if (!this.isPlaying) return;
-    const passed = this.lastFrame === null ? 0 : (now - this.lastFrame) / 1000;
-    // Who prefers less motion sees a picture every half second instead of a flow of them.
-    const isCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (this.lastFrame === null || !isCalm || passed > 0.5) {
-      this.lastFrame = now;
-      this.seek(this.time + passed * Number(this.controls.speed.value));
-    }
-    if (this.time >= this.film.end) this.pause();
-    else requestAnimationFrame((next) => this.advance(next));
+  advance(passed) {
+    this.seek(this.time + passed * Number(this.controls.speed.value));
+    return this.time < this.film.end;
   }
 }
 

@@ -1,5 +1,5 @@
 // The page of an equilibrium: one view, its deflections as large as one likes. Uses steady_states.js,
-// still_view.js and scene_view.js.
+// fit_view.js and scene_view.js.
 
 function startPage() {
   const states = new SteadyStates(JSON.parse(document.getElementById('steady-data').textContent));

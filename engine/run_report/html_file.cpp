@@ -10,6 +10,7 @@
 #include "engine/report/markup.h"
 #include "engine/report/page.h"
 #include "engine/report/run_script.h"
+#include "engine/report/scene_markup.h"
 #include "engine/support/machine.h"
 #include "models/count_text.h"
 
@@ -19,12 +20,15 @@ namespace {
 // Beyond this share of the kinetic energy an error of integration is worth a warning.
 constexpr double kNotableResidual = 1e-3;
 
-constexpr const char* kAnimationMarkup = R"(<div class="film">
+std::string make_animation_markup() {
+  return R"(<div class="film">
 <div class="views">
 <figure><figcaption><strong>In the hub's frame</strong></figcaption>
-<canvas id="film-hub" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The model, seen from its hub" aria-describedby="film-keys"></canvas></figure>
+)" + report::scene_canvas("film", "hub", "The model, seen from its hub") +
+         R"(</figure>
 <figure><figcaption><strong>In the inertial frame</strong><span id="film-inertial-note"></span></figcaption>
-<canvas id="film-inertial" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The moving model" aria-describedby="film-keys"></canvas></figure>
+)" + report::scene_canvas("film", "inertial", "The moving model") +
+         R"(</figure>
 </div>
 <div id="film-colors" class="colors" hidden></div>
 <div class="controls">
@@ -40,11 +44,11 @@ constexpr const char* kAnimationMarkup = R"(<div class="film">
 <label><input type="checkbox" id="film-joints"> joints</label>
 <label><input type="checkbox" id="film-loads"> loads</label>
 <label><input type="checkbox" id="film-names"> names</label>
-<span id="film-looks" class="looks" role="group" aria-label="Direction of view"></span>
-<span class="hint" id="film-keys">Drag to turn, with shift to move, scroll or pinch to zoom, double-click to reset. With the keyboard: arrows turn, with shift they move, + and &#8722; zoom, 0 resets.</span>
-</div>
+)" + report::scene_controls("film") +
+         R"(</div>
 </div>
 )";
+}
 
 /// Above the plots; `film`: whether there is one that they can move.
 std::string plots_markup(bool has_film) {
@@ -242,7 +246,7 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
   const bool has_film = recorder.animation().times().size() > 1;
   if (has_film) {
     page.add_heading("Motion");
-    page.add_markup(kAnimationMarkup);
+    page.add_markup(make_animation_markup());
   }
   page.add_heading("Over time");
   page.add_markup(plots_markup(has_film));

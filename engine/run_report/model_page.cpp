@@ -6,6 +6,7 @@
 
 #include "engine/report/model_script.h"
 #include "engine/report/page.h"
+#include "engine/report/scene_markup.h"
 #include "engine/run_report/animation.h"
 #include "engine/run_report/base64.h"
 #include "engine/run_report/scene_data.h"
@@ -15,9 +16,11 @@
 namespace spoke::run_report {
 namespace {
 
-constexpr const char* kMarkup = R"(<div class="film">
+std::string make_markup() {
+  return R"(<div class="film">
 <div class="views">
-<figure class="whole"><canvas id="model-view" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The model at t = 0" aria-describedby="model-keys"></canvas></figure>
+<figure class="whole">)" +
+         report::scene_canvas("model", "view", "The model at t = 0") + R"(</figure>
 </div>
 <div class="controls">
 <label><input type="checkbox" id="model-axes" checked> section axes (<span class="y-axis">y</span>, <span class="z-axis">z</span>)</label>
@@ -25,12 +28,12 @@ constexpr const char* kMarkup = R"(<div class="film">
 <label><input type="checkbox" id="model-loads" checked> loads</label>
 <label><input type="checkbox" id="model-sensors" checked> sensors</label>
 <label><input type="checkbox" id="model-names" checked> names</label>
-<span id="model-looks" class="looks" role="group" aria-label="Direction of view"></span>
-<span class="hint" id="model-keys">Drag to turn, with shift to move, scroll or pinch to zoom, double-click to reset. With the keyboard: arrows turn, with shift they move, + and &#8722; zoom, 0 resets.</span>
-</div>
+)" + report::scene_controls("model") +
+         R"(</div>
 </div>
 <noscript><p class="note warning">The drawing needs JavaScript.</p></noscript>
 )";
+}
 
 /// What is nothing but round-off beside 1 is 0.
 std::string vector_text(const scene::Vector& v) {
@@ -95,7 +98,7 @@ std::string make_model_page(const Scenario& scenario) {
                         counted(std::ssize(scene.trees), "tree") + ", " +
                         counted(std::ssize(scene.joints), "joint"));
   page.widen();
-  page.add_markup(kMarkup);
+  page.add_markup(make_markup());
   if (!scene.joints.empty()) {
     page.add_heading("Joints");
     page.add_table(joint_table(scene));

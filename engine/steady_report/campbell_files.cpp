@@ -5,7 +5,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "engine/steady_report/mode_files.h"
 #include "engine/support/json.h"
@@ -15,7 +14,6 @@ namespace {
 
 using report::Align;
 
-double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
 double speed_at(const CampbellResult& result, std::size_t k) {
   return result.states[k].equilibrium.speed;
 }

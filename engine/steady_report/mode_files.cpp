@@ -12,8 +12,6 @@
 namespace spoke::steady_report {
 namespace {
 
-double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
-
 Json parts(const Eigen::Vector3cd& v, bool imaginary) {
   const Eigen::Vector3d part = imaginary ? Eigen::Vector3d(v.imag()) : Eigen::Vector3d(v.real());
   return Json::array({part.x(), part.y(), part.z()});
@@ -46,6 +44,8 @@ Json mode_json(const Mode& mode) {
 }
 
 }  // namespace
+
+double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
 
 double damping_of(const Mode& mode) {
   return std::abs(mode.damping_ratio) < 1e-6 ? 0.0 : mode.damping_ratio;

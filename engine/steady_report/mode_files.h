@@ -9,6 +9,8 @@
 
 namespace spoke::steady_report {
 
+/// A frequency in rad/s in Hz.
+double hertz(double frequency);
 /// A mode's damping ratio; what is nothing but round-off is 0.
 double damping_of(const Mode& mode);
 

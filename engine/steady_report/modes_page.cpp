@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/report/modes_script.h"
+#include "engine/report/scene_markup.h"
 #include "engine/steady_report/campbell_files.h"
 #include "engine/steady_report/mode_files.h"
 #include "engine/steady_report/steady_scene.h"
@@ -36,10 +36,12 @@ constexpr const char* kLegend =
 </div>
 )";
 
-constexpr const char* kMode = R"(<div class="film">
+std::string make_mode_markup() {
+  return R"(<div class="film">
 <p id="mode-text"></p>
 <div class="views">
-<figure class="whole"><canvas id="mode-view" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The model moving in the chosen mode" aria-describedby="mode-keys"></canvas></figure>
+<figure class="whole">)" +
+         report::scene_canvas("mode", "view", "The model moving in the chosen mode") + R"(</figure>
 </div>
 <div class="controls">
 <button type="button" id="mode-play" class="primary">Play</button>
@@ -47,13 +49,16 @@ constexpr const char* kMode = R"(<div class="film">
 <label><span>Speed</span><select id="mode-speed"></select></label>
 <label><span>Amplitude</span><input type="range" id="mode-amplitude" min="0" max="40" value="12"><output id="mode-share"></output></label>
 <label><input type="checkbox" id="mode-outline" checked> undeformed</label>
-<span id="mode-looks" class="looks" role="group" aria-label="Direction of view"></span>
-<span class="hint" id="mode-keys">A mode of any frequency takes two seconds here. Its amplitude is a share of the model's size. Drag to turn, with shift to move, scroll or pinch to zoom, double-click to reset. With the keyboard: arrows turn, with shift they move, + and &#8722; zoom, 0 resets.</span>
-</div>
+)" +
+         report::scene_controls("mode",
+                                "A mode of any frequency takes two seconds here. Its amplitude is "
+                                "a share of the model's size. ") +
+         R"(</div>
 </div>
 <div class="unseen" id="spoken" role="status" aria-live="polite"></div>
 <noscript><p class="note warning">Drawings and animation need JavaScript.</p></noscript>
 )";
+}
 
 Json describe_state(const ModesResult& state, const SteadyScene& scene) {
   Json modes = Json::array();
@@ -87,13 +92,12 @@ Json describe_branches(const CampbellResult& result) {
 /// Up to which frequency the diagram shows modes at first [Hz]: those that excitation lines come
 /// near, and the lowest three branches; lines would be crowded at the bottom if all were shown.
 double highest_shown(const CampbellResult& result, int harmonics) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
   std::vector<double> peaks;
   for (const CampbellBranch& branch : result.branches) {
     double peak = 0.0;
     for (std::size_t k = 0; k < branch.modes.size(); ++k)
       if (branch.modes[k])
-        peak = std::max(peak, result.states[k].modes[*branch.modes[k]].frequency / kTurn);
+        peak = std::max(peak, hertz(result.states[k].modes[*branch.modes[k]].frequency));
     peaks.push_back(peak);
   }
   if (peaks.empty()) return 0.0;
@@ -102,7 +106,7 @@ double highest_shown(const CampbellResult& result, int harmonics) {
   for (const ModesResult& state : result.states)
     speed = std::max(speed, std::abs(state.equilibrium.speed));
   const double lowest = peaks[std::min<std::size_t>(peaks.size(), 3) - 1];
-  const double excited = 1.25 * harmonics * speed / kTurn;
+  const double excited = 1.25 * hertz(harmonics * speed);
   return harmonics == 0 ? peaks.back() : std::min(peaks.back(), std::max(lowest, excited));
 }
 
@@ -147,7 +151,7 @@ std::string make_html(const ModesResult& result, const Scenario& scenario,
   page.widen();
   if (const std::string growth = describe_growth(result); !growth.empty())
     page.add_note(growth + ".", report::Tone::bad);
-  page.add_markup(kMode);
+  page.add_markup(make_mode_markup());
   page.add_table(make_mode_table(result));
   page.add_data("steady-data", make_data(result, scenario));
   page.add_script(report::modes_script());
@@ -162,7 +166,7 @@ std::string make_html(const CampbellResult& result, int harmonics, const Scenari
   page.add_markup(std::string(kDiagram) + (has_damping ? kDamping : "") + kLegend);
   if (!has_damping) page.add_paragraph("No mode is damped, and none grows.");
   page.add_heading("The chosen mode");
-  page.add_markup(kMode);
+  page.add_markup(make_mode_markup());
   page.add_table(make_crossing_table(result));
   if (!result.gaps.empty()) page.add_table(make_gap_table(result));
   page.add_table(make_branch_table(result));

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "engine/report/chart.h"
+#include "engine/report/scene_markup.h"
 #include "engine/report/static_script.h"
 #include "engine/steady_report/steady_scene.h"
 #include "engine/support/json.h"
@@ -18,9 +19,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr const char* kMarkup = R"(<div class="film">
+std::string make_markup() {
+  return R"(<div class="film">
 <div class="views">
-<figure class="whole"><canvas id="steady-view" tabindex="0" role="application" aria-roledescription="3-D view" aria-label="The model in equilibrium" aria-describedby="steady-keys"></canvas></figure>
+<figure class="whole">)" +
+         report::scene_canvas("steady", "view", "The model in equilibrium") + R"(</figure>
 </div>
 <div class="controls">
 <label><span>Deflections</span><input type="range" id="steady-scale" min="0" max="200" value="0"><output id="steady-times"></output></label>
@@ -28,12 +31,12 @@ constexpr const char* kMarkup = R"(<div class="film">
 <label><input type="checkbox" id="steady-joints"> joints</label>
 <label><input type="checkbox" id="steady-loads"> loads</label>
 <label><input type="checkbox" id="steady-names"> names</label>
-<span id="steady-looks" class="looks" role="group" aria-label="Direction of view"></span>
-<span class="hint" id="steady-keys">Drag to turn, with shift to move, scroll or pinch to zoom, double-click to reset. With the keyboard: arrows turn, with shift they move, + and &#8722; zoom, 0 resets.</span>
-</div>
+)" + report::scene_controls("steady") +
+         R"(</div>
 </div>
 <noscript><p class="note warning">The picture needs JavaScript.</p></noscript>
 )";
+}
 
 Json vector_json(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
@@ -193,7 +196,7 @@ std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
                       const std::string& title) {
   report::Page page(title, fmt::format("Equilibrium at {:.6g} rad/s", result.speed));
   page.widen();
-  page.add_markup(kMarkup);
+  page.add_markup(make_markup());
   page.add_facts(make_facts(result));
   add_chart(result, Direction::flap, "Deflection along the axis of rotation", page);
   add_chart(result, Direction::lag, "Deflection in the plane of rotation", page);

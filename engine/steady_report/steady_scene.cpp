@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/run_report/base64.h"
 #include "engine/run_report/scene_data.h"
@@ -117,7 +116,7 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
   }
   return {{"name", mode.name},
           {"of", mode.of},
-          {"frequency", mode.frequency / (2.0 * std::numbers::pi)},
+          {"frequency", hertz(mode.frequency)},
           {"damping", damping_of(mode)},
           {"grows", mode.grows()},
           {"hub", hub_json(mode)},

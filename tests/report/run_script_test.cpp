@@ -30,12 +30,13 @@ TEST_CASE("the embedded scripts are their sources, letter by letter") {
                                           "scene_marks.js", "scene_view.js"});
   CHECK(scene.size() > 10000);
   CHECK(spoke::report::run_script() ==
-        scene + read_scripts({"film.js", "time_plots.js", "run_page.js"}));
-  CHECK(spoke::report::model_script() == scene + read_scripts({"still_view.js", "model_page.js"}));
-  const std::string steady = scene + read_scripts({"still_view.js", "steady_states.js"});
+        scene + read_scripts({"film.js", "time_plots.js", "play_clock.js", "run_page.js"}));
+  CHECK(spoke::report::model_script() == scene + read_scripts({"fit_view.js", "model_page.js"}));
+  const std::string steady = scene + read_scripts({"fit_view.js", "steady_states.js"});
   CHECK(spoke::report::static_script() == steady + read_scripts({"static_page.js"}));
-  CHECK(spoke::report::modes_script() == steady + read_scripts({"mode_choice.js", "speed_plot.js",
-                                                                "mode_view.js", "modes_page.js"}));
+  CHECK(spoke::report::modes_script() ==
+        steady + read_scripts({"mode_choice.js", "speed_plot.js", "play_clock.js", "mode_view.js",
+                               "modes_page.js"}));
   CHECK(spoke::report::study_script() ==
         read_scripts({"page_tools.js", "run_table.js", "study_page.js"}));
   CHECK(spoke::report::study_script().find("</script") == std::string::npos);

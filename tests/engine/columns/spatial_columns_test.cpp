@@ -25,16 +25,6 @@ namespace {
 
 const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1, 1};
 
-Scenario make_scenario(const std::string& text, double step, double duration,
-                       IntegrationMethod method = IntegrationMethod::rk4) {
-  Scenario scenario = parse_scenario(text, "test.toml");
-  scenario.integration.step = step;
-  scenario.integration.duration = duration;
-  scenario.integration.method = method;
-  scenario.limits.deflection = 0.0;
-  return scenario;
-}
-
 std::string sensor(const std::string& keys) { return "[[sensor]]\n" + keys + "\n"; }
 
 Eigen::Vector3d vector_of(const Simulation& simulation, const std::string& name) {

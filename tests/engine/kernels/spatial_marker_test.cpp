@@ -17,16 +17,6 @@ namespace {
 
 const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1, 1};
 
-Scenario make_scenario(const std::string& text, double step, double duration,
-                       IntegrationMethod method = IntegrationMethod::rk4) {
-  Scenario scenario = parse_scenario(text, "test.toml");
-  scenario.integration.step = step;
-  scenario.integration.duration = duration;
-  scenario.integration.method = method;
-  scenario.limits.deflection = 0.0;
-  return scenario;
-}
-
 /// A cantilever of 2 m and 2 kg, bent by its weight to rest; turned by `twist` along its length.
 std::string make_cantilever(const std::string& twist) {
   return R"(world = "space"

@@ -355,6 +355,41 @@ duration = 0.2
   CHECK(warned.texts[0].ends_with("let the change take 0.02 s or more"));
 }
 
+TEST_CASE("energy that grows in space has the same advice whether it warns or stops") {
+  Scenario scenario = parse_scenario(R"(
+world = "space"
+[hub.drive]
+kind = "constant"
+speed = 30.0
+[blade]
+count = 1
+length = 2.0
+bodies = 1
+elements = 2
+[blade.sections]
+mass_per_length = 1.0
+axial_stiffness = 1e5
+flap_stiffness = 50.0
+lag_stiffness = 50.0
+torsion_stiffness = 50.0
+[integration]
+method = "rk4"
+step = 0.005
+duration = 0.4
+)",
+                                     "unstable.toml");
+  const SimulationOptions serial{Formulation::structured, ExecutorKind::serial, 1, 1};
+  const Shown warned = run(scenario, serial);
+  REQUIRE(warned.texts.size() == 1);
+  CHECK(contains(warned.texts[0], "the energy has grown by "));
+  CHECK(warned.texts[0].ends_with(": take a smaller integration.step"));
+  scenario.limits.on_energy_growth = EnergyGrowth::stop;
+  const Shown stopped = run(scenario, serial);
+  CHECK(contains(stopped.divergence, "the energy has grown by "));
+  CHECK(stopped.divergence.ends_with("; take a smaller integration.step"));
+  CHECK(stopped.steps < warned.steps);
+}
+
 TEST_CASE("a drive that changes the speed within less than four steps is warned of") {
   const auto warning_of = [](const Drive& drive) -> std::string {
     Scenario scenario;

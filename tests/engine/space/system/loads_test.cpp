@@ -47,14 +47,11 @@ sweep = [0.0, -0.02, 0.1]
 mass_center = [[0.02, 0.01], [0.01, -0.01], [0.0, 0.01]]
 )";
 
+/// Without numerical damping.
 Scenario make_scenario(const std::string& text, double step,
                        IntegrationMethod method = IntegrationMethod::rk4, double duration = 0.16) {
-  Scenario scenario = parse_scenario(text, "test.toml");
-  scenario.integration.step = step;
-  scenario.integration.duration = duration;
-  scenario.integration.method = method;
+  Scenario scenario = test::make_scenario(text, step, duration, method);
   scenario.integration.spectral_radius = 1.0;
-  scenario.limits.deflection = 0.0;
   return scenario;
 }
 

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "models/scenario.h"
+
 namespace spoke::test {
 
 /// A hub free in space, which spins and moves.
@@ -259,6 +261,18 @@ initial_speed = [0.5, 0.4, -0.6]
 inline std::string make_text(const std::string& hub, const std::string& bodies,
                              const std::string& more = "") {
   return "world = \"space\"\n" + hub + bodies + more + "[integration]\nduration = 1.0\n";
+}
+
+/// The scenario of such a text, with steps of `step` to the time `duration` [s]; deflections may be
+/// as large as they like.
+inline Scenario make_scenario(const std::string& text, double step, double duration,
+                              IntegrationMethod method = IntegrationMethod::rk4) {
+  Scenario scenario = parse_scenario(text, "test.toml");
+  scenario.integration.step = step;
+  scenario.integration.duration = duration;
+  scenario.integration.method = method;
+  scenario.limits.deflection = 0.0;
+  return scenario;
 }
 
 }  // namespace spoke::test

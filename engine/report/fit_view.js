@@ -1,4 +1,4 @@
-// A view of one state of a scene: its bounds, and the zoom that shows all of it. Uses page_tools.js,
+// What fits a view to one state of a scene: its bounds, and the zoom that shows all of it. Uses page_tools.js,
 // space_math.js, scene.js and camera.js.
 
 /** The sphere in which a state is. */
