@@ -46,6 +46,11 @@ const char* status_of(const RunOutcome& outcome) {
   return outcome.interruption.empty() ? "completed" : "interrupted";
 }
 
+/// That simulate the model together.
+int count_processes(const SimulationOptions& options) {
+  return options.exchange ? options.exchange->count() : 1;
+}
+
 }  // namespace
 
 void SensorStatistics::add(double t, std::span<const double> values) {
@@ -104,6 +109,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"executor", simulation.executor_name()},
                   {"executor_choice", simulation.executor_description()},
                   {"threads", simulation.threads().total()},
+                  {"processes", count_processes(simulation.options())},
                   {"step_size_s", simulation.step_size()},
                   {"steps", simulation.steps()},
                   {"evaluations", simulation.evaluations()},

@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 
+#include "engine/exchange.h"
 #include "engine/formulation/formulation.h"
 #include "graph/executor.h"
 
@@ -30,6 +31,13 @@ struct SimulationOptions {
   /// by the constructor of Simulation for the graph of one pass, and, if `window` is above 1, for
   /// that of a window; what it throws leaves the constructor. See graph::Executor.
   graph::ExecutorFactory make_executor{};
+  /// Where several processes simulate one model together: how they tell one another what they find;
+  /// must outlive the simulation. Each makes the steps of some of the subsystems, on as many
+  /// threads as it likes; all call the functions of Simulation that make steps alike and in the
+  /// same order, with an observer either all or none. Behind such a call each has the state of the
+  /// whole model, with the bits that one process alone would have. Not with the formulation
+  /// augmented, loads of the program's, and traces; at most as many processes as subsystems.
+  Exchange* exchange = nullptr;
 };
 
 /// The size of a model.

@@ -31,6 +31,9 @@ const char* const kRunText = R"(Output files, in the folder of --out:
   vtk/          with --vtk: blades.pvd for ParaView and a file for each output time
   checkpoint.spoke  with --checkpoint-every: what --resume goes on from, see docs/checkpoint.md
 
+mpirun -n P spoke run ... shares the model out over P processes, with the same files
+(docs/machines.md).
+
 The first Ctrl-C (SIGINT) or SIGTERM completes the step, writes rows, summary and checkpoint, and
 ends; a second one ends at once.
 

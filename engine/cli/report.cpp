@@ -35,6 +35,19 @@ void print_model(const Simulation& simulation) {
              counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge"));
 }
 
+void print_plan(const Simulation& simulation, int processes) {
+  print_model(simulation);
+  std::string text =
+      fmt::format("{}, {}, {} of {:.6g} s, {} on {} {}", name_of(simulation.options().formulation),
+                  name_of(simulation.scenario().integration.method),
+                  counted(simulation.planned_steps(), "step"), simulation.step_size(),
+                  name_of(simulation.options().executor), name_of(simulation.threads()),
+                  simulation.threads().total() == 1 ? "thread" : "threads");
+  if (processes > 1) text += fmt::format(" of each of {} processes", processes);
+  print_line("solved by", text);
+  flush_output();
+}
+
 namespace {
 
 /// Of blades in the plane or in space.

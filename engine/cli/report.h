@@ -22,6 +22,9 @@ void print_title(const std::string& title);
 /// Prints title, sizes of the model and of its step graph.
 void print_model(const Simulation& simulation);
 
+/// Prints the model, and what solves it on each of so many processes.
+void print_plan(const Simulation& simulation, int processes);
+
 /// Warns on stderr, in one line, of an azimuth that looks as if it were given in degrees. `file` of
 /// the scenario.
 void warn_of_degrees(const std::string& file, const Scenario& scenario);

@@ -8,15 +8,16 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 
-#include "engine/cli/build_simulation.h"
 #include "engine/cli/checkpoints.h"
 #include "engine/cli/interruption.h"
 #include "engine/cli/progress_bar.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/shared_run.h"
 #include "engine/cli/standard_streams.h"
 #include "engine/cli/trace_files.h"
 #include "engine/results.h"
@@ -179,7 +180,7 @@ void trace_to(std::int64_t target, const StepObserver& observe, Simulation& simu
 
 /// Steps to the end, to divergence or to a signal.
 RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& checkpoints,
-                     bool traces, bool show_progress) {
+                     bool traces, bool show_progress, ranks::Launch& launch) {
   RunOutcome outcome;
   ProgressBar bar(simulation.time(), simulation.scenario().integration.duration, show_progress);
   const Stops stops(simulation, recording);
@@ -201,6 +202,7 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   try {
     while (!simulation.done() && Interruption::signal() == 0) {
       const std::int64_t stop = stops.next(simulation.steps());
+      let_advance(stop, launch);
       if (simulation.steps() < traced_end)
         trace_to(std::min(stop, traced_end), observe, simulation, recording);
       else
@@ -209,6 +211,7 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
       if (checkpoints.is_due() && !simulation.done())
         write_checkpoint(simulation, wall_time(), recording, checkpoints);
     }
+    let_go(launch);
     if (!simulation.done()) outcome.interruption = describe_interruption(simulation, checkpoints);
   } catch (const DivergenceError& error) {
     outcome.divergence = one_line(error.what());
@@ -223,18 +226,6 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
   recording.file.close();
   if (recording.vtk) recording.vtk->close();
   return outcome;
-}
-
-void print_plan(const Simulation& simulation) {
-  print_model(simulation);
-  print_line(
-      "solved by",
-      fmt::format("{}, {}, {} of {:.6g} s, {} on {} {}", name_of(simulation.options().formulation),
-                  name_of(simulation.scenario().integration.method),
-                  counted(simulation.planned_steps(), "step"), simulation.step_size(),
-                  name_of(simulation.options().executor), name_of(simulation.threads()),
-                  simulation.threads().total() == 1 ? "thread" : "threads"));
-  flush_output();
 }
 
 std::string describe_energy(const Simulation& simulation, const SensorStatistics& statistics) {
@@ -304,16 +295,6 @@ fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario)
   return folder.empty() ? "." : folder;
 }
 
-/// Opens the files of a run, a new one or one that is resumed, and restores its state.
-Recording open_recording(const Arguments& arguments, const fs::path& folder,
-                         Simulation& simulation) {
-  if (arguments.resume.empty()) return Recording(simulation, arguments, folder);
-  const fs::path resumed = arguments.resume;
-  const Checkpoint checkpoint = resume(resumed, simulation);
-  return Recording(simulation, arguments, folder, *checkpoint.record,
-                   resumed.parent_path() / "sensors.csv");
-}
-
 /// Whether a trace is wanted in a folder other than that of the results.
 bool has_own_folder(const fs::path& trace_folder, const fs::path& folder) {
   std::error_code error;
@@ -325,43 +306,95 @@ int exit_status(const RunOutcome& outcome) {
   return outcome.interruption.empty() ? 0 : 128 + Interruption::signal();
 }
 
-}  // namespace
+/// A run before its first step. The constructor writes nothing yet, but takes the folders.
+struct Prepared {
+  Prepared(const Arguments& arguments, Exchange* exchange)
+      : scenario(read_run(arguments)),
+        folder(folder_of_results(arguments, scenario)),
+        simulation(build_timed(arguments, exchange)) {
+    require_places(arguments, folder);
+    taken.emplace(folder);
+    const fs::path trace_folder = arguments.trace_out;
+    if (has_own_folder(trace_folder, folder)) taken_for_trace.emplace(trace_folder);
+    if (!arguments.resume.empty()) resumed = resume(arguments.resume, simulation);
+  }
 
-int run(const Arguments& arguments) {
-  Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
-  if (arguments.integrator) scenario.integration.method = *arguments.integrator;
-  const fs::path folder = folder_of_results(arguments, scenario);
-  const auto start = Clock::now();
-  Simulation simulation = build_simulation(arguments.scenario, scenario, arguments.options);
-  spdlog::info("built in {:.3g} s, about {} bytes of data and step graph", seconds_since(start),
-               simulation.size().memory_bytes);
+  /// Opens the files, of a new run or one that is resumed.
+  void open(const Arguments& arguments) {
+    const fs::path rows = fs::path(arguments.resume).parent_path() / "sensors.csv";
+    if (resumed)
+      recording.emplace(simulation, arguments, folder, *resumed->record, rows);
+    else
+      recording.emplace(simulation, arguments, folder);
+    remove_stale(folder, arguments);
+    if (!arguments.trace_out.empty()) trace::remove_files(arguments.trace_out);
+    spdlog::info("results go to {}", folder.string());
+  }
+
+  Scenario scenario;
+  fs::path folder;
+  Simulation simulation;
+  std::optional<ResultsFolder> taken, taken_for_trace;
+  std::optional<Checkpoint> resumed;
+  std::optional<Recording> recording;
+
+ private:
+  Simulation build_timed(const Arguments& arguments, Exchange* exchange) const {
+    const auto start = Clock::now();
+    Simulation built = build_run(arguments, scenario, exchange);
+    spdlog::info("built in {:.3g} s, about {} bytes of data and step graph", seconds_since(start),
+                 built.size().memory_bytes);
+    return built;
+  }
+};
+
+/// Makes the steps and writes what they show. The exit status.
+int complete(Prepared& run, const Arguments& arguments, ranks::Launch& launch) {
+  Simulation& simulation = run.simulation;
   const fs::path trace_folder = arguments.trace_out;
-  require_places(arguments, folder);
-  const ResultsFolder taken(folder);
-  std::optional<ResultsFolder> taken_for_trace;
-  if (has_own_folder(trace_folder, folder)) taken_for_trace.emplace(trace_folder);
-  Recording recording = open_recording(arguments, folder, simulation);
-  remove_stale(folder, arguments);
-  if (!trace_folder.empty()) trace::remove_files(trace_folder);
-  spdlog::info("results go to {}", folder.string());
-  Checkpoints checkpoints(folder / "checkpoint.spoke", arguments.checkpoint_every);
-  if (!arguments.quiet) print_plan(simulation);
+  Checkpoints checkpoints(run.folder / "checkpoint.spoke", arguments.checkpoint_every);
+  if (!arguments.quiet) print_plan(simulation, launch.count());
   if (!arguments.quiet && !arguments.resume.empty())
     print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
                                       simulation.time(), simulation.steps()));
-  warn_of_degrees(arguments.scenario, scenario);
+  warn_of_degrees(arguments.scenario, run.scenario);
   const Interruption interruption;
-  const RunOutcome outcome =
-      integrate(simulation, recording, checkpoints, !trace_folder.empty(), !arguments.quiet);
-  const std::string written = write_results(simulation, recording, outcome, folder);
+  const RunOutcome outcome = integrate(simulation, *run.recording, checkpoints,
+                                       !trace_folder.empty(), !arguments.quiet, launch);
+  const std::string written = write_results(simulation, *run.recording, outcome, run.folder);
   spdlog::info("final state {:#018x}", simulation.state_hash());
-  if (!arguments.quiet) print_result(simulation, recording, outcome, written);
+  if (!arguments.quiet) print_result(simulation, *run.recording, outcome, written);
   if (!trace_folder.empty())
-    write_trace_of_run(simulation, std::move(recording.trace), trace_folder, !arguments.quiet);
+    write_trace_of_run(simulation, std::move(run.recording->trace), trace_folder, !arguments.quiet);
   for (const Warning& warning : simulation.warnings()) print_error("warning: " + warning.text);
   const std::string message = outcome.divergence + outcome.interruption;
   if (!message.empty()) print_error(message);
   return exit_status(outcome);
+}
+
+}  // namespace
+
+int run(const Arguments& arguments) {
+  ranks::Launch launch;
+  if (!launch.is_first()) return follow(arguments, launch);
+  const std::unique_ptr<Exchange> exchange = launch.make_exchange();
+  std::optional<Prepared> prepared;
+  try {
+    if (exchange && !arguments.trace_out.empty())
+      throw InputError("--trace: several processes make the run together, expected one");
+    prepared.emplace(arguments, exchange.get());
+  } catch (...) {
+    give_up(launch);
+    throw;
+  }
+  require_same(arguments, prepared->simulation, launch);
+  try {
+    prepared->open(arguments);
+  } catch (...) {
+    let_go(launch);
+    throw;
+  }
+  return complete(*prepared, arguments, launch);
 }
 
 }  // namespace spoke::cli

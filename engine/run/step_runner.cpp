@@ -87,7 +87,8 @@ std::unique_ptr<graph::Executor> make_asked(const graph::StepGraph& graph,
 
 /// What runs a single pass.
 RunnerOptions single_options(RunnerOptions options) {
-  if (options.executor == ExecutorKind::automatic) options.executor = ExecutorKind::serial;
+  if (options.executor == ExecutorKind::automatic && !options.is_shared)
+    options.executor = ExecutorKind::serial;
   return options;
 }
 
@@ -96,10 +97,12 @@ RunnerOptions single_options(RunnerOptions options) {
 int window_records(const RunnerOptions& options, double bytes_per_step) {
   // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
   if (options.window > 0) return options.window > 1 ? 2 * options.window : 1;
+  constexpr double most_bytes = 4e6;
+  const double most = std::clamp(most_bytes / bytes_per_step, 4.0, 1024.0);
+  if (options.is_shared) return std::min(static_cast<int>(most), kMostSharedSteps);
   if (options.executor != ExecutorKind::automatic || resolved(options.threads).total() == 1)
     return 1;
-  constexpr double most_bytes = 4e6;
-  return static_cast<int>(std::clamp(most_bytes / bytes_per_step, 4.0, 1024.0));
+  return static_cast<int>(most);
 }
 
 StepRunner::Runner::Runner(StepContext& context, int passes, const RunnerOptions& options,
@@ -115,7 +118,8 @@ StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
       options_(options),
       threads_(allowed_threads(options)),
       single_(context, 1, single_options(options), threads_),
-      stepper_(context, single_.graph),
+      whole_(options.is_shared ? std::optional(context.build_whole_graph()) : std::nullopt),
+      stepper_(context, step_graph()),
       timed_(single_.graph) {
   if (!is_automatic()) threads_ = single_.executor->threads();
   if (is_automatic() && threads_.total() == 1) reason_ = "serial: one thread";
@@ -303,9 +307,9 @@ std::string_view StepRunner::executor_name() const {
 }
 
 int StepRunner::choices() const {
-  if (!is_automatic()) return 0;
   if (window_) return window_->executor->choices();
   if (stepping_) return stepping_->executor->choices();
+  if (!is_automatic()) return single_.executor->choices();
   return reason_.empty() ? 0 : 1;
 }
 

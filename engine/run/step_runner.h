@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,10 @@ struct RunnerOptions {
   std::int64_t planned_steps = 0;  ///< of the simulation
   /// Of the caller's own, instead of `executor`, which is then not automatic; or empty.
   graph::ExecutorFactory make_executor{};
+  /// Other processes have subsystems, too: what they do at the same times must not depend on times
+  /// that one of them measures. The executor `automatic` then chooses how a graph is run, not
+  /// which.
+  bool is_shared = false;
 };
 
 /// Records that the table of a system needs for these options, see TableOptions::window_steps.
@@ -68,8 +73,8 @@ class StepRunner {
   StepOutcome evaluate(bool renew) { return stepper_.evaluate(renew); }
   void continue_from(std::int64_t steps) { stepper_.continue_from(steps); }
 
-  /// Of one pass.
-  const graph::StepGraph& step_graph() const { return single_.graph; }
+  /// Of one pass over all subsystems.
+  const graph::StepGraph& step_graph() const { return whole_ ? *whole_ : single_.graph; }
   /// Of a window, if there is one, else of one pass.
   const graph::StepGraph& run_graph() const { return window_ ? window_->graph : single_.graph; }
   /// Steps that a run of run_graph() makes, about.
@@ -94,7 +99,10 @@ class StepRunner {
   };
 
   Runner& runner_for(std::int64_t steps);
-  bool is_automatic() const { return options_.executor == graph::ExecutorKind::automatic; }
+  /// Whether steps are timed to choose graphs.
+  bool is_automatic() const {
+    return options_.executor == graph::ExecutorKind::automatic && !options_.is_shared;
+  }
   bool has_timed() const;
   double remaining_seconds() const;
   StepOutcome advance_timed(std::int64_t target, bool observed,
@@ -111,6 +119,7 @@ class StepRunner {
   RunnerOptions options_;
   graph::Threads threads_;
   Runner single_;
+  std::optional<graph::StepGraph> whole_;  ///< where single_ has the nodes of some subsystems only
   std::unique_ptr<Runner> window_;
   std::unique_ptr<Runner> stepping_;  ///< of automatic, for steps one by one
   TimeStepper stepper_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <exception>
+#include <span>
 
 #include "engine/kernels/load_terms.h"
 #include "engine/step/pass_integration.h"
@@ -23,8 +24,8 @@ bool is_any_failed(const StepTable& data) {
   });
 }
 
-bool are_all_halted(const StepTable& data) {
-  return std::all_of(data.progress.begin(), data.progress.end(),
+bool are_all_halted(std::span<const StepProgress> all) {
+  return std::all_of(all.begin(), all.end(),
                      [](const StepProgress& progress) { return progress.is_halted; });
 }
 
@@ -149,10 +150,11 @@ StepOutcome TimeStepper::evaluate(bool renew) {
 StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor, bool observed,
                                  const Completed& completed) {
   StepTable& data = context_.table();
-  is_stopping_ = false;
+  is_stopping_ = is_asked_to_stop_ = false;
   if (steps_ >= target) return StepOutcome::done;
   data.clear_load_failures();
-  const bool is_wide = data.ring_size() > 1 && target > steps_ + 1 && !stays_together_;
+  const bool is_wide =
+      context_.sharing || (data.ring_size() > 1 && target > steps_ + 1 && !stays_together_);
   Advance advance{target, completed, is_wide, steps_, nullptr};
   data.window.observed = observed;
   open_window(advance);
@@ -162,7 +164,10 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
     if (advance.is_wide) return_to_last_step();
     std::rethrow_exception(advance.thrown);
   }
-  if (!is_any_failed(data)) return StepOutcome::done;
+  if (!is_any_failed(data)) {
+    share_state();
+    return StepOutcome::done;
+  }
   return advance.is_wide ? repeat_failure(advance) : end_failed();
 }
 
@@ -189,6 +194,7 @@ void TimeStepper::open_window(Advance& advance) {
       advance.target, steps_ + (advance.is_wide ? static_cast<std::int64_t>(data.ring_size()) : 1));
   if (advance.is_wide && steps_ >= advance.next_copy) {
     if (are_together(data)) {
+      share_state();
       saved_.save();
       saved_steps_ = steps_;
       advance.next_copy = steps_ + kStepsPerCopy;
@@ -201,18 +207,35 @@ void TimeStepper::open_window(Advance& advance) {
   let_go(last, data);
 }
 
+/// Of subsystems that are shared out: whether the own ones have come to the end of the window. All
+/// processes then know of all.
+bool TimeStepper::end_window() {
+  if (!are_all_halted(context_.own_progress())) return false;
+  is_stopping_ = context_.share_window(is_asked_to_stop_);
+  is_whole_ = false;
+  return true;
+}
+
+/// The state of subsystems that other processes have.
+void TimeStepper::share_state() {
+  if (!is_whole_) context_.sharing->state.share();
+  is_whole_ = true;
+}
+
 /// After a run: reports its steps and sets the next one, if there is one to be made.
 bool TimeStepper::continues(Advance& advance) {
   StepTable& data = context_.table();
+  if (context_.sharing && !end_window()) return true;
   if (watch_) watch_->end_run(data);
   report_steps(advance);
+  if (!context_.sharing) is_stopping_ = is_asked_to_stop_;
   if (is_stopping_)
     advance.target = std::min(advance.target, std::max(steps_, furthest_step(data)));
   if (advance.thrown || steps_ >= advance.target) return false;
   if (is_any_failed(data)) {
     // Where subsystems do not part, the others complete the step; where they do, it will be
     // repeated.
-    if (advance.is_wide || are_all_halted(data)) return false;
+    if (advance.is_wide || are_all_halted(data.progress)) return false;
   } else {
     open_window(advance);
   }
@@ -237,13 +260,14 @@ void TimeStepper::run_step_serially(std::int64_t step) {
   StepTable& data = context_.table();
   data.window.first = step;
   let_go(step, data);
-  while (!are_all_halted(data)) run_serially();
+  while (!are_all_halted(data.progress)) run_serially();
 }
 
 /// Goes back to the last copy and steps, one step at a time, to the end of the step that was
 /// reported last: some subsystems were beyond it.
 void TimeStepper::return_to_last_step() {
   saved_.restore();
+  is_whole_ = true;
   context_.table().clear_load_failures();
   good_steps_ = -1;
   for (std::int64_t step = saved_steps_ + 1; step <= steps_; ++step) run_step_serially(step);
@@ -254,6 +278,7 @@ void TimeStepper::return_to_last_step() {
 StepOutcome TimeStepper::repeat_failure(Advance& advance) {
   StepTable& data = context_.table();
   saved_.restore();
+  is_whole_ = true;
   data.clear_load_failures();
   good_steps_ = -1;
   for (std::int64_t step = saved_steps_ + 1; step <= advance.target; ++step) {

@@ -31,13 +31,18 @@ class RunWatch {
 /// each subsystem as many steps in them as it can, up to the end of a window: as many steps beyond
 /// the last complete one as the table has records for. Subsystems with progress of their own may
 /// stand at different steps between two runs; they meet again at the target of advance().
+///
+/// Where subsystems are shared out over processes, all of these call the same functions. They meet
+/// at the end of each window, which is the same for all however their graphs and executors differ;
+/// behind advance() each has the whole state. What is made serially between steps, or again behind
+/// a failure, each makes of the whole system.
 class TimeStepper {
  public:
   /// Called with each complete step, in order, while its records (and samples, if they are
   /// observed) are in the table.
   using Completed = std::function<void(std::int64_t step)>;
 
-  /// `graph`: of one pass, on `context`. Both must outlive the stepper.
+  /// `graph`: of one pass over all subsystems, on `context`. Both must outlive the stepper.
   TimeStepper(StepContext& context, const graph::StepGraph& graph);
 
   /// Evaluates the accelerations at t = 0, serially, and finds those to start from.
@@ -51,8 +56,9 @@ class TimeStepper {
   StepOutcome advance(std::int64_t target, graph::Executor& executor, bool observed = false,
                       const Completed& completed = {});
 
-  /// While advance() runs, by `completed`: ends it at the last step that any subsystem has begun.
-  void stop() { is_stopping_ = true; }
+  /// While advance() runs, by `completed`: ends it at the last step that any subsystem has begun;
+  /// of shared ones at the end of the window after this, in all processes.
+  void stop() { is_asked_to_stop_ = true; }
   /// Whether the last advance() was ended so.
   bool is_stopping() const { return is_stopping_; }
   /// Goes on from a state that was put into the table, taken at the end of step `steps`; also after
@@ -79,6 +85,8 @@ class TimeStepper {
 
   void open_window(Advance& advance);
   bool continues(Advance& advance);
+  bool end_window();
+  void share_state();
   bool is_implicit() const;
   StepOutcome run_between_steps(int stage);
   StepOutcome evaluate_once();
@@ -98,7 +106,8 @@ class TimeStepper {
   std::int64_t saved_steps_ = -1;
   std::vector<double> good_;  ///< the state at the end of step good_steps_, if there are loads
   std::int64_t good_steps_ = -1;
-  bool is_stopping_ = false;
+  bool is_whole_ = true;  ///< the table has the state of other processes' subsystems, too
+  bool is_asked_to_stop_ = false, is_stopping_ = false;
   RunWatch* watch_ = nullptr;
   bool stays_together_ = false;
 };

@@ -32,4 +32,8 @@ NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps,
 /// chosen. Steps that a run of run_graph() makes, about. Throws like run_until().
 int open_window(Simulation& simulation);
 
+/// The subsystems that each of so many processes would have: its first one, and at the end their
+/// number. Throws InputError unless 1 <= processes <= subsystems.
+std::vector<int> share_subsystems(Simulation& simulation, int processes);
+
 }  // namespace spoke

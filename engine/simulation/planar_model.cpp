@@ -11,6 +11,7 @@
 #include "engine/simulation/planar_views.h"
 #include "engine/step/model_memory.h"
 #include "engine/step/put_bodies.h"
+#include "engine/step/share_subsystems.h"
 #include "engine/table/state_values.h"
 #include "models/error.h"
 
@@ -43,6 +44,9 @@ class PlanarModel final : public SimulatedModel {
     sensors_.emplace(context_.system,
                      place_sensors(scenario_.sensors, scenario_.rotor, context_.data));
   }
+
+  void share_out(Exchange& exchange) override { spoke::share_out(exchange, context_); }
+  std::vector<double> weights() const override { return weights_of(context_.data); }
 
   void put_bodies(const std::vector<Eigen::VectorXd>& q) override {
     spoke::put_bodies(q, context_);

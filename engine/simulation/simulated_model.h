@@ -47,6 +47,10 @@ class SimulatedModel {
   virtual double ring_bytes() const = 0;
   /// Allocates the table with so many records, and places loads and sensors. Once, first.
   virtual void allocate(int records) = 0;
+  /// See spoke::share_out().
+  virtual void share_out(Exchange& exchange) = 0;
+  /// By which it would share out.
+  virtual std::vector<double> weights() const = 0;
   /// See spoke::put_bodies().
   virtual void put_bodies(const std::vector<Eigen::VectorXd>& q) = 0;
 

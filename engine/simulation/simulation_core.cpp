@@ -85,14 +85,32 @@ void SimulationCore::prepare(const Loads& loads) {
                                scenario.integration.max_iterations}};
   model = make_model(scenario, options.formulation, integrator, loads);
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
-                          options.threads, options.window, planned_steps, options.make_executor};
+                          options.threads,
+                          options.window,
+                          planned_steps,
+                          options.make_executor,
+                          is_shared()};
+  if (is_shared()) require_shareable(loads);
   model->allocate(window_records(how, model->ring_bytes()));
+  if (is_shared()) model->share_out(*options.exchange);
   if (scenario.initial.state == InitialState::equilibrium)
     model->put_bodies(steady::find_start(scenario));
   runner = std::make_unique<StepRunner>(model->context(), how);
 #ifndef NDEBUG
   require_kept_declarations();
 #endif
+}
+
+void SimulationCore::require_shareable(const Loads& loads) const {
+  const int count = options.exchange->count();
+  const std::string text = std::to_string(count) + " processes simulate the model together: ";
+  if (options.formulation == Formulation::augmented)
+    throw InputError(text + "the formulation is augmented, expected structured or subsystem");
+  if (!loads.empty()) throw InputError(text + "expected no loads of the program's");
+  const int subsystems = model->extent().subsystems;
+  if (count > subsystems)
+    throw InputError(text + "it has " + counted(subsystems, "subsystem") +
+                     ", expected at most so many processes");
 }
 
 /// Debug builds run every node once on its declared data alone.
@@ -125,6 +143,8 @@ StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe
                                 const TraceOptions& trace_options) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
   const bool observed = observe || stops_on_growth();
+  if (is_shared())
+    throw InputError("a trace: several processes simulate the model together, expected one");
   StepTrace trace;
   try {
     require_done([&] {

@@ -62,6 +62,8 @@ class SimulationCore {
                         const space::DrivenMotion& course);
   /// Of a model in space. Throws InputError if it is in the plane: `what` is then refused.
   SpatialJoints& joints(const char* what) const;
+  /// Whether other processes have subsystems of the model, too.
+  bool is_shared() const { return options.exchange && options.exchange->count() > 1; }
   /// A rotor in the plane. Throws InputError if the model is in space: `what` is then refused.
   SystemContext<Plane>& plane(const char* what) const;
 
@@ -89,6 +91,7 @@ class SimulationCore {
 
  private:
   void prepare(const Loads& loads);
+  void require_shareable(const Loads& loads) const;
   void sample(std::int64_t step);
   void evaluate_again();
   void require_kept_declarations();

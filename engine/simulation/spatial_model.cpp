@@ -19,6 +19,7 @@
 #include "engine/space/deformation_limits.h"
 #include "engine/step/model_memory.h"
 #include "engine/step/put_bodies.h"
+#include "engine/step/share_subsystems.h"
 #include "engine/table/state_values.h"
 #include "models/count_text.h"
 #include "models/error.h"
@@ -71,6 +72,9 @@ class SpatialModel final : public SimulatedModel {
     make_reading_rings(context_.data);
     sensors_.emplace(context_.system, trees_, std::move(asked));
   }
+
+  void share_out(Exchange& exchange) override { spoke::share_out(exchange, context_); }
+  std::vector<double> weights() const override { return weights_of(context_.data); }
 
   void put_bodies(const std::vector<Eigen::VectorXd>& q) override {
     spoke::put_bodies(q, context_);

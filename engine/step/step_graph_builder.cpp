@@ -245,6 +245,15 @@ void add_prescribed_hub_solve(const Assembly<World>& g) {
       [&c]() noexcept { record_reactions(c.system, c.integrator, c.data); });
 }
 
+/// Where subsystems are shared out: lets all processes know what the subsystems of each have found
+/// in these parts. Those of others are read as well, for not all of a part is told.
+template <class World>
+void add_share(const Assembly<World>& g, const char* stage, const PartList& parts,
+               SharedPlaces& places) {
+  g.builder.add_node(g.label(stage), reads(g.parts.progress, parts), writes(parts),
+                     unless_halted(g.c.data.progress[0], [&places]() noexcept { places.share(); }));
+}
+
 template <class World>
 void add_augmented_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
@@ -419,19 +428,35 @@ void add_recoveries(const Assembly<World>& g, int i) {
   for (int j = 0; j < bodies; ++j) add_recovery(g, i, j);
 }
 
+/// Subsystems whose nodes a graph has, and how they let other processes know; null: not.
+struct Extent {
+  int first = 0, last = 0;
+  Sharing* sharing = nullptr;
+};
+
 template <class World>
-void add_coupled_pass(const Assembly<World>& g, int blades) {
+void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
+  const auto for_each = [&](auto add) {
+    for (int i = own.first; i < own.last; ++i) add(g, i);
+  };
   add_hub_motion(g);
-  for (int i = 0; i < blades; ++i) add_motion(g, i);
-  for (int i = 0; i < blades; ++i) add_loads_of_user(g, i);  // which may be between blades
-  for (int i = 0; i < blades; ++i) add_condensation(g, i);
+  for_each(add_motion<World>);
+  for_each(add_loads_of_user<World>);  // which may be between blades
+  for_each(add_condensation<World>);
+  if (own.sharing)
+    add_share(g, "share inertias", g.parts.all(&SubsystemParts::effective), own.sharing->inertias);
   if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
   else
     add_hub_solve(g);
-  for (int i = 0; i < blades; ++i) add_recoveries(g, i);
+  for_each(add_recoveries<World>);
+  if (own.sharing) {
+    PartList reports = g.parts.all(&BodyParts::report);
+    for (const PartId terms : g.parts.all(&BodyParts::terms)) reports.push_back(terms);
+    add_share(g, "share reports", reports, own.sharing->reports);
+  }
   add_finish(g);
-  for (int i = 0; i < blades; ++i) add_sensors(g, i);
+  for_each(add_sensors<World>);
 }
 
 template <class World>
@@ -444,24 +469,36 @@ void add_pass_of_blade(const Assembly<World>& g, int i) {
   add_sensors(g, i);
 }
 
-}  // namespace
-
 template <class World>
-graph::StepGraph build_step_graph(SystemContext<World>& c, int passes) {
+graph::StepGraph build(SystemContext<World>& c, int passes, const Extent& own) {
   StepGraphBuilder builder("blade");
   const StepParts parts = add_parts(c, builder);
-  const int blades = static_cast<int>(parts.subsystems.size());
   Assembly<World> g{c, parts, builder, passes > 1 ? 0 : -1};
   if (c.data.is_coupled)
-    add_coupled_pass(g, blades);
+    add_coupled_pass(g, own);
   else
-    for (int i = 0; i < blades; ++i) add_pass_of_blade(g, i);
+    for (int i = own.first; i < own.last; ++i) add_pass_of_blade(g, i);
   // The progress says what the nodes are to do: those of all passes are the same.
   const int nodes = builder.node_count();
   for (int pass = 1; pass < passes; ++pass)
     for (int n = 0; n < nodes; ++n) builder.repeat_node({n}, pass);
-  if (!c.data.is_coupled) add_prescribed_hub_solve(g);
+  // Of shared subsystems the hub's reaction is found when all are at the end of the window.
+  if (!c.data.is_coupled && !own.sharing) add_prescribed_hub_solve(g);
   return builder.build();
+}
+
+template <class World>
+Extent extent_of_all(const SystemContext<World>& c) {
+  return {0, static_cast<int>(c.data.subsystems.size()), nullptr};
+}
+
+}  // namespace
+
+template <class World>
+graph::StepGraph build_step_graph(SystemContext<World>& c, int passes) {
+  Sharing* const sharing = c.sharing.get();
+  if (!sharing) return build(c, passes, extent_of_all(c));
+  return build(c, passes, {sharing->own_first(), sharing->own_last(), sharing});
 }
 
 template <class World>
@@ -469,9 +506,16 @@ graph::StepGraph SystemContext<World>::build_graph(int passes) {
   return build_step_graph(*this, passes);
 }
 
+template <class World>
+graph::StepGraph SystemContext<World>::build_whole_graph() {
+  return build(*this, 1, extent_of_all(*this));
+}
+
 template graph::StepGraph build_step_graph(SystemContext<Plane>&, int);
 template graph::StepGraph SystemContext<Plane>::build_graph(int);
+template graph::StepGraph SystemContext<Plane>::build_whole_graph();
 template graph::StepGraph build_step_graph(SystemContext<Space>&, int);
 template graph::StepGraph SystemContext<Space>::build_graph(int);
+template graph::StepGraph SystemContext<Space>::build_whole_graph();
 
 }  // namespace spoke

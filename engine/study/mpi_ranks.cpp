@@ -5,7 +5,6 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -23,13 +22,6 @@ constexpr int kAsk = 1, kResult = 2, kEnd = 3;
 // From it: a run, or kNoRun.
 constexpr int kRun = 4;
 constexpr std::int64_t kNoRun = -1;
-
-/// Whether a launcher has started this process beside others. Alone, MPI is not begun at all.
-bool is_launched() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"})
-    if (std::getenv(variable) != nullptr) return true;
-  return false;
-}
 
 /// Asks the first rank. Threads take turns: it answers at once.
 class RemoteExchange : public RunExchange {
@@ -107,31 +99,6 @@ class Server {
 
 }  // namespace
 
-Ranks::Ranks() {
-  if (!is_launched()) return;
-  int provided = 0;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-  MPI_Comm_size(MPI_COMM_WORLD, &count_);
-}
-
-Ranks::~Ranks() {
-  int is_begun = 0;
-  MPI_Initialized(&is_begun);
-  if (is_begun != 0 && (is_released_ || std::uncaught_exceptions() == 0)) MPI_Finalize();
-}
-
-void Ranks::announce(std::uint64_t study) {
-  is_released_ = study == 0;
-  if (count_ > 1) MPI_Bcast(&study, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-}
-
-std::uint64_t Ranks::hear() {
-  std::uint64_t study = 0;
-  MPI_Bcast(&study, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-  return study;
-}
-
 void Ranks::make_runs_together(const Study& study, const Sampling& sampling, int threads,
                                JournalExchange& exchange) {
   std::exception_ptr failure;
@@ -142,10 +109,10 @@ void Ranks::make_runs_together(const Study& study, const Sampling& sampling, int
       failure = std::current_exception();
     }
   });
-  Server server(count_ - 1, exchange);
+  Server server(count() - 1, exchange);
   server.serve();
   own.join();
-  is_released_ = true;
+  launch_.release();
   if (!failure) failure = server.failure();
   if (failure) std::rethrow_exception(failure);
 }
@@ -155,7 +122,5 @@ void Ranks::make_runs_for_first(const Study& study, const Sampling& sampling, in
   make_runs(study, sampling, threads, exchange);
   MPI_Send(nullptr, 0, MPI_BYTE, 0, kEnd, MPI_COMM_WORLD);
 }
-
-bool has_mpi() { return true; }
 
 }  // namespace spoke::study

@@ -4,29 +4,26 @@
 
 #include <cstdint>
 
+#include "engine/ranks/launch.h"
 #include "engine/study/runner.h"
 
 namespace spoke::study {
 
-/// This process among those of `mpirun -n P spoke study`; the only one otherwise, and in builds
-/// without MPI. The first one has the journal and writes the files; the others get runs from it, on
-/// each of their threads the next one as soon as that is free. At most one object in a process.
+/// This process among those of `mpirun -n P spoke study`. The first one has the journal and writes
+/// the files; the others get runs from it, on each of their threads the next one as soon as that is
+/// free.
 class Ranks {
  public:
-  Ranks();
-  /// Leaves the others in order; while an exception leaves, only if they have been told to end:
-  /// otherwise MPI ends all processes with this one.
-  ~Ranks();
-  Ranks(const Ranks&) = delete;
-  Ranks& operator=(const Ranks&) = delete;
-
-  int count() const { return count_; }
-  bool is_first() const { return rank_ == 0; }
+  int count() const { return launch_.count(); }
+  bool is_first() const { return launch_.is_first(); }
 
   /// Of the first: tells the others which study there is to do, by its fingerprint(); 0: none.
-  void announce(std::uint64_t study);
+  void announce(std::uint64_t study) {
+    if (study == 0) launch_.release();
+    launch_.broadcast(study);
+  }
   /// Of the others: waits for that.
-  std::uint64_t hear();
+  std::uint64_t hear() { return launch_.broadcast(0); }
 
   /// Of the first: makes runs on so many threads, and hands out runs to the other ranks until all
   /// have ended. Throws like make_runs().
@@ -36,11 +33,7 @@ class Ranks {
   void make_runs_for_first(const Study& study, const Sampling& sampling, int threads);
 
  private:
-  int rank_ = 0, count_ = 1;
-  bool is_released_ = false;  ///< the others have been told to end
+  ranks::Launch launch_;
 };
-
-/// Whether this build knows MPI.
-bool has_mpi();
 
 }  // namespace spoke::study

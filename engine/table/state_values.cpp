@@ -72,6 +72,18 @@ void apply_to_joint(BodyData<Space>& body, Apply&& apply) {
   apply(doubles(*body.joint.rotation));
 }
 
+/// Calls `apply` with each range of doubles of the state that is one subsystem's.
+template <class World, class Apply>
+void for_each_state_part(SubsystemData<World>& subsystem, Apply&& apply) {
+  apply(doubles(subsystem.prescribed));
+  apply(doubles(subsystem.root_load));
+  apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
+  for (BodyData<World>& body : subsystem.bodies) {
+    apply_to_joint(body, apply);
+    apply_to_block(body.coordinates, apply);
+  }
+}
+
 /// Calls `apply` with each range of doubles of the state but those of the record, which
 /// `apply_to_record` comes to in their place.
 template <class World, class Apply, class ApplyToRecord>
@@ -81,15 +93,7 @@ void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& a
   if constexpr (has_attitude<World>) apply(doubles(data.hub_attitude));
   apply_to_record();
   for (StepProgress& progress : data.progress) apply(doubles(progress.power));
-  for (SubsystemData<World>& subsystem : data.subsystems) {
-    apply(doubles(subsystem.prescribed));
-    apply(doubles(subsystem.root_load));
-    apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
-    for (BodyData<World>& body : subsystem.bodies) {
-      apply_to_joint(body, apply);
-      apply_to_block(body.coordinates, apply);
-    }
-  }
+  for (SubsystemData<World>& subsystem : data.subsystems) for_each_state_part(subsystem, apply);
 }
 
 }  // namespace
@@ -136,6 +140,15 @@ std::vector<double> take_state_values(std::int64_t step, StepTable& data) {
   return values;
 }
 
+template <class World>
+std::vector<std::span<std::byte>> state_of_subsystem(StepData<World>& data, std::size_t i) {
+  std::vector<std::span<std::byte>> memory;
+  for_each_state_part(data.subsystems[i], [&](std::span<double> part) {
+    memory.push_back(std::as_writable_bytes(part));
+  });
+  return memory;
+}
+
 namespace {
 
 void hash_joint(const BodyData<Plane>&, std::uint64_t&) {}
@@ -166,6 +179,8 @@ template void StepData<Plane>::take_state(std::int64_t, std::vector<double>&);
 template void StepData<Space>::take_state(std::int64_t, std::vector<double>&);
 template void StepData<Plane>::put_state(std::span<const double>, std::int64_t);
 template void StepData<Space>::put_state(std::span<const double>, std::int64_t);
+template std::vector<std::span<std::byte>> state_of_subsystem(StepData<Plane>&, std::size_t);
+template std::vector<std::span<std::byte>> state_of_subsystem(StepData<Space>&, std::size_t);
 template std::size_t count_state_values(StepData<Plane>&);
 template std::size_t count_state_values(StepData<Space>&);
 template std::uint64_t hash_state(const StepData<Plane>&);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/table/step_data.h"
@@ -23,6 +24,10 @@ std::size_t count_state_values(StepData<World>& data);
 
 /// The values at the end of step `step`. To put them back: StepTable::put_state(), with as many.
 std::vector<double> take_state_values(std::int64_t step, StepTable& data);
+
+/// Where the values of subsystem `i` lie.
+template <class World>
+std::vector<std::span<std::byte>> state_of_subsystem(StepData<World>& data, std::size_t i);
 
 /// A hash (FNV-1a, 64 bits) of all coordinates and velocities, to compare runs bit by bit.
 template <class World>

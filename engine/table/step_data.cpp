@@ -3,6 +3,7 @@
 #include "engine/table/step_data.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace spoke {
@@ -195,6 +196,8 @@ std::vector<std::span<std::byte>> StepData<World>::state_memory() {
   };
   add(hub_storage);
   add(std::span(&hub, 1));
+  if constexpr (!std::is_empty_v<typename BodyTypes<World>::Attitude>)
+    add(std::span(&hub_attitude, 1));
   add(progress);
   for (SubsystemData<World>& subsystem : subsystems) {
     add(subsystem.storage);

@@ -54,6 +54,14 @@ Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& fol
           read_file(texts.path() / "err")};
 }
 
+std::string mpirun(int ranks) {
+  // Open MPI refuses to run for the system's administrator, whom containers make of everybody,
+  // unless told twice.
+  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe "
+         "-n " +
+         std::to_string(ranks) + ' ';
+}
+
 std::string shipped(const std::string& name) {
   return (fs::path(SPOKE_MODELS_DIR) / (name + ".toml")).string();
 }

@@ -1,0 +1,55 @@
+#pragma once
+
+// A model whose subsystems are shared out over several processes: who has which, and what they tell
+// one another. Every process has the whole table. Its nodes are those of its own subsystems and of
+// the hub; what others found is put into the same places of the table as if it had found it itself,
+// so that all that follows has the same bits in every process.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/exchange.h"
+
+namespace spoke {
+
+/// Shares of neighbours with weights about equal in sum, none of them empty: the first index of
+/// each share, and at the end the number of weights. Precondition: 1 <= shares <= weights.size().
+std::vector<int> share_out(std::span<const double> weights, int shares);
+
+/// Steps after which processes meet, at most, unless a window was asked for.
+inline constexpr int kMostSharedSteps = 64;
+
+/// Memory in pieces.
+using MemoryPieces = std::vector<std::span<std::byte>>;
+
+/// Places in the table that the processes tell one another of.
+class SharedPlaces {
+ public:
+  /// `by_rank`: the places that each rank fills, of the same sizes in all processes.
+  SharedPlaces(Exchange& exchange, std::vector<MemoryPieces> by_rank);
+
+  /// Gives what stands in the own places to the others, and fills in theirs.
+  void share() noexcept;
+
+ private:
+  Exchange& exchange_;
+  std::vector<MemoryPieces> places_;
+  std::vector<std::size_t> first_;  ///< byte of each rank
+  std::vector<std::byte> bytes_;
+};
+
+/// How the subsystems are shared out, and the places that are told at fixed times. Stays in place.
+struct Sharing {
+  Exchange& exchange;
+  std::vector<int> first;  ///< by rank its first subsystem, and at the end their number
+  // Where the hub has a free coordinate, in every pass: effective inertias for the hub's solve, and
+  // what bodies report to its end.
+  SharedPlaces inertias, reports;
+  SharedPlaces state;  ///< of the subsystems, see state_values.h
+
+  int own_first() const { return first[static_cast<std::size_t>(exchange.rank())]; }
+  int own_last() const { return first[static_cast<std::size_t>(exchange.rank()) + 1]; }  ///< behind
+};
+
+}  // namespace spoke
