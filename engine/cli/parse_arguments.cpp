@@ -158,7 +158,10 @@ void add_predict(CLI::App& program, Arguments& arguments) {
   add_formulation(predict, arguments);
   add_integrator(predict, arguments);
   predict.footer(std::string(kPredictText) + '\n' + kMeasuringStatusText);
-  predict.callback([&] { arguments.command = Arguments::Command::predict; });
+  predict.callback([&] {
+    arguments.command = Arguments::Command::predict;
+    std::sort(arguments.predict.ranks.begin(), arguments.predict.ranks.end());
+  });
 }
 
 void add_trace(CLI::App& program, Arguments& arguments) {

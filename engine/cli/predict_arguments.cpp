@@ -46,6 +46,22 @@ void add_predict_options(CLI::App& command, PredictArguments& arguments) {
                   "[as in a run: auto chooses, the others take 1 pass]")
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
+  CLI::Option* const ranks =
+      command
+          .add_option("--ranks", arguments.ranks,
+                      "Numbers of processes to predict for, on several machines\n"
+                      "(docs/machines.md), each of one thread")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->check(CLI::Range(1, 1000000))
+          ->type_name("N,N,...");
+  command
+      .add_option("--latency", arguments.latency,
+                  "Of a message between processes\n"
+                  "[measured under mpirun -n 2, else 5e-6]")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(ranks)
+      ->type_name("SECONDS");
 }
 
 }  // namespace spoke::cli

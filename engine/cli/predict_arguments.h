@@ -2,6 +2,7 @@
 
 // The options of `spoke predict`.
 
+#include <optional>
 #include <vector>
 
 namespace CLI {
@@ -14,9 +15,11 @@ namespace spoke::cli {
 struct PredictArguments {
   std::vector<int> threads{1, 2, 4, 8, 16, 32, 64};  ///< ascending
   int window = 0;                                    ///< steps; 0: as each executor chooses
+  std::vector<int> ranks;         ///< numbers of processes, ascending; none: not asked for
+  std::optional<double> latency;  ///< between them [s]; none: measured or assumed
 };
 
-/// Adds --threads and --window to the command.
+/// Adds --threads, --window, --ranks and --latency to the command.
 void add_predict_options(CLI::App& command, PredictArguments& arguments);
 
 }  // namespace spoke::cli

@@ -2,6 +2,8 @@
 
 #include "engine/cli/predict_command.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -19,8 +21,12 @@
 #include "engine/predict/conclusion.h"
 #include "engine/predict/files.h"
 #include "engine/predict/table.h"
+#include "engine/ranks/launch.h"
 #include "engine/results.h"
 #include "engine/simulation/node_measurement.h"
+#include "engine/step/sharing.h"
+#include "models/count_text.h"
+#include "models/error.h"
 #include "models/reader/text_file.h"
 
 namespace spoke::cli {
@@ -198,6 +204,33 @@ std::vector<compare::Measurement> measure(const Task& task, const Subjects& subj
       });
 }
 
+/// The network between the processes that mpirun has started, if it was not told; none but the
+/// first go on, and MPI ends with them, so that nobody disturbs what is measured.
+std::optional<predict::Network> find_network(const PredictArguments& asked) {
+  const ranks::Launch launch;
+  const double measured = launch.measure_latency();
+  if (!launch.is_first()) return {};
+  if (asked.latency) return predict::Network{*asked.latency, false};
+  return launch.count() > 1 ? predict::Network{measured, true} : predict::Network{};
+}
+
+void predict_ranks(const PredictArguments& asked, Simulation& simulation,
+                   predict::Prediction& prediction) {
+  const int window = asked.window > 1 ? 2 * asked.window : kMostSharedSteps;
+  prediction.ranks = predict::predict_ranks(
+      predict::find_shares(simulation.run_graph(), prediction.run.nodes.serial, window),
+      prediction.network, asked.ranks,
+      [&simulation](int count) { return share_subsystems(simulation, count); });
+}
+
+/// Before anything is measured: whether there are as many subsystems.
+void require_ranks(const PredictArguments& asked, Simulation& simulation) {
+  const int subsystems = simulation.size().subsystems;
+  if (!asked.ranks.empty() && asked.ranks.back() > subsystems)
+    throw InputError(fmt::format("--ranks {}: the model has {}, expected at most so many processes",
+                                 asked.ranks.back(), counted(subsystems, "subsystem")));
+}
+
 void write(const predict::Prediction& prediction, const fs::path& folder) {
   write_file(folder / "predict.json", predict::make_json(prediction));
   write_file(folder / "predict.csv", predict::make_csv(prediction));
@@ -208,6 +241,7 @@ void print(const predict::Prediction& prediction, const fs::path& folder) {
   print_title(prediction.scenario.title);
   for (const auto& [label, text] : predict::make_facts(prediction)) print_line(label, text);
   print_table(predict::make_table(prediction));
+  if (!prediction.ranks.empty()) print_table(predict::make_rank_table(prediction));
   cli::print('\n' + predict::make_conclusion(prediction) + '\n');
   print_line("written", (folder / "predict.html").string() + ", predict.json, predict.csv");
 }
@@ -215,6 +249,8 @@ void print(const predict::Prediction& prediction, const fs::path& folder) {
 }  // namespace
 
 int predict(const Arguments& arguments) {
+  const std::optional<predict::Network> network = find_network(arguments.predict);
+  if (!network) return 0;
   const Task task = read_task(arguments);
   const fs::path folder = arguments.out.empty()
                               ? fs::path("results") / task.scenario.name / "predict"
@@ -225,7 +261,9 @@ int predict(const Arguments& arguments) {
   const double load_before = load_average();
   show_progress("warming up: nodes");
   Subjects subjects = make_subjects(task);
+  require_ranks(arguments.predict, subjects.all.simulation);
   predict::Prediction prediction = describe(arguments, subjects);
+  prediction.network = *network;
   prediction.machine = machine;
   prediction.capacity = measure_capacity();
   prediction.load_before = load_before;
@@ -239,6 +277,7 @@ int predict(const Arguments& arguments) {
   predict::predict(prediction, subjects.all.simulation.run_graph(),
                    of_auto ? &of_auto->simulation.run_graph() : nullptr, arguments.predict.threads);
   predict::add_measured(prediction, measurements);
+  predict_ranks(arguments.predict, subjects.all.simulation, prediction);
   show_progress("");
   write(prediction, folder);
   print(prediction, folder);

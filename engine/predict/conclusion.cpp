@@ -105,6 +105,25 @@ std::string describe_levels(const Prediction& prediction) {
       fmt::join(as_good, ", "), worst == nullptr ? "" : "; elsewhere " + most);
 }
 
+/// How many processes pay.
+std::string describe_ranks(const Prediction& prediction) {
+  if (prediction.ranks.empty()) return "";
+  const auto slower = [](const RankPoint& a, const RankPoint& b) { return a.step() < b.step(); };
+  const double least =
+      std::min_element(prediction.ranks.begin(), prediction.ranks.end(), slower)->step();
+  const RankPoint& last =
+      *std::find_if(prediction.ranks.begin(), prediction.ranks.end(),
+                    [least](const RankPoint& point) { return point.step() <= kPays * least; });
+  const double gain = prediction.speedup(last);
+  if (gain < kPays)
+    return fmt::format("Several processes do not pay: {} give {:.2f} times serial's speed.",
+                       last.ranks, gain);
+  return fmt::format(
+      "Processes of one thread each pay up to {} of those looked at: {:.2f} times serial's speed, "
+      "{:.0f} % of the time on the network.",
+      last.ranks, gain, 100.0 * last.telling / last.step());
+}
+
 std::string describe_errors(const Prediction& prediction) {
   double largest = 0.0;
   int points = 0;
@@ -138,9 +157,13 @@ std::string describe_left_out() {
 }  // namespace
 
 std::vector<std::string> make_conclusions(const Prediction& prediction) {
-  std::vector<std::string> parts{describe_disturbance(prediction), describe_bound(prediction),
-                                 describe_limit(prediction),       describe_levels(prediction),
-                                 describe_errors(prediction),      describe_left_out()};
+  std::vector<std::string> parts{describe_disturbance(prediction),
+                                 describe_bound(prediction),
+                                 describe_limit(prediction),
+                                 describe_levels(prediction),
+                                 describe_ranks(prediction),
+                                 describe_errors(prediction),
+                                 describe_left_out()};
   std::erase(parts, "");
   return parts;
 }

@@ -169,6 +169,7 @@ std::string make_html(const Prediction& prediction) {
   }
   add_facts(page, prediction);
   page.add_table(make_table(prediction));
+  if (!prediction.ranks.empty()) page.add_table(make_rank_table(prediction));
   page.add_heading("How this was predicted");
   page.add_paragraph(kMethod);
   return page.html();

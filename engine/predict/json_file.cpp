@@ -77,6 +77,19 @@ Json describe_point(const Prediction& prediction, ExecutorKind executor, const P
   return json;
 }
 
+Json describe_ranks(const Prediction& prediction) {
+  if (prediction.ranks.empty()) return nullptr;
+  Json points = Json::array();
+  for (const RankPoint& point : prediction.ranks)
+    points.push_back({{"ranks", point.ranks},
+                      {"predicted_s", point.step()},
+                      {"network_s", point.telling},
+                      {"predicted_speedup", prediction.speedup(point)}});
+  return {{"latency_s", prediction.network.latency},
+          {"is_measured", prediction.network.is_measured},
+          {"points", points}};
+}
+
 Json list_left_out() {
   Json names = Json::array();
   for (const ExecutorKind kind : left_out_executors()) names.push_back(graph::name_of(kind));
@@ -110,7 +123,8 @@ std::string make_json(const Prediction& prediction) {
       {"auto_window", prediction.auto_run ? describe_window(*prediction.auto_run) : Json(nullptr)},
       {"not_predicted", list_left_out()},
       {"rounds", prediction.rounds},
-      {"points", points}};
+      {"points", points},
+      {"processes", describe_ranks(prediction)}};
   return json.dump_lines();
 }
 

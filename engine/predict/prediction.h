@@ -8,6 +8,7 @@
 
 #include "engine/compare/rounds.h"
 #include "engine/predict/nodes.h"
+#include "engine/predict/ranks.h"
 #include "engine/support/machine.h"
 
 namespace spoke::predict {
@@ -66,8 +67,11 @@ struct Prediction {
   std::optional<RunGraph> auto_run = {};  ///< auto's on several threads, if it is another
   Point serial = {};
   std::vector<Series> series = {};  ///< of the other executors
+  Network network = {};
+  std::vector<RankPoint> ranks = {};  ///< on several processes, ascending; none unless asked for
 
   double speedup(const Point& point) const { return serial.step.expected / point.step.expected; }
+  double speedup(const RankPoint& point) const { return serial.step.expected / point.step(); }
 };
 
 /// The executors that predictions are made of in this build, besides serial.

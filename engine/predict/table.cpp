@@ -75,6 +75,20 @@ report::Table make_table(const Prediction& prediction) {
   return table;
 }
 
+report::Table make_rank_table(const Prediction& prediction) {
+  using report::Align;
+  report::Table table{"Predicted time per step on several processes of one thread",
+                      {{"processes", Align::number},
+                       {"predicted [us]", Align::number},
+                       {"of it network [us]", Align::number},
+                       {"speedup", Align::number}}};
+  for (const RankPoint& point : prediction.ranks)
+    table.rows.push_back(
+        {{std::to_string(point.ranks), microseconds(point.step()), microseconds(point.telling),
+          report::ratio_text(prediction.speedup(point))}});
+  return table;
+}
+
 std::vector<report::Fact> make_facts(const Prediction& prediction) {
   const graph::RuntimeCosts& runtime = prediction.runtime;
   const auto& flow_graph = runtime.flow_graph;
@@ -95,6 +109,11 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
       "data",
       fmt::format("{} and {:.3g} ns a byte, if another processor wrote it last",
                   graph::duration_text(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
+  if (!prediction.ranks.empty())
+    facts.emplace_back("network",
+                       fmt::format("{} a message between processes, {}",
+                                   graph::duration_text(prediction.network.latency),
+                                   prediction.network.is_measured ? "measured" : "not measured"));
   if (runtime.barrier > 0.0)
     facts.emplace_back("OpenMP", graph::duration_text(runtime.barrier) +
                                      " a barrier of two threads, " +
