@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <random>
 #include <sstream>
 
+#include "engine/steady/alike_trees.h"
 #include "engine/steady/derivatives.h"
 #include "models/error.h"
 
@@ -23,39 +23,6 @@ constexpr int kMostIterations = 60;
 constexpr double kSmallestStep = 1.0 / 128;   ///< of the line search
 constexpr double kSmallestShare = 1.0 / 256;  ///< of a load step
 constexpr double kConverged = 1e-9;           ///< by the scale of coordinates; then to round-off
-
-/// Whether two trees answer alike at a state that has all of them moved.
-bool are_alike(std::size_t a, std::size_t b, SteadyModel& model) {
-  const auto& coordinates = model.coordinates(a);
-  if (coordinates.size() != model.coordinates(b).size()) return false;
-  if (model.initial(a) != model.initial(b)) return false;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const Eigen::Index n = std::ssize(coordinates);
-  TreeState state{VectorXd(n), VectorXd(n), VectorXd(n), VectorXd(n)};
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double scale = 0.01 * coordinates[static_cast<std::size_t>(k)].scale;
-    state.q[k] = scale * uniform(random);
-    state.v[k] = scale * uniform(random);
-    state.q_elastic[k] = 0.01 * scale * uniform(random);
-    state.v_elastic[k] = 0.01 * scale * uniform(random);
-  }
-  TreeResponse of_a, of_b;
-  model.evaluate(a, state, model.no_offset(), of_a);
-  model.evaluate(b, state, model.no_offset(), of_b);
-  return (of_a.force - of_b.force).lpNorm<Eigen::Infinity>() <=
-         1e-8 * of_a.force.lpNorm<Eigen::Infinity>();
-}
-
-std::vector<std::size_t> find_alike(SteadyModel& model) {
-  std::vector<std::size_t> alike(model.trees());
-  for (std::size_t i = 0; i < alike.size(); ++i) {
-    alike[i] = i;
-    for (std::size_t k = 0; k < i && alike[i] == i; ++k)
-      if (alike[k] == k && are_alike(k, i, model)) alike[i] = k;
-  }
-  return alike;
-}
 
 /// Newton's method for one tree.
 class Search {

@@ -2,6 +2,9 @@
 
 #include "engine/steady/linear_model.h"
 
+#include <utility>
+
+#include "engine/steady/alike_trees.h"
 #include "engine/steady/derivatives.h"
 
 namespace spoke::steady {
@@ -18,41 +21,50 @@ HubColumns make_columns(const MatrixXd& mass, const MatrixXd& by_turn, const Mat
   return {mass, mass * hub.P1 - by_twist, mass * hub.P0 - by_turn - by_twist * hub.W};
 }
 
-MatrixXd select_columns(const MatrixXd& m, const std::vector<int>& free) {
-  return m(Eigen::all, free);
-}
-MatrixXd select_rows(const MatrixXd& m, const std::vector<int>& free) {
-  return m(free, Eigen::all);
-}
+/// What trees that are alike share: their matrices, and what they have to do with all components of
+/// the hub's motion, seen along the first of them.
+struct Shared {
+  LinearTree tree;
+  HubColumns by_hub;                      ///< of the tree's coordinates
+  MatrixXd M_on_hub, C_on_hub, K_on_hub;  ///< by the tree's coordinates
+  HubColumns hub;                         ///< its share in the matrices of the hub
+};
 
-/// Linearises tree `i`, and adds its share to the hub's matrices, of all components.
-LinearTree linearize_tree(std::size_t i, const Equilibrium& equilibrium, const HubKinematics& hub,
-                          SteadyModel& model, HubColumns& sum) {
-  const std::vector<int>& free = model.free_components();
-  const bool is_coupled = !free.empty();
+Shared linearize_tree(std::size_t i, const Equilibrium& equilibrium,
+                      const HubKinematics& kinematics, SteadyModel& model) {
+  const bool is_coupled = !model.free_components().empty();
   const Eigen::Index d = model.twist_size();
   const TreeDerivatives by = calc_derivatives(i, make_state(equilibrium.q[i]), is_coupled, model);
   const TreeMatrices matrices = model.matrices(i);
   const Eigen::Index n = by.by_q.cols();
-  LinearTree tree;
-  tree.M = matrices.mass.bottomRightCorner(n, n);
-  tree.C = matrices.damping - by.by_v.topRows(n);
-  tree.K = model.stiffness(i) - by.by_q.topRows(n);
-  if (!is_coupled) return tree;
+  Shared all;
+  all.tree.M = matrices.mass.bottomRightCorner(n, n);
+  all.tree.C = matrices.damping - by.by_v.topRows(n);
+  all.tree.K = model.stiffness(i) - by.by_q.topRows(n);
+  if (!is_coupled) return all;
   const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
-  const HubColumns column = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), hub);
-  tree.M_bh = select_columns(column.M, free);
-  tree.C_bh = select_columns(column.C, free);
-  tree.K_bh = select_columns(column.K, free);
-  tree.M_hb = select_rows(M_bh.transpose(), free);
-  tree.C_hb = select_rows(-by.by_v.bottomRows(d), free);
-  tree.K_hb = select_rows(-by.by_q.bottomRows(d), free);
-  const HubColumns own = make_columns(matrices.mass.topLeftCorner(d, d), by.by_turn.bottomRows(d),
-                                      by.by_twist.bottomRows(d), hub);
-  sum.M += own.M;
-  sum.C += own.C;
-  sum.K += own.K;
-  return tree;
+  all.by_hub = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), kinematics);
+  all.M_on_hub = M_bh.transpose();
+  all.C_on_hub = -by.by_v.bottomRows(d);
+  all.K_on_hub = -by.by_q.bottomRows(d);
+  all.hub = make_columns(matrices.mass.topLeftCorner(d, d), by.by_turn.bottomRows(d),
+                         by.by_twist.bottomRows(d), kinematics);
+  return all;
+}
+
+/// Couples a tree that `turn` takes to where `shared` was found; adds its share to the hub's
+/// matrices, of all components.
+HubCoupling couple(const Shared& shared, const MatrixXd& turn, const std::vector<int>& free,
+                   HubColumns& sum) {
+  const auto columns = [&](const MatrixXd& m) { return MatrixXd((m * turn)(Eigen::all, free)); };
+  const auto rows = [&](const MatrixXd& m) {
+    return MatrixXd((turn.transpose() * m)(free, Eigen::all));
+  };
+  sum.M += turn.transpose() * shared.hub.M * turn;
+  sum.C += turn.transpose() * shared.hub.C * turn;
+  sum.K += turn.transpose() * shared.hub.K * turn;
+  return {columns(shared.by_hub.M), columns(shared.by_hub.C), columns(shared.by_hub.K),
+          rows(shared.M_on_hub),    rows(shared.C_on_hub),    rows(shared.K_on_hub)};
 }
 
 /// Derivatives of what acts on the hub itself; these are simple functions.
@@ -95,11 +107,18 @@ LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
   HubColumns hub = linearize_hub(kinematics, model);
   LinearModel result;
   result.trees.resize(model.trees());
-  result.alike.resize(model.trees());
+  result.alike = equilibrium.alike;
+  if (!free.empty()) result.alike = find_alike_about_hub(equilibrium.alike, equilibrium.q, model);
+  std::vector<Shared> shared(model.trees());
   for (std::size_t i = 0; i < model.trees(); ++i) {
-    result.alike[i] = free.empty() ? equilibrium.alike[i] : i;
-    if (result.alike[i] == i)
-      result.trees[i] = linearize_tree(i, equilibrium, kinematics, model, hub);
+    const std::size_t first = result.alike[i];
+    if (first == i) {
+      shared[i] = linearize_tree(i, equilibrium, kinematics, model);
+      result.trees[i] = std::move(shared[i].tree);
+    }
+    if (free.empty()) continue;
+    const MatrixXd turn = turn_hub(model.azimuth(first) - model.azimuth(i), model);
+    result.couplings.push_back(couple(shared[first], turn, free, hub));
   }
   result.M = hub.M(free, free);
   result.C = hub.C(free, free);

@@ -17,10 +17,14 @@ struct HubKinematics {
 };
 HubKinematics make_hub_kinematics(const SteadyModel& model);
 
-/// Matrices of one tree; `bh`: its rows, columns of the hub's free coordinates; `hb`: the other way
-/// round.
+/// Matrices of one tree by itself, the hub held.
 struct LinearTree {
   Eigen::MatrixXd M, C, K;
+};
+
+/// What a tree has to do with the hub's free coordinates. `bh`: rows of the tree, columns of the
+/// hub; `hb`: the other way round.
+struct HubCoupling {
   Eigen::MatrixXd M_bh, C_bh, K_bh;
   Eigen::MatrixXd M_hb, C_hb, K_hb;
 };
@@ -30,11 +34,13 @@ struct LinearTree {
 struct LinearModel {
   Eigen::MatrixXd M, C, K;  ///< of the hub's free coordinates
   std::vector<LinearTree> trees;
-  /// By tree, the tree that stands for it: where the hub's motion is prescribed those that are
-  /// alike are linearised once, and the others are empty.
+  std::vector<HubCoupling> couplings;  ///< by tree, if the hub has free coordinates
+  /// By tree, the tree that stands for it: those that are alike are linearised once, and the others
+  /// are empty.
   std::vector<std::size_t> alike;
 
   bool is_coupled() const { return M.rows() > 0; }
+  const LinearTree& tree(std::size_t i) const { return trees[alike[i]]; }
 };
 
 /// Linearises a model about its equilibrium, which it leaves it at: M as it is there, K and D of

@@ -148,7 +148,7 @@ void Assembly::name_inputs() {
 }
 
 Part Assembly::make_tree_part(std::size_t i) {
-  const steady::LinearTree& tree = linear_.trees[linear_.alike[i]];
+  const steady::LinearTree& tree = linear_.tree(i);
   return {tree.M, tree.C, tree.K,
           to_columns(effects_.trees[i], &steady::LoadEffect::force, tree_size(i))};
 }
@@ -167,7 +167,8 @@ Part Assembly::make_whole_part() {
   part.C.topLeftCorner(h, h) = linear_.C;
   part.K.topLeftCorner(h, h) = linear_.K;
   for (std::size_t i = 0; i < model_.trees(); ++i) {
-    const steady::LinearTree& tree = linear_.trees[i];
+    const steady::LinearTree& tree = linear_.tree(i);
+    const steady::HubCoupling& hub = linear_.couplings[i];
     const Index at = coordinates_[i], n = tree_size(i);
     const auto put = [&](const MatrixXd& own, const MatrixXd& by_hub, const MatrixXd& on_hub,
                          MatrixXd& whole) {
@@ -175,9 +176,9 @@ Part Assembly::make_whole_part() {
       whole.block(at, 0, n, h) = by_hub;
       whole.block(0, at, h, n) = on_hub;
     };
-    put(tree.M, tree.M_bh, tree.M_hb, part.M);
-    put(tree.C, tree.C_bh, tree.C_hb, part.C);
-    put(tree.K, tree.K_bh, tree.K_hb, part.K);
+    put(tree.M, hub.M_bh, hub.M_hb, part.M);
+    put(tree.C, hub.C_bh, hub.C_hb, part.C);
+    put(tree.K, hub.K_bh, hub.K_hb, part.K);
     const std::vector<steady::LoadEffect>& effects = effects_.trees[i];
     part.F.block(at, inputs_[i], n, load_count(i)) =
         to_columns(effects, &steady::LoadEffect::force, n);

@@ -7,7 +7,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <random>
+#include <utility>
 
 namespace spoke::vibration {
 namespace {
@@ -63,15 +66,20 @@ std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, double ze
   return roots;
 }
 
-/// Of eigenvalues and vectors those that stand for a root: of conjugate pairs one, of pairs zero
-/// one; ascending by magnitude.
-std::vector<Root> choose(const Eigen::VectorXcd& values, const MatrixXcd& vectors, double zero,
-                         Index count) {
+/// An eigenvalue, and the column of its vector.
+struct Choice {
+  std::complex<double> s;
+  Index column;
+};
+
+/// Of eigenvalues those that stand for a root: of conjugate pairs one, of pairs zero one; ascending
+/// by magnitude.
+std::vector<Choice> choose(const Eigen::VectorXcd& values, double zero, Index count) {
   std::vector<Index> order(static_cast<std::size_t>(values.size()));
-  for (Index k = 0; k < values.size(); ++k) order[static_cast<std::size_t>(k)] = k;
+  std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return std::abs(values[a]) < std::abs(values[b]); });
-  std::vector<Root> roots;
+  std::vector<Choice> choices;
   int zeros = 0;
   for (const Index k : order) {
     std::complex<double> s = values[k];
@@ -82,10 +90,10 @@ std::vector<Root> choose(const Eigen::VectorXcd& values, const MatrixXcd& vector
       continue;
     }
     if (std::abs(s.imag()) <= 1e-9 * std::abs(s)) s = s.real();
-    roots.push_back({s, vectors.col(k)});
-    if (std::ssize(roots) == count) break;
+    choices.push_back({s, k});
+    if (std::ssize(choices) == count) break;
   }
-  return roots;
+  return choices;
 }
 
 /// All roots of a small pencil, by the companion matrix.
@@ -97,7 +105,10 @@ std::vector<Root> find_small(const Pencil& pencil, double zero, Index count) {
   A.bottomLeftCorner(n, n) = -mass.solve(pencil.dense_stiffness());
   A.bottomRightCorner(n, n) = -mass.solve(pencil.dense_damping());
   const Eigen::EigenSolver<MatrixXd> solver(A);
-  return choose(solver.eigenvalues(), solver.eigenvectors().topRows(n), zero, count);
+  std::vector<Root> roots;
+  for (const Choice& choice : choose(solver.eigenvalues(), zero, count))
+    roots.push_back({choice.s, solver.eigenvectors().col(choice.column).head(n)});
+  return roots;
 }
 
 /// The inverse of the first-order system less a shift, on blocks of vectors (x, x').
@@ -123,23 +134,32 @@ class Inverse {
   PencilFactor factor_;
 };
 
-/// Makes the columns of a block orthonormal, among themselves and to the first `used` of a basis.
-/// What is left of a column that depends on others is thrown dice for.
-void orthonormalise(const MatrixXd& basis, Index used, std::mt19937& dice, MatrixXd& block) {
+/// Takes out of a block what lies in a basis.
+void project_out(const MatrixXd& basis, MatrixXd& block) {
+  block.noalias() -= basis * (basis.transpose() * block).eval();
+}
+
+/// Makes the columns of a block orthonormal, among themselves and to a basis. What is left of a
+/// column that depends on others is thrown dice for.
+void orthonormalise(const MatrixXd& basis, std::mt19937& dice, MatrixXd& block) {
   std::normal_distribution<double> normal;
-  for (Index k = 0; k < block.cols(); ++k)
-    for (int trial = 0; trial < 3; ++trial) {
-      VectorXd column = block.col(k);
-      const double before = column.norm();
-      for (int twice = 0; twice < 2; ++twice) {
-        column -= basis.leftCols(used) * (basis.leftCols(used).transpose() * column);
-        column -= block.leftCols(k) * (block.leftCols(k).transpose() * column);
+  for (int twice = 0; twice < 2; ++twice) {
+    VectorXd before = block.colwise().norm();
+    project_out(basis, block);
+    for (Index k = 0; k < block.cols(); ++k)
+      for (int trial = 0; trial < 3; ++trial) {
+        VectorXd column = block.col(k);
+        for (int again = 0; again < 2; ++again)
+          column -= block.leftCols(k) * (block.leftCols(k).transpose() * column);
+        const double after = column.norm();
+        block.col(k) = column / after;
+        if (after > 1e-12 * before[k]) break;
+        MatrixXd thrown = MatrixXd::NullaryExpr(block.rows(), 1, [&] { return normal(dice); });
+        project_out(basis, thrown);
+        block.col(k) = thrown;
+        before[k] = thrown.norm();
       }
-      const double after = column.norm();
-      block.col(k) = column / after;
-      if (after > 1e-12 * before) break;
-      for (Index i = 0; i < block.rows(); ++i) block(i, k) = normal(dice);
-    }
+  }
 }
 
 /// The space that an operator spans from a block of vectors on.
@@ -160,7 +180,7 @@ class BlockSpace {
   void grow(const Inverse& inverse) {
     const Index rows = basis_.rows(), used = basis_.cols();
     block_.conservativeResize(rows, std::min(block_.cols(), rows - used));
-    orthonormalise(basis_, used, dice_, block_);
+    orthonormalise(basis_, dice_, block_);
     const Index added = block_.cols();
     basis_.conservativeResize(rows, used + added);
     image_.conservativeResize(rows, used + added);
@@ -174,30 +194,51 @@ class BlockSpace {
   MatrixXd block_, basis_, image_;
 };
 
-/// Eigenvalues of the pencil as a space has them, with vectors and the norms of what is left of
-/// their equations, by that of the vectors.
+/// Eigenvalues of the inverse as a space has them, those of the pencil, and their vectors in the
+/// basis.
 struct RitzPairs {
-  Eigen::VectorXcd values;
+  Eigen::VectorXcd inverse, values;
   MatrixXcd vectors;
-  VectorXd remainders;
 };
 RitzPairs find_pairs(const BlockSpace& space, double shift) {
   const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(space.basis().transpose() * space.image()));
   const Eigen::VectorXcd& inverse = solver.eigenvalues();
-  RitzPairs pairs{shift + inverse.array().inverse(), space.basis() * solver.eigenvectors(), {}};
-  const MatrixXcd left =
-      space.image() * solver.eigenvectors() - pairs.vectors * inverse.asDiagonal();
-  pairs.remainders = left.colwise().norm().transpose().cwiseQuotient(
-      pairs.vectors.colwise().norm().transpose().cwiseProduct(inverse.cwiseAbs()));
-  return pairs;
+  return {inverse, shift + inverse.array().inverse(), solver.eigenvectors()};
 }
 
-/// Whether all eigenvalues up to the last root have converged.
-bool have_converged(const RitzPairs& pairs, const std::vector<Root>& roots) {
-  const double last = std::abs(roots.back().s) * (1.0 + 1e-9);
-  for (Index k = 0; k < pairs.values.size(); ++k)
-    if (std::abs(pairs.values[k]) <= last && pairs.remainders[k] > 1e-11) return false;
+/// What is left of the equation of the inverse by a pair, its vector being of length one.
+double find_remainder(const BlockSpace& space, const RitzPairs& pairs, Index k) {
+  const Eigen::VectorXcd x = pairs.vectors.col(k), y = pairs.inverse[k] * x;
+  const double real = (space.image() * x.real() - space.basis() * y.real()).squaredNorm();
+  const double imag = (space.image() * x.imag() - space.basis() * y.imag()).squaredNorm();
+  return std::sqrt(real + imag) / x.norm();
+}
+
+/// Whether all eigenvalues up to the last choice have converged, to round-off of the largest ones
+/// of the inverse.
+bool have_converged(const BlockSpace& space, const RitzPairs& pairs,
+                    const std::vector<Choice>& choices) {
+  constexpr double kRoundOff = 100.0 * std::numeric_limits<double>::epsilon();
+  const double lost = kRoundOff * space.image().colwise().norm().maxCoeff();
+  const double last = std::abs(choices.back().s) * (1.0 + 1e-9);
+  for (Index k = 0; k < pairs.values.size(); ++k) {
+    if (std::abs(pairs.values[k]) > last || pairs.values[k].imag() < 0.0) continue;
+    if (find_remainder(space, pairs, k) > 1e-11 * std::abs(pairs.inverse[k]) + lost) return false;
+  }
   return true;
+}
+
+std::vector<Root> make_roots(const BlockSpace& space, const RitzPairs& pairs,
+                             const std::vector<Choice>& choices, Index size) {
+  std::vector<Root> roots;
+  for (const Choice& choice : choices) {
+    const Eigen::VectorXcd x = pairs.vectors.col(choice.column);
+    Root root{choice.s, Eigen::VectorXcd(size)};
+    root.x.real() = space.basis().topRows(size) * x.real();
+    root.x.imag() = space.basis().topRows(size) * x.imag();
+    roots.push_back(std::move(root));
+  }
+  return roots;
 }
 
 /// Ritz values of the inverse in a space that grows by blocks, until those that are wanted have
@@ -210,11 +251,9 @@ std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, double z
   while (true) {
     while (!space.is_all() && space.size() < wanted) space.grow(inverse);
     const RitzPairs pairs = find_pairs(space, inverse.shift());
-    std::vector<Root> roots = choose(pairs.values, pairs.vectors, zero, count);
-    if (space.is_all() || (std::ssize(roots) == count && have_converged(pairs, roots))) {
-      for (Root& root : roots) root.x = root.x.head(pencil.size()).eval();
-      return roots;
-    }
+    const std::vector<Choice> choices = choose(pairs.values, zero, count);
+    if (space.is_all() || (std::ssize(choices) == count && have_converged(space, pairs, choices)))
+      return make_roots(space, pairs, choices, pencil.size());
     wanted = space.size() + std::max<Index>(count, 2 * width);
   }
 }

@@ -11,6 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using steady::HubCoupling;
 using steady::LinearModel;
 using steady::LinearTree;
 
@@ -28,7 +29,7 @@ Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> trees)
   Index size = model.M.rows();
   for (const std::size_t i : trees_) {
     starts_.push_back(size);
-    size += model.trees[i].M.rows();
+    size += model.tree(i).M.rows();
   }
   scale_.resize(size);
   std::vector<double> squares;
@@ -40,7 +41,7 @@ Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> trees)
   };
   add(model.M, model.K, 0);
   for (std::size_t place = 0; place < trees_.size(); ++place)
-    add(model.trees[trees_[place]].M, model.trees[trees_[place]].K, starts_[place]);
+    add(model.tree(trees_[place]).M, model.tree(trees_[place]).K, starts_[place]);
   const double most = squares.empty() ? 0.0 : *std::max_element(squares.begin(), squares.end());
   if (most == 0.0) return;
   stiffest_ = softest_ = std::sqrt(most);
@@ -49,38 +50,39 @@ Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> trees)
     if (square > 1e-14 * most) softest_ = std::min(softest_, std::sqrt(square));
 }
 
-MatrixXd Pencil::apply(MatrixXd LinearTree::*tree, MatrixXd LinearTree::*tree_hub,
-                       MatrixXd LinearTree::*hub_tree, MatrixXd LinearModel::*hub,
+MatrixXd Pencil::apply(MatrixXd LinearTree::*tree, MatrixXd HubCoupling::*tree_hub,
+                       MatrixXd HubCoupling::*hub_tree, MatrixXd LinearModel::*hub,
                        const MatrixXd& x) const {
   const MatrixXd scaled = scale_.asDiagonal() * x;
   const Index h = model_.M.rows();
   MatrixXd y(x.rows(), x.cols());
   y.topRows(h) = model_.*hub * scaled.topRows(h);
   for (std::size_t place = 0; place < trees_.size(); ++place) {
-    const LinearTree& t = model_.trees[trees_[place]];
+    const LinearTree& t = model_.tree(trees_[place]);
     const auto of_tree = scaled.middleRows(starts_[place], t.M.rows());
     auto rows = y.middleRows(starts_[place], t.M.rows());
     rows = t.*tree * of_tree;
     if (h == 0) continue;
-    rows += t.*tree_hub * scaled.topRows(h);
-    y.topRows(h) += t.*hub_tree * of_tree;
+    const HubCoupling& hub_and_tree = model_.couplings[trees_[place]];
+    rows += hub_and_tree.*tree_hub * scaled.topRows(h);
+    y.topRows(h) += hub_and_tree.*hub_tree * of_tree;
   }
   return scale_.asDiagonal() * y;
 }
 
 MatrixXd Pencil::mass(const MatrixXd& x) const {
-  return apply(&LinearTree::M, &LinearTree::M_bh, &LinearTree::M_hb, &LinearModel::M, x);
+  return apply(&LinearTree::M, &HubCoupling::M_bh, &HubCoupling::M_hb, &LinearModel::M, x);
 }
 
 MatrixXd Pencil::damping(double s, const MatrixXd& x) const {
-  return apply(&LinearTree::C, &LinearTree::C_bh, &LinearTree::C_hb, &LinearModel::C, x) +
+  return apply(&LinearTree::C, &HubCoupling::C_bh, &HubCoupling::C_hb, &LinearModel::C, x) +
          s * mass(x);
 }
 
 MatrixXd Pencil::dense_mass() const { return mass(MatrixXd::Identity(size(), size())); }
 MatrixXd Pencil::dense_damping() const { return damping(0.0, MatrixXd::Identity(size(), size())); }
 MatrixXd Pencil::dense_stiffness() const {
-  return apply(&LinearTree::K, &LinearTree::K_bh, &LinearTree::K_hb, &LinearModel::K,
+  return apply(&LinearTree::K, &HubCoupling::K_bh, &HubCoupling::K_hb, &LinearModel::K,
                MatrixXd::Identity(size(), size()));
 }
 
@@ -92,16 +94,23 @@ PencilFactor::PencilFactor(const Pencil& pencil, double s) : pencil_(pencil) {
     return MatrixXd(s * s * M + s * C + K);
   };
   MatrixXd hub = of_hub.asDiagonal() * evaluate(model.M, model.C, model.K) * of_hub.asDiagonal();
+  std::vector<std::size_t> factor_of(model.trees.size(), model.trees.size());
   for (std::size_t place = 0; place < pencil.trees_.size(); ++place) {
-    const LinearTree& t = model.trees[pencil.trees_[place]];
+    const std::size_t i = pencil.trees_[place], first = model.alike[i];
+    const LinearTree& t = model.tree(i);
     const VectorXd scale = pencil.scale_.segment(pencil.starts_[place], t.M.rows());
-    trees_.emplace_back(
-        MatrixXd(scale.asDiagonal() * evaluate(t.M, t.C, t.K) * scale.asDiagonal()));
-    rcond_ = std::min(rcond_, find_rcond(trees_.back()));
+    if (factor_of[first] == model.trees.size()) {
+      factor_of[first] = factors_.size();
+      factors_.emplace_back(
+          MatrixXd(scale.asDiagonal() * evaluate(t.M, t.C, t.K) * scale.asDiagonal()));
+      rcond_ = std::min(rcond_, find_rcond(factors_.back()));
+    }
+    factor_of_.push_back(factor_of[first]);
     if (h == 0) continue;
-    by_hub_.push_back(trees_.back().solve(
-        MatrixXd(scale.asDiagonal() * evaluate(t.M_bh, t.C_bh, t.K_bh) * of_hub.asDiagonal())));
-    on_hub_.push_back(of_hub.asDiagonal() * evaluate(t.M_hb, t.C_hb, t.K_hb) * scale.asDiagonal());
+    const HubCoupling& c = model.couplings[i];
+    by_hub_.push_back(tree(place).solve(
+        MatrixXd(scale.asDiagonal() * evaluate(c.M_bh, c.C_bh, c.K_bh) * of_hub.asDiagonal())));
+    on_hub_.push_back(of_hub.asDiagonal() * evaluate(c.M_hb, c.C_hb, c.K_hb) * scale.asDiagonal());
     hub -= on_hub_.back() * by_hub_.back();
   }
   if (h == 0) return;
@@ -113,15 +122,15 @@ MatrixXd PencilFactor::solve(const MatrixXd& right) const {
   const Index h = pencil_.model_.M.rows();
   MatrixXd x(right.rows(), right.cols());
   MatrixXd of_hub = right.topRows(h);
-  for (std::size_t place = 0; place < trees_.size(); ++place) {
-    auto rows = x.middleRows(pencil_.starts_[place], trees_[place].rows());
-    rows = trees_[place].solve(right.middleRows(pencil_.starts_[place], trees_[place].rows()));
+  for (std::size_t place = 0; place < factor_of_.size(); ++place) {
+    auto rows = x.middleRows(pencil_.starts_[place], tree(place).rows());
+    rows = tree(place).solve(right.middleRows(pencil_.starts_[place], tree(place).rows()));
     if (h > 0) of_hub -= on_hub_[place] * rows;
   }
   if (h == 0) return x;
   x.topRows(h) = hub_.solve(of_hub);
-  for (std::size_t place = 0; place < trees_.size(); ++place)
-    x.middleRows(pencil_.starts_[place], trees_[place].rows()) -= by_hub_[place] * x.topRows(h);
+  for (std::size_t place = 0; place < factor_of_.size(); ++place)
+    x.middleRows(pencil_.starts_[place], tree(place).rows()) -= by_hub_[place] * x.topRows(h);
   return x;
 }
 

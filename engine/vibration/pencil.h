@@ -40,8 +40,8 @@ class Pencil {
  private:
   friend class PencilFactor;
   Eigen::MatrixXd apply(Eigen::MatrixXd steady::LinearTree::*tree,
-                        Eigen::MatrixXd steady::LinearTree::*tree_hub,
-                        Eigen::MatrixXd steady::LinearTree::*hub_tree,
+                        Eigen::MatrixXd steady::HubCoupling::*tree_hub,
+                        Eigen::MatrixXd steady::HubCoupling::*hub_tree,
                         Eigen::MatrixXd steady::LinearModel::*hub, const Eigen::MatrixXd& x) const;
 
   const steady::LinearModel& model_;
@@ -52,7 +52,8 @@ class Pencil {
   double stiffest_ = 1.0;
 };
 
-/// s^2 M + s C + K for a real s, factorised: the trees one by one, then what they leave of the hub.
+/// s^2 M + s C + K for a real s, factorised: the trees, those that are alike once, then what they
+/// leave of the hub.
 class PencilFactor {
  public:
   PencilFactor(const Pencil& pencil, double s);
@@ -64,7 +65,12 @@ class PencilFactor {
  private:
   const Pencil& pencil_;
   double rcond_ = 1.0;
-  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> trees_;
+  const Eigen::PartialPivLU<Eigen::MatrixXd>& tree(std::size_t place) const {
+    return factors_[factor_of_[place]];
+  }
+
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> factors_;
+  std::vector<std::size_t> factor_of_;   ///< by place in the pencil's trees()
   std::vector<Eigen::MatrixXd> by_hub_;  ///< what a motion of the hub does to each tree
   std::vector<Eigen::MatrixXd> on_hub_;
   Eigen::PartialPivLU<Eigen::MatrixXd> hub_;

@@ -8,6 +8,7 @@
 #include "engine/steady/describe_equilibrium.h"
 #include "engine/steady/linear_model.h"
 #include "engine/steady/steady_speed.h"
+#include "engine/vibration/coupled_roots.h"
 #include "engine/vibration/mode_shapes.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
@@ -104,7 +105,7 @@ void add_modes_of_tree(std::size_t i, int count, const Linearised& all, ModesRes
     mode.shape[i] = shape.nodes;
     mode.rotations[i] = shape.rotations;
     normalise(mode);
-    mode.kind = vibration::name_kind(i, root.x, all.linear.trees[i].M, shape, all.model);
+    mode.kind = vibration::name_kind(i, root.x, all.linear.tree(i).M, shape, all.model);
     numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
     result.modes.push_back(std::move(mode));
   }
@@ -140,7 +141,7 @@ std::string find_pattern(std::size_t i, const Pencil& pencil, const Eigen::Vecto
   std::vector<Eigen::VectorXcd> blades;
   std::vector<double> azimuths;
   for (const std::size_t k : find_like(all.equilibrium.alike[i], all.equilibrium.alike)) {
-    blades.emplace_back(x.segment(pencil.start(k), all.linear.trees[k].M.rows()));
+    blades.emplace_back(x.segment(pencil.start(k), all.linear.tree(k).M.rows()));
     azimuths.push_back(all.model.azimuth(k));
   }
   return vibration::name_pattern(blades, azimuths);
@@ -155,7 +156,7 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   double largest = -1.0;
   std::vector<TreeShape> shapes;
   for (std::size_t i = 0; i < all.model.trees(); ++i) {
-    const Eigen::VectorXcd x = root.x.segment(pencil.start(i), all.linear.trees[i].M.rows());
+    const Eigen::VectorXcd x = root.x.segment(pencil.start(i), all.linear.tree(i).M.rows());
     TreeShape& shape =
         shapes.emplace_back(vibration::calc_tree_shape(i, all.equilibrium.q[i], x, all.model));
     if (shape.total() > largest) {
@@ -168,11 +169,10 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   const Eigen::VectorXcd hub = root.x.head(h);
   const double of_hub =
       hub.real().dot(all.linear.M * hub.real()) + hub.imag().dot(all.linear.M * hub.imag());
-  const Eigen::VectorXcd x = root.x.segment(pencil.start(most), all.linear.trees[most].M.rows());
-  mode.kind =
-      of_hub > 0.5 && largest < 0.25
-          ? "hub"
-          : vibration::name_kind(most, x, all.linear.trees[most].M, shapes[most], all.model);
+  const Eigen::VectorXcd x = root.x.segment(pencil.start(most), all.linear.tree(most).M.rows());
+  mode.kind = of_hub > 0.5 && largest < 0.25
+                  ? "hub"
+                  : vibration::name_kind(most, x, all.linear.tree(most).M, shapes[most], all.model);
   mode.name = find_pattern(most, pencil, root.x, all);
   return mode;
 }
@@ -185,7 +185,9 @@ void add_coupled_modes(int count, const Linearised& all, ModesResult& result) {
     throw InputError(std::to_string(count) + " modes, expected at most " +
                      std::to_string(pencil.size()));
   Numbering numbering;
-  for (const Root& root : vibration::find_roots(pencil, count)) {
+  std::vector<double> azimuths;
+  for (const std::size_t i : trees) azimuths.push_back(all.model.azimuth(i));
+  for (const Root& root : vibration::find_coupled_roots(all.linear, azimuths, count)) {
     Mode mode = make_coupled_mode(root, pencil, all);
     const bool has_pattern = !mode.name.empty() && mode.kind != "hub";
     if (is_rigid(mode))

@@ -16,8 +16,8 @@ namespace spoke {
 namespace {
 
 using Eigen::MatrixXd;
+using steady::HubCoupling;
 using steady::LinearModel;
-using steady::LinearTree;
 using Complex = std::complex<double>;
 
 // Four uniform stiff blades of unit mass and length, hinged at the offset e.
@@ -49,7 +49,7 @@ void hold_in_plane(LinearModel& model) {
   model.M = MatrixXd(model.M.topLeftCorner(2, 2));
   model.C = MatrixXd(model.C.topLeftCorner(2, 2));
   model.K = MatrixXd(model.K.topLeftCorner(2, 2)) + kSpring * MatrixXd::Identity(2, 2);
-  for (LinearTree& tree : model.trees) {
+  for (HubCoupling& tree : model.couplings) {
     for (MatrixXd* columns : {&tree.M_bh, &tree.C_bh, &tree.K_bh})
       *columns = MatrixXd(columns->leftCols(2));
     for (MatrixXd* rows : {&tree.M_hb, &tree.C_hb, &tree.K_hb}) *rows = MatrixXd(rows->topRows(2));
