@@ -89,8 +89,8 @@ class SPOKE_EXPORT Simulation {
   /// The graph that run_until() runs: of one pass, or of the passes of a window of steps. Valid
   /// while this lives.
   const graph::StepGraph& run_graph() const;
-  /// Of the rotor at rest. Takes a while for large ones. Throws InputError if the model is in
-  /// space: solve_modes() finds its vibrations.
+  /// Of the model at rest, undeformed, joints as they start, without loads and gravity. Takes a
+  /// while for large ones. In space, if nothing vibrates, frequencies of 0 and an infinite step.
   LinearProperties linear_properties() const;
   /// The kind of the executor: "auto", "serial", ..., or the name of one of the program's own.
   std::string_view executor_name() const;

@@ -26,6 +26,23 @@ std::string describe_frequency(double frequency) {
   return fmt::format("{:.6g} rad/s ({:.6g} Hz)", frequency, frequency / (2.0 * std::numbers::pi));
 }
 
+/// Memory, frequencies at rest, and steps.
+void print_properties(const Simulation& simulation, const LinearProperties& properties) {
+  print_line("memory", fmt::format("about {:.3g} MB",
+                                   1e-6 * static_cast<double>(simulation.size().memory_bytes)));
+  if (properties.highest_frequency > 0.0) {
+    print_line("at rest",
+               "lowest natural frequency " + describe_frequency(properties.lowest_frequency));
+    print_line("", "highest natural frequency " + describe_frequency(properties.highest_frequency));
+    print_line("rk4", fmt::format("stable up to a step of {:.4g} s", properties.rk4_largest_step));
+  } else {
+    print_line("at rest", "nothing vibrates");
+  }
+  print_line("integration",
+             fmt::format("{}, {} of {:.6g} s", name_of(simulation.scenario().integration.method),
+                         counted(simulation.planned_steps(), "step"), simulation.step_size()));
+}
+
 void print_start(const Scenario& scenario) {
   if (scenario.initial.state == InitialState::undeformed) return;
   print_line("starts", fmt::format("at its equilibrium at {:.6g} rad/s, all ramps over",
@@ -59,26 +76,14 @@ int check(const Arguments& arguments) {
   if (scenario.space) {
     print_title(scenario.title);
     print_space(*scenario.space);
-    print_start(scenario);
-    draw(arguments, scenario);
-    return 0;
   }
   const Simulation simulation = build_simulation(arguments.scenario, scenario, options);
-  const Integration& integration = simulation.scenario().integration;
+  if (!scenario.space) print_model(simulation);
   const LinearProperties properties = simulation.linear_properties();
-  print_model(simulation);
-  print_line("memory", fmt::format("about {:.3g} MB",
-                                   1e-6 * static_cast<double>(simulation.size().memory_bytes)));
-  print_line("at rest",
-             "lowest natural frequency " + describe_frequency(properties.lowest_frequency));
-  print_line("", "highest natural frequency " + describe_frequency(properties.highest_frequency));
-  print_line("rk4", fmt::format("stable up to a step of {:.4g} s", properties.rk4_largest_step));
-  print_line("integration",
-             fmt::format("{}, {} of {:.6g} s", name_of(integration.method),
-                         counted(simulation.planned_steps(), "step"), simulation.step_size()));
+  print_properties(simulation, properties);
   print_start(scenario);
   draw(arguments, scenario);
-  if (integration.method == IntegrationMethod::rk4 &&
+  if (simulation.scenario().integration.method == IntegrationMethod::rk4 &&
       simulation.step_size() > properties.rk4_largest_step) {
     print_error(fmt::format(
         "warning: {}: integration.step: {:.6g} s is not stable with rk4, expected at most {:.4g} s",

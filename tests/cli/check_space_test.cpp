@@ -45,6 +45,25 @@ TEST_CASE("check prints branches behind the body that they are on") {
   }
 }
 
+TEST_CASE("check prints frequencies and steps of a model in space, and warns of rk4's") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("nrel_5mw_rotor")}, folder);
+  for (const char* part :
+       {"  memory          about ", "  at rest         lowest natural frequency 4.24",
+        "                  highest natural frequency ", "  rk4             stable up to a step of ",
+        "  integration     generalized_alpha, 3000 steps of 0.01 s\n"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  CHECK(ended.err.empty());
+  const Ended unstable =
+      run_spoke({"check", shipped("nrel_5mw_rotor"), "--set", "integration.method=rk4"}, folder);
+  CHECK(unstable.status == 0);
+  CHECK(unstable.err.find("0.01 s is not stable with rk4, expected at most ") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("heavy_top")}, folder).out.find("nothing vibrates") !=
+        std::string::npos);
+}
+
 TEST_CASE("check accepts every shipped scenario in space, with overrides") {
   const WorkFolder folder;
   for (const char* name :
