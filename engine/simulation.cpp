@@ -12,7 +12,7 @@
 #include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
-#include "engine/vibration/rest_frequencies.h"
+#include "engine/vibration/frequency_limits.h"
 #include "models/error.h"
 #include "models/reader/nearest_name.h"
 #include "models/reader/scenario_check.h"
@@ -62,9 +62,9 @@ const graph::StepGraph& Simulation::step_graph() const { return core_->runner->s
 const graph::StepGraph& Simulation::run_graph() const { return core_->runner->run_graph(); }
 
 LinearProperties Simulation::linear_properties() const {
-  if (core_->scenario.space) {
-    const vibration::RestFrequencies rest = vibration::find_rest_frequencies(core_->scenario);
-    return {rest.lowest, rest.highest, rest.rk4_step};
+  if (core_->given.space) {
+    const vibration::FrequencyLimits limits = vibration::find_frequency_limits(core_->given);
+    return {limits.lowest, limits.highest, limits.rk4.step};
   }
   const Rotor& rotor = core_->scenario.rotor;
   const FrequencyRange range = calc_frequency_range(rotor);

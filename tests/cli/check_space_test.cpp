@@ -29,6 +29,25 @@ TEST_CASE("check prints the tree of a model in space, and its mass") {
   CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("check tells the limit of rk4 in space, and warns of a step beyond it") {
+  const WorkFolder folder;
+  const std::vector<std::string> line{"check", shipped("drone_rotor"),
+                                      "--set", "integration.method=rk4",
+                                      "--set", "integration.step=1e-3"};
+  const Ended ended = run_spoke(line, folder);
+  CHECK(ended.status == 0);
+  for (const char* part : {"  at rest         lowest natural frequency ",
+                           "  rk4             stable up to a step of ", "  integration     rk4, "})
+    CHECK(ended.out.find(part) != std::string::npos);
+  CHECK(ended.err.find("integration.step: 0.001 s is not stable with rk4, expected at most ") !=
+        std::string::npos);
+  const Ended large =
+      run_spoke({"check", shipped("nrel_5mw_rotor"), "--set", "blade.bodies=60"}, folder);
+  CHECK(large.status == 0);
+  CHECK(large.out.find("  rk4             the frequencies of \"blade 1\" are not computed") !=
+        std::string::npos);
+}
+
 TEST_CASE("check prints branches behind the body that they are on") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"check", shipped("tree_of_bodies")}, folder);

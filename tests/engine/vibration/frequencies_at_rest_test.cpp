@@ -1,7 +1,5 @@
 // The ends of the spectrum of models in space at rest, and the steps that rk4 can make.
 
-#include "engine/vibration/rest_frequencies.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -10,14 +8,15 @@
 
 #include "engine/modes.h"
 #include "engine/simulation.h"
+#include "engine/vibration/frequency_limits.h"
 #include "models/error.h"
 #include "tests/engine/steady/blades.h"
 
 namespace spoke {
 namespace {
 
-using vibration::find_rest_frequencies;
-using vibration::RestFrequencies;
+using vibration::find_frequency_limits;
+using vibration::FrequencyLimits;
 
 Scenario read(const std::string& model) {
   return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
@@ -53,15 +52,15 @@ const std::string kKnock = "[[load]]\nforce = [1e-5, 1e-5, 1e-5]\n";
 
 TEST_CASE("rest: the ends are those of all modes of a clamped blade") {
   const Scenario blade = test::make_spatial({.bodies = 2, .elements = 3});
-  const RestFrequencies found = find_rest_frequencies(blade);
+  const FrequencyLimits found = find_frequency_limits(blade);
   CHECK(found.lowest == doctest::Approx(3.51601527).epsilon(1e-4));
   CHECK(found.highest == doctest::Approx(find_highest(blade, 36)).epsilon(1e-8));
-  CHECK(found.rk4_step == doctest::Approx(2.0 * std::sqrt(2.0) / found.highest));
+  CHECK(found.rk4.step == doctest::Approx(2.0 * std::sqrt(2.0) / found.highest));
 }
 
 TEST_CASE("rest: rigid motions do not count, those of a free hub and of loose hinges") {
   const Scenario booms = read("satellite_booms.toml");
-  const RestFrequencies found = find_rest_frequencies(booms);
+  const FrequencyLimits found = find_frequency_limits(booms);
   const ModesResult modes = solve_modes(booms, {.state = {.speed = 0.0}, .count = 8});
   CHECK(modes.modes.at(5).eigenvalue == 0.0);
   CHECK(found.lowest == doctest::Approx(std::abs(modes.modes.at(6).eigenvalue)).epsilon(1e-3));
@@ -70,7 +69,7 @@ TEST_CASE("rest: rigid motions do not count, those of a free hub and of loose hi
       {.bodies = 1,
        .joint = "[[blades.joint]]\nname = \"hinge\"\nstation = 0.0\nkind = \"revolute\"\n"
                 "axis = [0.0, -1.0, 0.0]\n"});
-  CHECK(find_rest_frequencies(hinged).lowest == doctest::Approx(3.51601527).epsilon(1e-3));
+  CHECK(find_frequency_limits(hinged).lowest == doctest::Approx(3.51601527).epsilon(1e-3));
 }
 
 TEST_CASE("rest: a planar rotor in space has the lowest frequency of the plane") {
@@ -95,7 +94,7 @@ TEST_CASE("rest: rk4 is stable up to the step that is told, and not far beyond")
     CAPTURE(more);
     const Scenario blade =
         test::make_spatial({.bodies = 1, .elements = 2, .axial_stiffness = 1e4, .more = more});
-    const double step = find_rest_frequencies(blade).rk4_step;
+    const double step = find_frequency_limits(blade).rk4.step;
     CHECK(is_stable(blade, 0.99 * step));
     CHECK_FALSE(is_stable(blade, 1.02 * step));
   }
@@ -112,8 +111,8 @@ TEST_CASE("rest: a strong damper of a hinge shortens rk4's step") {
                   damping + '\n',
          .more = kKnock});
   };
-  const double strong = find_rest_frequencies(blade("200.0")).rk4_step;
-  CHECK(strong < 0.5 * find_rest_frequencies(blade("0.0")).rk4_step);
+  const double strong = find_frequency_limits(blade("200.0")).rk4.step;
+  CHECK(strong < 0.5 * find_frequency_limits(blade("0.0")).rk4.step);
   CHECK(is_stable(blade("200.0"), 0.99 * strong));
   CHECK_FALSE(is_stable(blade("200.0"), 2.0 * strong));
 }
