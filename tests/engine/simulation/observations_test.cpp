@@ -365,9 +365,12 @@ duration = 0.2
   CHECK(contains(warned.texts[1],
                  "at t = 0.1 s the drive changes the speed by 4 rad/s within 1e-09 s"));
   CHECK(warned.texts[1].ends_with("let the change take 0.02 s or more"));
+  scenario.limits.on_energy_growth = EnergyGrowth::stop;
+  const Shown stopped = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
+  CHECK(stopped.divergence.ends_with("let the change take 0.02 s or more"));
 }
 
-TEST_CASE("energy that grows in space has the same advice whether it warns or stops") {
+TEST_CASE("energy that grows in space warns or stops, and rk4's limit is named as its cause") {
   Scenario scenario = parse_scenario(R"(
 world = "space"
 [hub.drive]
@@ -398,7 +401,9 @@ duration = 0.4
   scenario.limits.on_energy_growth = EnergyGrowth::stop;
   const Shown stopped = run(scenario, serial);
   CHECK(contains(stopped.divergence, "the energy has grown by "));
-  CHECK(stopped.divergence.ends_with("; take a smaller integration.step"));
+  CHECK(
+      contains(stopped.divergence, "; the step of 0.005 s is above the stability limit of rk4, "));
+  CHECK(stopped.divergence.ends_with(": take a smaller integration.step, or generalized_alpha"));
   CHECK(stopped.steps < warned.steps);
 }
 
