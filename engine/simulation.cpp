@@ -12,6 +12,7 @@
 #include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
+#include "engine/vibration/frequency_limits.h"
 #include "models/error.h"
 #include "models/reader/nearest_name.h"
 #include "models/reader/scenario_check.h"
@@ -61,7 +62,10 @@ const graph::StepGraph& Simulation::step_graph() const { return core_->runner->s
 const graph::StepGraph& Simulation::run_graph() const { return core_->runner->run_graph(); }
 
 LinearProperties Simulation::linear_properties() const {
-  core_->plane("frequencies at rest");
+  if (core_->given.space) {
+    const vibration::FrequencyLimits limits = vibration::find_frequency_limits(core_->given);
+    return {limits.lowest, limits.highest, limits.rk4.step};
+  }
   const Rotor& rotor = core_->scenario.rotor;
   const FrequencyRange range = calc_frequency_range(rotor);
   return {range.lowest, range.highest, calc_rk4_step_with_drag(range, rotor)};

@@ -28,7 +28,8 @@ namespace spoke {
 struct LinearProperties {
   double lowest_frequency = 0.0;   ///< natural, of the vibrations [rad/s]
   double highest_frequency = 0.0;  ///< [rad/s]
-  /// With damping and linear drag [s]; without, 2 sqrt(2) / highest_frequency.
+  /// With damping and linear drag [s]; without, 2 sqrt(2) / highest_frequency. In space at rest and
+  /// at the largest speed that the drive prescribes, the lesser one.
   double rk4_largest_step = 0.0;
 };
 
@@ -89,8 +90,9 @@ class SPOKE_EXPORT Simulation {
   /// The graph that run_until() runs: of one pass, or of the passes of a window of steps. Valid
   /// while this lives.
   const graph::StepGraph& run_graph() const;
-  /// Of the rotor at rest. Takes a while for large ones. Throws InputError if the model is in
-  /// space: solve_modes() finds its vibrations.
+  /// Of the model at rest, undeformed, joints as they start, without loads and gravity. Takes a
+  /// while for large ones. In space, if nothing vibrates, frequencies of 0 and an infinite step;
+  /// throws InputError if a tree has more than 1000 coordinates, or all have more than 100,000.
   LinearProperties linear_properties() const;
   /// The kind of the executor: "auto", "serial", ..., or the name of one of the program's own.
   std::string_view executor_name() const;

@@ -137,13 +137,10 @@ MassProperties seen_from_root(const Tree& tree) {
 
 void print_sizes(const std::vector<Tree>& trees) {
   std::int64_t bodies = 0, coordinates = 0;
-  for (const Tree& tree : trees)
-    for (const TreeBody& body : tree.bodies) {
-      ++bodies;
-      coordinates += count_coordinates(body.joint.kind);
-      if (const auto* beam = std::get_if<spatial::FlexibleBody>(&body.shape))
-        coordinates += 6 * (std::ssize(beam->nodes) - 1);
-    }
+  for (const Tree& tree : trees) {
+    bodies += std::ssize(tree.bodies);
+    coordinates += count_coordinates(tree);
+  }
   print_line("model", "in space, " + counted(std::ssize(trees), "tree") + ", " +
                           counted(bodies, "body") + ", " + counted(coordinates, "coordinate"));
 }

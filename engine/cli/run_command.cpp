@@ -21,6 +21,7 @@
 #include "engine/cli/standard_streams.h"
 #include "engine/cli/trace_files.h"
 #include "engine/results.h"
+#include "engine/run_report/energy_residual.h"
 #include "engine/run_report/html_file.h"
 #include "engine/run_report/picture_steps.h"
 #include "engine/run_report/tip_deflections.h"
@@ -229,18 +230,12 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
 }
 
 std::string describe_energy(const Simulation& simulation, const SensorStatistics& statistics) {
-  const auto largest = [&](std::string_view sensor) {
-    const auto& names = simulation.sensor_names();
-    const auto found = std::find(names.begin(), names.end(), sensor);
-    const SensorRange& range =
-        statistics.ranges().at(static_cast<std::size_t>(found - names.begin()));
-    return std::max(std::abs(range.min), std::abs(range.max));
-  };
-  const double residual = largest("energy.residual");
-  const double kinetic = largest("energy.kinetic");
-  std::string text = fmt::format("largest residual {:.3g} J", residual);
-  if (kinetic > 0.0)
-    text += fmt::format(", {:.2g} of the largest kinetic energy", residual / kinetic);
+  const run_report::EnergyResidual residual =
+      run_report::find_energy_residual(simulation, statistics);
+  std::string text = fmt::format("largest residual {:.3g} J", std::abs(residual.value));
+  if (residual.share > 0.0)
+    text += fmt::format(", {:.2g} of the largest kinetic energy", residual.share);
+  if (!residual.explanation.empty()) text += ", " + residual.explanation;
   return text;
 }
 

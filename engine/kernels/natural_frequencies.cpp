@@ -90,20 +90,6 @@ std::array<Complex, 2> find_roots(double frequency, const Damping& damping) {
   return {larger, square / larger};
 }
 
-/// The largest step at which rk4 is stable for a root with a negative real part, by bisection [s].
-double find_rk4_limit(Complex root) {
-  const auto is_stable = [root](double step) {
-    const Complex z = step * root;
-    return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))) <= 1.0;
-  };
-  double low = 0.0, high = 4.0 / std::abs(root);  // rk4 is stable nowhere so far from 0
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (low + high);
-    (is_stable(middle) ? low : high) = middle;
-  }
-  return low;
-}
-
 /// Smallest mass per length of a blade [kg/m].
 double least_mass_per_length(const Blade& blade) {
   const std::vector<double>& masses = blade.sections.mass_per_length;
@@ -172,13 +158,26 @@ Damping calc_total_damping(const Rotor& rotor) {
   return {rotor.damping.mass_factor + largest, rotor.damping.stiffness_factor};
 }
 
+double calc_rk4_limit(Complex root) {
+  const auto is_stable = [root](double step) {
+    const Complex z = step * root;
+    return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))) <= 1.0;
+  };
+  double low = 0.0, high = 4.0 / std::abs(root);  // rk4 is stable nowhere so far from 0
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (is_stable(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping) {
   if (damping.mass_factor == 0.0 && damping.stiffness_factor == 0.0)
     return 2.0 * std::sqrt(2.0) / range.highest;
   double largest = HUGE_VAL;
   for (const double frequency : {range.lowest, range.highest})
     for (const Complex root : find_roots(frequency, damping))
-      largest = std::min(largest, find_rk4_limit(root));
+      largest = std::min(largest, calc_rk4_limit(root));
   return largest;
 }
 

@@ -2,6 +2,8 @@
 
 // Natural frequencies of a rotor at rest, and the step that they allow rk4.
 
+#include <complex>
+
 #include "models/system/system.h"
 
 namespace spoke {
@@ -32,9 +34,13 @@ int count_frequencies_below(const Rotor& rotor, double frequency);
 /// drag is none at rest.
 Damping calc_total_damping(const Rotor& rotor);
 
+/// The largest step at which rk4 is stable for a root s [1/s] that does not grow: the largest h for
+/// which |R(h s)| <= 1, R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24 [s]. Precondition: s is not 0.
+double calc_rk4_limit(std::complex<double> root);
+
 /// Largest step at which rk4 is stable for the vibrations of the range [s]: undamped 2 sqrt(2) /
-/// highest frequency; damped, the largest h for which |R(h s)| <= 1, R(z) = 1 + z + z^2/2 + z^3/6 +
-/// z^4/24, at both roots of s^2 + (mass_factor + stiffness_factor w^2) s + w^2 = 0 for both ends w.
+/// highest frequency; damped, the least of calc_rk4_limit() at both roots of s^2 + (mass_factor +
+/// stiffness_factor w^2) s + w^2 = 0 for both ends w.
 double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping);
 
 /// The same for a rotor with linear drag, which damps some vibrations by all of what it adds at

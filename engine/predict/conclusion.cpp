@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "graph/machine/duration_text.h"
 #include "models/count_text.h"
@@ -107,12 +108,14 @@ std::string describe_levels(const Prediction& prediction) {
 
 /// How many processes pay.
 std::string describe_ranks(const Prediction& prediction) {
-  if (prediction.ranks.empty()) return "";
+  std::vector<RankPoint> several;
+  for (const RankPoint& point : prediction.ranks)
+    if (point.ranks > 1) several.push_back(point);
+  if (several.empty()) return "";
   const auto slower = [](const RankPoint& a, const RankPoint& b) { return a.step() < b.step(); };
-  const double least =
-      std::min_element(prediction.ranks.begin(), prediction.ranks.end(), slower)->step();
+  const double least = std::min_element(several.begin(), several.end(), slower)->step();
   const RankPoint& last =
-      *std::find_if(prediction.ranks.begin(), prediction.ranks.end(),
+      *std::find_if(several.begin(), several.end(),
                     [least](const RankPoint& point) { return point.step() <= kPays * least; });
   const double gain = prediction.speedup(last);
   if (gain < kPays)
@@ -122,6 +125,12 @@ std::string describe_ranks(const Prediction& prediction) {
       "Processes of one thread each pay up to {} of those looked at: {:.2f} times serial's speed, "
       "{:.0f} % of the time on the network.",
       last.ranks, gain, 100.0 * last.telling / last.step());
+}
+
+/// What was predicted is so much too high or too low: in per cent, or as a factor.
+std::string describe_error(double error) {
+  if (error > -0.75) return fmt::format("{:+.1f} % off", 100.0 * error);
+  return fmt::format("too low by a factor of {:.3g}", 1.0 / (1.0 + error));
 }
 
 std::string describe_errors(const Prediction& prediction) {
@@ -137,10 +146,10 @@ std::string describe_errors(const Prediction& prediction) {
     for (const Point& point : series.points) add(point);
   if (points == 0) return "Nothing was measured to check the predictions.";
   return fmt::format(
-      "Of {} checked on this machine the worst is {:+.1f} % off; those for "
+      "Of {} checked on this machine the worst is {}; those for "
       "more threads than it has processors ({}) are extrapolations, to processors equal to this "
       "one that do not compete for caches and memory.",
-      counted(points, "prediction"), 100.0 * largest, prediction.machine.cores);
+      counted(points, "prediction"), describe_error(largest), prediction.machine.cores);
 }
 
 /// Which executors of the build there are no predictions of.

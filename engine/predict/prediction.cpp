@@ -65,14 +65,17 @@ struct Deviation {
   double low = 1.0, high = 1.0;
 };
 
-/// Of points on several threads, per doubling of these.
+/// Of points on several threads, per doubling of these: at the most that of threads that take
+/// turns. What is beyond that, as where threads that spin are put to sleep by other programs, says
+/// nothing about more of them.
 Deviation deviation_of(const Series& series) {
+  constexpr double kTurns = 2.0;
   Deviation deviation;
   for (const Point& point : series.points) {
     if (!point.measured || point.threads == 1) continue;
     const double share = 1.0 / std::log2(point.threads);
     const auto factor = [&](double measured) {
-      return std::pow(measured / point.step.expected, share);
+      return std::clamp(std::pow(measured / point.step.expected, share), 1.0 / kTurns, kTurns);
     };
     deviation.low = std::min(deviation.low, factor(point.measured->step.low));
     deviation.high = std::max(deviation.high, factor(point.measured->step.high));

@@ -11,14 +11,12 @@
 #include "engine/report/page.h"
 #include "engine/report/run_script.h"
 #include "engine/report/scene_markup.h"
+#include "engine/run_report/energy_residual.h"
 #include "engine/support/machine.h"
 #include "models/count_text.h"
 
 namespace spoke::run_report {
 namespace {
-
-// Beyond this share of the kinetic energy an error of integration is worth a warning.
-constexpr double kNotableResidual = 1e-3;
 
 std::string make_animation_markup() {
   return R"(<div class="film">
@@ -80,12 +78,6 @@ Sample largest(const SensorRange& range) {
   return {range.t_max, range.max};
 }
 
-double relative_residual(const Simulation& simulation, const SensorStatistics& statistics) {
-  const double residual = largest(range_of(simulation, statistics, "energy.residual")).value;
-  const double kinetic = largest(range_of(simulation, statistics, "energy.kinetic")).value;
-  return kinetic > 0.0 ? std::abs(residual) / kinetic : 0.0;
-}
-
 std::vector<report::Tile> make_tiles(const Simulation& simulation,
                                      const SensorStatistics& statistics, const RunOutcome& outcome,
                                      const TipSummary& tips) {
@@ -98,11 +90,11 @@ std::vector<report::Tile> make_tiles(const Simulation& simulation,
   tiles.push_back({"Largest hub speed", report::figure(speed.value, 4) + " rad/s", at(speed)});
   const Sample torque = largest(range_of(simulation, statistics, "hub.torque"));
   tiles.push_back({"Largest torque", report::quantity(torque.value, "N m", 4), at(torque)});
-  const Sample residual = largest(range_of(simulation, statistics, "energy.residual"));
-  const double relative = relative_residual(simulation, statistics);
+  const EnergyResidual residual = find_energy_residual(simulation, statistics);
+  const std::string why = residual.explanation.empty() ? "" : ", " + residual.explanation;
   tiles.push_back({"Largest energy residual", report::quantity(residual.value, "J"),
-                   report::figure(relative, 2) + " of the largest kinetic energy",
-                   relative > kNotableResidual ? report::Tone::warning : report::Tone::plain});
+                   report::figure(residual.share, 2) + " of the largest kinetic energy" + why,
+                   residual.is_notable ? report::Tone::warning : report::Tone::plain});
   tiles.push_back(
       {"Computed in", report::figure(outcome.wall_time) + " s",
        report::figure(statistics.last_time() / outcome.wall_time) + " s simulated a second"});

@@ -151,7 +151,9 @@ void observe_step(double step, const StepRecord& record, Observations& seen) {
   if (at.ratio > seen.largest_deflection.ratio) seen.largest_deflection = at;
 }
 
-void observe_start(double energy, Observations& seen) { seen.energy = {0.0, energy, energy, 0.0}; }
+void observe_start(const EnergyBalance& balance, Observations& seen) {
+  seen.energy = {0.0, balance.energy - balance.prescribed, balance.energy, 0.0};
+}
 
 double calc_energy_resolution(const Scenario& scenario) {
   double stiffness = 0.0;
@@ -174,10 +176,11 @@ bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit
                     Observations& seen) {
   Observations::Energy& energy = seen.energy;
   const double explained = balance.energy - balance.residual;
+  const double by_quadrature = explained - balance.prescribed;
   if (step == energy.step + 1.0)
-    energy.change = std::max(energy.change, std::abs(explained - energy.last));
+    energy.change = std::max(energy.change, std::abs(by_quadrature - energy.last));
   energy.step = step;
-  energy.last = explained;
+  energy.last = by_quadrature;
   energy.largest = std::max(energy.largest, explained);
   Observations::Growth& growth = seen.growth;
   if (growth.step >= 0.0) {

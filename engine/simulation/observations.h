@@ -18,6 +18,9 @@ namespace spoke {
 struct EnergyBalance {
   double energy = 0.0;    ///< kinetic and strain energy [J]
   double residual = 0.0;  ///< energy that neither the start nor work explains [J]
+  /// Kinetic energy of a hub whose rotation is prescribed: a part of the energy for which the work
+  /// is a function of the state, not a quadrature [J].
+  double prescribed = 0.0;
 };
 
 struct Observations {
@@ -33,9 +36,9 @@ struct Observations {
   /// energy less its residual. What comes from nowhere thus does not hide itself.
   struct Energy {
     double step = 0.0;     ///< the last one
-    double last = 0.0;     ///< explained energy there [J]
-    double largest = 0.0;  ///< [J]
-    double change = 0.0;   ///< largest change within a step [J]
+    double last = 0.0;     ///< explained energy there, less the prescribed one [J]
+    double largest = 0.0;  ///< explained energy [J]
+    double change = 0.0;   ///< largest change of the former within a step [J]
   };
   Energy energy;
   /// When the energy has first grown beyond its limit.
@@ -55,8 +58,8 @@ bool is_possible(const Observations& seen,
 /// Takes the record of a step, in order of steps.
 void observe_step(double step, const StepRecord& record, Observations& seen);
 
-/// Takes the energy at the start [J].
-void observe_start(double energy, Observations& seen);
+/// Takes the energies at the start.
+void observe_start(const EnergyBalance& balance, Observations& seen);
 
 /// What growth of the energy is accepted.
 struct GrowthLimit {
@@ -69,9 +72,9 @@ struct GrowthLimit {
 double calc_energy_resolution(const Scenario& scenario);
 
 /// Takes the energies of a step. Whether this is the first at which they have grown: by more than
-/// the limit allows, and more than ten times what the explained energy has changed by within any
-/// one step. That is what the quadrature of the work may be wrong by, most of all where a motion
-/// begins.
+/// the limit allows, and more than ten times what the explained energy, without the prescribed one,
+/// has changed by within any one step. That is what the quadrature of the work may be wrong by,
+/// most of all where a motion begins.
 bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit& limit,
                     Observations& seen);
 

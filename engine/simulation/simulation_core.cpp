@@ -74,7 +74,8 @@ SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& c
   prepare(loads);
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
-  observe_start(model->start_sensors(), seen);
+  model->start_sensors();
+  observe_start(model->balance(), seen);
   energy_resolution = model->energy_resolution();
   complete_step(0, {});
 }

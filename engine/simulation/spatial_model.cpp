@@ -21,6 +21,7 @@
 #include "engine/step/put_bodies.h"
 #include "engine/step/share_subsystems.h"
 #include "engine/table/state_values.h"
+#include "engine/vibration/frequency_limits.h"
 #include "models/count_text.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
@@ -125,10 +126,9 @@ class SpatialModel final : public SimulatedModel {
 
   const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
   const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
-  double start_sensors() override {
+  void start_sensors() override {
     sample(0, 0.0);
     sensors_->start(context_.system, context_.data);
-    return sensors_->initial_energy();
   }
   double energy_resolution() const override {
     const double tolerance = scenario_.integration.tolerance;
@@ -178,7 +178,9 @@ class SpatialModel final : public SimulatedModel {
     std::ostringstream text;
     text << "diverged at t = " << failed.time << " s, step " << failed.step << ": " << finding
          << "; ";
-    if (failed.outcome == StepOutcome::energy_grew)
+    if (const std::string cause = blame_rk4(); !cause.empty())
+      text << cause;
+    else if (failed.outcome == StepOutcome::energy_grew)
       text << advise_on_growth(scenario_, step_size(context_.integrator), failed.seen);
     else
       text << "take a smaller integration.step, more bodies per beam, "
@@ -192,6 +194,27 @@ class SpatialModel final : public SimulatedModel {
   }
 
  private:
+  /// Whether the step is above the limit of rk4, in words; empty if it is not, or that is not
+  /// known.
+  std::string blame_rk4() const try {
+    constexpr double kNotable = 0.01;  // damping ratio
+    const auto* rk4 = std::get_if<Rk4>(&context_.integrator.method);
+    if (!rk4) return {};
+    const vibration::Rk4Limit limit = vibration::find_rk4_limit(scenario_);
+    if (rk4->step <= limit.step) return {};
+    const double size = std::abs(limit.root), ratio = -limit.root.real() / size;
+    std::ostringstream text;
+    text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit.step
+         << " s (the fastest small motion";
+    if (limit.speed != 0.0) text << " at " << limit.speed << " rad/s";
+    text << " has a root of " << size << " rad/s";
+    if (ratio > kNotable) text << " and a damping ratio of " << ratio;
+    text << "): take a smaller integration.step, or generalized_alpha";
+    return text.str();
+  } catch (const InputError&) {
+    return {};
+  }
+
   /// Accelerations of the hub that a stage of rk4 finds come too late for its joints.
   void require_azimuth_motion() const {
     if (!std::holds_alternative<Rk4>(context_.integrator.method)) return;

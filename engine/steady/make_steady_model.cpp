@@ -1,9 +1,9 @@
 // Chooses the world of a scenario's model, and names its parts.
 
 #include "engine/columns/spatial_columns.h"
+#include "engine/steady/steady_mount.h"
 #include "engine/steady/steady_system.h"
 #include "engine/step/model_memory.h"
-#include "models/error.h"
 #include "models/system/spatial_system.h"
 #include "models/tree/sensor_place.h"
 #include "models/tree/tree.h"
@@ -49,13 +49,12 @@ std::unique_ptr<SteadyModel> make_planar(const Scenario& scenario, const SteadyO
 /// Pitch by the azimuth has a mean, whatever turns the hub.
 std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
-  if (model.hub.mount)
-    throw InputError("hub.mount: the axle moves, expected one at rest to find an equilibrium");
   const std::vector<spatial::Tree> trees = build_trees(model);
   std::vector<TreeNames> names;
   for (const spatial::Tree& tree : trees) names.push_back(name_tree(tree));
   const auto fill = [&](System<Space>& system) {
     system = make_system(model, trees);
+    hold_mount(system.hub, options.instant);
     require_memory(system, Formulation::structured);
   };
   const auto place = [&](const System<Space>& system, StepData<Space>& data) {

@@ -137,11 +137,16 @@ void add_meeting(const LinearModel& model, const std::vector<Family>& families,
   }
 }
 
+/// A tree of a family by itself, the hub held.
+LinearModel hold_hub(const LinearModel& model, const Family& family) {
+  return {{}, {}, {}, {model.tree(family.trees[0])}, {}, {0}};
+}
+
 /// Of patterns that leave the hub where it is.
 void add_held(const LinearModel& model, const Family& family, const Layout& layout, Index count,
               std::vector<Root>& roots) {
   if (family.held() == 0) return;
-  const LinearModel one{{}, {}, {}, {model.tree(family.trees[0])}, {}, {0}};
+  const LinearModel one = hold_hub(model, family);
   const Pencil pencil(one, {0});
   const Index needed = std::min(pencil.size(), (count - 1) / family.held() + 1);
   for (const Root& root : find_roots(pencil, needed))
@@ -164,6 +169,15 @@ std::vector<Root> find_coupled_roots(const LinearModel& model, const std::vector
                    [](const Root& a, const Root& b) { return std::abs(a.s) < std::abs(b.s); });
   if (std::ssize(roots) > count) roots.resize(static_cast<std::size_t>(count));
   return roots;
+}
+
+std::vector<LinearModel> take_apart(const LinearModel& model, const std::vector<double>& azimuths) {
+  const std::vector<Family> families = find_families(model, azimuths);
+  std::vector<LinearModel> parts;
+  if (model.is_coupled()) parts.push_back(reduce(model, families));
+  for (const Family& family : families)
+    if (!model.is_coupled() || family.held() > 0) parts.push_back(hold_hub(model, family));
+  return parts;
 }
 
 }  // namespace spoke::vibration

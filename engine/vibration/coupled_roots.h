@@ -17,4 +17,10 @@ namespace spoke::vibration {
 std::vector<Root> find_coupled_roots(const steady::LinearModel& model,
                                      const std::vector<double>& azimuths, Eigen::Index count);
 
+/// Parts of a model that together have all of its roots: where trees meet at a hub that moves, the
+/// hub with the patterns that it feels, and one tree for the others of each kind, the hub held;
+/// else one tree of each kind.
+std::vector<steady::LinearModel> take_apart(const steady::LinearModel& model,
+                                            const std::vector<double>& azimuths);
+
 }  // namespace spoke::vibration

@@ -79,19 +79,20 @@ MatrixXd Pencil::damping(double s, const MatrixXd& x) const {
          s * mass(x);
 }
 
-MatrixXd Pencil::dense_mass() const { return mass(MatrixXd::Identity(size(), size())); }
-MatrixXd Pencil::dense_damping() const { return damping(0.0, MatrixXd::Identity(size(), size())); }
-MatrixXd Pencil::dense_stiffness() const {
-  return apply(&LinearTree::K, &HubCoupling::K_bh, &HubCoupling::K_hb, &LinearModel::K,
-               MatrixXd::Identity(size(), size()));
+MatrixXd Pencil::stiffness(const MatrixXd& x) const {
+  return apply(&LinearTree::K, &HubCoupling::K_bh, &HubCoupling::K_hb, &LinearModel::K, x);
 }
 
-PencilFactor::PencilFactor(const Pencil& pencil, double s) : pencil_(pencil) {
+MatrixXd Pencil::dense_mass() const { return mass(MatrixXd::Identity(size(), size())); }
+MatrixXd Pencil::dense_damping() const { return damping(0.0, MatrixXd::Identity(size(), size())); }
+MatrixXd Pencil::dense_stiffness() const { return stiffness(MatrixXd::Identity(size(), size())); }
+
+PencilFactor::PencilFactor(const Pencil& pencil, const PencilWeights& weights) : pencil_(pencil) {
   const LinearModel& model = pencil.model_;
   const Index h = model.M.rows();
   const VectorXd of_hub = pencil.scale_.head(h);
-  const auto evaluate = [s](const MatrixXd& M, const MatrixXd& C, const MatrixXd& K) {
-    return MatrixXd(s * s * M + s * C + K);
+  const auto evaluate = [&](const MatrixXd& M, const MatrixXd& C, const MatrixXd& K) {
+    return MatrixXd(weights.mass * M + weights.damping * C + weights.stiffness * K);
   };
   MatrixXd hub = of_hub.asDiagonal() * evaluate(model.M, model.C, model.K) * of_hub.asDiagonal();
   std::vector<std::size_t> factor_of(model.trees.size(), model.trees.size());

@@ -29,8 +29,9 @@ class Pencil {
   double softest() const { return softest_; }
   double stiffest() const { return stiffest_; }
 
-  /// M x and C x + s M x, in scaled coordinates.
+  /// M x, K x, and C x + s M x, in scaled coordinates.
   Eigen::MatrixXd mass(const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd stiffness(const Eigen::MatrixXd& x) const;
   Eigen::MatrixXd damping(double s, const Eigen::MatrixXd& x) const;
   /// The whole matrices, in scaled coordinates.
   Eigen::MatrixXd dense_mass() const;
@@ -52,11 +53,18 @@ class Pencil {
   double stiffest_ = 1.0;
 };
 
-/// s^2 M + s C + K for a real s, factorised: the trees, those that are alike once, then what they
+/// What M, C and K count in a sum of them.
+struct PencilWeights {
+  double mass = 0.0, damping = 0.0, stiffness = 0.0;
+};
+
+/// A weighted sum of M, C and K, factorised: the trees, those that are alike once, then what they
 /// leave of the hub.
 class PencilFactor {
  public:
-  PencilFactor(const Pencil& pencil, double s);
+  /// s^2 M + s C + K.
+  PencilFactor(const Pencil& pencil, double s) : PencilFactor(pencil, {s * s, s, 1.0}) {}
+  PencilFactor(const Pencil& pencil, const PencilWeights& weights);
 
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
   /// A bound of what is lost in solving: the least reciprocal condition of its parts.

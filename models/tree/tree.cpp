@@ -2,6 +2,8 @@
 
 #include "models/tree/tree.h"
 
+#include <iterator>
+
 #include "models/tree/space_beam.h"
 
 namespace spoke::spatial {
@@ -16,6 +18,16 @@ Placement placement_of(const Tree& tree, const TreeBody& body, std::size_t node)
 }
 
 }  // namespace
+
+std::int64_t count_coordinates(const Tree& tree) {
+  std::int64_t count = 0;
+  for (const TreeBody& body : tree.bodies) {
+    count += count_coordinates(body.joint.kind);
+    if (const auto* beam = std::get_if<FlexibleBody>(&body.shape))
+      count += 6 * (std::ssize(beam->nodes) - 1);
+  }
+  return count;
+}
 
 std::vector<Placement> calc_placements(const Tree& tree) {
   std::vector<Placement> placements;

@@ -3,6 +3,7 @@
 // What blades and subsystems reduce to: bodies, each joined to one parent.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,6 +40,9 @@ struct Tree {
   std::vector<Beam> beams{};       ///< that its flexible bodies are parts of
   std::vector<TreeBody> bodies{};  ///< one or more
 };
+
+/// Coordinates of a tree: those of its joints, free or prescribed, and of its beams' nodes.
+std::int64_t count_coordinates(const Tree& tree);
 
 /// One tree for each blade, then one for each subsystem. Precondition: check_model() accepts it.
 ///

@@ -29,6 +29,22 @@ TEST_CASE("check prints the tree of a model in space, and its mass") {
   CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("check tells at which speed rk4's limit is, and leaves out large trees") {
+  const WorkFolder folder;
+  const Ended turning = run_spoke({"check", shipped("heavy_top"), "--set",
+                                   "hub.drive.kind=constant", "--set", "hub.drive.speed=30.0"},
+                                  folder);
+  CHECK(turning.status == 0);
+  CHECK(turning.out.find("  rk4             stable up to a step of 0.09428 s (at 30 rad/s)\n") !=
+        std::string::npos);
+  const Ended large =
+      run_spoke({"check", shipped("nrel_5mw_rotor"), "--set", "blade.bodies=60"}, folder);
+  CHECK(large.status == 0);
+  CHECK(large.out.find(
+            "  rk4             the frequencies of \"blade 1\" are not computed: it has ") !=
+        std::string::npos);
+}
+
 TEST_CASE("check prints branches behind the body that they are on") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"check", shipped("tree_of_bodies")}, folder);
@@ -43,6 +59,25 @@ TEST_CASE("check prints branches behind the body that they are on") {
     at = ended.out.find(line, at);
     CHECK(at != std::string::npos);
   }
+}
+
+TEST_CASE("check prints frequencies and steps of a model in space, and warns of rk4's") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("nrel_5mw_rotor")}, folder);
+  for (const char* part :
+       {"  memory          about ", "  at rest         lowest natural frequency 4.24",
+        "                  highest natural frequency ", "  rk4             stable up to a step of ",
+        "  integration     generalized_alpha, 3000 steps of 0.01 s\n"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  CHECK(ended.err.empty());
+  const Ended unstable =
+      run_spoke({"check", shipped("nrel_5mw_rotor"), "--set", "integration.method=rk4"}, folder);
+  CHECK(unstable.status == 0);
+  CHECK(unstable.err.find("0.01 s is not stable with rk4, expected at most ") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("heavy_top")}, folder).out.find("nothing vibrates") !=
+        std::string::npos);
 }
 
 TEST_CASE("check accepts every shipped scenario in space, with overrides") {

@@ -91,6 +91,8 @@ TEST_CASE("the worst of the predictions that were checked is told with its sign"
   check_says(prediction, {"Of 2 predictions checked on this machine the worst is -20.0 % "
                           "off",
                           "more threads than it has processors (2) are extrapolations"});
+  measure_as(300e-6, 1.4, prediction.series[0].points[1]);
+  check_says(prediction, {"the worst is too low by a factor of 50;"});
 }
 
 TEST_CASE("more load than half the processors makes all of it doubtful, first of all") {

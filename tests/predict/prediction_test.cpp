@@ -145,6 +145,21 @@ TEST_CASE("a band has width where costs of the runtime are beyond the bound of a
   CHECK(four.pessimistic == approx(2.25 * four.expected));
 }
 
+TEST_CASE("a measurement that is out of all proportion does not grow with the threads") {
+  Prediction prediction = predict_with(0.0, {1, 2, 64});
+  Series* flow_graph = nullptr;
+  for (Series& series : prediction.series)
+    if (series.executor == ExecutorKind::flow_graph) flow_graph = &series;
+  REQUIRE(flow_graph != nullptr);
+  graph::PredictedRun& most = flow_graph->points[2].step;
+  most.expected = most.pessimistic = 10.0 * most.pessimistic;  // its bound bounds nothing
+  const double slow = 5000.0 * flow_graph->points[1].step.expected;
+  add_measured(prediction, {measurement_of(ExecutorKind::serial, 1, {12e-6, 12e-6}),
+                            measurement_of(ExecutorKind::flow_graph, 2, {slow, slow, slow})});
+  CHECK(flow_graph->points[1].step.pessimistic == approx(slow));
+  CHECK(most.pessimistic == approx(64.0 * most.expected));
+}
+
 TEST_CASE("at capacity a bound has less than the number of threads, as far as it was measured") {
   Prediction prediction = predict_with(0.0, {1, 2, 4});
   const Point& two = series_of(ExecutorKind::flow_graph, prediction).points[1];

@@ -71,12 +71,14 @@ TEST_CASE("processes take the largest share, what all do, and messages by halvin
 TEST_CASE("the conclusion says how many processes pay, or that none do") {
   Prediction prediction = sample_prediction();
   CHECK(make_conclusion(prediction).find("rocesses") == std::string::npos);
+  prediction.ranks = {{1, 8e-6, 0.0}};  // alone
+  CHECK(make_conclusion(prediction).find("rocesses") == std::string::npos);
   prediction.ranks = {{2, 4e-6, 1e-6}, {4, 2e-6, 2e-6}, {8, 1e-6, 3e-6}};
   CHECK(make_conclusion(prediction)
             .find("Processes of one thread each pay up to 4 of those looked at: 2.50 times "
                   "serial's speed, 50 % of the time on the network.") != std::string::npos);
   CHECK(make_rank_table(prediction).rows.size() == 3);
-  prediction.ranks = {{2, 6e-6, 50e-6}, {4, 4e-6, 100e-6}};
+  prediction.ranks = {{1, 8e-6, 0.0}, {2, 6e-6, 50e-6}, {4, 4e-6, 100e-6}};
   CHECK(make_conclusion(prediction)
             .find("Several processes do not pay: 2 give 0.18 times serial's speed.") !=
         std::string::npos);

@@ -234,25 +234,6 @@ TEST_CASE(
   CHECK(progressive >= 1);
 }
 
-TEST_CASE("modes: the NREL 5 MW blade has published frequencies, converged in its elements") {
-  Scenario scenario = read("nrel_5mw_rotor.toml");
-  const auto solve = [&](int elements, double speed) {
-    for (spatial::Blade& blade : scenario.space->blades) blade.beam.elements = elements;
-    return solve_modes(scenario, {.state = {.speed = speed}, .count = 3});
-  };
-  for (const double speed : {0.0, 1.267109}) {
-    const ModesResult coarse = solve(4, speed), fine = solve(8, speed);
-    for (std::size_t k = 0; k < 2; ++k)
-      CHECK(coarse.modes[k].frequency == doctest::Approx(fine.modes[k].frequency).epsilon(3e-4));
-  }
-  // Jonkman et al. 2009, NREL/TP-500-38060, table 9-1, at rest: first blade asymmetric edgewise,
-  // 1.0793 Hz by FAST and 1.0740 Hz by ADAMS.
-  const ModesResult rest = solve(4, 0.0);
-  CHECK(rest.modes.at(1).name == "lag 1");
-  CHECK(rest.modes.at(1).frequency ==
-        doctest::Approx(2.0 * std::acos(-1.0) * 1.0793).epsilon(0.02));
-}
-
 TEST_CASE("modes: a blade that is let go swings with the frequency of its mode") {
   // Damping leaves the first mode alone after some seconds.
   Scenario scenario = make_planar({.bodies = 1,

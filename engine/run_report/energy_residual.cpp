@@ -1,0 +1,43 @@
+// Compares the residual with the kinetic energy.
+
+#include "engine/run_report/energy_residual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace spoke::run_report {
+namespace {
+
+const SensorRange& range_of(const Simulation& simulation, const SensorStatistics& statistics,
+                            std::string_view sensor) {
+  const auto& names = simulation.sensor_names();
+  const auto found = std::find(names.begin(), names.end(), sensor);
+  return statistics.ranges().at(static_cast<std::size_t>(found - names.begin()));
+}
+
+/// Whether the method takes energy out of fast vibrations.
+bool damps(const Integration& integration) {
+  return integration.method == IntegrationMethod::generalized_alpha &&
+         integration.spectral_radius < 1.0;
+}
+
+}  // namespace
+
+EnergyResidual find_energy_residual(const Simulation& simulation,
+                                    const SensorStatistics& statistics) {
+  constexpr double kNotable = 1e-3;
+  const SensorRange& range = range_of(simulation, statistics, "energy.residual");
+  const SensorRange& kinetic = range_of(simulation, statistics, "energy.kinetic");
+  EnergyResidual residual;
+  const bool is_loss = std::abs(range.min) > std::abs(range.max);
+  residual.value = is_loss ? range.min : range.max;
+  residual.time = is_loss ? range.t_min : range.t_max;
+  if (kinetic.max > 0.0) residual.share = std::abs(residual.value) / kinetic.max;
+  residual.is_notable = residual.share > kNotable;
+  if (residual.is_notable && is_loss && damps(simulation.scenario().integration))
+    residual.explanation = "lost: the method damps vibrations that the step does not resolve";
+  return residual;
+}
+
+}  // namespace spoke::run_report

@@ -1,0 +1,165 @@
+// Linearises the undeformed model, takes it apart, and asks each part for the ends of its spectrum.
+
+#include "engine/vibration/frequency_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/kernels/natural_frequencies.h"
+#include "engine/steady/alike_trees.h"
+#include "engine/steady/find_equilibrium.h"
+#include "engine/steady/linear_model.h"
+#include "engine/vibration/coupled_roots.h"
+#include "engine/vibration/eigenvalues.h"
+#include "engine/vibration/extreme_root.h"
+#include "models/error.h"
+#include "models/tree/tree.h"
+
+namespace spoke::vibration {
+namespace {
+
+using steady::LinearModel;
+
+constexpr std::int64_t kMostInTree = 1000;   ///< coordinates, for full matrices
+constexpr std::int64_t kMostInAll = 100000;  ///< coordinates
+
+void require_size(const spatial::Model& model) {
+  std::int64_t all = 0;
+  for (const spatial::Tree& tree : build_trees(model)) {
+    const std::int64_t own = count_coordinates(tree);
+    all += own;
+    if (own > kMostInTree)
+      throw InputError("the frequencies of \"" + tree.name + "\" are not computed: it has " +
+                       std::to_string(own) + " coordinates, expected at most " +
+                       std::to_string(kMostInTree));
+  }
+  if (all > kMostInAll)
+    throw InputError("frequencies are not computed of " + std::to_string(all) +
+                     " coordinates, expected at most " + std::to_string(kMostInAll));
+}
+
+/// The motion of the mount is none of the model's.
+Scenario without_mount(const Scenario& scenario) {
+  Scenario held = scenario;
+  held.space->hub.mount.reset();
+  return held;
+}
+
+/// `share` of loads, gravity and the square of the speed.
+std::vector<LinearModel> linearize_parts(const Scenario& scenario, double speed, double share) {
+  const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(scenario, {speed});
+  model->set_share(share);
+  steady::Equilibrium start;
+  start.alike = steady::find_alike(*model);
+  std::vector<double> azimuths;
+  for (std::size_t i = 0; i < model->trees(); ++i) {
+    start.q.push_back(model->initial(i));
+    model->settle(i, start.q.back());
+    azimuths.push_back(model->azimuth(i));
+  }
+  return take_apart(steady::linearize(start, *model), azimuths);
+}
+
+Pencil pencil_of(const LinearModel& part) {
+  std::vector<std::size_t> trees(part.trees.size());
+  for (std::size_t i = 0; i < trees.size(); ++i) trees[i] = i;
+  return Pencil(part, trees);
+}
+
+/// Motions below this are nothing but round-off: they go on by nothing in the whole duration.
+double least_root(const Scenario& scenario) { return 1e-6 / scenario.integration.duration; }
+
+/// Of motions that grow it asks what of those that decay as fast.
+double rk4_step_of(std::complex<double> root) {
+  return calc_rk4_limit({-std::abs(root.real()), root.imag()});
+}
+
+Rk4Limit find_rk4_limit_of(const std::vector<LinearModel>& parts, double speed, double least) {
+  Rk4Limit limit{std::numeric_limits<double>::infinity(), speed, 0.0};
+  for (const LinearModel& part : parts) {
+    const std::complex<double> root = find_extreme_root(
+        pencil_of(part), [](std::complex<double> s) { return 1.0 / rk4_step_of(s); });
+    if (std::abs(root) < least || rk4_step_of(root) >= limit.step) continue;
+    limit = {rk4_step_of(root), speed, root};
+  }
+  return limit;
+}
+
+void drop_damping(LinearModel& model) {
+  model.C.setZero();
+  for (steady::LinearTree& tree : model.trees) tree.C.setZero();
+  for (steady::HubCoupling& coupling : model.couplings) {
+    coupling.C_bh.setZero();
+    coupling.C_hb.setZero();
+  }
+}
+
+/// The lowest root that is none of a motion that nothing holds; 0 if there is none.
+double find_lowest(const Pencil& pencil, double least) {
+  for (Eigen::Index count = 8; pencil.size() > 0; count *= 2) {
+    for (const Root& root : find_roots(pencil, std::min(count, pencil.size())))
+      if (std::abs(root.s) >= least) return std::abs(root.s);
+    if (count >= pencil.size()) break;
+  }
+  return 0.0;
+}
+
+struct LargestSpeed {
+  double operator()(const SpinUp& drive) const { return drive.speed; }
+  double operator()(const SpinUpHoldSpinDown& drive) const { return drive.speed; }
+  double operator()(const SpeedTable& drive) const {
+    const auto [least, most] = std::minmax_element(drive.speed.values().begin(),  //
+                                                   drive.speed.values().end());
+    return std::abs(*least) > std::abs(*most) ? *least : *most;
+  }
+  template <class Other>
+  double operator()(const Other& drive) const {
+    return calc_initial_speed(drive);
+  }
+};
+
+double largest_speed(const spatial::Hub& hub) {
+  if (hub.support == HubSupport::free) return hub.angular_velocity.dot(hub.axis.normalized());
+  return std::visit(LargestSpeed{}, hub.drive);
+}
+
+/// The lesser one of that at rest, of `parts`, and that at the largest speed.
+Rk4Limit find_least(const Scenario& scenario, const std::vector<LinearModel>& parts) {
+  constexpr double kNotable = 0.999;
+  const double least = least_root(scenario), speed = largest_speed(scenario.space->hub);
+  const Rk4Limit at_rest = find_rk4_limit_of(parts, 0.0, least);
+  if (speed == 0.0) return at_rest;
+  const Rk4Limit turning = find_rk4_limit_of(linearize_parts(scenario, speed, 1.0), speed, least);
+  return turning.step < kNotable * at_rest.step ? turning : at_rest;
+}
+
+}  // namespace
+
+FrequencyLimits find_frequency_limits(const Scenario& scenario) {
+  require_size(*scenario.space);
+  const Scenario held = without_mount(scenario);
+  std::vector<LinearModel> parts = linearize_parts(held, 0.0, 0.0);
+  FrequencyLimits limits;
+  limits.rk4 = find_least(held, parts);
+  for (LinearModel& part : parts) {
+    drop_damping(part);
+    const Pencil pencil = pencil_of(part);
+    const double lowest = find_lowest(pencil, least_root(scenario));
+    if (lowest > 0.0 && (limits.lowest == 0.0 || lowest < limits.lowest)) limits.lowest = lowest;
+    const auto magnitude = [](std::complex<double> s) { return std::abs(s); };
+    limits.highest = std::max(limits.highest, std::abs(find_extreme_root(pencil, magnitude)));
+  }
+  if (limits.highest < least_root(scenario)) limits.highest = 0.0;
+  return limits;
+}
+
+Rk4Limit find_rk4_limit(const Scenario& scenario) {
+  require_size(*scenario.space);
+  const Scenario held = without_mount(scenario);
+  return find_least(held, linearize_parts(held, 0.0, 0.0));
+}
+
+}  // namespace spoke::vibration
