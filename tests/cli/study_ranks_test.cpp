@@ -25,13 +25,3 @@ TEST_CASE("a study on 2 to 4 ranks leaves the bytes of one process") {
 TEST_CASE("a study whose ranks are killed is resumed to the bytes of one process") {
   check_rank_kills(2, 1000);
 }
-
-TEST_CASE("what is wrong with a study is said by one rank") {
-  const StudyFolder folder;
-  folder.write_study("scenario = 3\n");
-  const Ended ended = run_spoke(kStudyOnRanks, folder.work(), mpirun(3));
-  CHECK(ended.status == 2);
-  const std::string message = "study.toml:1:12: scenario: is 3, expected text in quotes";
-  CHECK(ended.err.find(message) != std::string::npos);
-  CHECK(ended.err.find(message) == ended.err.rfind(message));
-}
