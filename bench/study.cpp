@@ -1,7 +1,7 @@
 // How many runs a second does a study make? One process on two threads, and two ranks where there
 // is an mpirun, against two processes at once that make half of the runs each on one thread; and
-// one process on one thread against the same simulations in a loop, which is what they cost alone.
-// All within one round.
+// one process on one thread against the steps of its simulations, built beforehand: reading,
+// building and writing are what a study costs beside them. All within one round.
 
 #include <algorithm>
 #include <cstdlib>
@@ -42,18 +42,36 @@ std::vector<std::string> study(const std::string& file, const fs::path& out, int
   return {"study", file, "--out", out.string(), "--quiet", "--threads", std::to_string(threads)};
 }
 
-/// What the simulations of a study cost by themselves.
-void simulate_all(int runs, double low, double high) {
-  for (int k = 0; k < runs; ++k) {
-    const double length = low + (high - low) * k / (runs - 1);
-    SimulationOptions options;
-    options.executor = ExecutorKind::serial;
-    options.threads = {1, 1};
-    Simulation simulation(read_scenario(kModel, {"blade.length=" + std::to_string(length)}),
-                          options);
+/// A simulation of a study before its first step.
+struct Built {
+  explicit Built(double length)
+      : simulation(read_scenario(kModel, {"blade.length=" + std::to_string(length)}), options()),
+        start(simulation.save()) {}
+
+  static SimulationOptions options() {
+    SimulationOptions serial;
+    serial.executor = ExecutorKind::serial;
+    serial.threads = {1, 1};
+    return serial;
+  }
+
+  Simulation simulation;
+  SavedState start;
+};
+
+std::vector<Built> build_all(int runs, double low, double high) {
+  std::vector<Built> all;
+  for (int k = 0; k < runs; ++k) all.emplace_back(low + (high - low) * k / (runs - 1));
+  return all;
+}
+
+/// The steps of a study and nothing else.
+void step_all(std::vector<Built>& all) {
+  for (Built& built : all) {
     double least = 0.0;
-    const std::size_t sensor = simulation.sensor_index("blade1.tip.y");
-    simulation.run_until(
+    const std::size_t sensor = built.simulation.sensor_index("blade1.tip.y");
+    built.simulation.restore(built.start);
+    built.simulation.run_until(
         std::numeric_limits<double>::infinity(),
         [&](double, std::span<const double> values) { least = std::min(least, values[sensor]); });
   }
@@ -83,6 +101,7 @@ void measure_study(const QuestionOptions& options, Report& report) {
   const auto run = [&](const std::string& file, int threads) {
     seconds_of_process(study(file, here / fs::path(file).stem(), threads));
   };
+  std::vector<Built> built = build_all(runs, low, high);
   std::vector<Alternative> alternatives = {
       {"two processes, half of the runs each",
        [&] {
@@ -92,7 +111,7 @@ void measure_study(const QuestionOptions& options, Report& report) {
        },
        {}},
       {"a study on two threads", [&] { run(whole, 2); }, {}},
-      {"the simulations alone, one after the other", [&] { simulate_all(runs, low, high); }, {}},
+      {"the steps of the simulations alone", [&] { step_all(built); }, {}},
       {"a study on one thread", [&] { run(whole, 1); }, {}}};
   alternatives[2].reference = 2;
   alternatives[3].reference = 2;
@@ -114,7 +133,7 @@ void measure_study(const QuestionOptions& options, Report& report) {
   report.add_target(at_least("runs a second on two threads, by those of two processes",
                              1.0 / timings[1].ratio, 0.93));
   report.add_target(
-      at_most("time of a study on one thread by that of its simulations", timings[3].ratio, 1.03));
+      at_most("time of a study on one thread by that of its steps", timings[3].ratio, 1.03));
   if (timings.size() > 4)
     report.add_target(at_least("runs a second on two ranks, by those of two processes",
                                1.0 / timings[4].ratio, 0.93));

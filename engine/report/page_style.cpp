@@ -160,6 +160,7 @@ button.primary {
 .runs figcaption { margin: 0 0 0.5rem; } .runs canvas {
   display: block; width: 100%; height: 26rem; cursor: crosshair; touch-action: pan-y; user-select: none;
 }
+.runs .scroll canvas { touch-action: pan-x pan-y; }
 .chosen { min-height: 6rem; font-size: 0.9rem; } .chosen p { max-width: none; }
 code { font: 0.85em/1.5 ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
 @media print {

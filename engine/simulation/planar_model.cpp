@@ -71,6 +71,10 @@ class PlanarModel final : public SimulatedModel {
            body < std::ssize(blades[static_cast<std::size_t>(blade)].bodies);
   }
   Drive& drive() override { return context_.system.hub.drive; }
+  void begin_drive(const Drive& drive) override {
+    context_.system.hub.drive = drive;
+    put_hub_at_start(context_);
+  }
   std::shared_ptr<const Load>& replaceable_load(int index,
                                                 const std::shared_ptr<const Load>& other) override {
     LoadData<Plane>& load = find_load(index, context_.data);

@@ -61,6 +61,8 @@ class SimulatedModel {
   /// Whether there is such a body, counted from 0.
   virtual bool has_body(std::int64_t blade, std::int64_t body) const = 0;
   virtual Drive& drive() = 0;
+  /// Puts another drive of the same kind in place, and the hub where that begins. At t = 0.
+  virtual void begin_drive(const Drive& drive) = 0;
   /// Load number `index` of those given, which `other` may replace. Throws InputError if there is
   /// none, or if `other` cannot.
   virtual std::shared_ptr<const Load>& replaceable_load(

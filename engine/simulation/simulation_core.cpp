@@ -68,10 +68,13 @@ SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& c
       scenario(skip_start_up(given)),
       options(checked(chosen)),
       planned_steps(count_steps(given.integration)),
-      step_size(given.integration.duration / static_cast<double>(planned_steps)),
-      identity(std::make_shared<const std::string>(
-          make_identity(scenario, options.formulation, step_size))) {
+      step_size(given.integration.duration / static_cast<double>(planned_steps)) {
   prepare(loads);
+  begin();
+}
+
+/// From the state at t = 0.
+void SimulationCore::begin() {
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   model->start_sensors();
@@ -238,10 +241,18 @@ SystemContext<Plane>& SimulationCore::plane(const char* what) const {
   return *context;
 }
 
+/// Long to write for a simulation of milliseconds, and seldom needed.
+const std::shared_ptr<const std::string>& SimulationCore::identity() {
+  if (!identity_)
+    identity_ = std::make_shared<const std::string>(
+        make_identity(scenario, options.formulation, step_size));
+  return identity_;
+}
+
 SavedState SimulationCore::save() {
   require_state("save");
   const std::int64_t steps = runner->steps();
-  return {identity,
+  return {identity(),
           static_cast<double>(steps) * step_size,
           steps,
           evaluations,
@@ -250,7 +261,7 @@ SavedState SimulationCore::save() {
           take_values(steps)};
 }
 
-/// The values of the table, then what was observed.
+// The values of the table, then what was observed.
 std::vector<double> SimulationCore::take_values(std::int64_t steps) {
   std::vector<double> values = take_state_values(steps, model->context().table());
   const std::span<const double> observed = doubles(seen);
@@ -259,14 +270,13 @@ std::vector<double> SimulationCore::take_values(std::int64_t steps) {
 }
 
 void SimulationCore::restore(const SavedState& state) {
-  StepTable& data = model->context().table();
   constexpr std::int64_t most_steps = std::int64_t{1} << 53;  // values are doubles
   if (!state.model) throw InputError("the saved state is empty");
   if (state.steps < 0 || state.steps > most_steps)
     throw InputError("the saved state has made " + std::to_string(state.steps) +
                      " steps, expected 0 to 2^53");
-  if (state.model != identity) {
-    const std::string difference = find_difference(*state.model, *identity);
+  if (state.model != identity()) {
+    const std::string difference = find_difference(*state.model, *identity());
     if (!difference.empty()) throw InputError("the saved state is of another model: " + difference);
   }
   const std::size_t table_count = model->count_state();
@@ -285,13 +295,36 @@ void SimulationCore::restore(const SavedState& state) {
       }))
     throw InputError("the saved state names a body that there is not");
   seen = before;
-  data.put_state(std::span(state.values).first(table_count), state.steps);
-  runner->continue_from(state.steps);
+  put(state.values, state.steps);
   evaluations = state.evaluations;
   work = {state.work, state.dissipated};
+  SimulationLog::log_restored(scenario, static_cast<double>(state.steps) * step_size, state.steps);
+}
+
+/// Puts the coordinates of a state of this model into the table.
+void SimulationCore::put(std::span<const double> values, std::int64_t steps) {
+  model->context().table().put_state(values.first(model->count_state()), steps);
+  runner->continue_from(steps);
   measured_step = evaluated_step = -1;
   loads_are_stale = true;
-  SimulationLog::log_restored(scenario, static_cast<double>(state.steps) * step_size, state.steps);
+}
+
+void SimulationCore::begin_again(const Scenario& next, std::span<const double> start) {
+  check_scenario(next);
+  put(start, 0);
+  given = scenario = next;
+  identity_.reset();
+  evaluations = 0;
+  work = {};
+  seen = {};
+  log = {};
+  loads_are_stale = false;
+  model->begin_drive(drive_of(scenario));
+  begin();
+}
+
+bool may_begin_again(const Scenario& scenario) {
+  return scenario.initial.state != InitialState::equilibrium;
 }
 
 /// Whether the energies of every step are looked at.

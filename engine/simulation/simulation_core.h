@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,13 @@ class SimulationCore {
   void open_window();
   SavedState save();
   void restore(const SavedState& state);
+  /// Coordinates and observations at the end of step `steps`, the last one.
+  std::vector<double> take_values(std::int64_t steps);
+  /// Begins anew, to the bits of a simulation that is built from `next`, with constants,
+  /// factorisations and step graph as they are. `start`: take_values() at t = 0. Preconditions: see
+  /// may_begin_again(); no loads of the user's. Throws like the constructor, and may then be begun
+  /// again.
+  void begin_again(const Scenario& next, std::span<const double> start);
   /// Throws StateError if there is no state to `use`.
   void require_state(const char* use) const;
   /// The sensors at the last step's end.
@@ -72,7 +80,6 @@ class SimulationCore {
   SimulationOptions options;
   std::int64_t planned_steps;
   double step_size;
-  std::shared_ptr<const std::string> identity;
   std::unique_ptr<SimulatedModel> model;
   std::unique_ptr<StepRunner> runner;
   std::int64_t evaluations = 0;
@@ -91,11 +98,13 @@ class SimulationCore {
 
  private:
   void prepare(const Loads& loads);
+  void begin();
+  void put(std::span<const double> values, std::int64_t steps);
   void require_shareable(const Loads& loads) const;
   void sample(std::int64_t step);
   void evaluate_again();
   void require_kept_declarations();
-  std::vector<double> take_values(std::int64_t steps);
+  const std::shared_ptr<const std::string>& identity();
   bool stops_on_growth() const;
   void count_step(std::int64_t step);
   void complete_step(std::int64_t step, const StepObserver& observe);
@@ -103,7 +112,13 @@ class SimulationCore {
   template <class Advance>
   void require_done(const Advance& advance);
   [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
+
+  std::shared_ptr<const std::string> identity_;  ///< of the model, once somebody wants to know
 };
+
+/// Whether a simulation can begin_again() as another scenario that differs from this one in values
+/// of the drive alone, not in its kind: unless it starts from an equilibrium, which depends on it.
+bool may_begin_again(const Scenario& scenario);
 
 /// What stands behind `simulation`, for functions of Spoke's own that are none of its interface.
 SimulationCore& core_of(Simulation& simulation);

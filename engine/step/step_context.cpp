@@ -25,6 +25,14 @@ namespace {
 
 // Where the motion begins, besides the drive's.
 
+void set_start_of_hub(const System<Plane>&, StepData<Plane>&) {}
+
+void set_start_of_hub(const System<Space>& system, StepData<Space>& data) {
+  data.hub_attitude.reference = system.hub.orientation;
+  if (system.hub.support == HubSupport::free)
+    std::copy_n(system.hub.velocity.data(), space::kTwist, data.hub_coordinates.v);
+}
+
 void set_start(const System<Plane>&, bool, StepData<Plane>&) {}
 
 void set_start(const TreeBody<Space>& model, bool is_explicit, BodyData<Space>& body) {
@@ -36,9 +44,6 @@ void set_start(const TreeBody<Space>& model, bool is_explicit, BodyData<Space>& 
 }
 
 void set_start(const System<Space>& system, bool is_explicit, StepData<Space>& data) {
-  data.hub_attitude.reference = system.hub.orientation;
-  if (system.hub.support == HubSupport::free)
-    std::copy_n(system.hub.velocity.data(), space::kTwist, data.hub_coordinates.v);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
       set_start(system.subsystems[i].bodies[j], is_explicit, data.subsystems[i].bodies[j]);
@@ -64,13 +69,22 @@ void allocate(SystemContext<World>& context, int window_steps) {
     }
   allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),
            data, context.work);
-  data.hub_coordinates.v[World::kAxial] = calc_initial_speed(context.system.hub.drive);
   set_start(context.system, !alpha, data);
+  put_hub_at_start(context);
+}
+
+template <class World>
+void put_hub_at_start(SystemContext<World>& context) {
+  StepData<World>& data = context.data;
+  data.hub_coordinates.v[World::kAxial] = calc_initial_speed(context.system.hub.drive);
+  set_start_of_hub(context.system, data);
   impose_hub_motion(context.system, 0.0, data.hub_coordinates);
   place_axle(context.system, 0.0, data.hub_attitude);
 }
 
 template void allocate(SystemContext<Plane>&, int);
 template void allocate(SystemContext<Space>&, int);
+template void put_hub_at_start(SystemContext<Plane>&);
+template void put_hub_at_start(SystemContext<Space>&);
 
 }  // namespace spoke

@@ -65,4 +65,8 @@ class SystemContext final : public StepContext {
 template <class World>
 void allocate(SystemContext<World>& context, int window_steps = 1);
 
+/// Puts an allocated hub where its support and drive have it at t = 0.
+template <class World>
+void put_hub_at_start(SystemContext<World>& context);
+
 }  // namespace spoke

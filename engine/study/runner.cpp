@@ -35,8 +35,9 @@ void make_runs(const Study& study, const Sampling& sampling, int threads, RunExc
   std::exception_ptr failure;
   const auto work = [&] {
     try {
+      RunMaker maker(study, sampling);
       while (const std::optional<std::int64_t> run = exchange.take())
-        exchange.put(make_run(study, sampling, *run));
+        exchange.put(maker.make(*run));
     } catch (...) {
       exchange.stop();
       const std::lock_guard lock(mutex);

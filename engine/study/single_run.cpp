@@ -11,6 +11,7 @@
 
 #include "engine/modes.h"
 #include "engine/simulation.h"
+#include "engine/simulation/simulation_core.h"
 #include "models/error.h"
 #include "models/reader/nearest_name.h"
 #include "models/reader/quantity.h"
@@ -70,8 +71,7 @@ void describe_warnings(const Simulation& simulation, RunResult& result) {
   }
 }
 
-void simulate(const Study& study, const Scenario& scenario, RunResult& result) {
-  Simulation simulation(scenario, on_one_thread());
+void simulate(const Study& study, Simulation& simulation, RunResult& result) {
   Measurements measurements(study, simulation);
   measurements.add(simulation.time(), simulation.sensor_values());
   if (needs_steps(study)) {
@@ -153,11 +153,15 @@ void find_frequencies(const Study& study, const Scenario& scenario, RunResult& r
   }
 }
 
-void run_scenario(const Study& study, const Scenario& scenario, RunResult& result) {
-  if (study.simulates()) simulate(study, scenario, result);
-  if (std::any_of(study.responses.begin(), study.responses.end(),
-                  [](const Response& r) { return r.kind == ResponseKind::frequency; }))
-    find_frequencies(study, scenario, result);
+/// Whether two runs differ in values of the drive alone, see SimulationCore::begin_again().
+bool has_same_model(const Study& study, const std::vector<double>& a,
+                    const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::string& key = study.parameters[i].key;
+    const bool is_of_drive = key.starts_with("hub.drive.") && key != "hub.drive.kind";
+    if (!key.empty() && !is_of_drive && a[i] != b[i]) return false;
+  }
+  return true;
 }
 
 /// A complaint about an override, as one about the parameter that made it.
@@ -222,12 +226,48 @@ void check_study(Study& study) {
   }
 }
 
-RunResult make_run(const Study& study, const Sampling& sampling, std::int64_t run) {
+/// A simulation, and where it began.
+struct RunMaker::Built {
+  Built(const Scenario& scenario, const std::vector<double>& of_values)
+      : simulation(scenario, on_one_thread()),
+        start(core_of(simulation).take_values(0)),
+        values(of_values) {}
+
+  Simulation simulation;
+  std::vector<double> start;
+  std::vector<double> values;  ///< of parameters
+};
+
+RunMaker::RunMaker(const Study& study, const Sampling& sampling)
+    : study_(study), sampling_(sampling) {}
+
+RunMaker::~RunMaker() = default;
+
+Simulation& RunMaker::simulation_of(const Scenario& scenario, const std::vector<double>& values) {
+  if (built_ && may_begin_again(scenario) && has_same_model(study_, built_->values, values)) {
+    core_of(built_->simulation).begin_again(scenario, built_->start);
+  } else {
+    built_.reset();
+    built_ = std::make_unique<Built>(scenario, values);
+  }
+  return built_->simulation;
+}
+
+void RunMaker::run_scenario(const Scenario& scenario, const std::vector<double>& values,
+                            RunResult& result) {
+  if (study_.simulates()) simulate(study_, simulation_of(scenario, values), result);
+  if (std::any_of(study_.responses.begin(), study_.responses.end(),
+                  [](const Response& r) { return r.kind == ResponseKind::frequency; }))
+    find_frequencies(study_, scenario, result);
+}
+
+RunResult RunMaker::make(std::int64_t run) {
   RunResult result;
   result.run = run;
-  result.responses.assign(study.responses.size(), kNone);
+  result.responses.assign(study_.responses.size(), kNone);
   try {
-    run_scenario(study, make_scenario(study, sampling.values(run)), result);
+    const std::vector<double> values = sampling_.values(run);
+    run_scenario(make_scenario(study_, values), values, result);
     return result;
   } catch (const DivergenceError& error) {
     result.status = RunStatus::diverged;
@@ -236,7 +276,7 @@ RunResult make_run(const Study& study, const Sampling& sampling, std::int64_t ru
     result.status = RunStatus::refused;
     result.diagnosis = error.what();
   }
-  result.responses.assign(study.responses.size(), kNone);
+  result.responses.assign(study_.responses.size(), kNone);
   result.histories.clear();
   return result;
 }

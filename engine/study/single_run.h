@@ -3,12 +3,19 @@
 // One run of a study, on one thread.
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/study/measurement.h"
 #include "engine/study/sampling.h"
 #include "engine/study/study.h"
+
+namespace spoke {
+class Simulation;
+struct Scenario;
+}  // namespace spoke
 
 namespace spoke::study {
 
@@ -39,7 +46,29 @@ struct RunResult {
 /// file.
 void check_study(Study& study);
 
-/// Makes a run. What depends on the values of parameters becomes part of the result.
-RunResult make_run(const Study& study, const Sampling& sampling, std::int64_t run);
+/// Makes runs, one after the other, on one thread; each has the bits that it would have alone. What
+/// was built for one, constants, factorisations and step graph, serves the next if only values of
+/// the drive differ.
+class RunMaker {
+ public:
+  /// Both must outlive this.
+  RunMaker(const Study& study, const Sampling& sampling);
+  ~RunMaker();
+  RunMaker(const RunMaker&) = delete;
+  RunMaker& operator=(const RunMaker&) = delete;
+
+  /// What depends on the values of parameters becomes part of the result.
+  RunResult make(std::int64_t run);
+
+ private:
+  struct Built;
+
+  Simulation& simulation_of(const Scenario& scenario, const std::vector<double>& values);
+  void run_scenario(const Scenario& scenario, const std::vector<double>& values, RunResult& result);
+
+  const Study& study_;
+  const Sampling& sampling_;
+  std::unique_ptr<Built> built_;  ///< of the last run that simulated
+};
 
 }  // namespace spoke::study

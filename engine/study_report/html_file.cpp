@@ -33,7 +33,7 @@ constexpr const char* kMarkup = R"(<div class="controls">
 <span class="hint" id="runs-keys">Drag along an axis, or a rectangle among the points, to select runs in both drawings; click an axis to drop its part, double-click to drop all. With the keyboard: left and right go from axis to axis, or from point to point, up and down move the selection of an axis, Enter begins or drops it, + and &#8722; widen and narrow it, 0 drops all.</span>
 </div>
 <div class="runs">
-<figure><figcaption><strong>Parallel coordinates</strong></figcaption><canvas id="parallel" tabindex="0" role="application" aria-label="Parallel coordinates of the runs" aria-describedby="runs-keys"></canvas></figure>
+<figure><figcaption><strong>Parallel coordinates</strong></figcaption><div class="scroll"><canvas id="parallel" tabindex="0" role="application" aria-label="Parallel coordinates of the runs" aria-describedby="runs-keys"></canvas></div></figure>
 <figure><figcaption><strong>Points</strong></figcaption><canvas id="scatter" tabindex="0" role="application" aria-label="A point for each run" aria-describedby="runs-keys"></canvas></figure>
 </div>
 <div class="chosen"><p id="run-values"></p>

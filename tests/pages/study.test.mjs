@@ -76,6 +76,14 @@ for (const scheme of ['light', 'dark'])
         const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
         assert.ok(overflow <= 0, `wider than the window by ${overflow}`);
         assert.match(await page.locator('main').textContent(), /Runs without result/);
+        // Where five axes have no room beside one another, their plot is scrolled, also by keys.
+        const plot = page.locator('.scroll:has(#parallel)');
+        const hidden = await plot.evaluate((frame) => frame.scrollWidth - frame.clientWidth);
+        assert.equal(hidden > 0, width === 400);
+        assert.ok((await page.locator('#parallel').evaluate((canvas) => canvas.clientWidth)) >= 2 * 75 + 4 * 64);
+        await page.locator('#parallel').focus();
+        for (let k = 0; k < 4; ++k) await page.keyboard.press('ArrowRight');
+        assert.equal((await plot.evaluate((frame) => frame.scrollLeft)) > 0, width === 400);
       }));
 
 test('brushes of an axis and of points select runs in both drawings, and are dropped', () =>

@@ -38,7 +38,7 @@ TEST_CASE("the embedded scripts are their sources, letter by letter") {
         steady + read_scripts({"mode_choice.js", "speed_plot.js", "play_clock.js", "mode_view.js",
                                "modes_page.js"}));
   CHECK(spoke::report::study_script() ==
-        read_scripts({"page_tools.js", "run_table.js", "study_page.js"}));
+        read_scripts({"page_tools.js", "run_table.js", "parallel_plot.js", "study_page.js"}));
   CHECK(spoke::report::study_script().find("</script") == std::string::npos);
   CHECK(spoke::report::static_script().find("</script") == std::string::npos);
   CHECK(spoke::report::modes_script().find("</script") == std::string::npos);
