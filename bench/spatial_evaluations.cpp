@@ -14,6 +14,7 @@
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "engine/support/instructions.h"
 #include "graph/machine/duration_text.h"
 #include "models/system/spatial_system.h"
 
@@ -73,6 +74,39 @@ void compare_with_plane(const Effort& effort, Report& report) {
                             std::max(timings[4].ratio, timings[5].ratio), 10.0));
 }
 
+/// What kernels for wider vectors gain, where the processor has them.
+void compare_kernels(const Effort& effort, Report& report) {
+  const Kernels before = use_kernels(Kernels::wide);
+  if (kernels_in_use() == Kernels::baseline) return;
+  const std::vector<Alternative> models{
+      in_plane(kSmall, true, 0), in_space("straight, stiffening", kStraight, kSmall, true, 0),
+      in_space("twisted, stiffening", kStraight, kSmall, true, 0, kTwist),
+      in_space("wind turbine, stiffening", "nrel_5mw_rotor.toml", kSmall, true, 0)};
+  std::vector<Alternative> alternatives;
+  for (const Alternative& model : models)
+    for (const Kernels kernels : {Kernels::baseline, Kernels::wide}) {
+      const bool is_wide = kernels == Kernels::wide;
+      Alternative alternative = model;
+      alternative.name += is_wide ? ", wide" : ", baseline";
+      alternative.run = [run = model.run, kernels] {
+        use_kernels(kernels);
+        run();
+      };
+      alternative.reference = static_cast<int>(alternatives.size()) - (is_wide ? 1 : 0);
+      alternatives.push_back(std::move(alternative));
+    }
+  Table table{"One evaluation of a rotor " + kSmall.name() + ", by instructions; all in turns",
+              {"model, kernels", "time", "/ baseline"},
+              {}};
+  for (const Timing& timing : measure(alternatives, effort)) {
+    table.rows.push_back(
+        {timing.name, graph::duration_text(timing.least), ratio_with_spread(timing)});
+    report.add_timing(kSmall.name() + ", by instructions", timing);
+  }
+  report.add_table(table);
+  use_kernels(before);
+}
+
 void scale(const Effort& effort, Report& report) {
   std::vector<RotorSize> sizes{kSmall};
   sizes.insert(sizes.end(), std::begin(kLarge), std::end(kLarge));
@@ -102,6 +136,7 @@ void scale(const Effort& effort, Report& report) {
 
 void measure_spatial_evaluations(const QuestionOptions& options, Report& report) {
   compare_with_plane(options.quick ? Effort{5, 1e-3, 1.0} : Effort{101, 1e-3, 8.0}, report);
+  compare_kernels(options.quick ? Effort{5, 1e-3, 1.0} : Effort{51, 1e-3, 8.0}, report);
   scale(options.quick ? Effort{5, 1e-3, 1.0} : Effort{51, 1e-3, 8.0}, report);
 }
 

@@ -22,6 +22,7 @@ graph/tune/	auto
 graph/viewer/	the page of a trace
 models/reader/	scenario files
 models/system/	constants of bodies
+models/support/	vectors of two and four
 models/space/	bodies, joints in space
 engine/support/	memory, vectors, log
 engine/body/	elastic blocks of a body

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "engine/support/wide_kernels.h"
+
 namespace spoke {
 
 template <int Half>
@@ -95,7 +97,9 @@ class Substitution {
 
 }  // namespace
 
-void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending, Double2* scratch) {
+namespace {
+
+void solve(const BandSystem<1>& axial, const BandSystem<3>& bending, Double2* scratch) {
   const int n = axial.factor->size();
   Substitution<1> u(axial, scratch);
   Substitution<3> v(bending, scratch + n);
@@ -117,6 +121,13 @@ void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending, Do
     v.backward_pair(2 * i);
     u.backward_pair(i);
   }
+}
+
+}  // namespace
+
+void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending,
+                    Double2* scratch) noexcept {
+  run_kernel([&]() noexcept { solve(axial, bending, scratch); });
 }
 
 template <int Half>

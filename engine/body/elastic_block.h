@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/support/simd.h"
+#include "models/support/simd.h"
 #include "models/system/flexible_body.h"
 #include "models/system/plane.h"
 
@@ -49,7 +49,8 @@ struct BandSystem {
 /// Solves the axial and the bending system of a body row by row in turns: each solution is one long
 /// chain of dependent operations, and the processor follows both at once. The bending system has
 /// twice the rows. `scratch`: 3E pairs.
-void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending, Double2* scratch);
+void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending,
+                    Double2* scratch) noexcept;
 
 /// The constant block Mhat = mass_factor Mff + stiffness_factor K of a body, factorised, and what
 /// follows from it once and for all. An explicit evaluation has factors (1, 0); one of the linearly

@@ -124,9 +124,8 @@ void add_instructions(CLI::App& command, Arguments& arguments) {
       .add_option_function<std::string>(
           "--instructions",
           [&](const std::string& name) { arguments.uses_baseline = name == "baseline"; },
-          "baseline: the same bits on every machine;\nauto: elementary functions as fast as this "
-          "one "
-          "has them [auto]")
+          "baseline: the same bits on every machine;\nauto: wider vectors and fused "
+          "multiply-add where this\none has them [auto]")
       ->check(CLI::IsMember({"auto", "baseline"}))
       ->type_name("NAME");
 }

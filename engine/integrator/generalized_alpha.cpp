@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/support/simd.h"
+#include "models/support/simd.h"
 
 namespace spoke {
 namespace {

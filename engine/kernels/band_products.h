@@ -3,7 +3,7 @@
 // Products of a body's banded matrices with flex vectors, two neighbouring rows at a time.
 
 #include "engine/body/flex_layout.h"
-#include "engine/support/simd.h"
+#include "models/support/simd.h"
 #include "models/system/symmetric_band.h"
 
 namespace spoke {

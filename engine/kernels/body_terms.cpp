@@ -2,8 +2,11 @@
 
 #include "engine/kernels/body_terms.h"
 
+#include <type_traits>
+
 #include "engine/kernels/band_products.h"
 #include "engine/kernels/kinematics.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke {
 namespace {
@@ -113,11 +116,17 @@ PartSums calc_bending_rows(const TreeBody<Plane>& member, const BodyMotion& moti
           total(centrifugal_rate)};
 }
 
-auto choose_bending_rows(const TreeBody<Plane>& member) {
+PartSums calc_bending(const TreeBody<Plane>& member, const BodyMotion& motion, const FlexParts& q,
+                      const FlexParts& qd, const double* q_elastic, double* c_theta, double* Q) {
   const bool is_stiffened = member.stiffening.centrifugal != nullptr;
-  if (member.body->reference_frame == ReferenceFrame::clamped)
-    return is_stiffened ? calc_bending_rows<true, true> : calc_bending_rows<true, false>;
-  return is_stiffened ? calc_bending_rows<false, true> : calc_bending_rows<false, false>;
+  const auto calc = [&](auto is_clamped) {
+    constexpr bool kIsClamped = decltype(is_clamped)::value;
+    return is_stiffened
+               ? calc_bending_rows<kIsClamped, true>(member, motion, q, qd, q_elastic, c_theta, Q)
+               : calc_bending_rows<kIsClamped, false>(member, motion, q, qd, q_elastic, c_theta, Q);
+  };
+  return member.body->reference_frame == ReferenceFrame::clamped ? calc(std::true_type{})
+                                                                 : calc(std::false_type{});
 }
 
 /// Damping D = mass_factor Mff + stiffness_factor K: the force at v_elastic, the power at qf'.
@@ -135,10 +144,7 @@ double add_damping(const Damping& damping, const SymmetricBand<Half>& M,
   return power;
 }
 
-}  // namespace
-
-void calc_body_terms(const BodyMotion& motion, const Damping& damping,
-                     BodyData<Plane>& data) noexcept {
+void calc_terms(const BodyMotion& motion, const Damping& damping, BodyData<Plane>& data) {
   const FlexibleBody& body = *data.model->body;
   const FlexLayout& layout = data.layout;
   const double w = motion.speed;
@@ -148,7 +154,6 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping,
   double* Q_u = data.Q_f + layout.u();
   double* Q_v = data.Q_f + layout.v();
 
-  const auto calc_bending = choose_bending_rows(*data.model);
   const PartSums bending =
       calc_bending(*data.model, motion, q, qd, q_elastic.v, data.c_theta + layout.v(), Q_v);
   const PartSums axial =
@@ -169,6 +174,13 @@ void calc_body_terms(const BodyMotion& motion, const Damping& damping,
   const FlexParts v_elastic = flex_parts(data.v_elastic, layout);
   terms.dissipation = add_damping(damping, body.M_axial, body.K_axial, v_elastic.u, qd.u, Q_u) +
                       add_damping(damping, body.M_bending, body.K_bending, v_elastic.v, qd.v, Q_v);
+}
+
+}  // namespace
+
+void calc_body_terms(const BodyMotion& motion, const Damping& damping,
+                     BodyData<Plane>& data) noexcept {
+  run_kernel([&]() noexcept { calc_terms(motion, damping, data); });
 }
 
 }  // namespace spoke

@@ -17,7 +17,7 @@ BodyTerms calc_rigid_terms(const space::RigidBody& body, const space::SymmetricT
                            const space::Twist& twist) {
   BodyTerms terms;
   terms.S = body.mass * body.centre;
-  terms.Theta = mass.rr;
+  terms.Theta = mass.rr();
   terms.Q = calc_gyroscopic_force(mass, twist);
   return terms;
 }

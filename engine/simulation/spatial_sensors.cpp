@@ -19,8 +19,8 @@ Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space
   Energies energies;
   energies.kinetic = 0.5 * twist.dot(hub.inertia * twist);
   if (system.gravity_ramp == 0.0) {
-    const space::Position centre_moment(hub.inertia.rt(2, 1), hub.inertia.rt(0, 2),
-                                        hub.inertia.rt(1, 0));
+    const space::Position centre_moment(hub.inertia.rt()(2, 1), hub.inertia.rt()(0, 2),
+                                        hub.inertia.rt()(1, 0));
     energies.gravity = system.gravity.dot(hub.mass * space::Position(linear(record.position)) +
                                           record.hub_rotation * centre_moment);
   }

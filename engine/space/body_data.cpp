@@ -64,6 +64,7 @@ BodyWork place(const FlexibleBody& body, Places& places) {
   work.momenta = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
   work.force = places.take(kTwist * nodes);
   for (double*& nodal : work.nodal) nodal = places.take(kTwist * nodes);
+  work.lanes = places.take(count_lanes(body));
   return work;
 }
 
@@ -91,6 +92,7 @@ BodyWork place_work(const FlexibleBody& body, double* memory) {
   BodyWork work = place(body, places);
   std::fill_n(work.rows, kNodeRows * body.node_count(), 0.0);
   std::fill_n(work.half, kNodeRows * body.node_count(), 0.0);
+  std::fill_n(work.lanes, count_lanes(body), 0.0);
   return work;
 }
 

@@ -64,6 +64,16 @@ struct BodyTerms {
   double dissipation = 0.0;  ///< q'^T D q' [W]
 };
 
+/// Q of a frame at its angular velocity w, from first moment and inertia, the rate of the first
+/// moment and G = sum rho mu'^T over the slots:
+///   Q_t = -w x (w x S) - 2 w x S',  Q_w = -w x Theta w - 2 (tr(G) w - G^T w)
+inline Twist calc_frame_force(const Angular& w, const BodyTerms& terms, const Position& S_rate,
+                              const Matrix3& G) {
+  return make_twist(
+      -cross(w, cross(w, terms.S) + 2.0 * S_rate),
+      -cross(w, terms.Theta.lazyProduct(w)) - 2.0 * (G.trace() * w - G.transpose().lazyProduct(w)));
+}
+
 /// What condensing a body finds besides its multi-port.
 struct Condensed {
   SymmetricTwistMatrix S_inverse;  ///< inverse of S_R = M_RR - C Mhat^-1 C^T
@@ -75,6 +85,16 @@ struct Condensed {
 inline constexpr int kSlot = 6;
 /// Values a node takes in BodyWork::rows.
 inline constexpr int kNodeRows = 4 * kTwist;
+
+/// Values by node of one component, in BodyWork::lanes: node k stands at 1 + k, and zeros around.
+inline std::size_t lane_stride(const FlexibleBody& body) {
+  return static_cast<std::size_t>(body.node_count()) + 8;
+}
+/// Six components of three flex vectors, and of the forces of both ends of elements.
+inline constexpr int kLaneRows = 5 * kTwist;
+inline std::size_t count_lanes(const FlexibleBody& body) {
+  return body.directions ? kLaneRows * lane_stride(body) : 0;
+}
 
 /// Memory of a body's kernels, of doubles all; see place_work().
 struct BodyWork {
@@ -91,6 +111,7 @@ struct BodyWork {
   double* momenta = nullptr;  ///< mu = m rho and mu', likewise
   double* force = nullptr;    ///< by node
   std::array<double*, 4> nodal{};  ///< flex vectors by node
+  double* lanes = nullptr;  ///< of bodies with directions: kLaneRows rows of lane_stride() values
 };
 
 /// Doubles that a body's work takes, and the work in so much memory, aligned to 16 bytes.

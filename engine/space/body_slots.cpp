@@ -3,7 +3,8 @@
 #include "engine/space/body_slots.h"
 
 #include "engine/space/element_products.h"
-#include "engine/support/unroll.h"
+#include "models/support/unroll.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {
@@ -137,10 +138,7 @@ struct OuterProducts {
   }
 };
 
-}  // namespace
-
-SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
-                    const BodyWork& work) noexcept {
+SlotSums calc(const FlexibleBody& body, const double* q, const double* v, const BodyWork& work) {
   set_slots(body, q, v, work.slots);
   if (body.is_decoupled)
     calc_momenta<true>(body, work.slots, work.momenta);
@@ -156,6 +154,13 @@ SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
   sums.S = Position(places.a[0], places.a[1], places.b[0]);
   sums.S_rate = Position(places.b[1], places.c[0], places.c[1]);
   return sums;
+}
+
+}  // namespace
+
+SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
+                    const BodyWork& work) noexcept {
+  return run_kernel([&]() noexcept { return calc(body, q, v, work); });
 }
 
 }  // namespace spoke::space

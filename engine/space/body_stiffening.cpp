@@ -3,34 +3,12 @@
 #include "engine/space/body_stiffening.h"
 
 #include "engine/space/element_products.h"
+#include "engine/space/tension_weights.h"
+#include "engine/support/wide_kernels.h"
 #include "models/space/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
-
-/// What each matrix counts at a speed of the hub.
-struct Weights {
-  std::array<double, ElementStiffening::kWeights> tension;
-  Position w;      ///< the hub's angular velocity, in B [rad/s]
-  double gravity;  ///< along the body [m/s^2]
-};
-
-/// W0 = |w|^2 1 - w w^T, x component of W0 c.
-double along_x(const Position& w, const Position& c) {
-  return w.squaredNorm() * c.x() - w.x() * w.dot(c);
-}
-
-/// Of an element's own body; what elements carry is to be added.
-Weights calc_weights(const TensionPlace& place, const BodyMotion& motion) {
-  const Position w = place.R_HB.inverse() * motion.hub_w;
-  const double gravity = (place.R_HB.inverse() * motion.gravity).x();
-  return {{0.0, along_x(w, place.origin) + gravity, along_x(w, Position::UnitX())}, w, gravity};
-}
-
-/// The tension of what an element carries, at a speed of the hub.
-double carried_tension(const CarriedMass& carried, const Weights& weights) {
-  return along_x(weights.w, carried.moment) + weights.gravity * carried.mass;
-}
 
 /// Coordinates of an element's two nodes along its axes, as far as tension and torsion feel them.
 /// Both planes lie side by side: (v, w) and (tz, -ty), the signs of the plane.
@@ -205,7 +183,7 @@ template <bool kIsStraight>
 StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const double* q,
                        const double* v, double* force) {
   const FlexibleBody& body = *model.body;
-  Weights weights = calc_weights(*model.tension, motion);
+  TensionWeights weights = calc_tension_weights(*model.tension, motion);
   StiffeningSums sums;
   TensionSums tension[ElementStiffening::kWeights];
   const CarriedMass* carried = model.tension->carried.data();
@@ -245,8 +223,10 @@ PlaneCoordinates in_axes_of(const BeamElement& element, bool is_straight, const 
 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept {
-  return model.body->is_straight ? add_all<true>(model, motion, q, v, force)
-                                 : add_all<false>(model, motion, q, v, force);
+  return run_kernel([&]() noexcept {
+    return model.body->is_straight ? add_all<true>(model, motion, q, v, force)
+                                   : add_all<false>(model, motion, q, v, force);
+  });
 }
 
 double sum_slope_products(const FlexibleBody& body, const double* q, const double* p, int element,

@@ -7,6 +7,8 @@
 #include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/element_products.h"
+#include "engine/space/straight_terms.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {
@@ -80,36 +82,7 @@ void calc_rows(const FlexibleBody& body, const Angular& w, const BodyWork& work)
                      work.momenta + stretch_place(body, e), work.rows + kNodeRows * e);
 }
 
-/// force -= K q of one element of a decoupled body, both planes side by side: (v, tz) and (w, -ty).
-void subtract_decoupled(const BeamElement& element, const double* q, double* force) {
-  const TwistMatrix& K = element.stiffness;
-  const double l = element.chord[0];
-  const double axial = K(0, 0) * (q[6] - q[0]), torsion = K(3, 3) * (q[9] - q[3]);
-  const Double2 slope{q[5], -q[4]}, outer_slope{q[11], -q[10]};
-  const Double2 d = load(q + 7) - load(q + 1) - l * slope, turn = outer_slope - slope;
-  const Double2 mixed{K(1, 5), -K(2, 4)};
-  const Double2 shear = Double2{K(1, 1), K(2, 2)} * d + mixed * turn;
-  const Double2 moment = mixed * d + Double2{K(5, 5), K(4, 4)} * turn;
-  const Double2 inner = moment + l * shear;
-  force[0] += axial;
-  force[6] -= axial;
-  store(load(force + 1) + shear, force + 1);
-  store(load(force + 7) - shear, force + 7);
-  force[3] += torsion;
-  force[9] -= torsion;
-  store(load(force + 4) + Double2{-inner[1], inner[0]}, force + 4);
-  store(load(force + 10) - Double2{-moment[1], moment[0]}, force + 10);
-}
-
 void add_elastic_force(const FlexibleBody& body, const double* q, double* force) {
-  if (body.is_decoupled) {
-    for (const BeamElement& element : body.beam) {
-      subtract_decoupled(element, q, force);
-      q += kTwist;
-      force += kTwist;
-    }
-    return;
-  }
   for (const BeamElement& element : body.beam) {
     double d[kTwist], F[kTwist];
     calc_relative(element, q, d);
@@ -198,10 +171,27 @@ struct NodalState {
   }
 };
 
-}  // namespace
+/// Adds damping to the rows of a body whose directions do not meet.
+double add_damping_to_rows(const FlexibleBody& body, const Damping& damping, const BodyState& state,
+                           const BodyWork& work) {
+  double power = 0.0;
+  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
+  expand(body, state.v, work.nodal[1]);
+  expand(body, state.v_elastic, work.nodal[3]);
+  const double *v = work.nodal[1], *v_elastic = work.nodal[3];
+  if (body.is_damped || damping.stiffness_factor != 0.0)
+    power += add_damping(body, damping, v_elastic, v, work.force);
+  if (damping.mass_factor != 0.0)
+    power += add_mass_damping(body, damping.mass_factor, v_elastic, v, work.force);
+  for (int i = kTwist * body.first_node(); i < kTwist * body.node_count(); ++i)
+    work.rows[4 * i + 3] += work.force[i];
+  return power;
+}
 
-BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
-                          const Damping& damping, const BodyWork& work) noexcept {
+/// Of a body whose directions meet.
+BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
+                             const BodyMotion& motion, const Damping& damping,
+                             const BodyWork& work) {
   const FlexibleBody& body = *model.body;
   const bool is_damped = body.is_damped || damping.stiffness_factor != 0.0;
   const NodalState x(body, state, is_damped || damping.mass_factor != 0.0, work);
@@ -218,13 +208,23 @@ BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const 
 
   const SlotSums sums = calc_slots(body, x.q, x.v, work);
   calc_rows(body, motion.w, work);
-  const Angular& w = motion.w;
   terms.S = sums.S;
   terms.Theta = sums.inertia();
-  // Q_t = -w x (w x S) - 2 w x S',  Q_w = -w x Theta w - 2 (tr(G) w - G^T w)
-  terms.Q = make_twist(-cross(w, cross(w, sums.S) + 2.0 * sums.S_rate),
-                       -cross(w, terms.Theta.lazyProduct(w)) -
-                           2.0 * (sums.G.trace() * w - sums.G.transpose().lazyProduct(w)));
+  terms.Q = calc_frame_force(motion.w, terms, sums.S_rate, sums.G);
+  return terms;
+}
+
+}  // namespace
+
+BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
+                          const Damping& damping, const BodyWork& work) noexcept {
+  const FlexibleBody& body = *model.body;
+  if (!body.is_decoupled || !body.directions)
+    return run_kernel(
+        [&]() noexcept { return calc_coupled_terms(model, state, motion, damping, work); });
+  BodyTerms terms = calc_straight_terms(model, state, motion, work);
+  if (body.is_damped || damping.stiffness_factor != 0.0 || damping.mass_factor != 0.0)
+    terms.dissipation += add_damping_to_rows(body, damping, state, work);
   return terms;
 }
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "engine/space/element_products.h"
-#include "engine/support/unroll.h"
+#include "engine/support/wide_kernels.h"
+#include "models/support/unroll.h"
 
 namespace spoke::space {
 namespace {
@@ -128,14 +129,6 @@ void calc_handle_response(const FlexibleBody& body, const ElasticBlock& block, s
     });
 }
 
-/// diag(1, H) m.
-template <class Matrix>
-Matrix turn_rows(const Matrix3& H, const Matrix& m) {
-  Matrix turned = m;
-  turned.template bottomRows<3>() = H.lazyProduct(m.template bottomRows<3>());
-  return turned;
-}
-
 /// (3) X_h = J_h - E_h W and b_h + E_h z of one handle.
 void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
                      const Angular& w, const BodyWork& work) {
@@ -145,24 +138,28 @@ void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::s
   else
     calc_handle_response<false>(body, block, h, work, response);
   const HandleMotion& handle = work.handles[h];
-  TwistMatrix EW;
-  EW.leftCols<3>() = block.Z_W[h];
+  const Matrix3 s = skew(handle.s);
+  const HalfMap turn{handle.turn.H};
+  double* X = work.condensed.X[h].data();
+  // Columns J - E W, the lower half turned by H: of translation, then of rotation.
+  unroll<3>([&](auto column) {
+    constexpr int j = column;
+    const auto& Z_W = block.Z_W[h];
+    TwistColumn t{{(j == 0) - Z_W(0, j), (j == 1) - Z_W(1, j), (j == 2) - Z_W(2, j), 0.0}, {}};
+    const double lower[3] = {-Z_W(3, j), -Z_W(4, j), -Z_W(5, j)};
+    turn.add_lower(lower, t);
+    t.store_to(X + kTwist * j);
+    TwistColumn r{{-s(0, j) - response[0][j], -s(1, j) - response[1][j], -s(2, j) - response[2][j],
+                   j == 0 ? 1.0 : 0.0},
+                  {j == 1 ? 1.0 : 0.0, j == 2 ? 1.0 : 0.0}};
+    const double turned[3] = {-response[3][j], -response[4][j], -response[5][j]};
+    turn.add_lower(turned, r);
+    r.store_to(X + kTwist * (kRotation + j));
+  });
   Twist z;
-  for (int i = 0; i < kTwist; ++i) {
-    EW.row(i).tail<3>() << response[i][0], response[i][1], response[i][2];
-    z[i] = response[i][3];
-  }
-  TwistMatrix& X = work.condensed.X[h];
-  X = -turn_rows(handle.turn.H, EW);
-  X.diagonal().array() += 1.0;
-  X.topRightCorner<3, 3>() -= skew(handle.s);
-  work.port.free[h] = handle.bias(w) + turn_rows(handle.turn.H, z);
-}
-
-/// diag(1, H) A diag(1, H^T).
-SymmetricTwistMatrix turn_handle(const Matrix3& H, const SymmetricTwistMatrix& A) {
-  const Matrix3 half = H.lazyProduct(A.rr);
-  return {A.tt, H.lazyProduct(A.rt), half.lazyProduct(H.transpose())};
+  for (int i = 0; i < kTwist; ++i) z[i] = response[i][3];
+  angular(z) = Angular(handle.turn.H.lazyProduct(angular(z)));
+  work.port.free[h] = handle.bias(w) + z;
 }
 
 /// (3) P_ab = diag(1, H_a) Z_ab diag(1, H_b^T) + X_a S_R^-1 X_b^T for all handles a < b, and of b
@@ -170,22 +167,21 @@ SymmetricTwistMatrix turn_handle(const Matrix3& H, const SymmetricTwistMatrix& A
 void calc_compliances(const ElasticBlock& block, std::size_t b, const BodyWork& work) {
   const TwistMatrix& X_b = work.condensed.X[b];
   const Matrix3& H_b = work.handles[b].turn.H;
-  const TwistMatrix S_X = work.condensed.S_inverse.matrix().lazyProduct(X_b.transpose());
+  const TwistMatrix S_X = multiply_transposed(work.condensed.S_inverse.matrix(), X_b);
   for (std::size_t a = 0; a < b; ++a) {
     const int pair = tree::MultiPort<Space>::count_pairs(static_cast<int>(b)) + static_cast<int>(a);
     TwistMatrix& P = work.port.pairs[pair];
     if (block.Z[a].empty()) {
-      P = S_X;
+      copy(S_X, P);
       continue;
     }
-    P = work.condensed.X[a].lazyProduct(S_X);
-    const TwistMatrix Z =
-        turn_rows(work.handles[a].turn.H, block.Z_pairs[static_cast<std::size_t>(pair)]);
-    P.leftCols<3>() += Z.leftCols<3>();
-    P.rightCols<3>() += Z.rightCols<3>().lazyProduct(H_b.transpose());
+    const TwistMatrix& Z = block.Z_pairs[static_cast<std::size_t>(pair)];
+    copy(add_product(turn_columns(turn_rows(work.handles[a].turn.H, Z), H_b), work.condensed.X[a],
+                     S_X),
+         P);
   }
-  work.port.diagonal[b] = turn_handle(H_b, block.Z_diagonal[b]) +
-                          SymmetricTwistMatrix::from_matrix(X_b.lazyProduct(S_X));
+  const TwistMatrix Z = turn_columns(turn_rows(H_b, block.Z_diagonal[b].matrix()), H_b);
+  work.port.diagonal[b] = {add_product(Z, X_b, S_X)};
 }
 
 /// (3) of a handle that stands where the frame is clamped: X_h = 1.
@@ -196,24 +192,21 @@ void place_frame_handle(std::size_t h, const Twist& X_free, const BodyWork& work
   work.port.diagonal[h] = S_inverse;
   for (std::size_t a = 0; a < h; ++a)
     work.port.between(static_cast<int>(a), static_cast<int>(h)) =
-        work.condensed.X[a].lazyProduct(S_inverse.matrix());
+        space::multiply(work.condensed.X[a], S_inverse.matrix());
 }
 
-}  // namespace
-
-void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
-                   BodyWork& work) noexcept {
+void condense(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
+              BodyWork& work) {
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
   clear_fixed_rows(body, work.rows);
   const Products products = body.is_decoupled ? solve_half<true>(body, block, work)
                                               : solve_half<false>(body, block, work);
   // (2) S_R = M_RR - C W and p = Q - C z, M_RR = [m 1, -S~; S~, Theta].
-  SymmetricTwistMatrix S_R;
-  S_R.tt = body.mass * Matrix3::Identity() - block.C_W;
-  S_R.rt = skew(terms.S) - products.columns(products.t).transpose();
-  S_R.rr = terms.Theta - products.columns(products.w);
-  work.condensed.S_inverse = invert(S_R, block.S_tt_inverse);
+  work.condensed.S_inverse = invert(
+      SymmetricTwistMatrix::from_blocks(body.mass * Matrix3::Identity() - block.C_W,
+                                        skew(terms.S) - products.columns(products.t).transpose(),
+                                        terms.Theta - products.columns(products.w)));
   work.condensed.p = terms.Q - make_twist(products.last(products.t), products.last(products.w));
   const Twist X_free = work.condensed.S_inverse * work.condensed.p;
   for (std::size_t h = 0; h < body.handles.size(); ++h) {
@@ -226,8 +219,6 @@ void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular
     calc_compliances(block, h, work);
   }
 }
-
-namespace {
 
 /// Right-hand sides of the pass back: y_Q - y_C X, by node.
 template <bool kIsDecoupled>
@@ -327,10 +318,8 @@ void recover_deformation(const FlexibleBody& body, const ElasticBlock& block, co
   solve_back<kIsDecoupled>(body, block, x);
 }
 
-}  // namespace
-
-Twist recover_body(const BodyModel& model, const Twist* wrenches, bool implicit,
-                   const BodyWork& work, double* a) noexcept {
+Twist recover(const BodyModel& model, const Twist* wrenches, bool implicit, const BodyWork& work,
+              double* a) {
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
   const Condensed& condensed = work.condensed;
@@ -348,6 +337,18 @@ Twist recover_body(const BodyModel& model, const Twist* wrenches, bool implicit,
     recover_deformation<false>(body, block, X, wrenches, work, x);
   compress(body, x, a);
   return X;
+}
+
+}  // namespace
+
+void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
+                   BodyWork& work) noexcept {
+  run_kernel([&]() noexcept { condense(model, terms, w, implicit, work); });
+}
+
+Twist recover_body(const BodyModel& model, const Twist* wrenches, bool implicit,
+                   const BodyWork& work, double* a) noexcept {
+  return run_kernel([&]() noexcept { return recover(model, wrenches, implicit, work, a); });
 }
 
 }  // namespace spoke::space

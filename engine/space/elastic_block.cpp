@@ -85,7 +85,6 @@ ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& fa
   const Columns W_t = solve_half(body, block, momentum_columns(body));
   block.W_t.assign(W_t.data(), W_t.data() + W_t.size());
   block.C_W = W_t.transpose() * W_t;
-  block.S_tt_inverse = invert_symmetric(body.mass * Matrix3::Identity() - block.C_W);
   std::vector<Columns> Z;
   for (const int node : body.handles) {
     Z.push_back(solve_half(body, block, handle_columns(body, node)));

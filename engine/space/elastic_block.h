@@ -28,9 +28,8 @@ struct ElasticBlock {
   std::vector<double> inverse;  ///< of L's diagonal block; zero right of the diagonal
   std::vector<double> below;    ///< L's block (k, k - 1)
 
-  std::vector<double> W_t;                 ///< L^-1 C_t^T: 3 columns, row by row
-  Matrix3 C_W = Matrix3::Zero();           ///< C_t Mhat^-1 C_t^T [kg]
-  Matrix3 S_tt_inverse = Matrix3::Zero();  ///< (m 1 - C_W)^-1, of translation alone [1/kg]
+  std::vector<double> W_t;        ///< L^-1 C_t^T: 3 columns, row by row
+  Matrix3 C_W = Matrix3::Zero();  ///< C_t Mhat^-1 C_t^T [kg]
   /// By handle: L^-1 E^T for the six coordinates of its node, row by row, from that node on. None
   /// if the frame fixes all of them.
   std::vector<std::vector<double>> Z;

@@ -2,8 +2,8 @@
 
 // Products with an element's matrices and axes, in pairs of neighbouring values.
 
-#include "engine/support/simd.h"
 #include "models/space/beam_element.h"
+#include "models/support/simd.h"
 
 namespace spoke::space {
 

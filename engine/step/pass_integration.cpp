@@ -119,7 +119,7 @@ double mount_power(const space::Hub& hub, const space::Twist& reaction, const sp
 double mechanical_energy(const System<Space>& system, const HubState<Space>& hub) {
   const double kinetic = 0.5 * hub.twist.dot(system.hub.inertia * hub.twist);
   if (system.gravity_ramp > 0.0) return kinetic;
-  const space::Matrix3& rt = system.hub.inertia.rt;
+  const space::Matrix3 rt = system.hub.inertia.rt();
   const space::Position moment(rt(2, 1), rt(0, 2), rt(1, 0));
   return kinetic - system.gravity.dot(system.hub.mass * hub.p + hub.R * moment);
 }

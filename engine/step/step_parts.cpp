@@ -121,6 +121,7 @@ Memory memory_of_scratch(BodyData<Space>& body) {
   const space::BodyWork& work = body.work;
   Memory memory{memory_of(work.slots, slots), memory_of(work.momenta, slots),
                 memory_of(work.force, space::kTwist * nodes)};
+  if (flexible->directions) memory.push_back(memory_of(work.lanes, count_lanes(*flexible)));
   for (double* nodal : work.nodal) memory.push_back(memory_of(nodal, space::kTwist * nodes));
   return memory;
 }

@@ -4,20 +4,47 @@
 
 #include <string_view>
 
+// Sanitizers see into calls, not into what `flatten` makes of them; SPOKE_NATIVE compiles all code
+// for the processor already.
+#if defined(__x86_64__) && !defined(SPOKE_NATIVE) && !defined(SPOKE_SANITIZED)
+#define SPOKE_WIDE_KERNELS 1
+#else
+#define SPOKE_WIDE_KERNELS 0
+#endif
+
 namespace spoke {
 
 /// What a process may have to do to compute with the instructions that all processors of an
 /// architecture have.
 ///
-/// Spoke's own code is compiled for these, unless with SPOKE_NATIVE. The elementary functions of
-/// the C library (sin, cos, exp) choose theirs when the program starts: where the processor has
-/// fused multiply-add, some results differ in the last bit. The variable kTunables of the
-/// environment with kWithoutFusing forbids it.
+/// Most of Spoke's own code is compiled for these, unless with SPOKE_NATIVE. Kernels of a step
+/// (wide_kernels.h) and the elementary functions of the C library (sin, cos, exp) choose theirs
+/// when the program starts: where the processor has fused multiply-add, results differ in the last
+/// bits. The variable kTunables of the environment with kWithoutFusing forbids it to both.
 inline constexpr const char* kTunables = "GLIBC_TUNABLES";
 inline constexpr std::string_view kWithoutFusing = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";
 
-/// "baseline": the same bits on every machine of this architecture; "fma": the C library's
-/// functions use fused multiply-add; "native": Spoke was built for one processor.
+/// "baseline": the same bits on every machine of this architecture; "avx2": kernels use AVX2 and
+/// fused multiply-add, as do the C library's functions; "fma": those alone; "native": Spoke was
+/// built for one processor.
 std::string_view instructions_in_use();
+
+/// The versions of kernels.
+enum class Kernels {
+  baseline,  ///< for all processors of the architecture
+  wide,      ///< for AVX2 and fused multiply-add
+};
+
+namespace detail {
+extern Kernels kernels;  // set before main()
+}
+
+/// Which ones run in this process: `wide` unless the processor, the environment or the build
+/// forbids it.
+inline Kernels kernels_in_use() noexcept { return detail::kernels; }
+
+/// For tests and benchmarks, which compare them: uses other ones from here on, if there are any,
+/// and returns those that were in use. Not while anything is simulated.
+Kernels use_kernels(Kernels kernels) noexcept;
 
 }  // namespace spoke

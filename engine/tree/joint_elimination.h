@@ -51,14 +51,16 @@ typename World::Twist eliminate_joint(const typename World::SymmetricTwistMatrix
   typename World::SymmetricTwistMatrix Lambda = rotate(joint.R, child.Lambda);
   Twist free = joint.R * child.free;
   if constexpr (kHasJointCoordinates<World>) {
-    Lambda = refer(joint.p, Lambda);
-    free = refer(joint.p, free - joint.bias);
+    free -= joint.bias;
+    if (!joint.p.isZero(0.0)) {  // zero where a beam goes on
+      Lambda = refer(joint.p, Lambda);
+      free = refer(joint.p, free);
+    }
   }
   elimination.Pi = invert(P_oo + Lambda);
   elimination.rhs = free - free_o;
   if constexpr (kHasJointCoordinates<World>) {
     JointResponse<World>& response = elimination.response;
-    response.H.setZero();
     for (int c = 0; c < joint.coordinates; ++c)
       response.H.col(c) = refer(joint.p, joint.columns.col(c));
     eliminate_coordinates(joint, elimination.Pi, response);
@@ -86,14 +88,12 @@ void eliminate_child(int o, const Joint& joint, const Branch<World>& child,
   using Matrix = typename World::TwistMatrix;
   const typename World::Twist f =
       eliminate_joint(port.diagonal[o], port.free[o], joint, child, elimination);
-  const Matrix Pi = elimination.Pi.matrix();
   for (int a = 0; a < o; ++a) {
     const Matrix& P_ao = port.between(a, o);
-    const Branch<World> joined =
-        join<World>(port.diagonal[a], P_ao, port.free[a], elimination.Pi, f);
-    port.diagonal[a] = joined.Lambda;
-    port.free[a] = joined.free;
-    const Matrix P_ao_Pi = P_ao.lazyProduct(Pi);
+    port.diagonal[a] = eliminate(port.diagonal[a], P_ao, elimination.Pi);
+    port.free[a] += P_ao.lazyProduct(f);
+    if (a + 1 == o) break;
+    const Matrix P_ao_Pi = P_ao.lazyProduct(elimination.Pi.matrix());
     for (int b = a + 1; b < o; ++b)
       port.between(a, b) -= P_ao_Pi.lazyProduct(port.between(b, o).transpose());
   }
@@ -123,7 +123,6 @@ HubShare<World> eliminate_root(const Joint& joint, const Branch<World>& branch,
   root.free = branch.free;
   if constexpr (kHasJointCoordinates<World>) {
     JointResponse<World>& response = root.response;
-    response.H.setZero();
     for (int c = 0; c < joint.coordinates; ++c)
       response.H.col(c) = joint.R.inverse() * Twist(joint.columns.col(c));
     eliminate_coordinates(joint, root.mass, response);

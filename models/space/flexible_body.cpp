@@ -126,6 +126,12 @@ bool find_decoupled(const FlexibleBody& body) {
          });
 }
 
+/// Whether small masses turn with it.
+bool has_inertias(const FlexibleBody& body) {
+  return std::any_of(body.beam.begin(), body.beam.end(),
+                     [](const BeamElement& element) { return !element.inertias.empty(); });
+}
+
 /// A body of the right sizes, its sums still zero.
 FlexibleBody make_empty_body(int elements) {
   FlexibleBody body;
@@ -172,6 +178,9 @@ FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
     add_slots(element, e, body.slots);
   }
   body.is_decoupled = find_decoupled(body);
+  if (body.is_decoupled && !has_inertias(body))
+    body.directions =
+        make_directions({body.nodes, body.beam, body.slots, body.C_t, body.first_node()});
   return body;
 }
 

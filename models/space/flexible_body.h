@@ -6,30 +6,15 @@
 // that the reference frame fixes.
 
 #include <Eigen/Core>
-#include <array>
+#include <optional>
 #include <vector>
 
 #include "models/rotor.h"
 #include "models/space/beam_element.h"
 #include "models/space/block_tridiagonal.h"
+#include "models/space/directions.h"
 
 namespace spoke::space {
-
-/// The slots of a body. Their components are multiplied by one constant scalar matrix m, whatever
-/// the direction, so that no motion of the frame can deform the body. The slots of a node are its
-/// place and its axes along x, y, z of B; what an element's stretch adds to the tangents at its two
-/// nodes is a slot of the element, sigma = e1 e1.(u_2 - u_1)/l.
-struct SlotMasses {
-  using NodeBlock = std::array<double, kNodeSlots * kNodeSlots>;  ///< row by row [kg, kg m, kg m^2]
-  std::vector<NodeBlock> own;                                     ///< of a node with itself
-  std::vector<NodeBlock> next;  ///< rows of node e, columns of node e + 1
-  /// Row of an element's stretch: with the slots of its inner and of its outer node.
-  std::vector<std::array<double, kElementSlots>> stretch;
-  std::vector<double> stretch_own;
-};
-
-/// C_t of a node: how its coordinates' accelerations count in the body's momentum (transposed).
-using NodeMomentum = Eigen::Matrix<double, kTwist, 3, Eigen::DontAlign>;
 
 /// Whether coordinates i and j of nodes belong to one direction of a decoupled body.
 constexpr bool is_one_direction(int i, int j) {
@@ -48,7 +33,8 @@ struct FlexibleBody {
   /// Its directions do not meet: u, tx, (v, tz) and (w, ty) in K and D, and in the slots places and
   /// x axes, y axes, z axes. The body is straight, and its sections are symmetric about y and z.
   bool is_decoupled = false;
-  bool is_damped = false;  ///< D is not zero
+  std::optional<Directions> directions;  ///< if it is, and no small masses turn with it
+  bool is_damped = false;                ///< D is not zero
   /// Nodes at which joints hold the body: first node 0 (the inboard handle), then one for each
   /// child in the children's order; these may repeat.
   std::vector<int> handles;

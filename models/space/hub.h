@@ -47,13 +47,14 @@ inline Rotation rotation_of(const Hub& hub, double angle) {
 inline Angular moment_of(const HubLoad& load) { return load.moment; }
 inline TwistMatrix calc_hub_mass(const Hub& hub) { return hub.inertia.matrix(); }
 /// Of the hub alone, about its axis [kg m^2].
-inline double axial_inertia(const Hub& hub) { return hub.inertia.rr(2, 2); }
+inline double axial_inertia(const Hub& hub) { return hub.inertia.rr()(2, 2); }
 /// Adds the forces of the hub's own inertia at zero acceleration.
 inline void add_gyroscopic_force(const Hub& hub, const Twist& twist, Twist& force) {
   const Angular w = angular(twist);
-  const Position S(hub.inertia.rt(2, 1), hub.inertia.rt(0, 2), hub.inertia.rt(1, 0));
+  const Matrix3 rt = hub.inertia.rt();
+  const Position S(rt(2, 1), rt(0, 2), rt(1, 0));
   linear(force) -= cross(w, cross(w, S));
-  angular(force) -= cross(w, Position(hub.inertia.rr.lazyProduct(w)));
+  angular(force) -= cross(w, Position(hub.inertia.rr().lazyProduct(w)));
 }
 
 }  // namespace spoke::space

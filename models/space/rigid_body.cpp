@@ -5,10 +5,9 @@
 namespace spoke::space {
 
 SymmetricTwistMatrix calc_mass(const RigidBody& body) {
-  SymmetricTwistMatrix at_centre;
-  at_centre.tt = body.mass * Matrix3::Identity();
-  at_centre.rr = body.inertia;
-  return translate(body.centre, at_centre);
+  return translate(body.centre,
+                   SymmetricTwistMatrix::from_blocks(body.mass * Matrix3::Identity(),
+                                                     Matrix3::Zero(), body.inertia));
 }
 
 }  // namespace spoke::space

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -12,9 +14,10 @@ using nlohmann::json;
 namespace {
 
 /// Summary of a short run with these instructions, begun with such a command before it.
-json summary_with(const std::string& instructions, const std::string& before = {}) {
+json summary_with(const std::string& instructions, const std::string& before = {},
+                  const std::string& scenario = "wu_haug_rotor") {
   const WorkFolder folder;
-  const Ended ended = run_spoke({"run", shipped("wu_haug_rotor"), "--set", "integration.duration=1",
+  const Ended ended = run_spoke({"run", shipped(scenario), "--set", "integration.duration=1",
                                  "--out", "o", "--quiet", "--instructions", instructions},
                                 folder, before);
   CAPTURE(ended.err);
@@ -24,7 +27,39 @@ json summary_with(const std::string& instructions, const std::string& before = {
 
 constexpr const char* kLikeOldProcessor = "env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";
 
+/// What the instructions "auto" are, of this build on this processor.
+std::string expect_auto() {
+#if defined(SPOKE_NATIVE)
+  return "native";
+#elif defined(__x86_64__)
+  const bool fuses = __builtin_cpu_supports("fma");
+#ifndef SPOKE_SANITIZED
+  if (fuses && __builtin_cpu_supports("avx2")) return "avx2";
+#endif
+  return fuses ? "fma" : "baseline";
+#else
+  return "baseline";
+#endif
+}
+
 }  // namespace
+
+TEST_CASE("a run says which instructions it used, and wide ones change results by round-off") {
+  for (const std::string scenario : {"wu_haug_rotor", "spatial_wu_haug"}) {
+    CAPTURE(scenario);
+    const json wide = summary_with("auto", {}, scenario);
+    CHECK(wide["instructions"] == expect_auto());
+    const json baseline = summary_with("baseline", {}, scenario);
+    CHECK(wide["evaluations"] == baseline["evaluations"]);
+    for (const auto& [name, sensor] : baseline["sensors"].items()) {
+      CAPTURE(name);
+      const double least = sensor["min"], largest = sensor["max"], end = sensor["final"];
+      // Residuals of the energy are round-off themselves, and what stays in its plane is, too.
+      const double scale = std::max({std::abs(least), std::abs(largest), 1e-3});
+      CHECK(std::abs(wide["sensors"][name]["final"].get<double>() - end) < 1e-8 * scale);
+    }
+  }
+}
 
 TEST_CASE("baseline instructions give the bits of a processor that has no others") {
   const json baseline = summary_with("baseline");

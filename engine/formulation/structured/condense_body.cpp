@@ -3,6 +3,7 @@
 
 #include "engine/formulation/structured.h"
 #include "engine/kernels/kinematics.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {
@@ -103,10 +104,8 @@ void add_inboard_rotation(const ElasticBlock& block, double bias, const Twist& X
   port.free_i[kRotation] = x.dot(X_free) + bias;
 }
 
-}  // namespace
-
-void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
-                   BodyWork<Plane>& work) noexcept {
+void condense(const BodyData<Plane>& data, const Twist& twist, bool implicit,
+              BodyWork<Plane>& work) {
   const FlexibleBody& body = *data.model->body;
   const ElasticBlock& block = *data.blocks[implicit];
   const int u = data.layout.u();
@@ -141,6 +140,13 @@ void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implici
   port.free_o = multiply(port.X_o, X_free) + calc_outboard_bias(data, twist[kRotation], work);
   if (body.reference_frame == ReferenceFrame::chord)
     add_inboard_rotation(block, work.z[data.inboard_at[kRotation]], X_free, port);
+}
+
+}  // namespace
+
+void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
+                   BodyWork<Plane>& work) noexcept {
+  run_kernel([&]() noexcept { condense(data, twist, implicit, work); });
 }
 
 }  // namespace spoke::structured

@@ -5,6 +5,7 @@
 #include "engine/formulation/structured/spatial_tree.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {
@@ -29,12 +30,13 @@ template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept {
   // (1) From the tips: each body with what it carries.
-  for (std::size_t j = work.bodies.size(); j-- > 0;)
-    work.bodies[j].branch = join_children(subsystem, j, data, work);
   // (2) Root: M^C = T^T R Lam^-1 R^T T and Q^C = T^T R Lam^-1 R^T (R be - b), with the bracket's
   // acceleration T Y'' + b in the hub frame. R leads there from the first body's.
-  const tree::HubShare<World> share =
-      tree::eliminate_root(make_root_joint(subsystem, data), work.bodies[0].branch, work.root);
+  const tree::HubShare<World> share = run_kernel([&]() noexcept {
+    for (std::size_t j = work.bodies.size(); j-- > 0;)
+      work.bodies[j].branch = join_children(subsystem, j, data, work);
+    return tree::eliminate_root(make_root_joint(subsystem, data), work.bodies[0].branch, work.root);
+  });
   EffectiveInertia<World>& effective = data.effective;
   effective.mass = share.mass.matrix();
   effective.force = share.force;

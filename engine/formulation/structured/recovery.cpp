@@ -3,6 +3,7 @@
 
 #include "engine/formulation/structured/spatial_tree.h"
 #include "engine/kernels/hub_motion.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {
@@ -46,8 +47,10 @@ template void recover_wrenches(const Subsystem<Plane>&, const SubsystemWork<Plan
 template void recover_wrenches(const Subsystem<Space>&, const SubsystemWork<Space>&,
                                SubsystemData<Space>&) noexcept;
 
-void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
-                  bool implicit, BodyData<Plane>& data, double* a) noexcept {
+namespace {
+
+void recover(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
+             bool implicit, BodyData<Plane>& data, double* a) {
   const PlanarWrenches& wrenches = subsystem.wrenches[j];
   // (3) X = S_R^-1 (p + X_i^T F + X_o^T f).
   const FlexibleBody& body = *data.model->body;
@@ -86,6 +89,13 @@ void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const Bo
     store_aligned(load_aligned(z + i) - alpha * load_aligned(W + i) - X_y * load_aligned(W_y + i) +
                       f_0 * load_aligned(Z_0 + i) + f_1 * load_aligned(Z_1 + i),
                   a_v + i);
+}
+
+}  // namespace
+
+void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
+                  bool implicit, BodyData<Plane>& data, double* a) noexcept {
+  run_kernel([&]() noexcept { recover(subsystem, j, work, implicit, data, a); });
 }
 
 }  // namespace spoke::structured

@@ -4,6 +4,7 @@
 
 #include "engine/kernels/spatial_terms.h"
 #include "engine/space/condense_body.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::structured {
 
@@ -19,11 +20,13 @@ tree::Branch<Space> join_children(const Subsystem<Space>& subsystem, std::size_t
                                   SubsystemData<Space>& data, SubsystemWork<Space>& work) {
   const tree::MultiPort<Space>& port = data.bodies[j].work.port;
   const std::vector<int>& children = subsystem.bodies[j].children;
-  for (std::size_t o = children.size(); o > 0; --o) {
-    const auto c = static_cast<std::size_t>(children[o - 1]);
-    tree::eliminate_child(static_cast<int>(o), joint_of(subsystem, data, c), work.bodies[c].branch,
-                          port, work.bodies[c].joint);
-  }
+  run_kernel([&]() noexcept {
+    for (std::size_t o = children.size(); o > 0; --o) {
+      const auto c = static_cast<std::size_t>(children[o - 1]);
+      tree::eliminate_child(static_cast<int>(o), joint_of(subsystem, data, c),
+                            work.bodies[c].branch, port, work.bodies[c].joint);
+    }
+  });
   return {port.diagonal[0], port.free[0]};
 }
 
@@ -33,13 +36,16 @@ void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
   space::Twist* wrenches = body.work.wrenches;
   wrenches[0] = data.wrenches[j].inboard;
   const std::vector<int>& children = subsystem.bodies[j].children;
-  for (std::size_t o = 1; o <= children.size(); ++o) {
-    const auto c = static_cast<std::size_t>(children[o - 1]);
-    const space::JointTerms joint = joint_of(subsystem, data, c);
-    wrenches[o] = tree::recover_child(static_cast<int>(o), joint, body.work.port,
-                                      work.bodies[c].joint, wrenches, data.bodies[c].joint.a_found);
-    data.wrenches[c].inboard = tree::pass_to_child<Space>(joint, wrenches[o]);
-  }
+  run_kernel([&]() noexcept {
+    for (std::size_t o = 1; o <= children.size(); ++o) {
+      const auto c = static_cast<std::size_t>(children[o - 1]);
+      const space::JointTerms joint = joint_of(subsystem, data, c);
+      wrenches[o] =
+          tree::recover_child(static_cast<int>(o), joint, body.work.port, work.bodies[c].joint,
+                              wrenches, data.bodies[c].joint.a_found);
+      data.wrenches[c].inboard = tree::pass_to_child<Space>(joint, wrenches[o]);
+    }
+  });
 }
 
 void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>&, bool implicit,

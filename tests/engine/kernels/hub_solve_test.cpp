@@ -17,7 +17,7 @@ space::SymmetricTwistMatrix random_mass(std::mt19937& random) {
   space::RigidBody body;
   body.mass = 2.0 + random_number(random);
   body.centre = random_vector(random);
-  body.inertia = random_inertia(random).rr;
+  body.inertia = random_inertia(random).rr();
   return space::calc_mass(body);
 }
 
@@ -35,8 +35,8 @@ TEST_CASE("a free hub in space moves by its stiffened inertia") {
   table.system.hub_loads.back().moment = angular(applied);
   table.data.hub.twist = twist;
   space::HubStiffening& stiffening = table.data.subsystems[0].effective.stiffening;
-  stiffening.inertia = 0.01 * random_inertia(random).rr;
-  stiffening.rate = 0.01 * random_inertia(random).rr;
+  stiffening.inertia = 0.01 * random_inertia(random).rr();
+  stiffening.rate = 0.01 * random_inertia(random).rr();
   const HubSolution<Space>& solution = table.solve();
   CHECK(solution.reaction.norm() == 0.0);
   // d/dt of the angular momentum that stiffening takes, L = - Lambda w, in the turning frame.

@@ -10,7 +10,7 @@
 
 #include "engine/space/body_terms.h"
 #include "engine/space/condense_body.h"
-#include "engine/support/simd.h"
+#include "models/support/simd.h"
 #include "tests/models/space/beams.h"
 
 namespace spoke::space::test {

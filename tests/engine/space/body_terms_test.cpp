@@ -7,6 +7,7 @@
 
 #include "engine/space/body_energies.h"
 #include "engine/space/dense_body.h"
+#include "engine/support/instructions.h"
 #include "tests/engine/space/bodies.h"
 
 // Within the namespace: the plane's types have the same names.
@@ -74,6 +75,48 @@ Motion draw_motion(const TestBody& test, std::mt19937& random) {
 
 const std::vector<BeamOptions> kStraightAndBent{{false, false, true}, {true, true, true}};
 
+/// That the terms of an undamped body are those of the Boltzmann-Hamel equations at a random
+/// motion.
+void check_equations_of_motion(TestBody& test, std::mt19937& random) {
+  test.follow();
+  test.damping = {};
+  for (BeamElement& element : test.body.beam) element.damping.setZero();
+  test.body.is_damped = false;
+  test.calc_terms();
+  const Motion motion = draw_motion(test, random);
+  const Position v0 = linear(motion.twist);
+  const Angular w = angular(motion.twist);
+  const Twist X = make_twist(draw_vector(5.0, random), draw_vector(5.0, random));
+  const Eigen::VectorXd a = Eigen::VectorXd::Random(motion.q.size());
+  const Angular hub_a = draw_vector(2.0, random);
+  const auto nf = a.size();
+
+  const Eigen::VectorXd p = momenta(test, motion);
+  Eigen::VectorXd expected =
+      momenta_rate(test, motion, make_twist(linear(X) - cross(w, v0), angular(X)), a, hub_a);
+  const Position p_t = p.head<3>(), p_w = p.segment<3>(3), p_hub = p.tail<3>();
+  expected.head<3>() += cross(w, p_t);
+  expected.segment<3>(3) += cross(w, p_w) + cross(v0, p_t);
+  expected.segment(kTwist, nf) -= lagrangian_slope(test, motion);
+  expected.tail<3>() += cross(motion.hub_w, p_hub);
+
+  Eigen::MatrixXd mass(kTwist + nf, kTwist + nf);
+  Eigen::VectorXd force(kTwist + nf), acceleration(kTwist + nf);
+  calc_dense_mass(test.body, test.terms, test.work, make_dense_elastic_block(test.body, kExplicit),
+                  mass);
+  calc_dense_force(test.body, test.terms, test.work, force);
+  acceleration << X, a;
+  const Eigen::VectorXd found = mass * acceleration - force;
+  const double scale = expected.lpNorm<Eigen::Infinity>();
+  CHECK((found - expected.head(kTwist + nf)).lpNorm<Eigen::Infinity>() < 1e-9 * scale);
+  // What the stiffening leaves to the hub.
+  const HubStiffening& hub = test.terms.stiffening;
+  const Angular& w0 = motion.hub_w;
+  const Position share =
+      -hub.inertia * hub_a - hub.rate * w0 - cross(w0, Position(hub.inertia * w0));
+  CHECK((share - expected.tail<3>()).norm() < 1e-9 * scale);
+}
+
 }  // namespace
 
 TEST_CASE("terms of a spatial body are those of the Boltzmann-Hamel equations, at any velocity") {
@@ -82,44 +125,83 @@ TEST_CASE("terms of a spatial body are those of the Boltzmann-Hamel equations, a
     for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
       for (const int elements : {1, 3}) {
         CAPTURE(elements);
-        const auto test = make_random_body(options, elements, frame, random);
-        test->follow();
-        test->damping = {};
-        for (BeamElement& element : test->body.beam) element.damping.setZero();
-        test->calc_terms();
-        const Motion motion = draw_motion(*test, random);
-        const Position v0 = linear(motion.twist);
-        const Angular w = angular(motion.twist);
-        const Twist X = make_twist(draw_vector(5.0, random), draw_vector(5.0, random));
-        const Eigen::VectorXd a = Eigen::VectorXd::Random(motion.q.size());
-        const Angular hub_a = draw_vector(2.0, random);
-        const auto nf = a.size();
-
-        const Eigen::VectorXd p = momenta(*test, motion);
-        Eigen::VectorXd expected =
-            momenta_rate(*test, motion, make_twist(linear(X) - cross(w, v0), angular(X)), a, hub_a);
-        const Position p_t = p.head<3>(), p_w = p.segment<3>(3), p_hub = p.tail<3>();
-        expected.head<3>() += cross(w, p_t);
-        expected.segment<3>(3) += cross(w, p_w) + cross(v0, p_t);
-        expected.segment(kTwist, nf) -= lagrangian_slope(*test, motion);
-        expected.tail<3>() += cross(motion.hub_w, p_hub);
-
-        Eigen::MatrixXd mass(kTwist + nf, kTwist + nf);
-        Eigen::VectorXd force(kTwist + nf), acceleration(kTwist + nf);
-        calc_dense_mass(test->body, test->terms, test->work,
-                        make_dense_elastic_block(test->body, kExplicit), mass);
-        calc_dense_force(test->body, test->terms, test->work, force);
-        acceleration << X, a;
-        const Eigen::VectorXd found = mass * acceleration - force;
-        const double scale = expected.lpNorm<Eigen::Infinity>();
-        CHECK((found - expected.head(kTwist + nf)).lpNorm<Eigen::Infinity>() < 1e-9 * scale);
-        // What the stiffening leaves to the hub.
-        const HubStiffening& hub = test->terms.stiffening;
-        const Angular& w0 = motion.hub_w;
-        const Position share =
-            -hub.inertia * hub_a - hub.rate * w0 - cross(w0, Position(hub.inertia * w0));
-        CHECK((share - expected.tail<3>()).norm() < 1e-9 * scale);
+        check_equations_of_motion(*make_random_body(options, elements, frame, random), random);
       }
+}
+
+TEST_CASE("so are those of a body whose directions do not meet, four nodes at a time") {
+  std::mt19937 random(22);
+  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
+    for (const int elements : {1, 3, 4, 6}) {
+      CAPTURE(elements);
+      const auto test = make_decoupled_body(elements, frame, random);
+      REQUIRE(test->body.directions);
+      check_equations_of_motion(*test, random);
+    }
+}
+
+namespace {
+
+/// The terms of a body, and its rows but for those of coordinates that its frame fixes.
+Eigen::VectorXd all_terms(TestBody& test) {
+  test.calc_terms();
+  const BodyTerms& terms = test.terms;
+  std::vector<double> all{terms.dissipation};
+  const auto add = [&all](const auto& m) { all.insert(all.end(), m.data(), m.data() + m.size()); };
+  add(terms.S);
+  add(terms.Theta);
+  add(terms.Q);
+  add(terms.stiffening.inertia);
+  add(terms.stiffening.rate);
+  add(terms.stiffening.moment);
+  for (int k = 0; k < test.body.node_count(); ++k)
+    for (int c = 0; c < kTwist; ++c)
+      if (test.body.coordinate(k, c) >= 0)
+        for (int i = 0; i < 4; ++i) all.push_back(test.work.rows[kNodeRows * k + 4 * c + i]);
+  return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+}  // namespace
+
+TEST_CASE("directions apart or together, a body has the same terms, damped and stiffened too") {
+  std::mt19937 random(23);
+  for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord})
+    for (const int elements : {1, 2, 4, 5, 9}) {
+      CAPTURE(elements);
+      const auto test = make_decoupled_body(elements, frame, random);
+      REQUIRE(test->damping.mass_factor * test->damping.stiffness_factor > 0.0);
+      const Eigen::VectorXd apart = all_terms(*test);
+      test->body.directions.reset();
+      const Eigen::VectorXd together = all_terms(*test);
+      CHECK((apart - together).lpNorm<Eigen::Infinity>() <
+            1e-13 * together.lpNorm<Eigen::Infinity>());
+    }
+}
+
+TEST_CASE("kernels of wide instructions agree with those for all processors to round-off") {
+  std::mt19937 random(24);
+  const Kernels before = kernels_in_use();
+  for (const int elements : {3, 4}) {
+    const BeamOptions bent{true, true, true};
+    for (const auto& test : {make_decoupled_body(elements, ReferenceFrame::clamped, random),
+                             make_random_body(bent, elements, ReferenceFrame::chord, random)}) {
+      const auto values_with = [&](Kernels kernels) {
+        use_kernels(kernels);
+        const Eigen::VectorXd terms = all_terms(*test);
+        condense_body(test->model, test->terms, test->motion.w, true, test->work);
+        const std::vector<Twist> wrenches(test->body.handles.size(), Twist::Ones());
+        Eigen::VectorXd values(terms.size() + test->q.size());
+        values.head(terms.size()) = terms;
+        recover_body(test->model, wrenches.data(), true, test->work, &values[terms.size()]);
+        return values;
+      };
+      const Eigen::VectorXd narrow = values_with(Kernels::baseline);
+      const Eigen::VectorXd wide = values_with(Kernels::wide);
+      CHECK((wide - narrow).lpNorm<Eigen::Infinity>() < 1e-11 * narrow.lpNorm<Eigen::Infinity>());
+      CHECK(values_with(Kernels::baseline) == narrow);
+    }
+  }
+  use_kernels(before);
 }
 
 TEST_CASE("energies of a spatial body are the sums over its slots and elements") {

@@ -15,7 +15,7 @@ RigidBody make_random_body(std::mt19937& random) {
   body.mass = 1.0 + 0.5 * random_number(random);
   body.centre = random_vector(random);
   const SymmetricTwistMatrix inertia = random_inertia(random);
-  body.inertia = 0.1 * inertia.tt + 0.05 * Matrix3::Identity();
+  body.inertia = 0.1 * inertia.tt() + 0.05 * Matrix3::Identity();
   return body;
 }
 

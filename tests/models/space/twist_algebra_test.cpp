@@ -84,7 +84,7 @@ TEST_CASE("code for the plane's names compiles for plane and space") {
 TEST_CASE("structures of space hold nothing but doubles") {
   CHECK(sizeof(Twist) == 6 * sizeof(double));
   CHECK(sizeof(Pose) == 12 * sizeof(double));
-  CHECK(sizeof(SymmetricTwistMatrix) == 27 * sizeof(double));
+  CHECK(sizeof(SymmetricTwistMatrix) == 36 * sizeof(double));
   CHECK(alignof(TwistMatrix) == alignof(double));
   CHECK(sizeof(Quaternion) == 4 * sizeof(double));
 }

@@ -22,7 +22,7 @@ space::RigidBody make_rigid_body(std::size_t children, std::mt19937& random) {
   body.mass = 2.0 + random_number(random);
   body.centre = 0.3 * random_vector(random);
   body.inertia =
-      0.1 * space::testing::random_inertia(random).rr + 0.05 * space::Matrix3::Identity();
+      0.1 * space::testing::random_inertia(random).rr() + 0.05 * space::Matrix3::Identity();
   for (std::size_t c = 0; c < children; ++c) body.outboard.push_back(0.5 * random_vector(random));
   return body;
 }

@@ -17,7 +17,7 @@ double hub_kinetic(const space::Hub& hub, const space::Twist& twist) {
 
 /// First moment of the hub's mass, in H [kg m].
 space::Position hub_moment(const space::Hub& hub) {
-  const space::Matrix3& rt = hub.inertia.rt;
+  const space::Matrix3 rt = hub.inertia.rt();
   return {rt(2, 1), rt(0, 2), rt(1, 0)};
 }
 

@@ -1,18 +1,26 @@
 #pragma once
 
-// Loops over flex vectors take two neighbouring values at a time, in one vector register. GCC's and
-// clang's vector types make sure of it where an array of two would leave it to the optimiser.
+// Loops take two or four neighbouring values at a time, in a vector register. GCC's and clang's
+// vector types make sure of it where an array would leave it to the optimiser.
+
+// Compilers warn of functions that take or return vectors of four, wherever they are: see Double4.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace spoke {
 
 /// Two doubles side by side; arithmetic is by element, also with a double.
 using Double2 = double __attribute__((vector_size(2 * sizeof(double))));
+/// Four of them: one register where kernels are compiled for AVX2, else two. How functions take and
+/// return them depends on the instructions: pass them to functions that are always inlined only.
+using Double4 = double __attribute__((vector_size(4 * sizeof(double))));
 
 namespace detail {
 // Of an alias, clang takes alignment from behind its name only.
 using Double2Aligned __attribute__((may_alias)) = Double2;
 using Double2Unaligned __attribute__((may_alias, aligned(sizeof(double)))) = Double2;
 static_assert(alignof(Double2Unaligned) == sizeof(double));
+using Double4Unaligned __attribute__((may_alias, aligned(sizeof(double)))) = Double4;
+static_assert(alignof(Double4Unaligned) == sizeof(double));
 }  // namespace detail
 
 /// The same value twice.
@@ -35,5 +43,13 @@ inline void store_aligned(Double2 value, double* x) {
 
 /// The sum of both.
 inline double total(Double2 value) { return value[0] + value[1]; }
+
+/// Four neighbours from anywhere.
+[[gnu::always_inline]] inline Double4 load4(const double* x) {
+  return *reinterpret_cast<const detail::Double4Unaligned*>(x);
+}
+[[gnu::always_inline]] inline void store(const Double4& value, double* x) {
+  *reinterpret_cast<detail::Double4Unaligned*>(x) = value;
+}
 
 }  // namespace spoke

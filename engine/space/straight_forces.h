@@ -1,0 +1,16 @@
+#pragma once
+
+// Elastic forces and geometric stiffening of a body whose directions do not meet, four elements
+// side by side.
+
+#include "engine/space/lanes.h"
+
+namespace spoke::space {
+
+/// Sets the forces of both ends of all elements in work.lanes, from the elastic coordinates
+/// `elastic` and, if the body is stiffened, the coordinates and velocities there. Returns what the
+/// stiffening adds to the hub's equation.
+HubStiffening calc_straight_forces(const BodyModel& model, const BodyMotion& motion,
+                                   LaneRows::Kind elastic, const BodyWork& work) noexcept;
+
+}  // namespace spoke::space
