@@ -21,7 +21,8 @@ class BuildByCMake(build_ext):
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         subprocess.run(
             ["cmake", "-S", SOURCE, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release",
-             "-DSPOKE_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}", "-DSPOKE_TESTS=OFF",
+             "-DCMAKE_UNITY_BUILD=ON", "-DSPOKE_PYTHON=ON",
+             f"-DPython_EXECUTABLE={sys.executable}", "-DSPOKE_TESTS=OFF",
              "-DSPOKE_EXAMPLES=OFF"], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "spoke_python", "--parallel",
                         str(os.cpu_count())], check=True)

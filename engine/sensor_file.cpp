@@ -33,7 +33,7 @@ void append_number(std::string& text, double number) {
   text.append(buffer.data(), end);
 }
 
-[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
+[[noreturn]] void refuse_sensors(const std::string& file, const std::string& reason) {
   throw InputError(file + ": cannot be continued: " + reason);
 }
 
@@ -43,7 +43,7 @@ template <class Take>
 void read_marked(const std::string& file, const SensorFileMark& mark, const Take& take) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse(file, std::strerror(errno));
+  if (!stream) refuse_sensors(file, std::strerror(errno));
   std::string piece(kBuffer, '\0');
   std::uint32_t checksum = 0;
   std::uint64_t done = 0;
@@ -52,15 +52,15 @@ void read_marked(const std::string& file, const SensorFileMark& mark, const Take
     stream.read(piece.data(), static_cast<std::streamsize>(wanted));
     const auto count = static_cast<std::size_t>(stream.gcount());
     if (count == 0)
-      refuse(file, "it has " + counted(static_cast<std::int64_t>(done), "byte") +
-                       ", the checkpoint was made behind " + std::to_string(mark.bytes));
+      refuse_sensors(file, "it has " + counted(static_cast<std::int64_t>(done), "byte") +
+                               ", the checkpoint was made behind " + std::to_string(mark.bytes));
     checksum = add_to_checksum(checksum, {piece.data(), count});
     take(std::string_view(piece.data(), count));
     done += count;
   }
   if (checksum != mark.checksum)
-    refuse(file, "its first " + std::to_string(mark.bytes) +
-                     " bytes are not those that stood there when the checkpoint was made");
+    refuse_sensors(file, "its first " + std::to_string(mark.bytes) +
+                             " bytes are not those that stood there when the checkpoint was made");
 }
 
 /// The file with the marked beginning of `source`, and nothing behind.

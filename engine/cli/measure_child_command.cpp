@@ -72,7 +72,7 @@ SimulationOptions make_options(const std::vector<std::string>& words) {
 }
 
 void answer(const std::string& line) {
-  print(one_line(line) + '\n');
+  cli::print(one_line(line) + '\n');
   flush_output();
 }
 

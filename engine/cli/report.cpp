@@ -52,7 +52,7 @@ namespace {
 
 /// Of blades in the plane or in space.
 template <class Blade>
-void warn_of_degrees(const std::string& file, const std::vector<Blade>& blades) {
+void warn_of_blades_in_degrees(const std::string& file, const std::vector<Blade>& blades) {
   constexpr double turn = 2.0 * std::numbers::pi;
   for (std::size_t i = 0; i < blades.size(); ++i) {
     const double azimuth = blades[i].azimuth;
@@ -69,9 +69,9 @@ void warn_of_degrees(const std::string& file, const std::vector<Blade>& blades) 
 
 void warn_of_degrees(const std::string& file, const Scenario& scenario) {
   if (scenario.space)
-    warn_of_degrees(file, scenario.space->blades);
+    warn_of_blades_in_degrees(file, scenario.space->blades);
   else
-    warn_of_degrees(file, scenario.rotor.blades);
+    warn_of_blades_in_degrees(file, scenario.rotor.blades);
 }
 
 void print_table(const report::Table& table) {

@@ -11,7 +11,7 @@ constexpr const char* kHeader =
     "executor,threads,predicted_s,optimistic_s,pessimistic_s,predicted_speedup,clusters,"
     "measured_s,measured_speedup,error,window_steps\n";
 
-std::string row_of(const Prediction& prediction, ExecutorKind executor, const Point& point) {
+std::string line_of(const Prediction& prediction, ExecutorKind executor, const Point& point) {
   const std::string measured = point.measured
                                    ? fmt::format("{},{},{}", point.measured->step.median,
                                                  point.measured->speedup.median, *point.error())
@@ -24,9 +24,9 @@ std::string row_of(const Prediction& prediction, ExecutorKind executor, const Po
 }  // namespace
 
 std::string make_csv(const Prediction& prediction) {
-  std::string text = kHeader + row_of(prediction, ExecutorKind::serial, prediction.serial);
+  std::string text = kHeader + line_of(prediction, ExecutorKind::serial, prediction.serial);
   for (const Series& series : prediction.series)
-    for (const Point& point : series.points) text += row_of(prediction, series.executor, point);
+    for (const Point& point : series.points) text += line_of(prediction, series.executor, point);
   return text;
 }
 

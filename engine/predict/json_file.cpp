@@ -77,7 +77,7 @@ Json describe_point(const Prediction& prediction, ExecutorKind executor, const P
   return json;
 }
 
-Json describe_ranks(const Prediction& prediction) {
+Json list_ranks(const Prediction& prediction) {
   if (prediction.ranks.empty()) return nullptr;
   Json points = Json::array();
   for (const RankPoint& point : prediction.ranks)
@@ -124,7 +124,7 @@ std::string make_json(const Prediction& prediction) {
       {"not_predicted", list_left_out()},
       {"rounds", prediction.rounds},
       {"points", points},
-      {"processes", describe_ranks(prediction)}};
+      {"processes", list_ranks(prediction)}};
   return json.dump_lines();
 }
 

@@ -7,11 +7,11 @@
 namespace spoke::space {
 namespace {
 
-using Block = Eigen::Matrix<double, kTwist, kTwist, Eigen::RowMajor>;
+using TwistBlock = Eigen::Matrix<double, kTwist, kTwist, Eigen::RowMajor>;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Replaces rows and columns of fixed coordinates by those of the identity.
-void fix_coordinates(const FlexibleBody& body, int node, Block& diagonal, Block& below) {
+void fix_coordinates(const FlexibleBody& body, int node, TwistBlock& diagonal, TwistBlock& below) {
   for (int c = 0; c < kTwist; ++c) {
     if (body.coordinate(node, c) < 0) {
       diagonal.row(c).setZero();
@@ -35,18 +35,18 @@ void factorise(const FlexibleBody& body, const BlockTridiagonal& matrix, Elastic
   const auto size = static_cast<std::size_t>(body.node_count()) * ElasticBlock::kBlock;
   block.inverse.assign(size, 0.0);
   block.below.assign(size, 0.0);
-  Block inverse_before = Block::Zero();
+  TwistBlock inverse_before = TwistBlock::Zero();
   for (int k = body.first_node(); k < body.node_count(); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    Block diagonal = matrix.diagonal[at], below = Block::Zero();
+    TwistBlock diagonal = matrix.diagonal[at], below = TwistBlock::Zero();
     if (k > body.first_node()) below = matrix.below[at - 1];
     fix_coordinates(body, k, diagonal, below);
     below = (below * inverse_before.transpose()).eval();
     diagonal -= below * below.transpose();
-    const Block L = Eigen::LLT<Block>(diagonal).matrixL();
-    inverse_before = L.triangularView<Eigen::Lower>().solve(Block::Identity());
-    Eigen::Map<Block>(&block.inverse[at * ElasticBlock::kBlock]) = inverse_before;
-    Eigen::Map<Block>(&block.below[at * ElasticBlock::kBlock]) = below;
+    const TwistBlock L = Eigen::LLT<TwistBlock>(diagonal).matrixL();
+    inverse_before = L.triangularView<Eigen::Lower>().solve(TwistBlock::Identity());
+    Eigen::Map<TwistBlock>(&block.inverse[at * ElasticBlock::kBlock]) = inverse_before;
+    Eigen::Map<TwistBlock>(&block.below[at * ElasticBlock::kBlock]) = below;
   }
 }
 
@@ -58,8 +58,9 @@ Columns solve_half(const FlexibleBody& body, const ElasticBlock& block, Columns 
   for (int k = body.first_node(); k < body.node_count(); ++k) {
     auto rows = b.middleRows<kTwist>(kTwist * k);
     if (k > body.first_node())
-      rows -= Eigen::Map<const Block>(block.below_of(k)) * b.middleRows<kTwist>(kTwist * (k - 1));
-    rows = (Eigen::Map<const Block>(block.inverse_of(k)) * rows).eval();
+      rows -=
+          Eigen::Map<const TwistBlock>(block.below_of(k)) * b.middleRows<kTwist>(kTwist * (k - 1));
+    rows = (Eigen::Map<const TwistBlock>(block.inverse_of(k)) * rows).eval();
   }
   return b;
 }

@@ -39,7 +39,8 @@ double robust_mean(const std::vector<double>& times) {
 
 std::vector<double> in_seconds(const std::vector<std::uint64_t>& ticks) {
   std::vector<double> times(ticks.size());
-  std::transform(ticks.begin(), ticks.end(), times.begin(), seconds_of);
+  std::transform(ticks.begin(), ticks.end(), times.begin(),
+                 [](std::uint64_t count) { return seconds_of(count); });
   return times;
 }
 

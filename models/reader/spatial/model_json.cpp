@@ -26,7 +26,7 @@ struct FieldWriter {
     json[std::string(key)] = value;
   }
   void operator()(std::string_view key, const Vector& value, const Quantity&, Presence) const {
-    json[std::string(key)] = to_json(value);
+    json[std::string(key)] = Json::array({value.x(), value.y(), value.z()});
   }
 };
 
