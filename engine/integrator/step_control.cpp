@@ -3,6 +3,8 @@
 
 #include "engine/integrator/step_control.h"
 
+#include "engine/integrator/relaxation.h"
+
 namespace spoke {
 namespace {
 
@@ -49,6 +51,9 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
 bool end_iteration(const Integrator& integrator, const PassReport& report, StepProgress& progress) {
   const IterationLimits& limits = integrator.limits;
   const int done = progress.passes;
+  double relaxation = 1.0;
+  if (limits.relaxes && limits.fixed == 0)
+    relaxation = choose_relaxation(report.change, limits.tolerance, progress);
   progress.change = report.change;
   const bool is_last = limits.fixed > 0 ? done == limits.fixed : report.change <= limits.tolerance;
   if (is_last) {
@@ -61,6 +66,7 @@ bool end_iteration(const Integrator& integrator, const PassReport& report, StepP
     fail(StepOutcome::not_converged, progress);
   else
     set_stage(integrator, done, progress);
+  progress.control.relaxation = relaxation;
   return false;
 }
 
@@ -94,6 +100,8 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
   progress.step = step;
   progress.passes = 0;
   progress.work = progress.dissipated = 0.0;
+  progress.contraction = 0.0;
+  progress.control.relaxation = 1.0;
   set_stage(integrator, as_rk4(integrator) ? 1 : 0, progress);
 }
 

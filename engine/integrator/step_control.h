@@ -13,6 +13,7 @@ struct IterationLimits {
   double tolerance = 1e-10;  ///< of the last change of a coordinate [m, rad]
   int fixed = 0;             ///< number of iterations; 0: to the tolerance
   int most = 30;
+  bool relaxes = false;  ///< see relaxation.h; with a tolerance
 };
 
 /// A method, with its coefficients and step, and what it iterates to.

@@ -86,7 +86,7 @@ void SimulationCore::begin() {
 void SimulationCore::prepare(const Loads& loads) {
   const Integrator integrator{make_method(scenario.integration, step_size),
                               {scenario.integration.tolerance, scenario.integration.iterations,
-                               scenario.integration.max_iterations}};
+                               scenario.integration.max_iterations, scenario.space.has_value()}};
   model = make_model(scenario, options.formulation, integrator, loads);
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
                           options.threads,

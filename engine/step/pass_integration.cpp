@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/integrator/relaxation.h"
 #include "engine/kernels/deformation_limits.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
@@ -37,6 +38,12 @@ bool is_small(double squares, const BodyData<World>& body) {
   return squares <= limit * limit;
 }
 
+Correction correct_by_share(const GeneralizedAlpha& method, double share, const double* found,
+                            CoordinateBlock& block) {
+  return share == 1.0 ? correct(method, found, block)
+                      : correct_relaxed(method, share, found, block);
+}
+
 /// Hands the accelerations that a pass has found to the integrator.
 Correction take_accelerations(const Method& method, const PassControl& control, const double* found,
                               CoordinateBlock& block) {
@@ -46,7 +53,8 @@ Correction take_accelerations(const Method& method, const PassControl& control, 
     block.for_parts([&](int first, int n) { std::copy_n(found + first, n, block.a + first); });
     return {};
   }
-  if (control.stage != PassControl::kRestart) return correct(*alpha, found, block);
+  if (control.stage != PassControl::kRestart)
+    return correct_by_share(*alpha, control.relaxation, found, block);
   complete_restart(*alpha, found, block);
   return {};
 }
@@ -252,7 +260,8 @@ void complete_hub(const System<World>& system, const Method& method,
     if (is_prescribed(system.hub, c)) continue;
     CoordinateBlock component = hub.component(c);
     if (alpha && !control.is_between_steps())
-      change = std::max(change, correct(*alpha, &found[c], component).change);
+      change = std::max(change,
+                        correct_by_share(*alpha, control.relaxation, &found[c], component).change);
     else if (control.stage == PassControl::kRestart)
       complete_restart(*alpha, &found[c], component);
     else

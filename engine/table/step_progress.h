@@ -32,6 +32,7 @@ struct PassControl {
   double time = 0.0;          ///< of the state to evaluate [s]
   int stage = kEvaluateOnly;  ///< of rk4, or iteration of generalized_alpha
   Flag is_implicit;           ///< solve with the implicit elastic block
+  double relaxation = 1.0;    ///< share of the accelerations' change that the pass takes
 
   /// Whether the pass belongs to no step, and changes no coordinate.
   bool is_between_steps() const { return stage < 0; }
@@ -77,11 +78,12 @@ struct alignas(kInterferenceSize) StepProgress {
   std::int64_t completed = kNone;  ///< the step that the last pass completed
   int passes = 0;                  ///< within the step
   StepOutcome outcome = StepOutcome::done;
-  Flag is_halted;           ///< nothing to do, at the end of the window or after a failure
-  double change = 0.0;      ///< of the last iteration [m, rad]
-  Power power;              ///< at the end of the last step
-  double work = 0.0;        ///< by drive and loads, within the step so far [J]
-  double dissipated = 0.0;  ///< within the step so far [J]
+  Flag is_halted;            ///< nothing to do, at the end of the window or after a failure
+  double change = 0.0;       ///< of the last iteration [m, rad]
+  double contraction = 0.0;  ///< of changes by plain iterations, within the step; 0: not known
+  Power power;               ///< at the end of the last step
+  double work = 0.0;         ///< by drive and loads, within the step so far [J]
+  double dissipated = 0.0;   ///< within the step so far [J]
 };
 
 /// What a step did, as far as one progress counts.
