@@ -173,6 +173,32 @@ TEST_CASE("modes: a free satellite at rest has rigid motions, and the frequencie
   CHECK(result.modes.at(4).name.starts_with("collective"));
 }
 
+TEST_CASE("modes: two booms on a hub without mass are a free beam") {
+  // Of length 2: roots of cos x cosh x = 1, (x/2)^2.
+  const double known[] = {22.3732854 / 4.0, 61.6728229 / 4.0, 120.903392 / 4.0};
+  Scenario plane = make_planar({});
+  plane.rotor.blades.push_back(plane.rotor.blades[0]);
+  plane.rotor.blades[1].azimuth = std::acos(-1.0);
+  plane.rotor.hub = {
+      .support = HubSupport::free, .mass = 1e-7, .inertia = 1e-9, .drive = FreeDrive{}};
+  Scenario space = make_spatial({});
+  space.space->blades.push_back(space.space->blades[0]);
+  space.space->blades[1].azimuth += std::acos(-1.0);
+  space.space->hub = {.support = HubSupport::free, .mass = 1e-7};
+  space.space->hub.inertia = 1e-9 * spatial::Tensor::Identity();
+  // Each twice, in flap and lag; torsion is faster.
+  for (const int times : {1, 2}) {
+    const ModesResult result = solve_modes(times == 1 ? plane : space,
+                                           {.state = {.speed = 0.0}, .count = 9 * times / 2 + 5});
+    std::vector<double> found;
+    for (const Mode& mode : result.modes)
+      if (mode.eigenvalue != 0.0) found.push_back(mode.frequency);
+    REQUIRE(std::ssize(found) >= 3 * times);
+    for (int k = 0; k < 3 * times; ++k)
+      CHECK(found[static_cast<std::size_t>(k)] == doctest::Approx(known[k / times]).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("modes: of clamped blades the lowest frequency is that of spoke check") {
   Scenario scenario = read("wu_haug_rotor.toml");
   scenario.rotor.hub.drive = FixedDrive{};
