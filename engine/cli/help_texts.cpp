@@ -46,9 +46,9 @@ Examples:
 const char* const kCheckText =
     R"(Prints subsystems, bodies, coordinates and joints, nodes and edges of the step graph, lowest and
 highest natural frequency at rest, the largest step that rk4 is stable at, and the step in force; of
-a model in space its tree of bodies and joints, its mass, and the same frequencies and steps, that of
-rk4 at rest or at the largest speed of the drive if that allows less. Writes no files but that of --html,
-which shows wrong twists and axes before a run. Warns on stderr if the scenario's method is rk4 and
+a model in space its tree of bodies and joints and its mass, too, and rk4's step at the largest
+speed of the drive if that is less than the one at rest. Writes no files but that of --html, which
+shows wrong twists and axes before a run. Warns on stderr if the scenario's method is rk4 and
 its step is not stable.
 
 Example:

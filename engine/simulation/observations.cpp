@@ -86,17 +86,24 @@ std::vector<SpeedChange> find_speed_changes(const Drive& drive) {
 
 constexpr double kLeastSteps = 4.0;  ///< of a change of the speed
 
-/// The first change within so few steps that they see next to nothing of the drive's work.
-std::optional<SpeedChange> find_speed_jump(const Scenario& scenario, double step_size) {
+/// The changes within so few steps that they see next to nothing of the drive's work.
+std::vector<SpeedChange> find_short_changes(const Scenario& scenario, double step_size) {
   constexpr double kNotable = 0.01;  // by the largest change
   const std::vector<SpeedChange> changes = find_speed_changes(drive_of(scenario));
   double largest = 0.0;
   for (const SpeedChange& change : changes) largest = std::max(largest, std::abs(change.change));
+  std::vector<SpeedChange> found;
   for (const SpeedChange& change : changes)
     if (change.duration < kLeastSteps * step_size && change.time < scenario.integration.duration &&
         std::abs(change.change) > kNotable * largest)
-      return change;
-  return {};
+      found.push_back(change);
+  return found;
+}
+
+/// The first one.
+std::optional<SpeedChange> find_speed_jump(const Scenario& scenario, double step_size) {
+  const std::vector<SpeedChange> changes = find_short_changes(scenario, step_size);
+  return changes.empty() ? std::nullopt : std::optional(changes.front());
 }
 
 std::string advise_on_jump(const SpeedChange& change, double step_size) {
@@ -151,9 +158,7 @@ void observe_step(double step, const StepRecord& record, Observations& seen) {
   if (at.ratio > seen.largest_deflection.ratio) seen.largest_deflection = at;
 }
 
-void observe_start(const EnergyBalance& balance, Observations& seen) {
-  seen.energy = {0.0, balance.energy - balance.prescribed, balance.energy, 0.0};
-}
+void observe_start(double energy, Observations& seen) { seen.energy = {0.0, energy, energy, 0.0}; }
 
 double calc_energy_resolution(const Scenario& scenario) {
   double stiffness = 0.0;
@@ -172,15 +177,21 @@ double calc_energy_resolution(const Scenario& scenario) {
   return stiffness * tolerance * tolerance;
 }
 
+std::vector<SpeedJump> find_speed_jumps(const Scenario& scenario, double step_size) {
+  std::vector<SpeedJump> jumps;
+  for (const SpeedChange& change : find_short_changes(scenario, step_size))
+    jumps.push_back({change.time, change.time + change.duration});
+  return jumps;
+}
+
 bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit& limit,
                     Observations& seen) {
   Observations::Energy& energy = seen.energy;
   const double explained = balance.energy - balance.residual;
-  const double by_quadrature = explained - balance.prescribed;
-  if (step == energy.step + 1.0)
-    energy.change = std::max(energy.change, std::abs(by_quadrature - energy.last));
+  if (step == energy.step + 1.0 && !limit.has_jump)
+    energy.change = std::max(energy.change, std::abs(explained - energy.last));
   energy.step = step;
-  energy.last = by_quadrature;
+  energy.last = explained;
   energy.largest = std::max(energy.largest, explained);
   Observations::Growth& growth = seen.growth;
   if (growth.step >= 0.0) {

@@ -18,9 +18,6 @@ namespace spoke {
 struct EnergyBalance {
   double energy = 0.0;    ///< kinetic and strain energy [J]
   double residual = 0.0;  ///< energy that neither the start nor work explains [J]
-  /// Kinetic energy of a hub whose rotation is prescribed: a part of the energy for which the work
-  /// is a function of the state, not a quadrature [J].
-  double prescribed = 0.0;
 };
 
 struct Observations {
@@ -36,9 +33,9 @@ struct Observations {
   /// energy less its residual. What comes from nowhere thus does not hide itself.
   struct Energy {
     double step = 0.0;     ///< the last one
-    double last = 0.0;     ///< explained energy there, less the prescribed one [J]
-    double largest = 0.0;  ///< explained energy [J]
-    double change = 0.0;   ///< largest change of the former within a step [J]
+    double last = 0.0;     ///< explained energy there [J]
+    double largest = 0.0;  ///< [J]
+    double change = 0.0;   ///< largest change within a step [J]
   };
   Energy energy;
   /// When the energy has first grown beyond its limit.
@@ -58,23 +55,32 @@ bool is_possible(const Observations& seen,
 /// Takes the record of a step, in order of steps.
 void observe_step(double step, const StepRecord& record, Observations& seen);
 
-/// Takes the energies at the start.
-void observe_start(const EnergyBalance& balance, Observations& seen);
+/// Takes the energy at the start [J].
+void observe_start(double energy, Observations& seen);
 
 /// What growth of the energy is accepted.
 struct GrowthLimit {
   double share = 0.0;       ///< of the largest explained energy; 0: any growth is accepted
   double resolution = 0.0;  ///< see calc_energy_resolution() [J]
+  /// Whether the drive jumps within the step: what the hub takes then excuses nothing.
+  bool has_jump = false;
 };
+
+/// When the drive changes the speed within less than four steps.
+struct SpeedJump {
+  double begin = 0.0, end = 0.0;  ///< [s]
+};
+/// All of them, in order of time, in steps of `step_size` [s].
+std::vector<SpeedJump> find_speed_jumps(const Scenario& scenario, double step_size);
 
 /// Strain energy that a scenario's tolerance leaves open: of a change of every coordinate by so
 /// much [J].
 double calc_energy_resolution(const Scenario& scenario);
 
 /// Takes the energies of a step. Whether this is the first at which they have grown: by more than
-/// the limit allows, and more than ten times what the explained energy, without the prescribed one,
-/// has changed by within any one step. That is what the quadrature of the work may be wrong by,
-/// most of all where a motion begins.
+/// the limit allows, and more than ten times what the explained energy has changed by within any
+/// one step, but for those in which the drive jumps. That is what the quadrature of the work may be
+/// wrong by, most of all where a motion begins.
 bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit& limit,
                     Observations& seen);
 

@@ -98,7 +98,10 @@ class PlanarModel final : public SimulatedModel {
 
   const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
   const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
-  void start_sensors() override { sensors_->start(context_.system, context_.data); }
+  double start_sensors() override {
+    sensors_->start(context_.system, context_.data);
+    return sensors_->initial_energy();
+  }
   double energy_resolution() const override { return calc_energy_resolution(scenario_); }
   void sample(std::int64_t step, double t) override {
     Sensors::sample(context_.system, step, t, context_.data);

@@ -27,20 +27,18 @@ void SensorValues::add_hub_columns() {
   add("energy.residual", "J");
 }
 
-void SensorValues::start_balance(const Energies& energies, double prescribed) {
+void SensorValues::start_balance(const Energies& energies) {
   initial_energy_ = energies.kinetic + energies.strain;
   initial_gravity_ = energies.gravity;
-  balance_ = {initial_energy_, 0.0, prescribed};
 }
 
-void SensorValues::append_energies(const Energies& energies, double prescribed,
-                                   const WorkDone& work) {
+void SensorValues::append_energies(const Energies& energies, const WorkDone& work) {
   const double done = work.by_drive_and_loads + (energies.gravity - initial_gravity_);
   const double residual =
       energies.kinetic + energies.strain - initial_energy_ + work.dissipated - done;
   values_.insert(values_.end(),
                  {energies.kinetic, energies.strain, done, work.dissipated, residual});
-  balance_ = {energies.kinetic + energies.strain, residual, prescribed};
+  balance_ = {energies.kinetic + energies.strain, residual};
 }
 
 }  // namespace spoke

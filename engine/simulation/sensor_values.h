@@ -42,27 +42,22 @@ Energies sum_energies(const Energies& hub, std::int64_t step, const StepData<Wor
   return energies;
 }
 
-/// What EnergyBalance::prescribed is of a system whose hub has these energies [J].
-template <class World>
-double prescribed_energy(const System<World>& system, const Energies& hub) {
-  return is_prescribed(system.hub, World::kAxial) ? hub.kinetic : 0.0;
-}
-
 /// Names and units of columns, and the values of one step.
 class SensorValues {
  public:
   const std::vector<std::string>& names() const { return names_; }
   const std::vector<std::string>& units() const { return units_; }
-  /// Of the step measured last, or the start.
+  double initial_energy() const { return initial_energy_; }  ///< kinetic and strain energy [J]
+  /// Of the step measured last.
   const EnergyBalance& balance() const { return balance_; }
 
  protected:
   void add(std::string name, std::string unit);
   /// Angle, speed and torque of the hub, then the energies, whose values append_energies() yields.
   void add_hub_columns();
-  /// Takes the energies at the start as reference. `prescribed`: see EnergyBalance.
-  void start_balance(const Energies& energies, double prescribed);
-  void append_energies(const Energies& energies, double prescribed, const WorkDone& work);
+  /// Takes the energies at the start as reference.
+  void start_balance(const Energies& energies);
+  void append_energies(const Energies& energies, const WorkDone& work);
 
   std::vector<double> values_;
 

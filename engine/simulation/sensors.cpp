@@ -64,8 +64,7 @@ Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked)
 
 void Sensors::start(const System<Plane>& system, StepData<Plane>& data) {
   sample(system, 0, 0.0, data);
-  const Energies hub = calc_hub_energies(system, of_step(data.records, 0));
-  start_balance(sum_energies(hub, 0, data), prescribed_energy(system, hub));
+  start_balance(sum_energies(calc_hub_energies(system, of_step(data.records, 0)), 0, data));
 }
 
 void Sensors::sample(const System<Plane>& system, std::int64_t step, double t,
@@ -100,8 +99,7 @@ const std::vector<double>& Sensors::measure(const System<Plane>& system, const W
     values_.insert(values_.end(), {record.position[0], record.position[1]});
   const double torque = record.reaction[kRotation] + record.applied_torque;
   values_.insert(values_.end(), {record.position[kRotation], record.velocity[kRotation], torque});
-  const Energies hub = calc_hub_energies(system, record);
-  append_energies(sum_energies(hub, step, data), prescribed_energy(system, hub), work);
+  append_energies(sum_energies(calc_hub_energies(system, record), step, data), work);
   add_blade_values(system, step, data);
   for (const SensorColumn& column : asked_)
     values_.push_back(value_of(column, system.hub, step, data));

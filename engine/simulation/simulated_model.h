@@ -80,8 +80,8 @@ class SimulatedModel {
   // Sensors, see Sensors.
   virtual const std::vector<std::string>& sensor_names() const = 0;
   virtual const std::vector<std::string>& sensor_units() const = 0;
-  /// Takes the state at the start as reference of energy.
-  virtual void start_sensors() = 0;
+  /// Takes the state at the start as reference of energy; returns that energy [J].
+  virtual double start_sensors() = 0;
   /// Strain energy that the iteration's tolerance leaves open, see calc_energy_resolution() [J].
   virtual double energy_resolution() const = 0;
   virtual void sample(std::int64_t step, double t) = 0;

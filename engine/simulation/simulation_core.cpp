@@ -77,9 +77,9 @@ SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& c
 void SimulationCore::begin() {
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
-  model->start_sensors();
-  observe_start(model->balance(), seen);
+  observe_start(model->start_sensors(), seen);
   energy_resolution = model->energy_resolution();
+  speed_jumps = find_speed_jumps(scenario, step_size);
   complete_step(0, {});
 }
 
@@ -353,14 +353,21 @@ void SimulationCore::count_step(std::int64_t step) {
   observe_step(static_cast<double>(step), record, seen);
 }
 
+/// Whether the drive jumps within the step.
+bool SimulationCore::has_jump(std::int64_t step) const {
+  const double end = static_cast<double>(step) * step_size, begin = end - step_size;
+  return std::any_of(speed_jumps.begin(), speed_jumps.end(),
+                     [&](const SpeedJump& jump) { return jump.end > begin && jump.begin < end; });
+}
+
 /// The samples of the step must be in the table if it is observed, or growth of the energy stops.
 void SimulationCore::complete_step(std::int64_t step, const StepObserver& observe) {
   count_step(step);
   log_news();
   if (!observe && !stops_on_growth()) return;
   const std::vector<double>& values = model->measure(work, step);
-  const bool has_grown = observe_energy(static_cast<double>(step), model->balance(),
-                                        {scenario.limits.energy_growth, energy_resolution}, seen);
+  const GrowthLimit limit{scenario.limits.energy_growth, energy_resolution, has_jump(step)};
+  const bool has_grown = observe_energy(static_cast<double>(step), model->balance(), limit, seen);
   if (has_grown) log_news();
   if (observe) observe(static_cast<double>(step) * step_size, values);
   if (has_grown && stops_on_growth()) throw EnergyHasGrown();

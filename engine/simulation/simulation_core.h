@@ -85,7 +85,8 @@ class SimulationCore {
   std::int64_t evaluations = 0;
   WorkDone work;
   Observations seen;
-  double energy_resolution = 0.0;  ///< [J]
+  std::vector<SpeedJump> speed_jumps;  ///< of the scenario's drive
+  double energy_resolution = 0.0;      ///< [J]
   SimulationLog log;
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
@@ -107,6 +108,7 @@ class SimulationCore {
   const std::shared_ptr<const std::string>& identity();
   bool stops_on_growth() const;
   void count_step(std::int64_t step);
+  bool has_jump(std::int64_t step) const;
   void complete_step(std::int64_t step, const StepObserver& observe);
   void log_news();
   template <class Advance>

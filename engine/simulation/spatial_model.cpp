@@ -130,9 +130,10 @@ class SpatialModel final : public SimulatedModel {
 
   const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
   const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
-  void start_sensors() override {
+  double start_sensors() override {
     sample(0, 0.0);
     sensors_->start(context_.system, context_.data);
+    return sensors_->initial_energy();
   }
   double energy_resolution() const override {
     const double tolerance = scenario_.integration.tolerance;

@@ -62,8 +62,7 @@ void SpatialSensors::add_joints(const spatial::Tree& tree) {
 }
 
 void SpatialSensors::start(const System<Space>& system, const StepData<Space>& data) {
-  const Energies hub = calc_hub_energies(system, of_step(data.records, 0));
-  start_balance(sum_energies(hub, 0, data), prescribed_energy(system, hub));
+  start_balance(sum_energies(calc_hub_energies(system, of_step(data.records, 0)), 0, data));
 }
 
 const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
@@ -86,8 +85,7 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
   }
   const double torque = record.reaction[Space::kAxial] + record.applied_torque;
   values_.push_back(torque);
-  const Energies hub = calc_hub_energies(system, record);
-  append_energies(sum_energies(hub, step, data), prescribed_energy(system, hub), work);
+  append_energies(sum_energies(calc_hub_energies(system, record), step, data), work);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     append(of_step(data.subsystems[i].samples, step).root);
     const double* joints = readings_of(data.subsystems[i], step);

@@ -60,6 +60,18 @@ TEST_CASE("where a drive that jumps makes energy, smaller steps are not the advi
   }
 }
 
+TEST_CASE("light blades on a hub that starts smoothly are warned of nothing") {
+  // In the first step the quadrature sees next to nothing of the work on the blades.
+  Blade blade = wu_haug_blade(2, 3);
+  blade.length = 4.0;
+  blade.density = 1350.0;
+  Scenario scenario = spin_up_scenario(blade, 0.005);
+  scenario.rotor.hub.drive = SpinUp{4.0, 0.5};
+  scenario.rotor.hub.inertia = 1.0;
+  scenario.integration.duration = 0.25;
+  CHECK(run(scenario).warnings.empty());
+}
+
 TEST_CASE("a drive in space that jumps is warned of") {
   Scenario scenario = parse_scenario(R"(
 world = "space"
