@@ -7,5 +7,6 @@
 extern const std::vector<std::string> kStudyOnRanks;
 
 /// Kills one of 2 to 4 ranks of a study of `runs` short runs at random times, `kills` times in
-/// all, and resumes it, until it ends by itself; checks that it then has the results of one process.
+/// all, and resumes it, until it ends by itself; checks that it then has the results of one
+/// process.
 void check_rank_kills(int kills, int runs);

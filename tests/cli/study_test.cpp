@@ -77,6 +77,7 @@ TEST_CASE("an unfinished study is not thrown away, and resumed to the bytes of a
                 "--resume, or another folder",
                 folder.work());
   CHECK(folder.run({"--out", "cut", "--resume", "--threads", "2"}) == whole);
+  folder.work().write("cut/study.h5", "damaged");            // is written anew
   CHECK(folder.run({"--out", "cut", "--resume"}) == whole);  // of a study that is complete
   folder.write_study(std::string("# changed\n") + kSmallStudy);
   check_refused({"study", "study.toml", "--out", "cut", "--resume"},
