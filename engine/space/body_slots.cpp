@@ -3,8 +3,8 @@
 #include "engine/space/body_slots.h"
 
 #include "engine/space/element_products.h"
-#include "models/support/unroll.h"
 #include "engine/support/wide_kernels.h"
+#include "models/support/unroll.h"
 
 namespace spoke::space {
 namespace {
@@ -54,7 +54,7 @@ void set_slots(const FlexibleBody& body, const double* q, const double* v, doubl
 
 /// Whether the momentum of slot i depends on slot j of a node.
 template <bool kIsDecoupled>
-constexpr bool meet(int i, int j) {
+constexpr bool slots_meet(int i, int j) {
   return !kIsDecoupled || i == j || (i < 2 && j < 2);
 }
 
@@ -63,7 +63,7 @@ template <bool kIsDecoupled, int i, int stride>
 [[gnu::always_inline]] inline void add_row(const double* m, const double* slots, Double6& sum) {
   unroll<kNodeSlots>([&](auto slot) {
     constexpr int j = slot;
-    if constexpr (meet<kIsDecoupled>(i, j)) sum.add(m[stride * j], slots + kSlot * j);
+    if constexpr (slots_meet<kIsDecoupled>(i, j)) sum.add(m[stride * j], slots + kSlot * j);
   });
 }
 
@@ -77,7 +77,7 @@ void calc_node_momenta(const FlexibleBody& body, int k, const double* slots, dou
   const bool has_next = k<body.elements, has_before = k> 0;
   unroll<kNodeSlots>([&](auto slot) {
     constexpr int i = slot;
-    constexpr bool is_stretched = meet<kIsDecoupled>(0, i);
+    constexpr bool is_stretched = slots_meet<kIsDecoupled>(0, i);
     Double6 sum;
     add_row<kIsDecoupled, i, 1>(m.own[node].data() + kNodeSlots * i, x, sum);
     if (has_next) {

@@ -13,26 +13,13 @@ namespace {
 
 /// Four values, of the columns of C_w^T and of Q_f.
 struct Lanes {
-  Double2 a{}, b{};
+  Double4 all{};
 
-  [[gnu::always_inline]] void add(double factor, const Lanes& x) {
-    const Double2 f = broadcast(factor);
-    a += f * x.a;
-    b += f * x.b;
-  }
-  [[gnu::always_inline]] void subtract(double factor, const Lanes& x) {
-    const Double2 f = broadcast(factor);
-    a -= f * x.a;
-    b -= f * x.b;
-  }
-  [[gnu::always_inline]] static Lanes from(const double* x) {
-    return {load_aligned(x), load_aligned(x + 2)};
-  }
-  [[gnu::always_inline]] void store_to(double* x) const {
-    store_aligned(a, x);
-    store_aligned(b, x + 2);
-  }
-  double operator[](int i) const { return i < 2 ? a[i] : b[i - 2]; }
+  [[gnu::always_inline]] void add(double factor, const Lanes& x) { all += factor * x.all; }
+  [[gnu::always_inline]] void subtract(double factor, const Lanes& x) { all -= factor * x.all; }
+  [[gnu::always_inline]] static Lanes from(const double* x) { return {load4(x)}; }
+  [[gnu::always_inline]] void store_to(double* x) const { store(all, x); }
+  [[gnu::always_inline]] double operator[](int i) const { return all[i]; }
 };
 
 /// Sums over all rows of y_C^T (y_w, y_Q): three rows of translation, three of rotation.

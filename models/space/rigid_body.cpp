@@ -5,9 +5,8 @@
 namespace spoke::space {
 
 SymmetricTwistMatrix calc_mass(const RigidBody& body) {
-  return translate(body.centre,
-                   SymmetricTwistMatrix::from_blocks(body.mass * Matrix3::Identity(),
-                                                     Matrix3::Zero(), body.inertia));
+  return translate(body.centre, SymmetricTwistMatrix::from_blocks(body.mass * Matrix3::Identity(),
+                                                                  Matrix3::Zero(), body.inertia));
 }
 
 }  // namespace spoke::space
