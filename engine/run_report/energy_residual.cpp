@@ -2,19 +2,12 @@
 
 #include "engine/run_report/energy_residual.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string_view>
+
+#include "engine/run_report/sensor_range.h"
 
 namespace spoke::run_report {
 namespace {
-
-const SensorRange& range_of(const Simulation& simulation, const SensorStatistics& statistics,
-                            std::string_view sensor) {
-  const auto& names = simulation.sensor_names();
-  const auto found = std::find(names.begin(), names.end(), sensor);
-  return statistics.ranges().at(static_cast<std::size_t>(found - names.begin()));
-}
 
 /// Whether the method takes energy out of fast vibrations.
 bool damps(const Integration& integration) {

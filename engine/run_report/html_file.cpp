@@ -4,7 +4,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/report/markup.h"
@@ -12,6 +11,7 @@
 #include "engine/report/run_script.h"
 #include "engine/report/scene_markup.h"
 #include "engine/run_report/energy_residual.h"
+#include "engine/run_report/sensor_range.h"
 #include "engine/support/machine.h"
 #include "models/count_text.h"
 
@@ -64,13 +64,6 @@ std::string plots_markup(bool has_film) {
 }
 
 std::string number(double value) { return fmt::format("{:.6g}", value); }
-
-const SensorRange& range_of(const Simulation& simulation, const SensorStatistics& statistics,
-                            std::string_view sensor) {
-  const auto& names = simulation.sensor_names();
-  const auto found = std::find(names.begin(), names.end(), sensor);
-  return statistics.ranges().at(static_cast<std::size_t>(found - names.begin()));
-}
 
 /// The value of largest size, and when it was reached.
 Sample largest(const SensorRange& range) {

@@ -128,8 +128,8 @@ void add_chart(const EquilibriumResult& result, Direction direction, const std::
 }
 
 std::string make_data(const EquilibriumResult& result, const Scenario& scenario) {
-  constexpr std::size_t kMostNodes = 2000;
-  const SteadyScene scene(scenario, result, kMostNodes);
+  constexpr std::size_t kMostOfOne = 2000;
+  const SteadyScene scene(scenario, result, kMostOfOne);
   const Json data = {{"scene", scene.describe()},
                      {"states", Json::array({scene.describe(result)})}};
   return data.dump();

@@ -61,6 +61,7 @@ typename World::Twist eliminate_joint(const typename World::SymmetricTwistMatrix
   elimination.rhs = free - free_o;
   if constexpr (kHasJointCoordinates<World>) {
     JointResponse<World>& response = elimination.response;
+    response.H.setZero();
     for (int c = 0; c < joint.coordinates; ++c)
       response.H.col(c) = refer(joint.p, joint.columns.col(c));
     eliminate_coordinates(joint, elimination.Pi, response);
@@ -123,6 +124,7 @@ HubShare<World> eliminate_root(const Joint& joint, const Branch<World>& branch,
   root.free = branch.free;
   if constexpr (kHasJointCoordinates<World>) {
     JointResponse<World>& response = root.response;
+    response.H.setZero();
     for (int c = 0; c < joint.coordinates; ++c)
       response.H.col(c) = joint.R.inverse() * Twist(joint.columns.col(c));
     eliminate_coordinates(joint, root.mass, response);
