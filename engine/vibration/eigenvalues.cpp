@@ -96,21 +96,6 @@ std::vector<Choice> choose(const Eigen::VectorXcd& values, double zero, Index co
   return choices;
 }
 
-/// All roots of a small pencil, by the companion matrix.
-std::vector<Root> find_small(const Pencil& pencil, double zero, Index count) {
-  const Index n = pencil.size();
-  const Eigen::PartialPivLU<MatrixXd> mass(pencil.dense_mass());
-  MatrixXd A = MatrixXd::Zero(2 * n, 2 * n);
-  A.topRightCorner(n, n).setIdentity();
-  A.bottomLeftCorner(n, n) = -mass.solve(pencil.dense_stiffness());
-  A.bottomRightCorner(n, n) = -mass.solve(pencil.dense_damping());
-  const Eigen::EigenSolver<MatrixXd> solver(A);
-  std::vector<Root> roots;
-  for (const Choice& choice : choose(solver.eigenvalues(), zero, count))
-    roots.push_back({choice.s, solver.eigenvectors().col(choice.column).head(n)});
-  return roots;
-}
-
 /// The inverse of the first-order system less a shift, on blocks of vectors (x, x').
 class Inverse {
  public:
@@ -133,6 +118,19 @@ class Inverse {
   double shift_;
   PencilFactor factor_;
 };
+
+/// All roots of a small pencil, from the whole matrix of the inverse: it keeps the digits of the
+/// roots of least magnitude, which stiff coordinates would take away from the matrix itself.
+std::vector<Root> find_small(const Pencil& pencil, const Inverse& inverse, double zero,
+                             Index count) {
+  const Index n = pencil.size();
+  const Eigen::EigenSolver<MatrixXd> solver(inverse * MatrixXd::Identity(2 * n, 2 * n));
+  const Eigen::VectorXcd values = inverse.shift() + solver.eigenvalues().array().inverse();
+  std::vector<Root> roots;
+  for (const Choice& choice : choose(values, zero, count))
+    roots.push_back({choice.s, solver.eigenvectors().col(choice.column).head(n)});
+  return roots;
+}
 
 /// Takes out of a block what lies in a basis.
 void project_out(const MatrixXd& basis, MatrixXd& block) {
@@ -278,8 +276,11 @@ std::vector<Root> find_roots(const Pencil& pencil, Index count) {
     if (is_symmetric(K) && C.lpNorm<Eigen::Infinity>() <= 1e-9 * pencil.softest())
       roots = find_symmetric(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()), zero, count);
   }
-  if (roots.empty() && n <= kSmall) roots = find_small(pencil, zero, count);
-  if (roots.empty()) roots = iterate(pencil, make_inverse(pencil), zero, count);
+  if (roots.empty()) {
+    const Inverse inverse = make_inverse(pencil);
+    roots = n <= kSmall ? find_small(pencil, inverse, zero, count)
+                        : iterate(pencil, inverse, zero, count);
+  }
   for (Root& root : roots) normalise(pencil, root);
   return roots;
 }
