@@ -65,9 +65,11 @@ inline SymmetricTwistMatrix subtract_square(const SymmetricTwistMatrix& a, const
   return {a.all - scaled.lazyProduct(y.transpose())};
 }
 
-/// Inverse of a positive definite matrix. Not finite if it is singular.
+/// Inverse of a positive definite matrix. Not finite if it is singular. The mean of both halves
+/// takes away most of what rounding leaves of asymmetry, which would grow from joint to joint.
 inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
-  return {invert_definite(a.all)};
+  const TwistMatrix inverse = invert_definite(a.all);
+  return {0.5 * (inverse + inverse.transpose())};
 }
 
 /// C - A B A^T: what eliminating a joint of compliance B^-1 leaves of C.

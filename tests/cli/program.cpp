@@ -56,9 +56,10 @@ Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& fol
 
 std::string mpirun(int ranks) {
   // Open MPI refuses to run for the system's administrator, whom containers make of everybody,
-  // unless told twice.
-  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe "
-         "-n " +
+  // unless told twice. And once in some hundred kills of a process mpirun waits for itself for
+  // ever, when all others have ended (PMIx_server_finalize of PMIx 4.2): it is then killed, too.
+  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+         "timeout --foreground --signal=KILL 60 mpirun --oversubscribe -n " +
          std::to_string(ranks) + ' ';
 }
 

@@ -6,7 +6,7 @@ set -euo pipefail
 source=$1 work=$2 cmake=$3 compiler=$4
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 rm -rf "$work"
-"$cmake" -S "$here/outside" -B "$work" -DSPOKE_SOURCE="$source" -DBUILD_SHARED_LIBS=ON \
+"$cmake" -S "$here/outside" -B "$work" -DCMAKE_UNITY_BUILD=ON -DSPOKE_SOURCE="$source" -DBUILD_SHARED_LIBS=ON \
   -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"  # quicker to build
 "$cmake" --build "$work" --parallel "$(nproc)"
