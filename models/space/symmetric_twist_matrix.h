@@ -75,7 +75,8 @@ inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
 /// C - A B A^T: what eliminating a joint of compliance B^-1 leaves of C.
 inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const TwistMatrix& a,
                                       const SymmetricTwistMatrix& b) {
-  return {subtract_product_transposed(c.all, multiply(a, b.all), a)};
+  return SymmetricTwistMatrix::from_matrix(
+      subtract_product_transposed(c.all, multiply(a, b.all), a));
 }
 
 }  // namespace spoke::space
