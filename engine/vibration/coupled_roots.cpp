@@ -98,7 +98,7 @@ LinearModel reduce(const LinearModel& model, const std::vector<Family>& families
 /// Places of the coordinates of all trees in a vector that begins with those of the hub.
 class Layout {
  public:
-  explicit Layout(const LinearModel& model) : model_(model), size_(model.M.rows()) {
+  explicit Layout(const LinearModel& model) : size_(model.M.rows()) {
     for (std::size_t i = 0; i < model.trees.size(); ++i) {
       starts_.push_back(size_);
       size_ += model.tree(i).M.rows();
@@ -114,7 +114,6 @@ class Layout {
   }
 
  private:
-  const LinearModel& model_;
   std::vector<Index> starts_;
   Index size_;
 };
