@@ -114,6 +114,12 @@ class SteadyModel {
   virtual const std::vector<TreeCoordinate>& coordinates(std::size_t tree) const = 0;
   /// Direction of a tree about the hub's axis [rad].
   virtual double azimuth(std::size_t tree) const = 0;
+  /// Of all trees.
+  std::vector<double> azimuths() const {
+    std::vector<double> all(trees());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = azimuth(i);
+    return all;
+  }
   /// Its axes where it is fixed to the hub: x along it, z along the axis of rotation; hub frame.
   virtual Eigen::Matrix3d root_axes(std::size_t tree) const = 0;
   virtual bool is_spatial() const = 0;

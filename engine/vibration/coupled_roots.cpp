@@ -122,9 +122,7 @@ class Layout {
 void add_meeting(const LinearModel& model, const std::vector<Family>& families,
                  const Layout& layout, Index count, std::vector<Root>& roots) {
   const LinearModel reduced = reduce(model, families);
-  std::vector<std::size_t> trees(reduced.trees.size());
-  for (std::size_t i = 0; i < trees.size(); ++i) trees[i] = i;
-  const Pencil pencil(reduced, trees);
+  const Pencil pencil(reduced);
   for (const Root& root : find_roots(pencil, std::min(count, pencil.size()))) {
     Root& whole = roots.emplace_back(Root{root.s, layout.zero()});
     whole.x.head(model.M.rows()) = root.x.head(model.M.rows());
@@ -146,7 +144,7 @@ void add_held(const LinearModel& model, const Family& family, const Layout& layo
               std::vector<Root>& roots) {
   if (family.held() == 0) return;
   const LinearModel one = hold_hub(model, family);
-  const Pencil pencil(one, {0});
+  const Pencil pencil(one);
   const Index needed = std::min(pencil.size(), (count - 1) / family.held() + 1);
   for (const Root& root : find_roots(pencil, needed))
     for (Index pattern = family.meeting; pattern < family.patterns.cols(); ++pattern) {

@@ -54,19 +54,11 @@ std::vector<LinearModel> linearize_parts(const Scenario& scenario, double speed,
   model->set_share(share);
   steady::Equilibrium start;
   start.alike = steady::find_alike(*model);
-  std::vector<double> azimuths;
   for (std::size_t i = 0; i < model->trees(); ++i) {
     start.q.push_back(model->initial(i));
     model->settle(i, start.q.back());
-    azimuths.push_back(model->azimuth(i));
   }
-  return take_apart(steady::linearize(start, *model), azimuths);
-}
-
-Pencil pencil_of(const LinearModel& part) {
-  std::vector<std::size_t> trees(part.trees.size());
-  for (std::size_t i = 0; i < trees.size(); ++i) trees[i] = i;
-  return Pencil(part, trees);
+  return take_apart(steady::linearize(start, *model), model->azimuths());
 }
 
 /// Motions below this are nothing but round-off: they go on by nothing in the whole duration.
@@ -81,7 +73,7 @@ Rk4Limit find_rk4_limit_of(const std::vector<LinearModel>& parts, double speed, 
   Rk4Limit limit{std::numeric_limits<double>::infinity(), speed, 0.0};
   for (const LinearModel& part : parts) {
     const std::complex<double> root = find_extreme_root(
-        pencil_of(part), [](std::complex<double> s) { return 1.0 / rk4_step_of(s); });
+        Pencil(part), [](std::complex<double> s) { return 1.0 / rk4_step_of(s); });
     if (std::abs(root) < least || rk4_step_of(root) >= limit.step) continue;
     limit = {rk4_step_of(root), speed, root};
   }
@@ -146,7 +138,7 @@ FrequencyLimits find_frequency_limits(const Scenario& scenario) {
   limits.rk4 = find_least(held, parts);
   for (LinearModel& part : parts) {
     drop_damping(part);
-    const Pencil pencil = pencil_of(part);
+    const Pencil pencil(part);
     const double lowest = find_lowest(pencil, least_root(scenario));
     if (lowest > 0.0 && (limits.lowest == 0.0 || lowest < limits.lowest)) limits.lowest = lowest;
     const auto magnitude = [](std::complex<double> s) { return std::abs(s); };

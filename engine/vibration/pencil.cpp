@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace spoke::vibration {
 namespace {
@@ -22,7 +23,15 @@ double find_rcond(const Eigen::PartialPivLU<MatrixXd>& factor) {
   return least > 0.0 ? std::min(least, factor.rcond()) : 0.0;
 }
 
+std::vector<std::size_t> all_trees(const LinearModel& model) {
+  std::vector<std::size_t> trees(model.trees.size());
+  std::iota(trees.begin(), trees.end(), std::size_t{0});
+  return trees;
+}
+
 }  // namespace
+
+Pencil::Pencil(const LinearModel& model) : Pencil(model, all_trees(model)) {}
 
 Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> trees)
     : model_(model), trees_(std::move(trees)) {

@@ -17,6 +17,8 @@ class Pencil {
  public:
   /// Of these trees, and of the hub if the model is coupled.
   Pencil(const steady::LinearModel& model, std::vector<std::size_t> trees);
+  /// Of all trees.
+  explicit Pencil(const steady::LinearModel& model);
 
   Eigen::Index size() const { return scale_.size(); }
   bool has_hub() const { return model_.is_coupled(); }

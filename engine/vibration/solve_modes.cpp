@@ -178,16 +178,12 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
 }
 
 void add_coupled_modes(int count, const Linearised& all, ModesResult& result) {
-  std::vector<std::size_t> trees(all.model.trees());
-  for (std::size_t i = 0; i < trees.size(); ++i) trees[i] = i;
-  const Pencil pencil(all.linear, trees);
+  const Pencil pencil(all.linear);
   if (count > pencil.size())
     throw InputError(std::to_string(count) + " modes, expected at most " +
                      std::to_string(pencil.size()));
   Numbering numbering;
-  std::vector<double> azimuths;
-  for (const std::size_t i : trees) azimuths.push_back(all.model.azimuth(i));
-  for (const Root& root : vibration::find_coupled_roots(all.linear, azimuths, count)) {
+  for (const Root& root : vibration::find_coupled_roots(all.linear, all.model.azimuths(), count)) {
     Mode mode = make_coupled_mode(root, pencil, all);
     const bool has_pattern = !mode.name.empty() && mode.kind != "hub";
     if (is_rigid(mode))

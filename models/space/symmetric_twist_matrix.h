@@ -25,9 +25,11 @@ struct SymmetricTwistMatrix {
   Matrix3 rt() const { return all.bottomLeftCorner<3, 3>(); }   ///< rows: rotation
   Matrix3 rr() const { return all.bottomRightCorner<3, 3>(); }  ///< symmetric
 
-  SymmetricTwistMatrix operator+(const SymmetricTwistMatrix& b) const { return {add(all, b.all)}; }
+  SymmetricTwistMatrix operator+(const SymmetricTwistMatrix& b) const {
+    return {add(all, 1.0, b.all)};
+  }
   SymmetricTwistMatrix operator-(const SymmetricTwistMatrix& b) const {
-    return {subtract(all, b.all)};
+    return {add(all, -1.0, b.all)};
   }
   Twist operator*(const Twist& v) const { return multiply(all, v); }
 };
@@ -66,7 +68,7 @@ inline SymmetricTwistMatrix subtract_square(const SymmetricTwistMatrix& a, const
 }
 
 /// Inverse of a positive definite matrix. Not finite if it is singular. The mean of both halves
-/// takes away most of what rounding leaves of asymmetry, which would grow from joint to joint.
+/// is symmetric to the bit: what rounding leaves would grow from joint to joint.
 inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
   const TwistMatrix inverse = invert_definite(a.all);
   return {0.5 * (inverse + inverse.transpose())};
@@ -75,6 +77,7 @@ inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
 /// C - A B A^T: what eliminating a joint of compliance B^-1 leaves of C.
 inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const TwistMatrix& a,
                                       const SymmetricTwistMatrix& b) {
+  // Of one half, for the same reason.
   return SymmetricTwistMatrix::from_matrix(
       subtract_product_transposed(c.all, multiply(a, b.all), a));
 }

@@ -208,24 +208,15 @@ inline TwistMatrix invert_definite(const TwistMatrix& A) {
   return inverse;
 }
 
-/// A + B, A - B.
-inline TwistMatrix add(const TwistMatrix& A, const TwistMatrix& B) {
+/// A + factor B.
+inline TwistMatrix add(const TwistMatrix& A, double factor, const TwistMatrix& B) {
   TwistMatrix sum;
   for (int j = 0; j < kTwist; ++j) {
     TwistColumn column = TwistColumn::from(A.data() + kTwist * j);
-    column.add(1.0, TwistColumn::from(B.data() + kTwist * j));
+    column.add(factor, TwistColumn::from(B.data() + kTwist * j));
     column.store_to(sum.data() + kTwist * j);
   }
   return sum;
-}
-inline TwistMatrix subtract(const TwistMatrix& A, const TwistMatrix& B) {
-  TwistMatrix difference;
-  for (int j = 0; j < kTwist; ++j) {
-    TwistColumn column = TwistColumn::from(A.data() + kTwist * j);
-    column.subtract(1.0, TwistColumn::from(B.data() + kTwist * j));
-    column.store_to(difference.data() + kTwist * j);
-  }
-  return difference;
 }
 /// to = A.
 inline void copy(const TwistMatrix& A, TwistMatrix& to) {

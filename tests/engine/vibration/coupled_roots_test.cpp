@@ -16,18 +16,11 @@ namespace {
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using steady::LinearModel;
-using steady::SteadyModel;
 
 Scenario read(const std::string& model, int blades) {
   return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model,
                        {"blade.count=" + std::to_string(blades), "blade.bodies=2",
                         "blade.elements=2", "damping.stiffness_factor=0.002"});
-}
-
-std::vector<double> azimuths_of(const SteadyModel& model) {
-  std::vector<double> list;
-  for (std::size_t i = 0; i < model.trees(); ++i) list.push_back(model.azimuth(i));
-  return list;
 }
 
 /// Roots by patterns are roots of the whole, with their vectors, and none are left out.
@@ -36,14 +29,12 @@ void check_roots(const Scenario& scenario, double speed, std::size_t families) {
   const steady::Equilibrium equilibrium = steady::find_equilibrium(*model);
   const LinearModel linear = steady::linearize(equilibrium, *model);
   CHECK(std::set<std::size_t>(linear.alike.begin(), linear.alike.end()).size() == families);
-  std::vector<std::size_t> trees(model->trees());
-  for (std::size_t i = 0; i < trees.size(); ++i) trees[i] = i;
-  const vibration::Pencil whole(linear, trees);
+  const vibration::Pencil whole(linear);
   const MatrixXd M = whole.dense_mass(), C = whole.dense_damping(), K = whole.dense_stiffness();
   const vibration::PencilFactor factor(whole, 0.5);  // stiff coordinates count no more than others
   const int count = 20;
   const auto expected = vibration::find_roots(whole, count);
-  const auto roots = vibration::find_coupled_roots(linear, azimuths_of(*model), count);
+  const auto roots = vibration::find_coupled_roots(linear, model->azimuths(), count);
   REQUIRE(roots.size() == expected.size());
   MatrixXcd vectors(whole.size(), count);
   for (int k = 0; k < count; ++k) {
