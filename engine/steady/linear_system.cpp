@@ -195,7 +195,8 @@ void Assembly::add_part(const Part& part, Index coordinate, Index input) {
   const Index n = part.M.rows();
   const Eigen::PartialPivLU<MatrixXd> mass(part.M);
   const MatrixXd by_x = -mass.solve(part.K), by_rate = -mass.solve(part.C);
-  const MatrixXd by_input = mass.solve(part.F);
+  MatrixXd by_input(n, part.F.cols());
+  if (part.F.cols() > 0) by_input = mass.solve(part.F);  // Eigen takes blocks of what is empty
   A_.add(coordinate, size_ + coordinate, MatrixXd::Identity(n, n));
   A_.add(size_ + coordinate, coordinate, by_x);
   A_.add(size_ + coordinate, size_ + coordinate, by_rate);
