@@ -178,8 +178,8 @@ int help_first(const Arguments& arguments, int threads, study::Ranks& ranks) {
 }
 
 /// The study, the folder that is taken for it, and its journal.
-struct Prepared {
-  explicit Prepared(const Arguments& arguments)
+struct PreparedStudy {
+  explicit PreparedStudy(const Arguments& arguments)
       : study(read(arguments)),
         sampling(study),
         folder(arguments.out.empty() ? fs::path("results") / study.name : fs::path(arguments.out)) {
@@ -206,7 +206,7 @@ struct Prepared {
   bool resumes = false;
 };
 
-void print_plan(const Prepared& prepared) {
+void print_plan(const PreparedStudy& prepared) {
   print_title(prepared.study.title);
   print_line("study", describe_design(prepared.study));
   if (prepared.resumes)
@@ -222,7 +222,7 @@ void print_time(std::int64_t runs, double seconds, int threads, int ranks) {
 }
 
 /// Makes the runs and writes what they say. The exit status.
-int complete(Prepared& prepared, bool quiet, int threads, study::Ranks& ranks) {
+int complete(PreparedStudy& prepared, bool quiet, int threads, study::Ranks& ranks) {
   const Study& study = prepared.study;
   Journal& journal = *prepared.journal;
   if (!quiet) print_plan(prepared);
@@ -253,7 +253,7 @@ int study(const Arguments& arguments) {
   const int threads = asked > 0 ? asked : graph::available_threads();
   study::Ranks ranks;
   if (!ranks.is_first()) return help_first(arguments, threads, ranks);
-  std::optional<Prepared> prepared;
+  std::optional<PreparedStudy> prepared;
   try {
     prepared.emplace(arguments);
   } catch (...) {

@@ -3,9 +3,6 @@
 // Loops take two or four neighbouring values at a time, in a vector register. GCC's and clang's
 // vector types make sure of it where an array would leave it to the optimiser.
 
-// Compilers warn of functions that take or return vectors of four, wherever they are: see Double4.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace spoke {
 
 /// Two doubles side by side; arithmetic is by element, also with a double.
