@@ -132,14 +132,13 @@ void Page::add_figure(std::string_view svg, std::string_view caption) {
 void Page::add_markup(std::string_view markup) { body_ += markup; }
 
 void Page::add_data(std::string_view id, std::string_view json) {
+  scripts_.reserve(scripts_.size() + json.size() + 1000);
   scripts_.append("<script type=\"application/json\"").append(attribute("id", id)).append(">");
-  for (const char c : json) {
-    if (c == '<')
-      scripts_ += "\\u003c";  // no text in it can end the element
-    else
-      scripts_ += c;
+  for (std::size_t at = json.find('<'); at != json.npos; at = json.find('<')) {
+    scripts_.append(json.substr(0, at)).append("\\u003c");  // no text in it can end the element
+    json.remove_prefix(at + 1);
   }
-  scripts_ += "</script>\n";
+  scripts_.append(json).append("</script>\n");
 }
 
 void Page::add_script(std::string_view script) {
@@ -147,14 +146,18 @@ void Page::add_script(std::string_view script) {
 }
 
 std::string Page::html() const {
-  std::string text =
+  std::string text;
+  text.reserve(page_style().size() + body_.size() + scripts_.size() + 1000);
+  text +=
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   text += element("title", title_) + "\n<style>" + std::string(page_style()) + "</style>\n";
   text += "</head>\n<body>\n<main" + attribute("class", is_wide_ ? "wide" : "") + ">\n<header>";
   text += element("h1", title_);
   if (!subtitle_.empty()) text += element("p", subtitle_);
-  return text + "</header>\n" + body_ + "</main>\n" + scripts_ + "</body>\n</html>\n";
+  text.append("</header>\n").append(body_).append("</main>\n").append(scripts_);
+  text += "</body>\n</html>\n";
+  return text;
 }
 
 }  // namespace spoke::report

@@ -58,8 +58,10 @@ Shares encode_shares(const std::vector<float>& numbers) {
   if (largest > 0.0F) shares.unit = largest / kMost;
   std::vector<std::int16_t> rounded;
   rounded.reserve(numbers.size());
-  for (const float number : numbers)
-    rounded.push_back(static_cast<std::int16_t>(std::lround(number / shares.unit)));
+  for (const float number : numbers) {
+    const float share = number / shares.unit;
+    rounded.push_back(static_cast<std::int16_t>(share < 0.0F ? share - 0.5F : share + 0.5F));
+  }
   shares.text = encode(rounded);
   return shares;
 }

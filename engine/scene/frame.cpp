@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/space/rotation_vector.h"
+#include "models/vectors.h"
 
 namespace spoke::scene {
 namespace {
@@ -31,11 +32,13 @@ Vector Frame::place(const Scene& scene, std::size_t node) const {
 void FrameReader::read(const Simulation& simulation, Frame& frame) {
   clear(scene_, frame);
   frame.hub = simulation.hub_pose();
-  frame.hub_angle = simulation.sensor("hub.angle");
-  if (scene_.is_planar)
+  if (scene_.is_planar) {
+    frame.hub_angle = simulation.hub().position[kRotation];  // without values of other sensors
     read_blades(simulation, frame);
-  else
+  } else {
+    frame.hub_angle = simulation.sensor("hub.angle");
     read_trees(simulation, frame);
+  }
   for (const Strip& strip : scene_.strips) read_forces(strip, frame);
 }
 

@@ -52,8 +52,10 @@ std::string compiler() {
 }  // namespace
 
 Machine this_machine() {
-  return {value_in_file("/proc/cpuinfo", "model name", ':'), graph::available_threads(),
-          physical_memory(), operating_system(), compiler()};
+  // Read once, as a run tells them twice.
+  static const std::string cpu = value_in_file("/proc/cpuinfo", "model name", ':');
+  static const std::string os = operating_system();
+  return {cpu, graph::available_threads(), physical_memory(), os, compiler()};
 }
 
 double load_average() {
