@@ -22,7 +22,7 @@ static_assert(std::endian::native == std::endian::little, "scripts read the lowe
 }
 
 std::string encode_bytes(std::span<const std::byte> bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  std::string text((bytes.size() + 2) / 3 * 4, '\0');
   const auto byte = [data = bytes.data()](std::size_t k) {
     return std::to_integer<std::uint32_t>(data[k]);
   };

@@ -58,7 +58,7 @@ Shares encode_shares(const std::vector<float>& numbers) {
   if (largest > 0.0F) shares.unit = largest / kMost;
   std::vector<std::int16_t> rounded;
   rounded.reserve(numbers.size());
-  for (const float number : numbers) {
+  for (const float number : numbers) {  // to the nearest; std::lround is a call for each
     const float share = number / shares.unit;
     rounded.push_back(static_cast<std::int16_t>(share < 0.0F ? share - 0.5F : share + 0.5F));
   }

@@ -32,17 +32,15 @@ Vector Frame::place(const Scene& scene, std::size_t node) const {
 void FrameReader::read(const Simulation& simulation, Frame& frame) {
   clear(scene_, frame);
   frame.hub = simulation.hub_pose();
-  if (scene_.is_planar) {
-    frame.hub_angle = simulation.hub().position[kRotation];  // without values of other sensors
+  if (scene_.is_planar)
     read_blades(simulation, frame);
-  } else {
-    frame.hub_angle = simulation.sensor("hub.angle");
+  else
     read_trees(simulation, frame);
-  }
   for (const Strip& strip : scene_.strips) read_forces(strip, frame);
 }
 
 void FrameReader::read_blades(const Simulation& simulation, Frame& frame) {
+  frame.hub_angle = simulation.hub().position[kRotation];  // no sensor needs to be evaluated
   blades_.resize(scene_.trees.size());
   for (std::size_t i = 0; i < blades_.size(); ++i)
     simulation.calc_shape(static_cast<int>(i), blades_[i]);
@@ -56,6 +54,7 @@ void FrameReader::read_blades(const Simulation& simulation, Frame& frame) {
 }
 
 void FrameReader::read_trees(const Simulation& simulation, Frame& frame) {
+  frame.hub_angle = simulation.sensor("hub.angle");
   trees_.resize(scene_.trees.size());
   for (std::size_t i = 0; i < trees_.size(); ++i)
     simulation.calc_shape(static_cast<int>(i), trees_[i]);
