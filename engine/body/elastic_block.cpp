@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/support/wide_kernels.h"
+#include "models/support/unroll.h"
 
 namespace spoke {
 
@@ -80,8 +81,9 @@ class Substitution {
   }
 
  private:
+  /// One by one: Clang takes a loop for memmove, and then keeps them in memory.
   [[gnu::always_inline]] void push(Double2 newest) {
-    for (int k = 0; k + 1 < Half; ++k) last_[k] = last_[k + 1];
+    unroll<Half - 1>([&](auto k) { last_[k] = last_[k + 1]; });
     last_[Half - 1] = newest;
   }
 

@@ -16,7 +16,15 @@ struct Rotation {
   double cosine = 1.0;
   double sine = 0.0;
 
-  static Rotation from_angle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  static Rotation from_angle(double angle) {
+#ifdef __GLIBC__  // one call for both, which Clang does not make of two
+    Rotation R;
+    sincos(angle, &R.sine, &R.cosine);
+    return R;
+#else
+    return {std::cos(angle), std::sin(angle)};
+#endif
+  }
 
   Rotation inverse() const { return {cosine, -sine}; }
 

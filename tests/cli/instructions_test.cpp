@@ -51,7 +51,9 @@ TEST_CASE("a run says which instructions it used, and wide ones change results b
     CHECK(wide["instructions"] == expect_auto());
     const json baseline = summary_with("baseline", {}, scenario);
     CHECK(wide["evaluations"] == baseline["evaluations"]);
-    for (const auto& [name, sensor] : baseline["sensors"].items()) {
+    for (const auto& column : baseline["sensors"].items()) {
+      const std::string& name = column.key();
+      const json& sensor = column.value();
       CAPTURE(name);
       const double least = sensor["min"], largest = sensor["max"], end = sensor["final"];
       // Residuals of the energy are round-off themselves, and what stays in its plane is, too.
