@@ -46,6 +46,15 @@ void check_restore(const char* file) {
   check(other.state_hash() == simulation.state_hash(), "bits after a restored state");
 }
 
+// For the comparison with another compiler's program.
+void print_state(const char* file) {
+  const spoke::Scenario scenario = spoke::read_scenario(file, {"integration.duration=4"});
+  spoke::Simulation simulation(scenario, {.executor = spoke::ExecutorKind::serial});
+  while (!simulation.done()) simulation.step();
+  std::printf("outside: state_hash %#018llx\n",
+              static_cast<unsigned long long>(simulation.state_hash()));
+}
+
 // Exceptions and the checks of types cross the border of the library.
 void check_errors() {
   bool caught = false;
@@ -65,6 +74,7 @@ int main(int argc, char** argv) {
     check_spin_up(argv[1]);
     check_restore(argv[1]);
     check_errors();
+    print_state(argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "outside: %s\n", error.what());
     return 1;
