@@ -120,7 +120,7 @@ button.primary {
 }
 :focus-visible { outline: 3px solid var(--s0); outline-offset: 2px; border-radius: 4px; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
-.film { border: 1px solid var(--rule); border-radius: 10px; padding: 1rem 1.2rem 0.5rem; }
+.animation { border: 1px solid var(--rule); border-radius: 10px; padding: 1rem 1.2rem 0.5rem; }
 .views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1.2rem; }
 .views figure { margin: 0; } .views figcaption { margin: 0 0 0.5rem; }
 .views canvas {

@@ -1,5 +1,5 @@
 // The page of a run: decodes its data, makes the plots and the moving picture, and ties them together.
-// Uses time_plots.js, film.js, play_clock.js and scene_view.js.
+// Uses time_plots.js, model_animation.js, play_clock.js and scene_view.js.
 
 /** Decodes [t, value, t, value, ...]. */
 function decodeCurve({ name, samples }) {
@@ -40,41 +40,41 @@ function mergeEqual(curves) {
 }
 
 /** A scale at which the largest displacement is seen: 1, 2 or 5 times a power of ten. */
-function visibleScale(film) {
-  const wanted = (0.06 * film.bounds[0].radius) / film.largest.size;
+function visibleScale(animation) {
+  const wanted = (0.06 * animation.bounds[0].radius) / animation.largest.size;
   if (!(wanted > 1) || wanted === Infinity) return 1;
   const power = 10 ** Math.floor(Math.log10(wanted));
   return Math.min(100, power * [5, 2, 1].find((factor) => factor * power <= wanted));
 }
 
-/** The film's controls, two views and the clock that moves them. */
+/** The animation's controls, two views and the clock that moves them. */
 class Player {
-  constructor(scene, film, axis) {
-    Object.assign(this, { scene, film, axis });
+  constructor(scene, animation, axis) {
+    Object.assign(this, { scene, animation, axis });
     const names = ['play', 'time', 'now', 'speed', 'scale', 'times', 'color', 'outline', 'trails', 'joints', 'loads', 'names'];
-    this.controls = Object.fromEntries(names.map((name) => [name, document.getElementById(`film-${name}`)]));
-    this.settings = { scale: visibleScale(film), color: 'tree', outline: true, trails: true, joints: false, loads: false, names: false };
+    this.controls = Object.fromEntries(names.map((name) => [name, document.getElementById(`animation-${name}`)]));
+    this.settings = { scale: visibleScale(animation), color: 'tree', outline: true, trails: true, joints: false, loads: false, names: false };
     this.camera = makeCamera(scene);
     this.views = ['hub', 'inertial'].map((name, k) => {
-      const canvas = document.getElementById(`film-${name}`);
+      const canvas = document.getElementById(`animation-${name}`);
       const colors = (state) => this.colorsOf(state);
-      return new SceneView(canvas, scene, this.camera, this.settings, { isInertial: k === 1, bounds: film.bounds[k], colors });
+      return new SceneView(canvas, scene, this.camera, this.settings, { isInertial: k === 1, bounds: animation.bounds[k], colors });
     });
     if (this.views[1].follows)
-      document.getElementById('film-inertial-note').textContent = ', following the hub';
-    addLooks(document.getElementById('film-looks'), this.camera);
+      document.getElementById('animation-inertial-note').textContent = ', following the hub';
+    addLooks(document.getElementById('animation-looks'), this.camera);
     this.prepareControls();
     this.prepareColors();
     this.camera.listen(() => this.drawSoon());
-    this.seek(film.largest.time);
+    this.seek(animation.largest.time);
   }
 
   prepareControls() {
     const { play, time, speed, scale } = this.controls;
-    const { film, scene } = this;
-    time.min = film.begin;
-    time.max = film.end;
-    time.step = (film.end - film.begin) / 2000;
+    const { animation, scene } = this;
+    time.min = animation.begin;
+    time.max = animation.end;
+    time.step = (animation.end - animation.begin) / 2000;
     scale.value = 100 * Math.log10(this.settings.scale);
     this.clock = new PlayClock(play, (passed) => this.advance(passed));
     play.addEventListener('click', () => (this.clock.isPlaying ? this.pause() : this.play()));
@@ -84,7 +84,7 @@ class Player {
       this.settings.scale = Number((10 ** (scale.value / 100)).toPrecision(2));
       this.redraw();
     });
-    const deforms = film.largest.size > 0;
+    const deforms = animation.largest.size > 0;
     scale.parentElement.hidden = !deforms;
     const hasMarks = { outline: deforms, joints: scene.joints.length > 0, loads: scene.loads.length > 0 };
     for (const name of ['outline', 'trails', 'joints', 'loads', 'names']) {
@@ -100,13 +100,13 @@ class Player {
   /** Offers the forces that there are. */
   prepareColors() {
     const { color } = this.controls;
-    this.most = { axial: this.film.largestForce('axial'), bending: this.film.largestForce('bending') };
+    this.most = { axial: this.animation.largestForce('axial'), bending: this.animation.largestForce('bending') };
     for (const option of [...color.options])
       if (option.value !== 'tree' && !(this.most[option.value] > 0)) option.remove();
     color.parentElement.hidden = color.options.length < 2;
     color.addEventListener('change', () => {
       this.settings.color = color.value;
-      showScale(document.getElementById('film-colors'), color.value, this.most[color.value]);
+      showScale(document.getElementById('animation-colors'), color.value, this.most[color.value]);
       this.redraw();
     });
   }
@@ -120,7 +120,7 @@ class Player {
   }
 
   seek(time) {
-    this.time = Math.min(Math.max(time, this.film.begin), this.film.end);
+    this.time = Math.min(Math.max(time, this.animation.begin), this.animation.end);
     this.axis.marker = this.time;
     this.axis.changed();
     this.redraw();
@@ -137,8 +137,8 @@ class Player {
     this.draw();
   }
   draw() {
-    const state = this.film.at(this.time);
-    const largest = this.film.largest.size;
+    const state = this.animation.at(this.time);
+    const largest = this.animation.largest.size;
     this.views[0].draw(state, { largest });
     this.views[1].draw(state, { largest, trails: this.settings.trails ? this.trails() : [] });
   }
@@ -151,21 +151,21 @@ class Player {
       this.draw();
     });
   }
-  /** Where the tips have been in the last tenth of the film. */
+  /** Where the tips have been in the last tenth of the animation. */
   trails() {
     const kPieces = 60;
-    const { film, scene, settings } = this;
-    const begin = Math.max(film.begin, this.time - 0.1 * (film.end - film.begin));
+    const { animation, scene, settings } = this;
+    const begin = Math.max(animation.begin, this.time - 0.1 * (animation.end - animation.begin));
     if (begin >= this.time) return [];
     return scene.tips.map((node, tree) => ({
       tree,
       points: Array.from({ length: kPieces + 1 }, (_, k) =>
-        film.nodeAt(node, begin + (k / kPieces) * (this.time - begin), settings.scale)),
+        animation.nodeAt(node, begin + (k / kPieces) * (this.time - begin), settings.scale)),
     }));
   }
 
   play() {
-    if (this.time >= this.film.end) this.seek(this.film.begin);
+    if (this.time >= this.animation.end) this.seek(this.animation.begin);
     this.clock.play();
   }
   pause() {
@@ -173,7 +173,7 @@ class Player {
   }
   advance(passed) {
     this.seek(this.time + passed * Number(this.controls.speed.value));
-    return this.time < this.film.end;
+    return this.time < this.animation.end;
   }
 }
 
@@ -182,8 +182,8 @@ function startPage() {
   const axis = new TimeAxis(0, data.end);
   const region = document.getElementById('spoken');
   const say = (text) => (region.textContent = text);
-  const scene = data.film ? new Scene(data.scene) : null;
-  const player = scene ? new Player(scene, new Film(scene, data.film), axis) : null;
+  const scene = data.animation ? new Scene(data.scene) : null;
+  const player = scene ? new Player(scene, new ModelAnimation(scene, data.animation), axis) : null;
   const host = document.getElementById('plots');
   const plots = data.plots.map((plot) => ({ ...plot, curves: mergeEqual(plot.curves.map(decodeCurve)) }));
   for (const plot of plots)

@@ -6,8 +6,8 @@
 
 namespace spoke::report {
 
-/// The script of the page of a run: views of scenes, films, plots over time and run_page.js, which
-/// the build puts into the library (CMakeLists.txt).
+/// The script of the page of a run: views of scenes, animations, plots over time and run_page.js,
+/// which the build puts into the library (CMakeLists.txt).
 std::string_view run_script();
 
 }  // namespace spoke::report

@@ -1,5 +1,5 @@
 // Draws a scene on a canvas: faces from back to front, shaded, then lines and marks on top. Takes any
-// state of the scene, from a film or made otherwise. Uses page_tools.js, space_math.js, scene.js,
+// state of the scene, from an animation or made otherwise. Uses page_tools.js, space_math.js, scene.js,
 // camera.js and scene_marks.js.
 
 const kLight = unitOf([-0.35, 0.55, 0.75]); // from where it comes, in axes of the picture

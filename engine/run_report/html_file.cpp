@@ -19,37 +19,37 @@ namespace spoke::run_report {
 namespace {
 
 std::string make_animation_markup() {
-  return R"(<div class="film">
+  return R"(<div class="animation">
 <div class="views">
 <figure><figcaption><strong>In the hub's frame</strong></figcaption>
-)" + report::scene_canvas("film", "hub", "The model, seen from its hub") +
+)" + report::scene_canvas("animation", "hub", "The model, seen from its hub") +
          R"(</figure>
-<figure><figcaption><strong>In the inertial frame</strong><span id="film-inertial-note"></span></figcaption>
-)" + report::scene_canvas("film", "inertial", "The moving model") +
+<figure><figcaption><strong>In the inertial frame</strong><span id="animation-inertial-note"></span></figcaption>
+)" + report::scene_canvas("animation", "inertial", "The moving model") +
          R"(</figure>
 </div>
-<div id="film-colors" class="colors" hidden></div>
+<div id="animation-colors" class="colors" hidden></div>
 <div class="controls">
-<button type="button" id="film-play" class="primary">Play</button>
-<label class="grow"><span>Time</span><input type="range" id="film-time" value="0"><output id="film-now"></output></label>
-<label><span>Speed</span><select id="film-speed"><option value="0.001">0.001 &#215;</option><option value="0.01">0.01 &#215;</option><option value="0.1">0.1 &#215;</option><option value="0.25">0.25 &#215;</option><option value="0.5">0.5 &#215;</option><option value="1" selected>1 &#215;</option><option value="2">2 &#215;</option><option value="5">5 &#215;</option><option value="10">10 &#215;</option></select></label>
-<label><span>Deflections</span><input type="range" id="film-scale" min="0" max="200" value="0"><output id="film-times"></output></label>
+<button type="button" id="animation-play" class="primary">Play</button>
+<label class="grow"><span>Time</span><input type="range" id="animation-time" value="0"><output id="animation-now"></output></label>
+<label><span>Speed</span><select id="animation-speed"><option value="0.001">0.001 &#215;</option><option value="0.01">0.01 &#215;</option><option value="0.1">0.1 &#215;</option><option value="0.25">0.25 &#215;</option><option value="0.5">0.5 &#215;</option><option value="1" selected>1 &#215;</option><option value="2">2 &#215;</option><option value="5">5 &#215;</option><option value="10">10 &#215;</option></select></label>
+<label><span>Deflections</span><input type="range" id="animation-scale" min="0" max="200" value="0"><output id="animation-times"></output></label>
 </div>
 <div class="controls">
-<label><span>Colour</span><select id="film-color"><option value="tree">by blade or subsystem</option><option value="axial">axial force</option><option value="bending">bending moment</option></select></label>
-<label><input type="checkbox" id="film-outline"> undeformed</label>
-<label><input type="checkbox" id="film-trails"> trails</label>
-<label><input type="checkbox" id="film-joints"> joints</label>
-<label><input type="checkbox" id="film-loads"> loads</label>
-<label><input type="checkbox" id="film-names"> names</label>
-)" + report::scene_controls("film") +
+<label><span>Colour</span><select id="animation-color"><option value="tree">by blade or subsystem</option><option value="axial">axial force</option><option value="bending">bending moment</option></select></label>
+<label><input type="checkbox" id="animation-outline"> undeformed</label>
+<label><input type="checkbox" id="animation-trails"> trails</label>
+<label><input type="checkbox" id="animation-joints"> joints</label>
+<label><input type="checkbox" id="animation-loads"> loads</label>
+<label><input type="checkbox" id="animation-names"> names</label>
+)" + report::scene_controls("animation") +
          R"(</div>
 </div>
 )";
 }
 
-/// Above the plots; `film`: whether there is one that they can move.
-std::string plots_markup(bool has_film) {
+/// Above the plots; `animation`: whether there is one that they can move.
+std::string plots_markup(bool has_animation) {
   return fmt::format(R"(<div class="controls">
 <span>Shown: <output id="plots-shown"></output></span>
 <button type="button" id="plots-reset" disabled>Whole time</button>
@@ -59,8 +59,8 @@ std::string plots_markup(bool has_film) {
 <div id="spoken" class="unseen" role="status" aria-live="polite"></div>
 <noscript><p class="note warning">Plots and animation need JavaScript.</p></noscript>
 )",
-                     has_film ? ", click to move the animation there" : "",
-                     has_film ? ", Enter moves the animation" : "");
+                     has_animation ? ", click to move the animation there" : "",
+                     has_animation ? ", Enter moves the animation" : "");
 }
 
 std::string number(double value) { return fmt::format("{:.6g}", value); }
@@ -228,13 +228,13 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
   page.widen();
   add_warnings(page, simulation, statistics, outcome);
   page.add_tiles(make_tiles(simulation, statistics, outcome, tips));
-  const bool has_film = recorder.animation().times().size() > 1;
-  if (has_film) {
+  const bool has_animation = recorder.animation().times().size() > 1;
+  if (has_animation) {
     page.add_heading("Motion");
     page.add_markup(make_animation_markup());
   }
   page.add_heading("Over time");
-  page.add_markup(plots_markup(has_film));
+  page.add_markup(plots_markup(has_animation));
   page.add_paragraph(describe_data(recorder));
   page.add_heading("What was run");
   page.add_fact_groups({model_facts(simulation), setting_facts(simulation), machine_facts()});

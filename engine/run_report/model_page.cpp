@@ -17,7 +17,7 @@ namespace spoke::run_report {
 namespace {
 
 std::string make_markup() {
-  return R"(<div class="film">
+  return R"(<div class="animation">
 <div class="views">
 <figure class="whole">)" +
          report::scene_canvas("model", "view", "The model at t = 0") + R"(</figure>

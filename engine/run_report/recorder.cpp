@@ -66,7 +66,7 @@ Shares encode_shares(const std::vector<float>& numbers) {
   return shares;
 }
 
-/// What engine/report/film.js plays.
+/// What engine/report/model_animation.js plays.
 Json describe_animation(const Animation& animation) {
   const Shares displacements = encode_shares(animation.displacements()),
                rotations = encode_shares(animation.rotations()),
@@ -113,7 +113,7 @@ std::string make_data(const Recorder& recorder) {
   Json data = {{"end", end > 0.0 ? end : 1.0}, {"plots", describe_plots(recorder)}};
   if (recorder.animation().times().size() > 1) {
     data.set("scene", describe_scene(recorder.animation().scene()));
-    data.set("film", describe_animation(recorder.animation()));
+    data.set("animation", describe_animation(recorder.animation()));
   }
   return data.dump();
 }

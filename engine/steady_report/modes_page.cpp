@@ -37,7 +37,7 @@ constexpr const char* kLegend =
 )";
 
 std::string make_mode_markup() {
-  return R"(<div class="film">
+  return R"(<div class="animation">
 <p id="mode-text"></p>
 <div class="views">
 <figure class="whole">)" +

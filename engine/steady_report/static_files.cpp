@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 std::string make_markup() {
-  return R"(<div class="film">
+  return R"(<div class="animation">
 <div class="views">
 <figure class="whole">)" +
          report::scene_canvas("steady", "view", "The model in equilibrium") + R"(</figure>

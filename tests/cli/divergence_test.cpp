@@ -55,7 +55,7 @@ TEST_CASE("one linear body per blade diverges with a diagnosis and keeps its res
   CHECK(page.find(warnings[0]) != std::string::npos);
   CHECK(page.find("class=\"note bad\"") != std::string::npos);
   CHECK(page.find("The page shows what came before") != std::string::npos);
-  CHECK(page.find("film-play") != std::string::npos);
+  CHECK(page.find("animation-play") != std::string::npos);
 }
 
 TEST_CASE("one linear body per blade diverges in space too, and says where") {

@@ -21,13 +21,13 @@ bool contains(const std::string& text, const std::string& part) {
 json trace_in(const fs::path& folder) { return json::parse(read_file(folder / "trace.json")); }
 
 /// The pictures in the page of a run.
-json film_in(const fs::path& folder) {
+json animation_in(const fs::path& folder) {
   const std::string page = read_file(folder / "report.html");
   const std::string mark = "id=\"run-data\">";
   const std::size_t begin = page.find(mark);
   REQUIRE(begin != std::string::npos);
   const std::size_t end = page.find("</script>", begin);
-  return json::parse(page.substr(begin + mark.size(), end - begin - mark.size()))["film"];
+  return json::parse(page.substr(begin + mark.size(), end - begin - mark.size()))["animation"];
 }
 
 /// Of the files of two runs.
@@ -259,8 +259,8 @@ TEST_CASE("run --trace leaves pictures, files for ParaView and checkpoints, and 
     const json steps = trace_in(folder.path() / "t")["spoke"]["steps"];
     REQUIRE(steps.size() == 20);
     for (std::size_t k = 0; k < steps.size(); ++k) CHECK(steps[k]["step"] == k + 1);
-    CHECK(film_in(plain)["times"] != "");
-    CHECK(film_in(plain) == film_in(traced));
+    CHECK(animation_in(plain)["times"] != "");
+    CHECK(animation_in(plain) == animation_in(traced));
     for (const char* file : {"sensors.csv", "vtk/blades.pvd", "vtk/blades_000003.vtp"})
       CHECK(read_file(plain / file) == read_file(traced / file));
     CHECK(fs::exists(plain / "checkpoint.spoke") == fs::exists(traced / "checkpoint.spoke"));

@@ -63,7 +63,7 @@ for (const scheme of ['light', 'dark'])
         assert.equal(await plots.count(), 8);
         for (let k = 0; k < 8; ++k)
           assert.ok((await countPixels(plots.nth(k).locator('canvas').first())) > 1000);
-        for (const view of ['#film-hub', '#film-inertial'])
+        for (const view of ['#animation-hub', '#animation-inertial'])
           assert.ok((await countPixels(page.locator(view))) > 1000);
         const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
         assert.ok(overflow <= 0, `wider than the window by ${overflow}`);
@@ -176,24 +176,24 @@ test('a name in the legend hides its curve', () =>
 
 test('the animation begins where the deflection is largest, plays, pauses and seeks', () =>
   withPage(rotorPage, {}, async (page) => {
-    const time = async () => Number((await page.locator('#film-now').textContent()).split(' ')[0]);
+    const time = async () => Number((await page.locator('#animation-now').textContent()).split(' ')[0]);
     assert.ok(Math.abs((await time()) - 6.75) < 0.06);
-    const play = page.locator('#film-play');
+    const play = page.locator('#animation-play');
     assert.equal(await play.textContent(), 'Play');
     await play.focus();
     await page.keyboard.press('Enter');
     assert.equal(await play.textContent(), 'Pause');
     const begin = await time();
-    await page.waitForFunction((from) => parseFloat(document.getElementById('film-now').textContent) > from + 0.1, begin);
+    await page.waitForFunction((from) => parseFloat(document.getElementById('animation-now').textContent) > from + 0.1, begin);
     await play.click();
     const still = await time();
     await page.waitForTimeout(150);
     assert.equal(await time(), still);
 
-    const hub = page.locator('#film-hub');
-    await page.locator('#film-time').fill('0');
+    const hub = page.locator('#animation-hub');
+    await page.locator('#animation-time').fill('0');
     const undeformed = await picture(hub);
-    await page.locator('#film-time').fill('6.75');
+    await page.locator('#animation-time').fill('6.75');
     assert.notEqual(await picture(hub), undeformed);
     const canvas = plotOf(page, 'Hub speed').locator('canvas').first();
     const box = await canvas.boundingBox();
@@ -203,23 +203,23 @@ test('the animation begins where the deflection is largest, plays, pauses and se
 
 test('deflections are exaggerated 1 to 100 times, the outline can go', () =>
   withPage(rotorPage, {}, async (page) => {
-    const hub = page.locator('#film-hub');
-    const times = page.locator('#film-times');
+    const hub = page.locator('#animation-hub');
+    const times = page.locator('#animation-times');
     assert.equal(await times.textContent(), '\u00d7 1');
     const plain = await picture(hub);
-    await page.locator('#film-scale').fill('200');
+    await page.locator('#animation-scale').fill('200');
     assert.equal(await times.textContent(), '\u00d7 100');
     assert.notEqual(await picture(hub), plain);
-    await page.locator('#film-scale').fill('0');
+    await page.locator('#animation-scale').fill('0');
     assert.equal(await picture(hub), plain);
-    await page.locator('#film-outline').uncheck();
+    await page.locator('#animation-outline').uncheck();
     assert.notEqual(await picture(hub), plain);
   }));
 
 test('a free hub has a plot of its place, and small deflections are shown larger', () =>
   withPage(join(run('free_hub_satellite'), 'report.html'), {}, async (page) => {
     assert.equal(await page.locator('.plot').count(), 9);
-    assert.equal(await page.locator('#film-times').textContent(), '\u00d7 10');
+    assert.equal(await page.locator('#animation-times').textContent(), '\u00d7 10');
   }));
 
 test('a run that diverged shows why and what came before', () => {
@@ -242,7 +242,7 @@ test('a run that ends at once has plots and no animation', () => {
   assert.equal(spawnSync(process.env.SPOKE_PROGRAM, options).status, 3);
   return withPage(join(out, 'report.html'), {}, async (page) => {
     assert.equal(await page.locator('.plot').count(), 8);
-    assert.equal(await page.locator('#film-play').count(), 0);
+    assert.equal(await page.locator('#animation-play').count(), 0);
     const canvas = plotOf(page, 'Hub speed').locator('canvas').first();
     await canvas.click({ position: { x: 200, y: 60 } });
   });
@@ -252,6 +252,6 @@ test('the page of a large model stays small and works', () => {
   const page = join(run('large_rotor', '--set', 'integration.duration=0.5'), 'report.html');
   assert.ok(statSync(page).size < 2.5e6);
   return withPage(page, {}, async (opened) => {
-    assert.ok((await countPixels(opened.locator('#film-hub'))) > 1000);
+    assert.ok((await countPixels(opened.locator('#animation-hub'))) > 1000);
   });
 });

@@ -75,9 +75,9 @@ for (const scheme of ['light', 'dark'])
   for (const width of [400, 1280])
     test(`a run in space moves in three dimensions at ${width} pixels, ${scheme}`, () =>
       withPage(satellite, { width, scheme }, async (page) => {
-        const views = ['#film-hub', '#film-inertial'].map((view) => page.locator(view));
+        const views = ['#animation-hub', '#animation-inertial'].map((view) => page.locator(view));
         const before = await Promise.all(views.map(picture));
-        await page.locator('#film-time').fill('12');
+        await page.locator('#animation-time').fill('12');
         const later = await Promise.all(views.map(picture));
         views.forEach((_, k) => assert.notEqual(later[k], before[k]));
         const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
@@ -86,7 +86,7 @@ for (const scheme of ['light', 'dark'])
 
 test('dragging turns both views, double-click and buttons turn them back', () =>
   withPage(satellite, {}, async (page) => {
-    const [hub, inertial] = [page.locator('#film-hub'), page.locator('#film-inertial')];
+    const [hub, inertial] = [page.locator('#animation-hub'), page.locator('#animation-inertial')];
     const [first, other] = [await picture(hub), await picture(inertial)];
     await hub.scrollIntoViewIfNeeded();
     const box = await hub.boundingBox();
@@ -110,7 +110,7 @@ test('dragging turns both views, double-click and buttons turn them back', () =>
 
 test('keys turn, move and zoom; the wheel scrolls the page until the view has the focus', () =>
   withPage(satellite, {}, async (page) => {
-    const hub = page.locator('#film-hub');
+    const hub = page.locator('#animation-hub');
     await hub.scrollIntoViewIfNeeded();
     const first = await picture(hub);
     const box = await hub.boundingBox();
@@ -137,28 +137,28 @@ test('keys turn, move and zoom; the wheel scrolls the page until the view has th
 
 test('colours show the forces that there are, with a scale', () =>
   withPage(satellite, {}, async (page) => {
-    const hub = page.locator('#film-hub');
+    const hub = page.locator('#animation-hub');
     const first = await picture(hub);
-    assert.ok(await page.locator('#film-colors').isHidden());
-    await page.locator('#film-color').selectOption('bending');
-    assert.match(await page.locator('#film-colors').textContent(), /^Bending moment: 0 N m[\d.e\u2212]+ N m$/);
+    assert.ok(await page.locator('#animation-colors').isHidden());
+    await page.locator('#animation-color').selectOption('bending');
+    assert.match(await page.locator('#animation-colors').textContent(), /^Bending moment: 0 N m[\d.e\u2212]+ N m$/);
     const bending = await picture(hub);
     assert.notEqual(bending, first);
-    await page.locator('#film-color').selectOption('axial');
-    assert.match(await page.locator('#film-colors').textContent(), /tension positive/);
+    await page.locator('#animation-color').selectOption('axial');
+    assert.match(await page.locator('#animation-colors').textContent(), /tension positive/);
     assert.notEqual(await picture(hub), bending);
-    await page.locator('#film-color').selectOption('tree');
+    await page.locator('#animation-color').selectOption('tree');
     assert.equal(await picture(hub), first);
   }));
 
 test('a rigid model offers neither forces nor deflections', () =>
   withPage(run('heavy_top'), {}, async (page) => {
-    assert.ok(await page.locator('#film-color').isHidden());
-    assert.ok(await page.locator('#film-scale').isHidden());
-    assert.equal(await page.locator('#film-times').textContent(), '\u00d7 1');
-    const inertial = page.locator('#film-inertial');
+    assert.ok(await page.locator('#animation-color').isHidden());
+    assert.ok(await page.locator('#animation-scale').isHidden());
+    assert.equal(await page.locator('#animation-times').textContent(), '\u00d7 1');
+    const inertial = page.locator('#animation-inertial');
     const before = await picture(inertial);
-    await page.locator('#film-time').fill('1');
+    await page.locator('#animation-time').fill('1');
     assert.notEqual(await picture(inertial), before);
     assert.match(await page.locator('.tiles').textContent(), /Largest tip displacement/);
   }));

@@ -29,8 +29,8 @@ TEST_CASE("the embedded scripts are their sources, letter by letter") {
   const std::string scene = read_scripts({"page_tools.js", "space_math.js", "scene.js", "camera.js",
                                           "scene_marks.js", "scene_view.js"});
   CHECK(scene.size() > 10000);
-  CHECK(spoke::report::run_script() ==
-        scene + read_scripts({"film.js", "time_plots.js", "play_clock.js", "run_page.js"}));
+  CHECK(spoke::report::run_script() == scene + read_scripts({"model_animation.js", "time_plots.js",
+                                                             "play_clock.js", "run_page.js"}));
   CHECK(spoke::report::model_script() == scene + read_scripts({"fit_view.js", "model_page.js"}));
   const std::string steady = scene + read_scripts({"fit_view.js", "steady_states.js"});
   CHECK(spoke::report::static_script() == steady + read_scripts({"static_page.js"}));

@@ -46,7 +46,7 @@ double largest_lag(const Run& run) {
 
 }  // namespace
 
-TEST_CASE("the data hold the curves of all plots and a film") {
+TEST_CASE("the data hold the curves of all plots and an animation") {
   const Run run(test_scenario());
   const json data = json::parse(make_data(run.recorder));
   CHECK(data["end"] == approx(2.0));
@@ -58,7 +58,7 @@ TEST_CASE("the data hold the curves of all plots and a film") {
   CHECK(data["scene"]["trees"] == json::array({"blade 1", "blade 2"}));
   CHECK(data["scene"]["strips"].size() == 4);
   // 21 frames of an angle of 16 nodes, 2 bytes each, in base64
-  CHECK(data["film"]["rotations"].get<std::string>().size() == 896);
+  CHECK(data["animation"]["rotations"].get<std::string>().size() == 896);
 }
 
 TEST_CASE("a page without a moving picture does not speak of one") {
@@ -86,7 +86,7 @@ TEST_CASE("a run in space has a moving picture, and its largest tip displacement
       make_html(run.simulation, run.statistics, {0.5, ""}, {0.125, "at 1 s (arm)"}, run.recorder);
   CHECK(html.find("Largest tip displacement") != std::string::npos);
   CHECK(html.find("at 1 s (arm)") != std::string::npos);
-  CHECK(html.find("id=\"film-inertial\"") != std::string::npos);
+  CHECK(html.find("id=\"animation-inertial\"") != std::string::npos);
 }
 
 TEST_CASE("deflections across and along the blade have the blade's directions") {

@@ -3,7 +3,7 @@
 
 /** data: {times; hub: by frame (place, angle about the axis) or a pose; groups: poses by frame and
  *  group but the first; displacements, rotations: by frame and node, as shares of units; forces}. */
-class Film {
+class ModelAnimation {
   constructor(scene, data) {
     this.scene = scene;
     this.times = decode(data.times, Float32Array);
