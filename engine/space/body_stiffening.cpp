@@ -152,8 +152,9 @@ Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) 
 
 /// Small masses, to second order in the rotation th of their section: T gets
 /// - 1/2 th^T [tr(P W0) 1 - 1/2 (W0 P + P W0)] th.
-void add_inertias(const BeamElement& element, const Position& w, const double* q, const double* v,
-                  double* force, StiffeningSums& sums) {
+[[gnu::always_inline]] inline void add_inertias(const BeamElement& element, const Position& w,
+                                                const double* q, const double* v, double* force,
+                                                StiffeningSums& sums) {
   using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
   for (const PointInertia& point : element.inertias) {
     const Matrix3& P = point.second;
@@ -278,11 +279,13 @@ Position calc_tension_moment(const TensionPlace& place, const StiffeningForms& f
 
 HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,
                                   const StiffeningSums& sums) noexcept {
-  HubStiffening stiffening;
-  stiffening.inertia = turn(place.R_HB, calc_inertia(place, sums.value));
-  stiffening.rate = turn(place.R_HB, 2.0 * calc_inertia(place, sums.rate));
-  stiffening.moment = cross(gravity, calc_tension_moment(place, sums.value));
-  return stiffening;
+  return run_kernel([&]() noexcept {
+    HubStiffening stiffening;
+    stiffening.inertia = turn(place.R_HB, calc_inertia(place, sums.value));
+    stiffening.rate = turn(place.R_HB, 2.0 * calc_inertia(place, sums.rate));
+    stiffening.moment = cross(gravity, calc_tension_moment(place, sums.value));
+    return stiffening;
+  });
 }
 
 }  // namespace spoke::space

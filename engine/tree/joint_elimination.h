@@ -43,10 +43,9 @@ struct JointElimination : ResponseOfJoint<World> {
 /// Eliminates the joint of `child` at a handle of compliance P_oo and acceleration free_o. Returns
 /// the wrench on the handle if all others have none.
 template <class World, class Joint>
-typename World::Twist eliminate_joint(const typename World::SymmetricTwistMatrix& P_oo,
-                                      const typename World::Twist& free_o, const Joint& joint,
-                                      const Branch<World>& child,
-                                      JointElimination<World>& elimination) noexcept {
+[[gnu::always_inline]] inline typename World::Twist eliminate_joint(
+    const typename World::SymmetricTwistMatrix& P_oo, const typename World::Twist& free_o,
+    const Joint& joint, const Branch<World>& child, JointElimination<World>& elimination) noexcept {
   using Twist = typename World::Twist;
   typename World::SymmetricTwistMatrix Lambda = rotate(joint.R, child.Lambda);
   Twist free = joint.R * child.free;
@@ -84,8 +83,10 @@ Branch<World> join(const typename World::SymmetricTwistMatrix& P_ii,
 /// Eliminates the joint at handle `o` of a body whose handles behind o are eliminated: changes the
 /// multi-port at the handles before. Its row P_oh stays, for recovery.
 template <class World, class Joint>
-void eliminate_child(int o, const Joint& joint, const Branch<World>& child,
-                     const MultiPort<World>& port, JointElimination<World>& elimination) noexcept {
+[[gnu::always_inline]] inline void eliminate_child(int o, const Joint& joint,
+                                                   const Branch<World>& child,
+                                                   const MultiPort<World>& port,
+                                                   JointElimination<World>& elimination) noexcept {
   using Matrix = typename World::TwistMatrix;
   const typename World::Twist f =
       eliminate_joint(port.diagonal[o], port.free[o], joint, child, elimination);
@@ -117,8 +118,8 @@ struct HubShare {
 /// Eliminates the root joint of a subsystem, the one at the hub:
 ///   M^C = T^T R Pi R^T T,   Q^C = T^T R Pi R^T (R free - bias),   T = [1, -p~; 0, 1]
 template <class World, class Joint>
-HubShare<World> eliminate_root(const Joint& joint, const Branch<World>& branch,
-                               RootElimination<World>& root) noexcept {
+[[gnu::always_inline]] inline HubShare<World> eliminate_root(
+    const Joint& joint, const Branch<World>& branch, RootElimination<World>& root) noexcept {
   using Twist = typename World::Twist;
   root.mass = invert(branch.Lambda);
   root.free = branch.free;

@@ -39,9 +39,10 @@ typename World::Twist recover_joint(const Joint& joint, const JointElimination<W
 /// The wrench on handle `o` of a body, with those on the handles before, f[0] ... f[o - 1], known.
 /// (Children are recovered in the reverse of the order in which they were eliminated.)
 template <class World, class Joint>
-typename World::Twist recover_child(int o, const Joint& joint, const MultiPort<World>& port,
-                                    const JointElimination<World>& elimination,
-                                    const typename World::Twist* f, double* a = nullptr) noexcept {
+[[gnu::always_inline]] inline typename World::Twist recover_child(
+    int o, const Joint& joint, const MultiPort<World>& port,
+    const JointElimination<World>& elimination, const typename World::Twist* f,
+    double* a = nullptr) noexcept {
   typename World::Twist r = elimination.rhs;
   for (int h = 0; h < o; ++h) r = r - port.between(h, o).transpose().lazyProduct(f[h]);
   return recover_joint(joint, elimination, r, a);
