@@ -33,7 +33,7 @@ nlohmann::json describe_machine() {
 
 std::string bounds(const Target& target) {
   if (std::isinf(target.greatest)) return ">= " + figure(target.least);
-  if (target.least > 0.0) return figure(target.least) + " to " + figure(target.greatest);
+  if (!std::isinf(target.least)) return figure(target.least) + " to " + figure(target.greatest);
   return "<= " + figure(target.greatest);
 }
 
@@ -67,7 +67,7 @@ Target at_least(std::string text, double measured, double least) {
 }
 
 Target at_most(std::string text, double measured, double greatest) {
-  return {std::move(text), measured, 0.0, greatest};
+  return {std::move(text), measured, -std::numeric_limits<double>::infinity(), greatest};
 }
 
 Report::Report(bool quick)
@@ -113,7 +113,7 @@ void Report::add_target(const Target& target) {
                       {"target", target.text},
                       {"measured", target.measured},
                       {"reached", target.reached()}};
-  if (target.least > 0.0) json["at_least"] = target.least;
+  if (!std::isinf(target.least)) json["at_least"] = target.least;
   if (!std::isinf(target.greatest)) json["at_most"] = target.greatest;
   json_["targets"].push_back(std::move(json));
 }

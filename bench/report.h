@@ -23,8 +23,8 @@ struct Table {
 struct Target {
   std::string text;
   double measured = 0.0;
-  double least = 0.0;     ///< bounds of what was promised
-  double greatest = 0.0;  ///< 0 and infinity: none
+  double least = 0.0;  ///< bounds of what was promised; infinite ones are none
+  double greatest = 0.0;
   bool reached() const { return measured >= least && measured <= greatest; }
 };
 
