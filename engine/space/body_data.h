@@ -64,14 +64,13 @@ struct BodyTerms {
   double dissipation = 0.0;  ///< q'^T D q' [W]
 };
 
-/// Q of a frame at its angular velocity w, from first moment and inertia, the rate of the first
-/// moment and G = sum rho mu'^T over the slots:
+/// Q of a frame at its angular velocity w, from first moment, Theta w, the rate of the first moment
+/// and G = sum rho mu'^T over the slots:
 ///   Q_t = -w x (w x S) - 2 w x S',  Q_w = -w x Theta w - 2 (tr(G) w - G^T w)
-inline Twist calc_frame_force(const Angular& w, const BodyTerms& terms, const Position& S_rate,
-                              const Matrix3& G) {
-  return make_twist(
-      -cross(w, cross(w, terms.S) + 2.0 * S_rate),
-      -cross(w, terms.Theta.lazyProduct(w)) - 2.0 * (G.trace() * w - G.transpose().lazyProduct(w)));
+inline Twist calc_frame_force(const Angular& w, const Position& S, const Angular& Theta_w,
+                              const Position& S_rate, const Matrix3& G) {
+  return make_twist(-cross(w, cross(w, S) + 2.0 * S_rate),
+                    -cross(w, Theta_w) - 2.0 * (G.trace() * w - G.transpose().lazyProduct(w)));
 }
 
 /// What condensing a body finds besides its multi-port.

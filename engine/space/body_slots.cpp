@@ -160,7 +160,7 @@ SlotSums calc(const FlexibleBody& body, const double* q, const double* v, const 
 
 SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
                     const BodyWork& work) noexcept {
-  return run_kernel([&]() noexcept { return calc(body, q, v, work); });
+  return run_large_kernel([&]() noexcept { return calc(body, q, v, work); });
 }
 
 }  // namespace spoke::space

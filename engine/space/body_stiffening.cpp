@@ -224,7 +224,7 @@ PlaneCoordinates in_axes_of(const BeamElement& element, bool is_straight, const 
 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept {
-  return run_kernel([&]() noexcept {
+  return run_large_kernel([&]() noexcept {
     return model.body->is_straight ? add_all<true>(model, motion, q, v, force)
                                    : add_all<false>(model, motion, q, v, force);
   });
@@ -279,7 +279,7 @@ Position calc_tension_moment(const TensionPlace& place, const StiffeningForms& f
 
 HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,
                                   const StiffeningSums& sums) noexcept {
-  return run_kernel([&]() noexcept {
+  return run_large_kernel([&]() noexcept {
     HubStiffening stiffening;
     stiffening.inertia = turn(place.R_HB, calc_inertia(place, sums.value));
     stiffening.rate = turn(place.R_HB, 2.0 * calc_inertia(place, sums.rate));

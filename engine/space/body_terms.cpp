@@ -210,7 +210,7 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
   calc_rows(body, motion.w, work);
   terms.S = sums.S;
   terms.Theta = sums.inertia();
-  terms.Q = calc_frame_force(motion.w, terms, sums.S_rate, sums.G);
+  terms.Q = calc_frame_force(motion.w, terms.S, terms.Theta.lazyProduct(motion.w), sums.S_rate, sums.G);
   return terms;
 }
 
@@ -220,7 +220,7 @@ BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const 
                           const Damping& damping, const BodyWork& work) noexcept {
   const FlexibleBody& body = *model.body;
   if (!body.is_decoupled || !body.directions)
-    return run_kernel(
+    return run_large_kernel(
         [&]() noexcept { return calc_coupled_terms(model, state, motion, damping, work); });
   BodyTerms terms = calc_straight_terms(model, state, motion, work);
   if (body.is_damped || damping.stiffness_factor != 0.0 || damping.mass_factor != 0.0)

@@ -330,12 +330,12 @@ Twist recover(const BodyModel& model, const Twist* wrenches, bool implicit, cons
 
 void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
                    BodyWork& work) noexcept {
-  run_kernel([&]() noexcept { condense(model, terms, w, implicit, work); });
+  run_large_kernel([&]() noexcept { condense(model, terms, w, implicit, work); });
 }
 
 Twist recover_body(const BodyModel& model, const Twist* wrenches, bool implicit,
                    const BodyWork& work, double* a) noexcept {
-  return run_kernel([&]() noexcept { return recover(model, wrenches, implicit, work, a); });
+  return run_large_kernel([&]() noexcept { return recover(model, wrenches, implicit, work, a); });
 }
 
 }  // namespace spoke::space

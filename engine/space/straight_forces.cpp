@@ -198,7 +198,7 @@ HubStiffening calc_forces(const BodyModel& model, const BodyMotion& motion, Lane
 
 HubStiffening calc_straight_forces(const BodyModel& model, const BodyMotion& motion,
                                    LaneRows::Kind elastic, const BodyWork& work) noexcept {
-  return run_kernel([&]() noexcept { return calc_forces(model, motion, elastic, work); });
+  return run_large_kernel([&]() noexcept { return calc_forces(model, motion, elastic, work); });
 }
 
 }  // namespace spoke::space

@@ -43,12 +43,12 @@ struct NodeMotion {
   Around u, torsion, place1, slope1, place2, slope2;
 
   [[gnu::always_inline]] NodeMotion(const LaneRows& rows, int k)
-      : u(Around::from(rows.at(kAxialPlace, k))),
-        torsion(Around::from(rows.at(kTorsion, k))),
-        place1(Around::from(rows.at(kPlace1, k))),
-        slope1(Around::from(rows.at(kSlope1, k))),
-        place2(Around::from(rows.at(kPlace2, k))),
-        slope2(Around::from(rows.at(kSlope2, k))) {}
+      : u(Around(rows.at(kAxialPlace, k))),
+        torsion(Around(rows.at(kTorsion, k))),
+        place1(Around(rows.at(kPlace1, k))),
+        slope1(Around(rows.at(kSlope1, k))),
+        place2(Around(rows.at(kPlace2, k))),
+        slope2(Around(rows.at(kSlope2, k))) {}
 };
 
 /// Three components, at four nodes.
@@ -146,6 +146,21 @@ struct NodeForces {
             b.y(mu.t, rate.t) - b.x(d, d_rate) + force.at(kSlope1, k), nodes, rows);
 }
 
+/// Theta = tr(J) 1 - J. A product with the matrix itself would wait for it to be stored.
+struct Inertia {
+  double xx, yy, zz, xy, xz, yz;
+
+  Matrix3 matrix() const {
+    Matrix3 Theta;
+    Theta << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return Theta;
+  }
+  Angular operator*(const Angular& w) const {
+    return {xx * w[0] + xy * w[1] + xz * w[2], xy * w[0] + yy * w[1] + yz * w[2],
+            xz * w[0] + yz * w[1] + zz * w[2]};
+  }
+};
+
 /// Sums over the nodes; of J = J0 + (P + P^T)/2, what P is of it.
 struct NodeSums {
   Double4 S[3]{}, S_rate[3]{};
@@ -154,15 +169,15 @@ struct NodeSums {
 
   [[gnu::always_inline]] static void add_moment(const NodeLanes& m, const NodeMotion& q,
                                                 Double4 (&sum)[3]) {
-    sum[0] += lanes(m.axial) * q.u.own;
-    sum[1] += lanes(m.place) * q.place1.own + lanes(m.slope) * q.slope1.own;
-    sum[2] += lanes(m.place) * q.place2.own + lanes(m.slope) * q.slope2.own;
+    sum[0] += lanes(m.axial) * q.u.own();
+    sum[1] += lanes(m.place) * q.place1.own() + lanes(m.slope) * q.slope1.own();
+    sum[2] += lanes(m.place) * q.place2.own() + lanes(m.slope) * q.slope2.own();
   }
   /// P = sum of (what a slot is displaced by) (its momentum, undeformed and now)^T.
   [[gnu::always_inline]] void add_inertia(const NodeLanes& m, const NodeMotion& q,
                                           const NodeMomenta& mu) {
-    const Double4 u = q.u.own, th = q.torsion.own, v = q.place1.own, s1 = q.slope1.own,
-                  w = q.place2.own, s2 = q.slope2.own;
+    const Double4 u = q.u.own(), th = q.torsion.own(), v = q.place1.own(), s1 = q.slope1.own(),
+                  w = q.place2.own(), s2 = q.slope2.own();
     const Double4 d_y = 2.0 * lanes(m.d_undeformed), g_z = 2.0 * lanes(m.g_undeformed);
     const Double4 r_x = mu.r.x + lanes(m.r.undeformed), t_x = mu.t.x + lanes(m.t.undeformed);
     J_xx +=
@@ -179,22 +194,22 @@ struct NodeSums {
   [[gnu::always_inline]] void add_rates(const NodeLanes& m, const NodeMotion& v,
                                         const NodeMomenta& mu) {
     const Double4 d_y = lanes(m.d_undeformed), g_z = lanes(m.g_undeformed);
-    const Double4 th = v.torsion.own, s1 = v.slope1.own, s2 = v.slope2.own;
+    const Double4 th = v.torsion.own(), s1 = v.slope1.own(), s2 = v.slope2.own();
     const Double4 r[3] = {mu.r.x, mu.r.y, mu.r.z}, t[3] = {mu.t.x, mu.t.y, mu.t.z};
     const Double4 stretched[3] = {mu.stretched.x, mu.stretched.y, mu.stretched.z};
     const Double4 d[3] = {-mu.d_slope1, d_y, mu.d_torsion},
                   g[3] = {-mu.g_slope2, -mu.g_torsion, g_z};
     for (int i = 0; i < 3; ++i) {
-      G[i][0] += stretched[i] * v.u.own - d[i] * s1 - g[i] * s2;
-      G[i][1] += r[i] * v.place1.own + t[i] * s1 - g[i] * th;
-      G[i][2] += r[i] * v.place2.own + t[i] * s2 + d[i] * th;
+      G[i][0] += stretched[i] * v.u.own() - d[i] * s1 - g[i] * s2;
+      G[i][1] += r[i] * v.place1.own() + t[i] * s1 - g[i] * th;
+      G[i][2] += r[i] * v.place2.own() + t[i] * s2 + d[i] * th;
     }
   }
-  Matrix3 inertia_sum(const Matrix3& J0) const {
-    const double xy = 0.5 * total(J_xy), xz = 0.5 * total(J_xz), yz = 0.5 * total(J_yz);
-    Matrix3 J;
-    J << total(J_xx), xy, xz, xy, total(J_yy), yz, xz, yz, total(J_zz);
-    return J0 + J;
+  Inertia inertia_sum(const Matrix3& J0) const {
+    const double xx = J0(0, 0) + total(J_xx), yy = J0(1, 1) + total(J_yy),
+                 zz = J0(2, 2) + total(J_zz);
+    return {yy + zz, xx + zz, xx + yy, -(J0(1, 0) + 0.5 * total(J_xy)),
+            -(J0(2, 0) + 0.5 * total(J_xz)), -(J0(2, 1) + 0.5 * total(J_yz))};
   }
   Matrix3 rate_sum() const {
     Matrix3 sum;
@@ -244,12 +259,11 @@ BodyTerms calc_terms(const BodyModel& model, const BodyState& state, const BodyM
       model, motion, is_at_state ? LaneRows::coordinates : LaneRows::elastic_coordinates, work);
   if (body.first_node() > 0) std::fill_n(work.rows, kNodeRows, 0.0);
   const NodeSums sums = sum_nodes(body, motion.w, work);
-  const Matrix3 J = sums.inertia_sum(body.J0), G = sums.rate_sum();
-  const Position S_rate = take(sums.S_rate);
-  const Angular& w = motion.w;
-  terms.S = body.S0 + take(sums.S);
-  terms.Theta = J.trace() * Matrix3::Identity() - J;
-  terms.Q = calc_frame_force(w, terms, S_rate, G);
+  const Inertia Theta = sums.inertia_sum(body.J0);
+  const Position S = body.S0 + take(sums.S);
+  terms.S = S;
+  terms.Theta = Theta.matrix();
+  terms.Q = calc_frame_force(motion.w, S, Theta * motion.w, take(sums.S_rate), sums.rate_sum());
   return terms;
 }
 
@@ -257,7 +271,7 @@ BodyTerms calc_terms(const BodyModel& model, const BodyState& state, const BodyM
 
 BodyTerms calc_straight_terms(const BodyModel& model, const BodyState& state,
                               const BodyMotion& motion, const BodyWork& work) noexcept {
-  return run_kernel([&]() noexcept { return calc_terms(model, state, motion, work); });
+  return run_large_kernel([&]() noexcept { return calc_terms(model, state, motion, work); });
 }
 
 }  // namespace spoke::space

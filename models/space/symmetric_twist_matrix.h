@@ -70,16 +70,14 @@ inline SymmetricTwistMatrix subtract_square(const SymmetricTwistMatrix& a, const
 /// Inverse of a positive definite matrix. Not finite if it is singular. The mean of both halves
 /// is symmetric to the bit: what rounding leaves would grow from joint to joint.
 inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
-  const TwistMatrix inverse = invert_definite(a.all);
-  return {0.5 * (inverse + inverse.transpose())};
+  return {symmetric_mean(invert_definite(a.all))};
 }
 
 /// C - A B A^T: what eliminating a joint of compliance B^-1 leaves of C.
 inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const TwistMatrix& a,
                                       const SymmetricTwistMatrix& b) {
   // Of one half, for the same reason.
-  return SymmetricTwistMatrix::from_matrix(
-      subtract_product_transposed(c.all, multiply(a, b.all), a));
+  return {subtract_product_transposed(c.all, multiply(a, b.all), a)};
 }
 
 }  // namespace spoke::space

@@ -30,6 +30,10 @@ struct TwistColumn {
     a -= factor * x.a;
     b -= factor * x.b;
   }
+  [[gnu::always_inline]] void scale(double factor) {
+    a *= factor;
+    b *= factor;
+  }
   template <int i>
   [[gnu::always_inline]] double get() const {
     if constexpr (i < 4)
@@ -55,6 +59,13 @@ struct TwistColumns {
   }
   [[gnu::always_inline]] void store_to(TwistMatrix& m) const {
     for (int j = 0; j < kTwist; ++j) at[j].store_to(m.data() + kTwist * j);
+  }
+  /// The transpose of the lower left block of three becomes the upper right one.
+  [[gnu::always_inline]] void mirror_lower_left() {
+    const TwistColumn &t0 = at[0], &t1 = at[1], &t2 = at[2];
+    at[3].a = Double4{t0.a[3], t1.a[3], t2.a[3], at[3].a[3]};
+    at[4].a = Double4{t0.b[0], t1.b[0], t2.b[0], at[4].a[3]};
+    at[5].a = Double4{t0.b[1], t1.b[1], t2.b[1], at[5].a[3]};
   }
   /// Adds this times the column of factors x, `stride` apart.
   [[gnu::always_inline]] void add_product(const double* x, int stride, TwistColumn& sum) const {
@@ -107,18 +118,20 @@ inline TwistMatrix add_product(const TwistMatrix& C, const TwistMatrix& A, const
   return D;
 }
 
-/// C - A B^T.
+/// The symmetric matrix C - A B^T, if C and A B^T are symmetric: the lower left block stands for the
+/// upper right one, too.
 inline TwistMatrix subtract_product_transposed(const TwistMatrix& C, const TwistMatrix& A,
                                                const TwistMatrix& B) {
   const TwistColumns a(A);
-  TwistMatrix D;
+  TwistColumns d(C);
   for (int j = 0; j < kTwist; ++j) {
     TwistColumn sum;
     a.add_product(B.data() + j, kTwist, sum);
-    TwistColumn rest = TwistColumn::from(C.data() + kTwist * j);
-    rest.subtract(1.0, sum);
-    rest.store_to(D.data() + kTwist * j);
+    d.at[j].subtract(1.0, sum);
   }
+  d.mirror_lower_left();
+  TwistMatrix D;
+  d.store_to(D);
   return D;
 }
 
@@ -183,29 +196,59 @@ inline TwistMatrix turn_columns(const TwistMatrix& A, const Matrix3& H) {
   return turned;
 }
 
-/// Inverse of a symmetric positive definite map by Gauss and Jordan's elimination in place, which
-/// needs no search for pivots. Not finite if it is singular.
-inline TwistMatrix invert_definite(const TwistMatrix& A) {
+/// Inverse of a symmetric positive definite map by Gauss and Jordan's elimination in place, two
+/// columns at a time, which needs no search for pivots. Not finite if it is singular.
+///
+/// Of the pivot's columns u, v and its inverse Q, all other columns m become m - (u, v) Q m_P, with
+/// Q m_P in its rows P, and the own ones -(u, v) Q, with Q there.
+inline TwistColumns invert_definite(const TwistMatrix& A) {
   TwistColumns m(A);
-  unroll<kTwist>([&m](auto pivot) __attribute__((always_inline)) {
-    constexpr int k = pivot;
-    TwistColumn& own = m.at[k];
-    const double p = 1.0 / own.template get<k>();
-    unroll<kTwist>([&m, &own, p ](auto column) __attribute__((always_inline)) {
+  unroll<kTwist / 2>([&m](auto pivot) __attribute__((always_inline)) {
+    constexpr int k = 2 * pivot, l = k + 1;
+    TwistColumn &u = m.at[k], &v = m.at[l];
+    const double kk = u.template get<k>(), lk = u.template get<l>(), ll = v.template get<l>();
+    const double r = 1.0 / (kk * ll - lk * lk);
+    unroll<kTwist>([&](auto column) __attribute__((always_inline)) {
       constexpr int j = column;
-      if constexpr (j != k) {
-        const double factor = m.at[j].template get<k>() * p;
-        m.at[j].subtract(factor, own);
-        m.at[j].template set<k>(factor);
+      if constexpr (j != k && j != l) {
+        TwistColumn& own = m.at[j];
+        const double x = own.template get<k>(), y = own.template get<l>();
+        const double f = (ll * x - lk * y) * r, g = (kk * y - lk * x) * r;
+        own.subtract(f, u);
+        own.subtract(g, v);
+        own.template set<k>(f);
+        own.template set<l>(g);
       }
     });
-    own.a *= -p;
-    own.b *= -p;
-    own.template set<k>(p);
+    const double q_kk = ll * r, q_lk = -lk * r, q_ll = kk * r;
+    const TwistColumn before = u;
+    u.scale(-q_kk);
+    u.subtract(q_lk, v);
+    v.scale(-q_ll);
+    v.subtract(q_lk, before);
+    u.template set<k>(q_kk);
+    u.template set<l>(q_lk);
+    v.template set<k>(q_lk);
+    v.template set<l>(q_ll);
   });
-  TwistMatrix inverse;
-  m.store_to(inverse);
-  return inverse;
+  return m;
+}
+
+/// (A + A^T)/2.
+inline TwistMatrix symmetric_mean(const TwistColumns& A) {
+  const TwistColumn* c = A.at;
+  const auto half = [](const TwistColumn& x, const TwistColumn& y) __attribute__((always_inline)) {
+    return TwistColumn{0.5 * (x.a + y.a), 0.5 * (x.b + y.b)};
+  };
+  TwistMatrix mean;
+  unroll<kTwist>([&](auto column) __attribute__((always_inline)) {
+    constexpr int j = column;
+    const TwistColumn row{{c[0].template get<j>(), c[1].template get<j>(), c[2].template get<j>(),
+                           c[3].template get<j>()},
+                          {c[4].template get<j>(), c[5].template get<j>()}};
+    half(c[j], row).store_to(mean.data() + kTwist * j);
+  });
+  return mean;
 }
 
 /// A + factor B.

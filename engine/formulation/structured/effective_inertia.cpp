@@ -14,14 +14,18 @@ namespace {
 ///   Pi = (P_oo + R Lam' R^T)^-1,   rhs = R be' - a_o
 ///   Lam = P_ii - P_io Pi P_io^T,   be = a_i + P_io Pi rhs
 /// At the tip Lam = P_ii, be = a_i.
-tree::Branch<Plane> join_children(const Subsystem<Plane>& subsystem, std::size_t j,
-                                  const SubsystemData<Plane>& data, SubsystemWork<Plane>& work) {
+void join_children(const Subsystem<Plane>& subsystem, std::size_t j,
+                   const SubsystemData<Plane>& data, SubsystemWork<Plane>& work) {
   const TwoPort& port = work.bodies[j].port;
-  if (subsystem.bodies[j].children.empty()) return {port.P_ii, port.free_i};
+  tree::Branch<Plane>& branch = work.bodies[j].branch;
+  if (subsystem.bodies[j].children.empty()) {
+    branch = {port.P_ii, port.free_i};
+    return;
+  }
   BodyWork<Plane>& child = work.bodies[j + 1];
   const Twist f =  // the joint's wrench if F = 0
       tree::eliminate_joint(port.P_oo, port.free_o, data.joints[j + 1], child.branch, child.joint);
-  return tree::join<Plane>(port.P_ii, port.P_io, port.free_i, child.joint.Pi, f);
+  branch = tree::join<Plane>(port.P_ii, port.P_io, port.free_i, child.joint.Pi, f);
 }
 
 }  // namespace
@@ -34,7 +38,7 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   // acceleration T Y'' + b in the hub frame. R leads there from the first body's.
   const tree::HubShare<World> share = run_kernel([&]() noexcept {
     for (std::size_t j = work.bodies.size(); j-- > 0;)
-      work.bodies[j].branch = join_children(subsystem, j, data, work);
+      join_children(subsystem, j, data, work);
     return tree::eliminate_root(make_root_joint(subsystem, data), work.bodies[0].branch, work.root);
   });
   EffectiveInertia<World>& effective = data.effective;

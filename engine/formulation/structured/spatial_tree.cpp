@@ -16,18 +16,20 @@ void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implic
     space::condense(*data.blocks[0]->rigid, twist, data.terms.Q, data.work.port);
 }
 
-tree::Branch<Space> join_children(const Subsystem<Space>& subsystem, std::size_t j,
-                                  SubsystemData<Space>& data, SubsystemWork<Space>& work) {
+void join_children(const Subsystem<Space>& subsystem, std::size_t j,
+                   const SubsystemData<Space>& data, SubsystemWork<Space>& work) {
   const tree::MultiPort<Space>& port = data.bodies[j].work.port;
   const std::vector<int>& children = subsystem.bodies[j].children;
-  run_kernel([&]() noexcept {
+  run_large_kernel([&]() noexcept {
     for (std::size_t o = children.size(); o > 0; --o) {
       const auto c = static_cast<std::size_t>(children[o - 1]);
       tree::eliminate_child(static_cast<int>(o), joint_of(subsystem, data, c),
                             work.bodies[c].branch, port, work.bodies[c].joint);
     }
+    tree::Branch<Space>& branch = work.bodies[j].branch;
+    space::copy(port.diagonal[0].matrix(), branch.Lambda.all);
+    branch.free = port.free[0];
   });
-  return {port.diagonal[0], port.free[0]};
 }
 
 void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
@@ -36,7 +38,7 @@ void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
   space::Twist* wrenches = body.work.wrenches;
   wrenches[0] = data.wrenches[j].inboard;
   const std::vector<int>& children = subsystem.bodies[j].children;
-  run_kernel([&]() noexcept {
+  run_large_kernel([&]() noexcept {
     for (std::size_t o = 1; o <= children.size(); ++o) {
       const auto c = static_cast<std::size_t>(children[o - 1]);
       const space::JointTerms joint = joint_of(subsystem, data, c);

@@ -8,9 +8,9 @@
 
 namespace spoke::structured {
 
-/// Body j with all that its children carry (engine/tree/joint_elimination.h).
-tree::Branch<Space> join_children(const Subsystem<Space>& subsystem, std::size_t j,
-                                  SubsystemData<Space>& data, SubsystemWork<Space>& work);
+/// Sets the branch of body j: with all that its children carry (engine/tree/joint_elimination.h).
+void join_children(const Subsystem<Space>& subsystem, std::size_t j,
+                   const SubsystemData<Space>& data, SubsystemWork<Space>& work);
 
 /// Wrenches at the joints of the children of body j, and the accelerations of their coordinates.
 void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
