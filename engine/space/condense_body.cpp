@@ -31,7 +31,6 @@ struct Products {
     for (int i = 0; i < 3; ++i) m.row(i) << rows[i][0], rows[i][1], rows[i][2];
     return m;
   }
-  Position last(const Lanes (&rows)[3]) const { return {rows[0][3], rows[1][3], rows[2][3]}; }
 };
 
 void clear_fixed_rows(const FlexibleBody& body, double* rows) {
@@ -194,7 +193,11 @@ void condense(const BodyModel& model, const BodyTerms& terms, const Angular& w, 
       SymmetricTwistMatrix::from_blocks(body.mass * Matrix3::Identity() - block.C_W,
                                         skew(terms.S) - products.columns(products.t).transpose(),
                                         terms.Theta - products.columns(products.w)));
-  work.condensed.p = terms.Q - make_twist(products.last(products.t), products.last(products.w));
+  unroll<3>([&](auto component) {
+    constexpr int c = component;
+    work.condensed.p[c] = terms.Q[c] - products.t[c][3];
+    work.condensed.p[kRotation + c] = terms.Q[kRotation + c] - products.w[c][3];
+  });
   const Twist X_free = work.condensed.S_inverse * work.condensed.p;
   for (std::size_t h = 0; h < body.handles.size(); ++h) {
     if (block.Z[h].empty()) {
@@ -247,19 +250,23 @@ void add_wrench(const FlexibleBody& body, const ElasticBlock& block, std::size_t
     });
 }
 
-/// Solves one node of L^T x = b in place; the solution of its outer neighbour, if there is one,
-/// stands behind.
-void solve_back_coupled(const double* below_outer, const double* inverse, double* x) {
+/// Solves one node of L^T x = b in place; `outer`: the solution of its outer neighbour, if there is
+/// one, which becomes its own.
+void solve_back_coupled(const double* below_outer, const double* inverse, double* x,
+                        double (&outer)[kTwist]) {
   Double6 rest{load(x), load(x + 2), load(x + 4)};
   if (below_outer)
-    for (int j = 0; j < kTwist; ++j) rest.add(-x[kTwist + j], below_outer + kTwist * j);
+    for (int j = 0; j < kTwist; ++j) rest.add(-outer[j], below_outer + kTwist * j);
   double sums[kTwist];
   rest.store_to(sums);
   // The rows of the inverse are the columns of its transpose.
-  multiply(inverse, sums).store_to(x);
+  const Double6 solution = multiply(inverse, sums);
+  solution.store_to(x);
+  solution.store_to(outer);
 }
 
-void solve_back_decoupled(const double* below_outer, const double* inverse, double* x) {
+void solve_back_decoupled(const double* below_outer, const double* inverse, double* x,
+                          double (&outer)[kTwist]) {
   double rest[kTwist];
   unroll<kTwist>([&](auto row) {
     constexpr int i = row;
@@ -267,8 +274,7 @@ void solve_back_decoupled(const double* below_outer, const double* inverse, doub
     if (below_outer)
       unroll<kTwist>([&](auto column) {
         constexpr int j = column;
-        if constexpr (is_one_direction(i, j))
-          rest[i] -= below_outer[kTwist * j + i] * x[kTwist + j];
+        if constexpr (is_one_direction(i, j)) rest[i] -= below_outer[kTwist * j + i] * outer[j];
       });
   });
   unroll<kTwist>([&](auto row) {
@@ -278,7 +284,7 @@ void solve_back_decoupled(const double* below_outer, const double* inverse, doub
       constexpr int j = column;
       if constexpr (j >= i && is_one_direction(i, j)) sum += inverse[kTwist * j + i] * rest[j];
     });
-    x[i] = sum;
+    x[i] = outer[i] = sum;
   });
 }
 
@@ -286,9 +292,10 @@ void solve_back_decoupled(const double* below_outer, const double* inverse, doub
 template <bool kIsDecoupled>
 void solve_back(const FlexibleBody& body, const ElasticBlock& block, double* b) {
   constexpr auto solve_one = kIsDecoupled ? solve_back_decoupled : solve_back_coupled;
+  double outer[kTwist]{};
   for (int k = body.elements; k >= body.first_node(); --k)
     solve_one(k < body.elements ? block.below_of(k + 1) : nullptr, block.inverse_of(k),
-              b + kTwist * k);
+              b + kTwist * k, outer);
 }
 
 /// The accelerations by node, from those of the frame and the wrenches on the handles.

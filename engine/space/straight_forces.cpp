@@ -9,6 +9,17 @@
 namespace spoke::space {
 namespace {
 
+/// Values at the inner and the outer nodes of four elements.
+struct Ends {
+  Double4 inner, outer;
+
+  /// x: at the innermost node. The others have been stored by four from the next node on, or a
+  /// moment ago: reading four that lie across would wait until they have reached the cache.
+  [[gnu::always_inline]] explicit Ends(const double* x) : outer(load4(x + 1)) {
+    inner = __builtin_shufflevector(Double4{x[0]}, outer, 0, 4, 5, 6);
+  }
+};
+
 /// What an element's ends do in its two planes and about its axis, at four elements; or forces.
 struct ElementState {
   struct Plane {
@@ -20,11 +31,12 @@ struct ElementState {
   ElementState() = default;
   [[gnu::always_inline]] ElementState(const LaneRows& rows, int e) {
     for (int p = 0; p < 2; ++p) {
-      const double *place = rows.at(kPlace1 + 2 * p, e), *slope = rows.at(kSlope1 + 2 * p, e);
-      plane[p] = {load4(place + 1) - load4(place), load4(slope), load4(slope + 1)};
+      const Ends place(rows.at(kPlace1 + 2 * p, e)), slope(rows.at(kSlope1 + 2 * p, e));
+      plane[p] = {place.outer - place.inner, slope.inner, slope.outer};
     }
-    torsion[0] = load4(rows.at(kTorsion, e));
-    torsion[1] = load4(rows.at(kTorsion, e) + 1);
+    const Ends ends(rows.at(kTorsion, e));
+    torsion[0] = ends.inner;
+    torsion[1] = ends.outer;
   }
 };
 
@@ -36,8 +48,8 @@ struct ElementForces {
   /// Elastic ones.
   [[gnu::always_inline]] ElementForces(const ElementLanes& m, const LaneRows& rows, int e) {
     const ElementState x(rows, e);
-    const double* u = rows.at(kAxialPlace, e);
-    axial = lanes(m.axial) * (load4(u + 1) - load4(u));
+    const Ends u(rows.at(kAxialPlace, e));
+    axial = lanes(m.axial) * (u.outer - u.inner);
     twist = lanes(m.torsion) * (x.torsion[1] - x.torsion[0]);
     const Double4 l = lanes(m.length);
     for (int p = 0; p < 2; ++p) {

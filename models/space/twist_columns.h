@@ -118,8 +118,8 @@ inline TwistMatrix add_product(const TwistMatrix& C, const TwistMatrix& A, const
   return D;
 }
 
-/// The symmetric matrix C - A B^T, if C and A B^T are symmetric: the lower left block stands for the
-/// upper right one, too.
+/// The symmetric matrix C - A B^T, if C and A B^T are symmetric: the lower left block stands for
+/// the upper right one, too.
 inline TwistMatrix subtract_product_transposed(const TwistMatrix& C, const TwistMatrix& A,
                                                const TwistMatrix& B) {
   const TwistColumns a(A);
