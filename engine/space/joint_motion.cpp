@@ -101,7 +101,7 @@ void calc_joint_motion(const Joint& joint, const JointState& state, const Rotati
                        const Twist& handle, JointMotion& motion, Twist& child) noexcept {
   motion.R = section;
   motion.p.setZero();
-  for (int c = 0; c < joint.coordinates + joint.driven; ++c) motion.columns.col(c).setZero();
+  motion.columns.setZero();
   motion.bias.setZero();
   Walk walk(joint, state, handle, motion);
   if (!joint.offset.p.isZero(0.0)) walk.move_on(joint.offset.p);  // none where a beam goes on

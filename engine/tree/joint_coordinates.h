@@ -19,8 +19,7 @@ namespace spoke::tree {
 //   Pi_k = Pi_(k-1) - d_k y_k y_k^T,                       t_k = d_k (tau_k + H_k^T s_(k-1))
 //   s_k = s_(k-1) - t_k y_k,                               q_k'' = t_k + d_k y_k^T r_k
 
-/// What the elimination of a joint's coordinates leaves besides Pi. Of coordinates that the joint
-/// does not have, nothing is set.
+/// What the elimination of a joint's coordinates leaves besides Pi.
 template <class World>
 struct JointResponse {
   static constexpr int kMost = World::kMostJointCoordinates;
@@ -39,6 +38,8 @@ void eliminate_coordinates(const Joint& joint, typename World::SymmetricTwistMat
                            JointResponse<World>& response) noexcept {
   using Twist = typename World::Twist;
   response.wrench.setZero();
+  response.gain.setZero();
+  response.given.fill(0.0);
   for (int c = 0; c < joint.coordinates; ++c) {
     const auto k = static_cast<std::size_t>(c);
     const Twist H = response.H.col(c);
