@@ -1,4 +1,4 @@
-// The page of traces in builds without Node: none.
+// The page of traces in builds without esbuild: none.
 
 #include "graph/viewer/viewer_page.h"
 

@@ -10,7 +10,7 @@ namespace spoke::graph {
 /// once
 ///   <script type="application/json" id="spoke-trace">null</script>
 /// where the trace's data take the place of `null`, with every "</" in them written as "<\/".
-/// Empty if Spoke was built without Node (see graph/viewer/CMakeLists.txt).
+/// Empty if Spoke was built without esbuild (see graph/viewer/CMakeLists.txt).
 std::string_view viewer_page();
 
 }  // namespace spoke::graph

@@ -1,6 +1,9 @@
-# cmake -DNAME=run_script -DOUTPUT=run_script.cpp "-DINPUTS=a.js|b.js" -P embed_text.cmake
-# Makes a source file with the function spoke::report::NAME() that returns the files' text, one
-# after the other.
+# cmake -DFUNCTION=spoke::report::run_script -DHEADER=engine/report/run_script.h -DOUTPUT=run_script.cpp
+#       "-DINPUTS=a.js|b.js" -P embed_text.cmake
+# Makes a source file with the function, which HEADER declares, that returns the files' text, one after
+# the other.
+string(REGEX REPLACE "::[^:]*$" "" namespace "${FUNCTION}")
+string(REGEX REPLACE "^.*::" "" name "${FUNCTION}")
 string(REPLACE "|" ";" INPUTS "${INPUTS}")
 set(parts "")
 foreach(input IN LISTS INPUTS)
@@ -22,14 +25,14 @@ foreach(input IN LISTS INPUTS)
     math(EXPR at "${at} + 16000")
   endwhile()
 endforeach()
-file(WRITE "${OUTPUT}" "#include \"engine/report/${NAME}.h\"
+file(WRITE "${OUTPUT}" "#include \"${HEADER}\"
 
 #include <initializer_list>
 #include <string>
 
-namespace spoke::report {
+namespace ${namespace} {
 
-std::string_view ${NAME}() {
+std::string_view ${name}() {
   static const std::string kText = [] {
     std::string text;
     for (const std::string_view part : std::initializer_list<std::string_view>{
@@ -40,5 +43,5 @@ ${parts}         })
   return kText;
 }
 
-}  // namespace spoke::report
+}  // namespace ${namespace}
 ")
