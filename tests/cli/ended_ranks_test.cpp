@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,12 +12,6 @@
 #include "tests/cli/study_folder.h"
 
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr int kKilled = 128 + SIGKILL;  // of mpirun, one of whose processes was
-
-}  // namespace
 
 TEST_CASE("a run in several processes that diverges says so once") {
   const WorkFolder folder;

@@ -17,13 +17,13 @@ using nlohmann::json;
 namespace {
 
 /// What a run leaves behind that must not depend on how often it was killed.
-struct Left {
+struct RunLeft {
   json summary;
   std::string rows;
 };
 
-Left left_in(const fs::path& folder) {
-  Left left{json::parse(read_file(folder / "summary.json")), read_file(folder / "sensors.csv")};
+RunLeft left_in(const fs::path& folder) {
+  RunLeft left{json::parse(read_file(folder / "summary.json")), read_file(folder / "sensors.csv")};
   for (const char* field : {"wall_time_s", "executor", "executor_choice", "threads"})
     left.summary.erase(field);
   return left;
@@ -59,7 +59,7 @@ void check_kills(int kills) {
   const auto start = std::chrono::steady_clock::now();
   REQUIRE(Child(run_of({"--executor", "serial"}), whole).wait().status == 0);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  const Left expected = left_in(whole.path() / "o");
+  const RunLeft expected = left_in(whole.path() / "o");
   const fs::path results = folder.path() / "o", checkpoint = results / "checkpoint.spoke";
 
   std::mt19937 random(std::random_device{}());
@@ -80,7 +80,7 @@ void check_kills(int kills) {
     }
     CAPTURE(ended.err);
     REQUIRE(ended.status == 0);
-    const Left left = left_in(results);
+    const RunLeft left = left_in(results);
     CHECK(left.rows == expected.rows);
     CHECK(left.summary == expected.summary);
     fs::remove_all(results);

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <random>
 
@@ -13,8 +12,6 @@ const std::vector<std::string> kStudyOnRanks = {"study", "study.toml", "--quiet"
                                                 "o",     "--resume",   "--threads", "1"};
 
 namespace {
-
-constexpr int kKilled = 128 + SIGKILL;  // of mpirun, one of whose processes was
 
 /// What mpirun starts so that one of the ranks is killed after a time.
 std::string kill_rank(int rank, double seconds) {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <csignal>
 #include <string>
 #include <vector>
+
+/// The exit status of mpirun, one of whose processes was killed.
+inline constexpr int kKilled = 128 + SIGKILL;
 
 /// The arguments of a study in the folder o, on one thread of each rank, begun or resumed.
 extern const std::vector<std::string> kStudyOnRanks;

@@ -25,14 +25,15 @@ Words run_of(const std::string& seconds, const Words& more) {
   return words;
 }
 
-json summary_in(const fs::path& folder) {
+json untimed_summary_in(const fs::path& folder) {
   json summary = json::parse(read_file(folder / "summary.json"));
   summary.erase("wall_time_s");
   return summary;
 }
 
 /// Checks that spoke refuses, in one line with `message`, and leaves the results as they are.
-void check_refused(const Words& words, const std::string& message, const WorkFolder& folder) {
+void check_refused_resume(const Words& words, const std::string& message,
+                          const WorkFolder& folder) {
   const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
   const int entries = folder.entries();
   const Ended ended = run_spoke(words, folder);
@@ -73,7 +74,7 @@ TEST_CASE("a run goes on for longer, in its folder or another, as if it had not 
     REQUIRE(ended.status == 0);
     const fs::path results = folder.path() / (out.empty() ? "o" : "other");
     CHECK(read_file(results / "sensors.csv") == rows);
-    CHECK(summary_in(results) == summary_in(folder.path() / "whole"));
+    CHECK(untimed_summary_in(results) == untimed_summary_in(folder.path() / "whole"));
   }
   CHECK(fs::exists(folder.path() / "o" / "checkpoint.spoke"));
   CHECK_FALSE(fs::exists(folder.path() / "other" / "checkpoint.spoke"));
@@ -83,12 +84,12 @@ TEST_CASE("a run resumed at its end has the same results again") {
   const WorkFolder folder;
   run_a_second(folder);
   const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
-  const json summary = summary_in(folder.path() / "o");
+  const json summary = untimed_summary_in(folder.path() / "o");
   const Ended ended =
       run_spoke(run_of("1", {"--executor", "serial", "--resume", "o/checkpoint.spoke"}), folder);
   CHECK(ended.status == 0);
   CHECK(read_file(folder.path() / "o" / "sensors.csv") == rows);
-  CHECK(summary_in(folder.path() / "o") == summary);
+  CHECK(untimed_summary_in(folder.path() / "o") == summary);
 }
 
 TEST_CASE("checkpoints do not change the results, and a run without removes an old one") {
@@ -112,22 +113,25 @@ TEST_CASE("a checkpoint that does not belong to the run is refused and nothing i
     more.insert(more.end(), resume.begin(), resume.end());
     return more;
   };
-  check_refused(run_of("2", with({"--set", "blade.length=7"})),
-                "o/checkpoint.spoke: cannot be resumed: the saved state is of another model: "
-                "blades.1.length is 8.0 in the saved state and 7.0 here",
-                folder);
-  check_refused(run_of("2", with({"--integrator", "rk4"})),
-                "integration.method is \"generalized_alpha\" in the saved state and \"rk4\" here",
-                folder);
-  check_refused(run_of("2", with({"--formulation", "subsystem"})),
-                "formulation is \"structured\" in the saved state and \"subsystem\" here", folder);
-  check_refused(run_of("2", with({"--set", "output.interval=0.1"})),
-                "output.interval is 0.05 in the checkpoint and 0.1 here", folder);
-  check_refused(run_of("0.5", with({})), "it stands at t = 1 s, beyond the duration of 0.5 s",
-                folder);
-  check_refused(run_of("2", {"--resume", "none"}), "none: cannot be read: No such file", folder);
-  check_refused(run_of("2", {"--resume", "o/summary.json"}),
-                "o/summary.json: is no checkpoint of Spoke", folder);
+  check_refused_resume(
+      run_of("2", with({"--set", "blade.length=7"})),
+      "o/checkpoint.spoke: cannot be resumed: the saved state is of another model: "
+      "blades.1.length is 8.0 in the saved state and 7.0 here",
+      folder);
+  check_refused_resume(
+      run_of("2", with({"--integrator", "rk4"})),
+      "integration.method is \"generalized_alpha\" in the saved state and \"rk4\" here", folder);
+  check_refused_resume(run_of("2", with({"--formulation", "subsystem"})),
+                       "formulation is \"structured\" in the saved state and \"subsystem\" here",
+                       folder);
+  check_refused_resume(run_of("2", with({"--set", "output.interval=0.1"})),
+                       "output.interval is 0.05 in the checkpoint and 0.1 here", folder);
+  check_refused_resume(run_of("0.5", with({})),
+                       "it stands at t = 1 s, beyond the duration of 0.5 s", folder);
+  check_refused_resume(run_of("2", {"--resume", "none"}), "none: cannot be read: No such file",
+                       folder);
+  check_refused_resume(run_of("2", {"--resume", "o/summary.json"}),
+                       "o/summary.json: is no checkpoint of Spoke", folder);
 }
 
 TEST_CASE("a resumed run goes on with the rows of its sensors, and with no others") {
@@ -144,12 +148,13 @@ TEST_CASE("a resumed run goes on with the rows of its sensors, and with no other
           0);
   REQUIRE(run_spoke(run_of("2", with({"--out", "whole"})), folder).status == 0);
   const std::string checkpoint = "o/checkpoint.spoke";
-  check_refused(run_of("2", with({"--set", "sensor.1.name=middle", "--resume", checkpoint})),
-                "o/checkpoint.spoke: cannot be resumed: o/sensors.csv has other columns than the "
-                "sensors of the scenario",
-                folder);
-  check_refused(run_of("2", {"--resume", checkpoint}),
-                "it has records of 41 sensors and 3 tips, expected 29 and 3", folder);
+  check_refused_resume(
+      run_of("2", with({"--set", "sensor.1.name=middle", "--resume", checkpoint})),
+      "o/checkpoint.spoke: cannot be resumed: o/sensors.csv has other columns than the "
+      "sensors of the scenario",
+      folder);
+  check_refused_resume(run_of("2", {"--resume", checkpoint}),
+                       "it has records of 41 sensors and 3 tips, expected 29 and 3", folder);
   REQUIRE(run_spoke(run_of("2", with({"--resume", checkpoint})), folder).status == 0);
   const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
   CHECK(rows == read_file(folder.path() / "whole" / "sensors.csv"));
@@ -171,18 +176,18 @@ TEST_CASE("a damaged checkpoint, and rows that are not its own, are refused") {
     std::ofstream(results / name, std::ios::binary) << text;
   };
   write("checkpoint.spoke", bytes.substr(0, bytes.size() - 7));
-  check_refused(words, "o/checkpoint.spoke: is truncated: has ", folder);
+  check_refused_resume(words, "o/checkpoint.spoke: is truncated: has ", folder);
   std::string damaged = bytes;
   damaged[bytes.size() / 2] ^= 4;
   write("checkpoint.spoke", damaged);
-  check_refused(words, "o/checkpoint.spoke: is damaged: its checksum is ", folder);
+  check_refused_resume(words, "o/checkpoint.spoke: is damaged: its checksum is ", folder);
   write("checkpoint.spoke", bytes);
   write("sensors.csv", rows.substr(0, rows.size() / 2));
-  check_refused(words, "o/sensors.csv: cannot be continued: it has ", folder);
+  check_refused_resume(words, "o/sensors.csv: cannot be continued: it has ", folder);
   std::string other = rows;
   other[rows.size() / 2] = 'x';
   write("sensors.csv", other);
-  check_refused(words, "o/sensors.csv: cannot be continued: its first ", folder);
+  check_refused_resume(words, "o/sensors.csv: cannot be continued: its first ", folder);
 }
 
 TEST_CASE("--checkpoint-every wants a time") {

@@ -16,9 +16,6 @@ using spoke::testing::approx;
 
 namespace {
 
-const auto kSerial = ExecutorKind::serial;
-const auto kFlow = ExecutorKind::flow_graph;
-
 Comparison sample() {
   Measurement failed = measurement_of(kFlow, 3, {});
   failed.hashes.clear();

@@ -10,8 +10,6 @@ using namespace spoke::compare;
 
 namespace {
 
-const auto kSerial = ExecutorKind::serial;
-const auto kFlow = ExecutorKind::flow_graph;
 const Measurement kTen = measurement_of(kSerial, 1, {10e-6, 10e-6, 10e-6, 10e-6});
 
 void check_says(const Comparison& comparison, const std::vector<std::string>& parts) {

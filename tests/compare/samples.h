@@ -4,6 +4,9 @@
 
 #include "engine/compare/comparison.h"
 
+inline constexpr auto kSerial = spoke::ExecutorKind::serial;
+inline constexpr auto kFlow = spoke::ExecutorKind::flow_graph;
+
 /// A measurement of `structured` with the times per step and as many hashes 1, 2, ...
 spoke::compare::Measurement measurement_of(spoke::ExecutorKind executor, int threads,
                                            const std::vector<double>& step_times);

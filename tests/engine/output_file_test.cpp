@@ -11,20 +11,15 @@
 #include <iterator>
 #include <string>
 
+#include "tests/file_text.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 using namespace spoke;
+using spoke::test::file_text;
 using spoke::test::TemporaryFolder;
 
-namespace {
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a file is replaced as a whole or stays as it is") {
   const TemporaryFolder folder;
@@ -33,12 +28,12 @@ TEST_CASE("a file is replaced as a whole or stays as it is") {
   {
     ReplacedFile given_up(file);
     given_up.append("new");
-    CHECK(read_file(file) == "old");
+    CHECK(file_text(file) == "old");
   }
-  CHECK(read_file(file) == "old");
+  CHECK(file_text(file) == "old");
   CHECK_FALSE(fs::exists(folder / "a.tmp"));
   replace_file(file, "new");
-  CHECK(read_file(file) == "new");
+  CHECK(file_text(file) == "new");
 }
 
 TEST_CASE("a pipe keeps its place and is written to") {

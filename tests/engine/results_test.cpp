@@ -14,21 +14,18 @@
 
 #include "engine/support/machine.h"
 #include "tests/approx.h"
+#include "tests/file_text.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 using namespace spoke;
+using spoke::test::file_text;
 using spoke::test::message_of;
 using spoke::test::TemporaryFolder;
 using spoke::testing::approx;
 
 namespace {
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The steps, of 0 to `count` of size `step`, that are output.
 std::vector<int> due_steps(double interval, double step, int count) {
@@ -129,7 +126,7 @@ TEST_CASE("rows are written in digits that read back equal") {
   file.write_row(0.0, values);
   file.write_row(1e-7, std::vector<double>{1.0, std::numeric_limits<double>::infinity()});
   file.close();
-  CHECK(read_file(path) == "t,a,b\n0,0.30000000000000004,-0.3333333333333333\n1e-07,1,inf\n");
+  CHECK(file_text(path) == "t,a,b\n0,0.30000000000000004,-0.3333333333333333\n1e-07,1,inf\n");
 }
 
 TEST_CASE("files that cannot be written say why") {
@@ -151,7 +148,7 @@ TEST_CASE("a file is replaced as a whole") {
   const fs::path file = folder.path() / "f";
   write_file(file, "a long first text");
   write_file(file, "second");
-  CHECK(read_file(file) == "second");
+  CHECK(file_text(file) == "second");
   CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
 }
 

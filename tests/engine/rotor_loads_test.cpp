@@ -9,14 +9,13 @@
 #include "tests/approx.h"
 #include "tests/engine/load_rotors.h"
 #include "tests/engine/rotors.h"
+#include "tests/engine/serial.h"
 
 using namespace spoke;
 using namespace spoke::test;
 using spoke::testing::approx;
 
 namespace {
-
-const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
 
 // Of the blade of Wu & Haug.
 constexpr double kLength = 8.0;

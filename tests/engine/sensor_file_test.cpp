@@ -11,20 +11,17 @@
 #include <string>
 #include <vector>
 
+#include "tests/file_text.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 
 namespace fs = std::filesystem;
 using namespace spoke;
+using spoke::test::file_text;
 using spoke::test::message_of;
 using spoke::test::TemporaryFolder;
 
 namespace {
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void write_rows(int first, int last, SensorFile& file) {
   for (int n = first; n < last; ++n) file.write_row(n, std::vector<double>{0.1 * n});
@@ -45,19 +42,19 @@ SensorFileMark write_marked(const fs::path& path) {
 TEST_CASE("a file goes on behind a mark, in its place and as a copy, without gap or duplicate") {
   const TemporaryFolder folder;
   const SensorFileMark mark = write_marked(folder / "a");
-  const std::string whole = read_file(folder / "a");
+  const std::string whole = file_text(folder / "a");
   for (const char* name : {"a", "b"}) {
     SensorFile file(folder / name, mark, folder / "a");
-    CHECK(read_file(folder / name) == whole.substr(0, mark.bytes));
+    CHECK(file_text(folder / name) == whole.substr(0, mark.bytes));
     write_rows(5, 7, file);
     const SensorFileMark further = file.sync();
     write_rows(7, 10, file);
     file.close();
-    CHECK(read_file(folder / name) == whole);
+    CHECK(file_text(folder / name) == whole);
     CHECK(further.bytes > mark.bytes);
     SensorFile again(folder / name, further, folder / name);
     again.close();
-    CHECK(read_file(folder / name) == whole.substr(0, further.bytes));
+    CHECK(file_text(folder / name) == whole.substr(0, further.bytes));
     write_marked(folder / "a");
   }
 }
@@ -83,14 +80,14 @@ TEST_CASE("a file that is not the marked one is refused and left alone") {
   const TemporaryFolder folder;
   const fs::path path = folder / "a";
   const SensorFileMark mark = write_marked(path);
-  std::string text = read_file(path);
+  std::string text = file_text(path);
   const auto refusal = [&] { return message_of([&] { SensorFile(path, mark, path); }); };
   text[mark.bytes / 2] ^= 1;
   std::ofstream(path) << text;
   CHECK(refusal() == path.string() + ": cannot be continued: its first " +
                          std::to_string(mark.bytes) +
                          " bytes are not those that stood there when the checkpoint was made");
-  CHECK(read_file(path) == text);
+  CHECK(file_text(path) == text);
   std::ofstream(path) << text.substr(0, 10);
   CHECK(refusal() == path.string() +
                          ": cannot be continued: it has 10 bytes, the checkpoint was made behind " +
@@ -116,7 +113,7 @@ TEST_CASE("where the disk is full, the file ends with a complete row") {
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   CHECK(message == path.string() + ": cannot be written: File too large");
-  const std::string text = read_file(path);
+  const std::string text = file_text(path);
   CHECK(text.size() > 99'000);
   CHECK(text.size() <= 100'000);
   CHECK(text.back() == '\n');

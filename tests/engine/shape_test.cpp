@@ -10,14 +10,13 @@
 #include "engine/simulation.h"
 #include "tests/approx.h"
 #include "tests/engine/rotors.h"
+#include "tests/engine/serial.h"
 
 using namespace spoke;
 using namespace spoke::test;
 using spoke::testing::approx;
 
 namespace {
-
-const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
 
 BladeShape shape_of(const Simulation& simulation, int blade) {
   BladeShape shape;

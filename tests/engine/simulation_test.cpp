@@ -9,15 +9,14 @@
 #include "models/error.h"
 #include "tests/approx.h"
 #include "tests/engine/rotors.h"
+#include "tests/engine/serial.h"
 #include "tests/message_of.h"
 
 using namespace spoke;
 using namespace spoke::test;
 using spoke::testing::approx;
 
-namespace {
-const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
-}
+namespace {}
 
 TEST_CASE("a simulation tells its size") {
   const Simulation simulation(spin_up_scenario(wu_haug_blade(), 0.005), kSerial);

@@ -11,6 +11,7 @@
 #include "models/space/rotation_vector.h"
 #include "models/tree/tree.h"
 #include "tests/engine/scene/shipped.h"
+#include "tests/engine/serial.h"
 #include "tests/engine/space/system/models.h"
 #include "tests/message_of.h"
 
@@ -20,8 +21,6 @@ using spatial::Tensor;
 using spatial::Vector;
 
 namespace {
-
-const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
 
 Scenario space_scenario(const std::string& hub, const std::string& bodies, double step) {
   Scenario scenario = parse_scenario(make_text(hub, bodies, kGravity), "test");

@@ -7,9 +7,12 @@
 #include <numbers>
 #include <string>
 
+#include "tests/models/inline_toml.h"
+
 using doctest::Approx;
 using namespace spoke;
 using std::numbers::pi;
+using test::document_of;
 
 namespace {
 
@@ -21,23 +24,6 @@ const std::string kIntegration = "[integration]\nduration = 20\n";
 
 Scenario parse(const std::string& text, const Overrides& overrides = {}) {
   return parse_scenario(text, "folder/some_name.toml", overrides);
-}
-
-/// The same scenario written as TOML with everything inline.
-std::string to_toml(const nlohmann::ordered_json& json) {
-  if (!json.is_structured()) return json.dump();
-  std::string text;
-  for (const auto& [key, value] : json.items()) {
-    text += (text.empty() ? "" : ", ") + (json.is_object() ? key + " = " : "") + to_toml(value);
-  }
-  return json.is_object() ? '{' + text + '}' : '[' + text + ']';
-}
-
-std::string document_of(const std::string& json) {
-  std::string text;
-  const auto parsed = nlohmann::ordered_json::parse(json);
-  for (const auto& [key, value] : parsed.items()) text += key + " = " + to_toml(value) + '\n';
-  return text;
 }
 
 }  // namespace

@@ -2,25 +2,20 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "models/scenario.h"
+#include "tests/file_text.h"
 
 using doctest::Approx;
 using namespace spoke;
+using test::file_text;
 
 namespace {
 
 Scenario shipped(const std::string& name) {
   return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"));
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// Checks that the documentation names every key of `json`: a value as `key`, a table as [key].
@@ -114,7 +109,7 @@ TEST_CASE("every shipped scenario says what it is and where it comes from") {
     if (entry.path().extension() != ".toml") continue;
     CAPTURE(entry.path());
     ++count;
-    const std::string text = text_of(entry.path());
+    const std::string text = file_text(entry.path());
     CHECK(text.starts_with("# "));
     CHECK(text.find("\n# Source: ") != std::string::npos);
     CHECK_NOTHROW(read_scenario(entry.path()));
@@ -123,7 +118,7 @@ TEST_CASE("every shipped scenario says what it is and where it comes from") {
 }
 
 TEST_CASE("every key of a scenario is documented") {
-  const std::string documentation = text_of(SPOKE_DOCS_DIR "/scenario.md");
+  const std::string documentation = file_text(SPOKE_DOCS_DIR "/scenario.md");
   for (const char* name : {"wu_haug_rotor", "spin_up_hold_spin_down", "free_hub_satellite"}) {
     check_documented(nlohmann::json::parse(shipped(name).to_json()), documentation);
   }

@@ -4,16 +4,18 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "models/scenario.h"
 #include "models/tree/tree.h"
+#include "tests/file_text.h"
+#include "tests/models/inline_toml.h"
 
 using doctest::Approx;
 using namespace spoke;
+using test::document_of;
+using test::file_text;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -22,29 +24,8 @@ const char* const kNames[] = {"articulated_rotor", "drone_rotor",     "heavy_top
                               "nrel_5mw_rotor",    "satellite_booms", "spatial_wu_haug",
                               "tree_of_bodies"};
 
-Scenario shipped(const std::string& name) {
+Scenario shipped_in_space(const std::string& name) {
   return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"));
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// The same scenario written as TOML with everything inline.
-std::string to_toml(const Json& json) {
-  if (!json.is_structured()) return json.dump();
-  std::string text;
-  for (const auto& [key, value] : json.items())
-    text += (text.empty() ? "" : ", ") + (json.is_object() ? key + " = " : "") + to_toml(value);
-  return json.is_object() ? '{' + text + '}' : '[' + text + ']';
-}
-
-std::string document_of(const std::string& json) {
-  std::string text;
-  const Json parsed = Json::parse(json);
-  for (const auto& [key, value] : parsed.items()) text += key + " = " + to_toml(value) + '\n';
-  return text;
 }
 
 /// The keys of all tables within.
@@ -74,7 +55,7 @@ spatial::MassProperties blade_of(const Scenario& scenario) {
 TEST_CASE("what a scenario in space says, written and read again, is the same") {
   for (const char* name : kNames) {
     CAPTURE(name);
-    const Scenario scenario = shipped(name);
+    const Scenario scenario = shipped_in_space(name);
     REQUIRE(scenario.space.has_value());
     const std::string json = scenario.to_json();
     CHECK(parse_scenario(document_of(json), scenario.name).to_json() == json);
@@ -82,13 +63,13 @@ TEST_CASE("what a scenario in space says, written and read again, is the same") 
 }
 
 TEST_CASE("every key of a scenario in space is documented") {
-  const std::string documentation = text_of(SPOKE_DOCS_DIR "/scenario.md");
+  const std::string documentation = file_text(SPOKE_DOCS_DIR "/scenario.md");
   for (const char* name : kNames)
-    check_documented(Json::parse(shipped(name).to_json()), documentation);
+    check_documented(Json::parse(shipped_in_space(name).to_json()), documentation);
 }
 
 TEST_CASE("the NREL blade has the published mass and moments") {
-  const spatial::MassProperties blade = blade_of(shipped("nrel_5mw_rotor"));
+  const spatial::MassProperties blade = blade_of(shipped_in_space("nrel_5mw_rotor"));
   // NREL/TP-500-38060, table 2-2.
   CHECK(blade.mass == Approx(17740.0).epsilon(0.003));
   CHECK(blade.first_moment.x() == Approx(363231.0).epsilon(0.003));
@@ -97,7 +78,7 @@ TEST_CASE("the NREL blade has the published mass and moments") {
 }
 
 TEST_CASE("the NREL rotor's axis points downwind and down by 5 degrees") {
-  const spatial::Model model = *shipped("nrel_5mw_rotor").space;
+  const spatial::Model model = *shipped_in_space("nrel_5mw_rotor").space;
   CHECK(model.hub.axis.norm() == Approx(1.0).epsilon(1e-8));
   CHECK(std::atan2(-model.hub.axis.z(), model.hub.axis.x()) * 180.0 / 3.14159265358979 ==
         Approx(5.0));
@@ -105,7 +86,8 @@ TEST_CASE("the NREL rotor's axis points downwind and down by 5 degrees") {
 }
 
 TEST_CASE("the rotor of Wu and Haug in space has the mass and stiffness of the planar one") {
-  const Scenario space = shipped("spatial_wu_haug"), plane = shipped("wu_haug_rotor");
+  const Scenario space = shipped_in_space("spatial_wu_haug"),
+                 plane = shipped_in_space("wu_haug_rotor");
   const Blade& planar = plane.rotor.blades[0];
   const spatial::Beam& beam = space.space->blades[0].beam;
   CHECK(beam.sections.axial_stiffness[0] == Approx(planar.youngs_modulus * planar.area));
@@ -116,7 +98,7 @@ TEST_CASE("the rotor of Wu and Haug in space has the mass and stiffness of the p
 }
 
 TEST_CASE("the heavy top has the data of its source") {
-  const spatial::Model model = *shipped("heavy_top").space;
+  const spatial::Model model = *shipped_in_space("heavy_top").space;
   const auto& top = std::get<spatial::RigidBody>(model.subsystems[0].bodies[0].shape);
   CHECK(top.mass == 15.0);
   CHECK(top.center == spatial::Vector(0.0, 1.0, 0.0));
@@ -128,7 +110,7 @@ TEST_CASE("the heavy top has the data of its source") {
 }
 
 TEST_CASE("the satellite's torques have no net impulse") {
-  const spatial::Model model = *shipped("satellite_booms").space;
+  const spatial::Model model = *shipped_in_space("satellite_booms").space;
   REQUIRE(model.hub_loads.size() == 1);
   CHECK(model.hub_loads[0].factor.integral(12.0) > 5.0);
   CHECK(std::abs(model.hub_loads[0].factor.integral(24.0)) < 1e-12);
@@ -136,7 +118,7 @@ TEST_CASE("the satellite's torques have no net impulse") {
 }
 
 TEST_CASE("the branched appendage has children at a node within a beam, at its tip and on a body") {
-  const spatial::Tree tree = build_trees(*shipped("tree_of_bodies").space).front();
+  const spatial::Tree tree = build_trees(*shipped_in_space("tree_of_bodies").space).front();
   REQUIRE(tree.bodies.size() == 5);
   std::vector<int> children(tree.bodies.size(), 0);
   for (const spatial::TreeBody& body : tree.bodies)

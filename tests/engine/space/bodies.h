@@ -19,6 +19,9 @@ inline constexpr BlockFactors kExplicit{1.0, 0.0, 0.0};
 /// As of a step that is linearly implicit.
 inline constexpr BlockFactors kImplicit{1.01, 3e-4, 2e-3};
 
+/// A straight beam with section properties, and a bent one with full section matrices.
+inline const std::vector<BeamOptions> kStraightAndBent{{false, false, true}, {true, true, true}};
+
 /// A body at a state. Not to be copied: its model points to it.
 struct TestBody {
   FlexibleBody body;

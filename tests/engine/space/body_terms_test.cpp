@@ -73,8 +73,6 @@ Motion draw_motion(const TestBody& test, std::mt19937& random) {
   return motion;
 }
 
-const std::vector<BeamOptions> kStraightAndBent{{false, false, true}, {true, true, true}};
-
 /// That the terms of an undamped body are those of the Boltzmann-Hamel equations at a random
 /// motion.
 void check_equations_of_motion(TestBody& test, std::mt19937& random) {

@@ -32,8 +32,6 @@ struct Dense {
   }
 };
 
-const std::vector<BeamOptions> kStraightAndBent{{false, false, true}, {true, true, true}};
-
 void check_agreement(TestBody& test, bool implicit, std::mt19937& random, double tolerance) {
   test.calc_terms();
   const Dense dense(test, implicit ? kImplicit : kExplicit);

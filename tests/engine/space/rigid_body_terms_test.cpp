@@ -14,13 +14,13 @@ using namespace spoke::space::testing;
 
 namespace {
 
-struct PointMass {
+struct CloudPoint {
   double mass;
   Position p;
 };
 
-std::vector<PointMass> make_cloud(std::mt19937& random) {
-  std::vector<PointMass> cloud;
+std::vector<CloudPoint> make_cloud(std::mt19937& random) {
+  std::vector<CloudPoint> cloud;
   for (int k = 0; k < 8; ++k) {
     const double mass = 1.5 + random_number(random);
     cloud.push_back({mass, random_vector(random)});
@@ -28,14 +28,14 @@ std::vector<PointMass> make_cloud(std::mt19937& random) {
   return cloud;
 }
 
-RigidBody make_body(const std::vector<PointMass>& cloud) {
+RigidBody make_body(const std::vector<CloudPoint>& cloud) {
   RigidBody body;
-  for (const PointMass& point : cloud) {
+  for (const CloudPoint& point : cloud) {
     body.mass += point.mass;
     body.centre += point.mass * point.p;
   }
   body.centre /= body.mass;
-  for (const PointMass& point : cloud) {
+  for (const CloudPoint& point : cloud) {
     const Matrix3 r = skew(point.p - body.centre);
     body.inertia -= point.mass * r * r;
   }
@@ -46,14 +46,14 @@ RigidBody make_body(const std::vector<PointMass>& cloud) {
 
 TEST_CASE("momentum, energy and gyroscopic force of a rigid body are those of its point masses") {
   std::mt19937 random(1);
-  const std::vector<PointMass> cloud = make_cloud(random);
+  const std::vector<CloudPoint> cloud = make_cloud(random);
   const RigidBody body = make_body(cloud);
   const SymmetricTwistMatrix mass = calc_mass(body);
   const Twist v = random_twist(random);
   const Angular w = angular(v);
   Twist momentum = Twist::Zero(), inertia_force = Twist::Zero();
   double energy = 0.0;
-  for (const PointMass& point : cloud) {
+  for (const CloudPoint& point : cloud) {
     const Position velocity = linear(v) + cross(w, point.p);
     momentum += point.mass * translate(point.p, make_twist(velocity, Angular::Zero()));
     energy += 0.5 * point.mass * velocity.squaredNorm();

@@ -47,11 +47,11 @@ BladeEquilibrium bend(int bodies, const Vector3d& force) {
 }
 
 /// Of the tip: its place by the largest displacement, its rotation.
-struct Error {
+struct TipError {
   double place = 0.0, turn = 0.0;
 };
 
-Error compare(const BladeEquilibrium& blade, const test::RodTip& known) {
+TipError compare(const BladeEquilibrium& blade, const test::RodTip& known) {
   const Vector3d& vector = blade.tip_rotation;
   const Eigen::AngleAxisd turn(vector.norm(), vector.normalized());
   return {(blade.tip_displacement - known.displacement).norm() / known.displacement.norm(),
@@ -74,7 +74,8 @@ TEST_CASE("published: the Princeton beam at several angles, beside an elastic ro
     const Vector3d weight = weight_at(degrees * std::numbers::pi / 180.0);
     const test::RodTip known = solve_rod(kBeam, weight);
     CHECK(known.displacement.norm() > 0.05 * kLength);
-    const Error coarse = compare(bend(8, weight), known), fine = compare(bend(16, weight), known);
+    const TipError coarse = compare(bend(8, weight), known),
+                   fine = compare(bend(16, weight), known);
     CAPTURE(fine.place);
     CAPTURE(fine.turn);
     CHECK(fine.place < 1e-3);

@@ -18,8 +18,8 @@ using spoke::testing::approx;
 
 namespace {
 
-constexpr Overheads kNone{0.0, 0.0, 0.0, 0.0};
-constexpr Overheads kSome{2e-9, 200e-9, 1e-6, 0.0};
+constexpr Overheads kNoOverheads{0.0, 0.0, 0.0, 0.0};
+constexpr Overheads kOverheads{2e-9, 200e-9, 1e-6, 0.0};
 
 // Violations of precedence and of one cluster at a time per processor.
 int count_faults(const Plan& plan, const Schedule& schedule) {
@@ -58,11 +58,11 @@ TEST_CASE("simulator: one processor takes the work and the overheads") {
     const StepGraph graph = build_graph(source);
     const auto costs = random_costs(seed, graph);
     const Plan plan = coarsen(graph, costs, {.max_bins = 3});
-    const double expected = work_of(costs) + kSome.per_node * graph.node_count() +
-                            kSome.per_cluster * plan.cluster_count();
+    const double expected = work_of(costs) + kOverheads.per_node * graph.node_count() +
+                            kOverheads.per_cluster * plan.cluster_count();
     const auto near = approx(expected).epsilon(1e-9);
-    CHECK(simulate_work_stealing(plan, costs, 1, kSome).makespan == near);
-    CHECK(simulate_lists(plan, costs, deal(plan, 1), kSome).makespan == near);
+    CHECK(simulate_work_stealing(plan, costs, 1, kOverheads).makespan == near);
+    CHECK(simulate_lists(plan, costs, deal(plan, 1), kOverheads).makespan == near);
   }
 }
 
@@ -77,12 +77,13 @@ TEST_CASE("simulator: schedules are feasible and within Graham's bounds") {
     for (const int processors : {1, 2, 3, 7, 64}) {
       CAPTURE(seed);
       CAPTURE(processors);
-      const Schedule schedule = simulate_work_stealing(plan, costs, processors, kNone);
+      const Schedule schedule = simulate_work_stealing(plan, costs, processors, kNoOverheads);
       CHECK(count_faults(plan, schedule) == 0);
       CHECK(schedule.makespan >= std::max(span, work / processors) - 1e-12);
       CHECK(schedule.makespan <= work / processors + span + 1e-12);
-      CHECK(count_faults(plan, simulate_work_stealing(plan, costs, processors, kSome)) == 0);
-      CHECK(count_faults(plan, simulate_lists(plan, costs, deal(plan, processors), kSome)) == 0);
+      CHECK(count_faults(plan, simulate_work_stealing(plan, costs, processors, kOverheads)) == 0);
+      CHECK(count_faults(plan, simulate_lists(plan, costs, deal(plan, processors), kOverheads)) ==
+            0);
     }
   }
 }

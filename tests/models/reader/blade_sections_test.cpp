@@ -35,12 +35,12 @@ axial_stiffness = [5e6, 4e6, 3e6]
 bending_stiffness = [600.0, 400.0, 100.0]
 )";
 
-Scenario parse(const std::string& text, const Overrides& overrides = {}) {
+Scenario parse_blade(const std::string& text, const Overrides& overrides = {}) {
   return parse_scenario(text, "f.toml", overrides);
 }
 
-std::string error_of(const std::string& text) {
-  return message_of([&] { parse(text); });
+std::string error_of_blade(const std::string& text) {
+  return message_of([&] { parse_blade(text); });
 }
 
 /// The sections with one line replaced.
@@ -48,13 +48,13 @@ std::string error_with(const std::string& line, const std::string& replacement) 
   std::string text = kBegin + kSections;
   const auto at = text.find(line);
   REQUIRE(at != std::string::npos);
-  return error_of(text.replace(at, line.size(), replacement));
+  return error_of_blade(text.replace(at, line.size(), replacement));
 }
 
 }  // namespace
 
 TEST_CASE("sections and point masses are read, and written as they are read") {
-  const Scenario scenario = parse(kBegin + kSections + R"([[blade.point_mass]]
+  const Scenario scenario = parse_blade(kBegin + kSections + R"([[blade.point_mass]]
 position = 8.0
 mass = 0.5
 [[blade.point_mass]]
@@ -84,8 +84,8 @@ youngs_modulus = 6.895e10
 )";
   std::string begin = kBegin;
   begin.erase(begin.find("count = 2\n"), 10);
-  const Scenario scenario = parse(begin + kSections + "[[blades]]\n[[blades]]\n" + uniform +
-                                  "[[blades.point_mass]]\nposition = 1.0\nmass = 2.0\n");
+  const Scenario scenario = parse_blade(begin + kSections + "[[blades]]\n[[blades]]\n" + uniform +
+                                        "[[blades.point_mass]]\nposition = 1.0\nmass = 2.0\n");
   CHECK(scenario.rotor.blades[0].sections.station.size() == 3);
   CHECK(scenario.rotor.blades[1].sections.station.empty());
   CHECK(scenario.rotor.blades[1].density == 2766.67);
@@ -93,7 +93,7 @@ youngs_modulus = 6.895e10
   CHECK(scenario.rotor.blades[1].point_masses.size() == 1);
   std::string own = kSections;
   own.replace(own.find("blade.sections"), 14, "blades.sections");
-  const Scenario other = parse(begin + uniform + "[[blades]]\n" + own + "[[blades]]\n");
+  const Scenario other = parse_blade(begin + uniform + "[[blades]]\n" + own + "[[blades]]\n");
   CHECK(other.rotor.blades[0].sections.station.size() == 3);
   CHECK(other.rotor.blades[0].density == 0.0);
   CHECK(other.rotor.blades[1].density == 2766.67);
@@ -129,9 +129,9 @@ TEST_CASE("sections that do not fit are refused in one line") {
 }
 
 TEST_CASE("a blade with both sections and a material is refused") {
-  CHECK(error_of(kBegin + "area = 1e-4\n" + kSections) ==
+  CHECK(error_of_blade(kBegin + "area = 1e-4\n" + kSections) ==
         "f.toml:10:8: blade.area: given along with blade.sections, expected only one of them");
-  Scenario scenario = parse(kBegin + kSections);
+  Scenario scenario = parse_blade(kBegin + kSections);
   scenario.rotor.blades[1].area = 1e-4;
   CHECK(message_of([&] { check_scenario(scenario); }) ==
         "blades.2.area: given along with sections, expected only one of them");
@@ -139,7 +139,7 @@ TEST_CASE("a blade with both sections and a material is refused") {
 
 TEST_CASE("point masses that do not fit are refused in one line") {
   const auto error = [](const std::string& mass) {
-    return error_of(kBegin + kSections + "[[blade.point_mass]]\n" + mass + "\n");
+    return error_of_blade(kBegin + kSections + "[[blade.point_mass]]\n" + mass + "\n");
   };
   CHECK(error("position = 8.5\nmass = 1.0") ==
         "f.toml:16:12: blade.point_mass.1.position: is 8.5, expected a number from 0 to 8 (m, from "
@@ -154,13 +154,13 @@ TEST_CASE("point masses that do not fit are refused in one line") {
         "f.toml:18:11: blade.point_mass.1.inertia: is -1.0, expected a number of 0 or more (kg "
         "m^2)");
   CHECK(error("station = 8.0\nmass = 1.0").find("unknown key") != std::string::npos);
-  CHECK(error_of(kBegin + "point_mass = 3\n" + kSections).find("blade.point_mass: is 3") !=
+  CHECK(error_of_blade(kBegin + "point_mass = 3\n" + kSections).find("blade.point_mass: is 3") !=
         std::string::npos);
 }
 
 TEST_CASE("the same is refused of a blade that is filled in code") {
   const auto error = [](const auto& change) {
-    Scenario scenario = parse(kBegin + kSections);
+    Scenario scenario = parse_blade(kBegin + kSections);
     change(scenario.rotor.blades[1]);
     return message_of([&] { check_scenario(scenario); });
   };

@@ -16,7 +16,7 @@ using spoke::test::message_of;
 
 namespace {
 
-const std::string kText = R"(title = "t"
+const std::string kFreeHub = R"(title = "t"
 [hub]
 radius = 0.1
 [hub.drive]
@@ -32,24 +32,24 @@ youngs_modulus = 6.895e10
 duration = 0.1
 )";
 
-Scenario parse(const std::string& text, const Overrides& overrides = {}) {
+Scenario parse_loads(const std::string& text, const Overrides& overrides = {}) {
   return parse_scenario(text, "f.toml", overrides);
 }
 
-struct Case {
+struct LoadCase {
   std::string addition;
   std::string message;
 };
 
-void check_additions(const std::vector<Case>& cases) {
-  for (const Case& c : cases)
-    CHECK(message_of<InputError>([&] { parse(kText + c.addition + '\n'); }) == c.message);
+void check_refused_loads(const std::vector<LoadCase>& cases) {
+  for (const LoadCase& c : cases)
+    CHECK(message_of<InputError>([&] { parse_loads(kFreeHub + c.addition + '\n'); }) == c.message);
 }
 
 /// The text with another drive.
 std::string with_drive(const std::string& drive) {
   const std::string free = "kind = \"free\"";
-  std::string text = kText;
+  std::string text = kFreeHub;
   return text.replace(text.find(free), free.size(), drive);
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("loads of every kind are read, and written back as they were") {
       "[[drag]]\nrelative_to = 'hub'\nlinear = 1\nquadratic = 2\nposition = 5\n"
       "[[drag]]\nlinear_per_length = 3\nquadratic_per_length = 4\nfrom = 2\n"
       "[[hub_load]]\nposition = [1, 2]\nframe = 'inertial'\nforce = [3, 4]\ntorque = 5\nramp = 6\n";
-  const Rotor rotor = parse(kText + loads).rotor;
+  const Rotor rotor = parse_loads(kFreeHub + loads).rotor;
   CHECK(rotor.gravity_ramp == 2.0);
   CHECK(rotor.loads.at(0).position == 2.3);
   CHECK(rotor.loads[0].ramp == 0.5);
@@ -96,7 +96,7 @@ TEST_CASE("loads of every kind are read, and written back as they were") {
   CHECK(hub.torque == 5.0);
   CHECK(hub.ramp == 6.0);
 
-  const auto json = nlohmann::json::parse(parse(kText + loads).to_json());
+  const auto json = nlohmann::json::parse(parse_loads(kFreeHub + loads).to_json());
   CHECK(json["gravity"]["ramp"] == 2.0);
   CHECK(json["load"][0]["position"] == 2.3);
   CHECK(json["distributed_load"][0]["to"] == 3.5);
@@ -106,7 +106,8 @@ TEST_CASE("loads of every kind are read, and written back as they were") {
 }
 
 TEST_CASE("what has no new loads is written as before") {
-  const auto json = nlohmann::json::parse(parse(kText + "[[load]]\nmoment = 1\n").to_json());
+  const auto json =
+      nlohmann::json::parse(parse_loads(kFreeHub + "[[load]]\nmoment = 1\n").to_json());
   for (const char* key : {"distributed_load", "drag", "hub_load"}) CHECK_FALSE(json.contains(key));
   CHECK_FALSE(json["gravity"].contains("ramp"));
   CHECK_FALSE(json["load"][0].contains("ramp"));
@@ -114,9 +115,9 @@ TEST_CASE("what has no new loads is written as before") {
 
 TEST_CASE("keys of loads are overridden on the command line") {
   const Scenario scenario =
-      parse(kText + "[[drag]]\nlinear = 1\n",
-            {"drag.1.linear=2", "distributed_load.1.force_per_length=[0,3]", "gravity.ramp=4",
-             "hub_load.1={torque=5, ramp=6}", "hub.drive={kind=\"constant\", speed=7}"});
+      parse_loads(kFreeHub + "[[drag]]\nlinear = 1\n",
+                  {"drag.1.linear=2", "distributed_load.1.force_per_length=[0,3]", "gravity.ramp=4",
+                   "hub_load.1={torque=5, ramp=6}", "hub.drive={kind=\"constant\", speed=7}"});
   CHECK(scenario.rotor.drags.at(0).linear == 2.0);
   CHECK(scenario.rotor.distributed_loads.at(0).force_per_length.y() == 3.0);
   CHECK(scenario.rotor.gravity_ramp == 4.0);
@@ -125,8 +126,9 @@ TEST_CASE("keys of loads are overridden on the command line") {
 }
 
 TEST_CASE("drives that stand, turn evenly or have a torque by speed are read") {
-  CHECK(std::holds_alternative<FixedDrive>(parse(with_drive("kind = 'fixed'")).rotor.hub.drive));
-  const Scenario motor = parse(with_drive(
+  CHECK(std::holds_alternative<FixedDrive>(
+      parse_loads(with_drive("kind = 'fixed'")).rotor.hub.drive));
+  const Scenario motor = parse_loads(with_drive(
       "kind = 'torque_by_speed'\nspeed = [-1, 3]\ntorque = [8, 0]\ninitial_speed = 2\nramp = 5"));
   const auto drive = std::get<TorqueBySpeed>(motor.rotor.hub.drive);
   CHECK(drive.torque.value(1.0) == 4.0);
@@ -140,15 +142,15 @@ TEST_CASE("drives that stand, turn evenly or have a torque by speed are read") {
 
 TEST_CASE("distributed loads with more points than a machine could hold are refused") {
   CHECK(message_of<InputError>([] {
-          parse(kText + "[[distributed_load]]\nforce_per_length = [0, 1]\n",
-                {"blade.bodies=50000"});
+          parse_loads(kFreeHub + "[[distributed_load]]\nforce_per_length = [0, 1]\n",
+                      {"blade.bodies=50000"});
         }) ==
         "f.toml:15:1: distributed_load.1: makes 2400003 points (loads x blades x times) with "
         "those before it, expected at most 2000000");
 }
 
 TEST_CASE("bad tables of gravity's ramp and point loads are refused") {
-  check_additions({
+  check_refused_loads({
       {"[gravity]\nramp = -1",
        "f.toml:16:8: gravity.ramp: is -1, expected a number of 0 or more (s)"},
       {"[gravity]\nramp = \"slow\"",
@@ -170,7 +172,7 @@ TEST_CASE("bad tables of gravity's ramp and point loads are refused") {
 }
 
 TEST_CASE("bad tables of loads per length are refused") {
-  check_additions({
+  check_refused_loads({
       {"[[distributed_load]]\n",
        "f.toml:15:1: distributed_load.1: has neither force_per_length nor moment_per_length, "
        "expected force_per_length = [x, y] or moment_per_length = M"},
@@ -225,7 +227,7 @@ TEST_CASE("bad tables of loads per length are refused") {
 }
 
 TEST_CASE("bad tables of drag are refused") {
-  check_additions({
+  check_refused_loads({
       {"[[drag]]",
        "f.toml:15:1: drag.1: has no coefficient, expected \"linear\", \"quadratic\", "
        "\"linear_per_length\" or \"quadratic_per_length\""},
@@ -260,7 +262,7 @@ TEST_CASE("bad tables of drag are refused") {
 }
 
 TEST_CASE("bad tables of loads on the hub are refused") {
-  check_additions({
+  check_refused_loads({
       {"[[hub_load]]",
        "f.toml:15:1: hub_load.1: has neither force nor torque, expected force = [x, y] or torque = "
        "M"},
@@ -288,7 +290,7 @@ TEST_CASE("bad tables of loads on the hub are refused") {
 }
 
 TEST_CASE("bad drives are refused") {
-  const std::vector<Case> cases{
+  const std::vector<LoadCase> cases{
       {"kind=\"fixed\"\nspeed=1",
        "f.toml:6:7: hub.drive.speed: does not belong to kind \"fixed\", expected only with kind "
        "\"spin_up\", \"spin_up_hold_spin_down\", \"table\", \"constant\" or \"torque_by_speed\""},
@@ -325,6 +327,6 @@ TEST_CASE("bad drives are refused") {
        "f.toml:7:15: hub.drive.initial_speed: does not belong to kind \"constant\", expected only "
        "with kind \"torque\", \"free\" or \"torque_by_speed\""},
   };
-  for (const Case& c : cases)
-    CHECK(message_of<InputError>([&] { parse(with_drive(c.addition)); }) == c.message);
+  for (const LoadCase& c : cases)
+    CHECK(message_of<InputError>([&] { parse_loads(with_drive(c.addition)); }) == c.message);
 }

@@ -13,7 +13,7 @@ using namespace spoke;
 
 namespace {
 
-const std::string kText = R"([hub.drive]
+const std::string kBeforeSensors = R"([hub.drive]
 kind = "free"
 [blade]
 length = 8.0
@@ -29,13 +29,13 @@ bodies = 3
 duration = 1.0
 )";
 
-Scenario read(const std::string& sensors, const Overrides& overrides = {}) {
-  return parse_scenario(kText + sensors, "f.toml", overrides);
+Scenario read_sensors(const std::string& sensors, const Overrides& overrides = {}) {
+  return parse_scenario(kBeforeSensors + sensors, "f.toml", overrides);
 }
 
-std::string error_of(const std::string& sensors, const Overrides& overrides = {}) {
+std::string error_of_sensors(const std::string& sensors, const Overrides& overrides = {}) {
   try {
-    read(sensors, overrides);
+    read_sensors(sensors, overrides);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -45,7 +45,7 @@ std::string error_of(const std::string& sensors, const Overrides& overrides = {}
 }  // namespace
 
 TEST_CASE("sensors are read with their defaults") {
-  const Scenario scenario = read(R"([[sensor]]
+  const Scenario scenario = read_sensors(R"([[sensor]]
 quantity = "velocity"
 [[sensor]]
 name = "mid-span"
@@ -75,9 +75,9 @@ frame = "inertial"
 }
 
 TEST_CASE("keys of sensors can be overridden, and stand in the JSON of the scenario") {
-  const Scenario scenario = read("[[sensor]]\nquantity = \"displacement\"\n",
-                                 {"sensor.1.position=2.5", "sensor.1.blade=1",
-                                  "sensor.2={quantity=\"momentum\", name=\"whole\"}"});
+  const Scenario scenario = read_sensors("[[sensor]]\nquantity = \"displacement\"\n",
+                                         {"sensor.1.position=2.5", "sensor.1.blade=1",
+                                          "sensor.2={quantity=\"momentum\", name=\"whole\"}"});
   REQUIRE(scenario.sensors.size() == 2);
   CHECK(scenario.sensors[0].position == 2.5);
   CHECK(scenario.sensors[0].blade.number() == 1);
@@ -130,16 +130,16 @@ TEST_CASE("bad sensors are refused in one line that says where and why") {
       {"quantity = \"velocity\"\n[[sensor]]\nquantity = \"velocity\"\nblade = 2\n",
        "f.toml:17:1: sensor.2: there is a column blade2.velocity.x already, expected a name of its "
        "own"}};
-  for (const auto& [text, expected] : cases) CHECK(error_of(first + text) == expected);
-  CHECK(error_of("[sensor]\nquantity = \"velocity\"\n") ==
+  for (const auto& [text, expected] : cases) CHECK(error_of_sensors(first + text) == expected);
+  CHECK(error_of_sensors("[sensor]\nquantity = \"velocity\"\n") ==
         "f.toml:15:1: sensor: is a table, expected tables headed [[sensor]]");
 }
 
 TEST_CASE("a system's column can be taken only once as well") {
-  CHECK(error_of("[[sensor]]\nquantity = \"hub_reaction\"\nname = \"hub\"\n") ==
+  CHECK(error_of_sensors("[[sensor]]\nquantity = \"hub_reaction\"\nname = \"hub\"\n") ==
         "f.toml:17:8: sensor.1.name: there is a column hub.x already, expected a name of its own");
-  CHECK(error_of("[[sensor]]\nquantity = \"hub_reaction\"\nname = \"blade1.velocity\"\n"
-                 "[[sensor]]\nquantity = \"kinetic_energy\"\nname = \"velocity.x\"\n") ==
+  CHECK(error_of_sensors("[[sensor]]\nquantity = \"hub_reaction\"\nname = \"blade1.velocity\"\n"
+                         "[[sensor]]\nquantity = \"kinetic_energy\"\nname = \"velocity.x\"\n") ==
         "f.toml:20:8: sensor.2.name: there is a column blade1.velocity.x already, expected a name "
         "of its own");
 }

@@ -18,7 +18,7 @@ Model read(const std::string& text) { return *spoke::parse_scenario(text, "f.tom
 
 const FlexibleBody& flexible(const TreeBody& body) { return std::get<FlexibleBody>(body.shape); }
 
-void check_equal(const MassProperties& a, const MassProperties& b) {
+void check_same_mass(const MassProperties& a, const MassProperties& b) {
   CHECK(a.mass == Approx(b.mass).epsilon(1e-12));
   CHECK((a.first_moment - b.first_moment).norm() <= 1e-11 * b.inertia.norm());
   CHECK(a.inertia.isApprox(b.inertia, 1e-11));
@@ -69,9 +69,9 @@ TEST_CASE("blades stand around the hub's axis") {
       spoke::space::smallest_rotation(Vector::UnitZ(), model.hub.axis.normalized()).axes;
   Model straight = model;
   straight.hub.axis = Vector::UnitZ();
-  check_equal(calc_mass_properties(model.hub, build_trees(model)),
-              calc_mass_properties(straight.hub, build_trees(straight))
-                  .seen_from_outside({Vector::Zero(), turn}));
+  check_same_mass(calc_mass_properties(model.hub, build_trees(model)),
+                  calc_mass_properties(straight.hub, build_trees(straight))
+                      .seen_from_outside({Vector::Zero(), turn}));
   // Three blades balance, and are symmetric about the axis.
   CHECK(upright.first_moment.norm() < 1e-12 * upright.inertia.norm());
   CHECK(upright.inertia(0, 0) == Approx(upright.inertia(1, 1)));
@@ -83,7 +83,7 @@ TEST_CASE("a blade's mass does not depend on joints and on the number of bodies"
   model.blades[0].joints.clear();
   model.blades[0].beam.bodies = 1;
   model.blades[0].beam.sections.prebend = {};
-  check_equal(jointed, calc_mass_properties(build_trees(model)[0]));
+  check_same_mass(jointed, calc_mass_properties(build_trees(model)[0]));
 }
 
 TEST_CASE("a bent blade goes on where the body before it ends") {

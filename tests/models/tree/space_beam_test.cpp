@@ -18,7 +18,7 @@ spatial::Beam beam_of(const std::string& text) {
 }
 
 /// With offsets, shear and inertias.
-spatial::Beam general_beam() {
+spatial::Beam general_blade() {
   spatial::Beam beam = beam_of(kBladeText);
   spatial::Sections& s = beam.sections;
   s.mass_center = {{0.1, 0.02}, {0.05, 0.0}, {0.0, -0.03}};
@@ -50,7 +50,7 @@ spatial::SectionMatrix matrix_of(const space::MassMoments& m) {
 }  // namespace
 
 TEST_CASE("a beam keeps its stations, values and twist") {
-  const space::Beam beam = make_space_beam(general_beam(), 0.25);
+  const space::Beam beam = make_space_beam(general_blade(), 0.25);
   CHECK(beam.station == std::vector<double>{0.0, 3.0, 8.0});
   CHECK(beam.twist_at(1.5) == Approx(0.15));
   REQUIRE(beam.properties.size() == 3);
@@ -73,7 +73,7 @@ TEST_CASE("without inertias of sections those of one material follow from the st
 }
 
 TEST_CASE("matrices of mass, of stiffness, or of both, are the same sections as their values") {
-  const spatial::Beam values = general_beam();
+  const spatial::Beam values = general_blade();
   const space::Beam made = make_space_beam(values, 0.0);
   spatial::Beam by_mass = values, by_stiffness = values;
   for (const double x : values.sections.station) {
@@ -94,7 +94,7 @@ TEST_CASE("matrices of mass, of stiffness, or of both, are the same sections as 
 }
 
 TEST_CASE("a point mass is told in the axes of its section") {
-  spatial::Beam beam = general_beam();
+  spatial::Beam beam = general_blade();
   const spatial::PointMass point{
       3.0, 2.0, {0.1, 0.2, 0.3}, spatial::Vector(1.0, 2.0, 2.5).asDiagonal()};
   beam.point_masses = {point};

@@ -13,14 +13,14 @@ namespace {
 
 constexpr int kSteps = 40;
 
-struct Case {
+struct EqualStatesCase {
   const char* name;
   System<Space> system;
   Method method;
 };
 
-std::vector<Case> all_cases() {
-  std::vector<Case> cases;
+std::vector<EqualStatesCase> equal_states_cases() {
+  std::vector<EqualStatesCase> cases;
   const std::pair<const char*, std::string> models[] = {
       {"blades, driven", make_text(kDrivenHub, kBooms + kHinges + kPitch, kGravity)},
       {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kRisingGravity)},
@@ -32,7 +32,7 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-std::uint64_t end_of(const Case& which, const RunSetup& setup) {
+std::uint64_t end_of(const EqualStatesCase& which, const RunSetup& setup) {
   Run<Space> run(which.system, setup);
   run.advance(kSteps);
   return run.hash();
@@ -42,7 +42,7 @@ std::uint64_t end_of(const Case& which, const RunSetup& setup) {
 
 TEST_CASE("a run in space has one state, whatever executes it") {
   using Kind = graph::ExecutorKind;
-  for (const Case& which : all_cases())
+  for (const EqualStatesCase& which : equal_states_cases())
     for (const Formulation formulation :
          {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
       CAPTURE(which.name);
@@ -64,7 +64,7 @@ TEST_CASE("a run in space has one state, whatever executes it") {
 }
 
 TEST_CASE("a run in space goes on from a state that was taken as if it had not been interrupted") {
-  for (const Case& which : all_cases()) {
+  for (const EqualStatesCase& which : equal_states_cases()) {
     CAPTURE(which.name);
     const RunSetup setup{which.method, 1e-10};
     Run<Space> whole(which.system, setup);

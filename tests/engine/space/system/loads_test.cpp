@@ -48,8 +48,9 @@ mass_center = [[0.02, 0.01], [0.01, -0.01], [0.0, 0.01]]
 )";
 
 /// Without numerical damping.
-Scenario make_scenario(const std::string& text, double step,
-                       IntegrationMethod method = IntegrationMethod::rk4, double duration = 0.16) {
+Scenario make_loaded_scenario(const std::string& text, double step,
+                              IntegrationMethod method = IntegrationMethod::rk4,
+                              double duration = 0.16) {
   Scenario scenario = test::make_scenario(text, step, duration, method);
   scenario.integration.spectral_radius = 1.0;
   return scenario;
@@ -97,14 +98,14 @@ TEST_CASE("a load in space that equals a scenario's moves the model as that does
                         const std::shared_ptr<const Load>& user) {
     const std::string load =
         "[[load]]\n" + place + "force = " + list(kForce) + "moment = " + list(kMoment);
-    Simulation of_user(make_scenario(make_text(hub, bodies), 1e-3), kSerial, {user});
-    Simulation of_scenario(make_scenario(make_text(hub, bodies, load), 1e-3), kSerial);
-    Simulation unloaded(make_scenario(make_text(hub, bodies), 1e-3), kSerial);
+    Simulation of_user(make_loaded_scenario(make_text(hub, bodies), 1e-3), kSerial, {user});
+    Simulation of_scenario(make_loaded_scenario(make_text(hub, bodies, load), 1e-3), kSerial);
+    Simulation unloaded(make_loaded_scenario(make_text(hub, bodies), 1e-3), kSerial);
     for (Simulation* simulation : {&of_scenario, &unloaded, &of_user}) simulation->run_until(0.1);
     CHECK(largest_difference(of_scenario, of_user) < 1e-10);
     CHECK(largest_difference(of_scenario, unloaded) > 1e-3);
   };
-  const Scenario curved = make_scenario(make_text(kDrivenHub, kCurved), 1e-3);
+  const Scenario curved = make_loaded_scenario(make_text(kDrivenHub, kCurved), 1e-3);
   const Marker at = markers_at(curved, 1, std::array{1.43})[0];
   CHECK(at.body == 1);
   const std::string place = "blade = 2\nposition = 1.43\n";
@@ -130,7 +131,7 @@ TEST_CASE("the work of loads in space is the change of energy, to the order of t
                          {demanding({{0, 0, 0.7}, {0, 4, 0.0, {0.1, 0.0, 0.2}}, {0, 5, 1.0}})}}};
   for (const Case& which : cases) {
     const auto residual = [&](IntegrationMethod method, double step) {
-      Simulation simulation(make_scenario(which.text, step, method), kSerial, which.loads);
+      Simulation simulation(make_loaded_scenario(which.text, step, method), kSerial, which.loads);
       simulation.run_until(0.16);
       CHECK(std::abs(simulation.sensor("energy.work")) > 1e-3);
       return std::abs(simulation.sensor("energy.residual"));
@@ -150,9 +151,9 @@ TEST_CASE("runs in space with loads end in the same bits whatever executes them"
   const std::string text = make_text(kDrivenHub, kCurved + kHinges + kPitch, kGravity);
   for (const Loads& loads : {apart, tied}) {
     const auto end_of = [&](ExecutorKind kind, int threads, int window) {
-      Simulation simulation(make_scenario(text, 2e-3, IntegrationMethod::generalized_alpha, 0.04),
-                            {Formulation::structured, kind, graph::Threads{threads}, window},
-                            loads);
+      Simulation simulation(
+          make_loaded_scenario(text, 2e-3, IntegrationMethod::generalized_alpha, 0.04),
+          {Formulation::structured, kind, graph::Threads{threads}, window}, loads);
       simulation.run_until(0.04);
       return simulation.state_hash();
     };
@@ -182,7 +183,7 @@ TEST_CASE("a node of a load in space declares what it reads and writes") {
 
 TEST_CASE("another load in the place of one acts from the next step on") {
   const Marker tip{0, 1, 1.0};
-  const Scenario scenario = make_scenario(make_text(kDrivenHub, kCurved), 1e-3);
+  const Scenario scenario = make_loaded_scenario(make_text(kDrivenHub, kCurved), 1e-3);
   Simulation changed(scenario, kSerial, {steady(tip, false)});
   Simulation steadily(scenario, kSerial, {steady(tip, true)});
   const SavedState start = changed.save();
@@ -199,7 +200,7 @@ TEST_CASE("another load in the place of one acts from the next step on") {
 
 TEST_CASE("a load in space that has no place is refused") {
   const Scenario scenario =
-      make_scenario(make_text(kDrivenHub, kCurved + kHinges + kPitch + kTree), 1e-3);
+      make_loaded_scenario(make_text(kDrivenHub, kCurved + kHinges + kPitch + kTree), 1e-3);
   const auto refusal = [&](const Marker& marker) {
     return message_of([&] { Simulation(scenario, kSerial, {steady(marker, false)}); });
   };
@@ -215,7 +216,7 @@ TEST_CASE("a load in space that has no place is refused") {
 }
 
 TEST_CASE("a load in space that fails is named with what it is on, and can be gone on from") {
-  const Scenario scenario = make_scenario(make_text(kDrivenHub, kCurved + kTree), 1e-3);
+  const Scenario scenario = make_loaded_scenario(make_text(kDrivenHub, kCurved + kTree), 1e-3);
   bool is_broken = false;
   const auto rope =
       make_load("rope", {{1, 0, 0.5}, {2, 0, 0.5}},
@@ -241,7 +242,8 @@ TEST_CASE("a load in space that fails is named with what it is on, and can be go
 }
 
 TEST_CASE("markers are found by their distance from the root") {
-  const Scenario hinged = make_scenario(make_text(kDrivenHub, kCurved + kHinges + kPitch), 1e-3);
+  const Scenario hinged =
+      make_loaded_scenario(make_text(kDrivenHub, kCurved + kHinges + kPitch), 1e-3);
   const std::vector<Marker> markers = markers_at(hinged, 1, std::array{0.0, 0.4, 1.0, 1.75, 2.0});
   const std::vector<Marker> expected{
       {1, 0, 0.0}, {1, 0, 0.4}, {1, 0, 1.0}, {1, 1, 0.75}, {1, 1, 1.0}};

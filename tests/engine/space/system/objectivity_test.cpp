@@ -93,7 +93,7 @@ void move_model(spatial::Model& model, const Move& move) {
 }
 
 /// What is run: the file, how its steps are made, and how many bodies its first tree has.
-struct Case {
+struct MovedCase {
   std::string text;
   IntegrationMethod method;
   double step;
@@ -103,7 +103,7 @@ struct Case {
 /// At the end the largest of what the hub and the bodies of the first tree are apart from where
 /// turning and moving the motion of the other model would have brought them, and of the differences
 /// of deformations [m, m/s, rad].
-double find_difference(const Case& run, const Move& move) {
+double find_difference(const MovedCase& run, const Move& move) {
   Scenario scenario = make_scenario(run.text, run.step, 0.2, run.method);
   scenario.integration.tolerance = 1e-13;
   Scenario moved = scenario;
@@ -139,8 +139,8 @@ TEST_CASE("a rotor with hinges that is turned and moved makes the same motion th
       "[[hub_load]]\nposition = [0.1, 0.2, 0.0]\nforce = [1.0, 2.0, 3.0]\ntorque = [0, 0.3, "
       "0.8]\n";
   for (const std::string& hub : {kDrivenHub, kTurnedHub}) {
-    const Case run{make_text(hub + mount, kBooms + kHinges + kPitch, kGravity + loads),
-                   IntegrationMethod::generalized_alpha, 2e-3, 2};
+    const MovedCase run{make_text(hub + mount, kBooms + kHinges + kPitch, kGravity + loads),
+                        IntegrationMethod::generalized_alpha, 2e-3, 2};
     CHECK(find_difference(run, {kTurn.R, {20.0, -7.0, 3.0}}) < 1e-10);
   }
 }
@@ -151,7 +151,7 @@ TEST_CASE("a tree on a free hub that is turned makes the same motion there") {
       "2.0]\n[[hub_load]]\nposition = [0.1, 0.2, 0.0]\nforce = [1.0, 2.0, 3.0]\n";
   for (const IntegrationMethod method :
        {IntegrationMethod::rk4, IntegrationMethod::generalized_alpha}) {
-    const Case run{make_text(kFlyingHub, kTree, kGravity + loads), method, 1e-3, 6};
+    const MovedCase run{make_text(kFlyingHub, kTree, kGravity + loads), method, 1e-3, 6};
     CHECK(find_difference(run, kTurn) < 1e-10);
   }
 }

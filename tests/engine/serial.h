@@ -1,0 +1,10 @@
+#pragma once
+
+#include "engine/simulation.h"
+
+namespace spoke::test {
+
+/// The formulation that users get, on one thread.
+inline const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
+
+}  // namespace spoke::test
