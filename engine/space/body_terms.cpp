@@ -210,7 +210,8 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
   calc_rows(body, motion.w, work);
   terms.S = sums.S;
   terms.Theta = sums.inertia();
-  terms.Q = calc_frame_force(motion.w, terms.S, terms.Theta.lazyProduct(motion.w), sums.S_rate, sums.G);
+  terms.Q =
+      calc_frame_force(motion.w, terms.S, terms.Theta.lazyProduct(motion.w), sums.S_rate, sums.G);
   return terms;
 }
 

@@ -208,8 +208,12 @@ struct NodeSums {
   Inertia inertia_sum(const Matrix3& J0) const {
     const double xx = J0(0, 0) + total(J_xx), yy = J0(1, 1) + total(J_yy),
                  zz = J0(2, 2) + total(J_zz);
-    return {yy + zz, xx + zz, xx + yy, -(J0(1, 0) + 0.5 * total(J_xy)),
-            -(J0(2, 0) + 0.5 * total(J_xz)), -(J0(2, 1) + 0.5 * total(J_yz))};
+    return {yy + zz,
+            xx + zz,
+            xx + yy,
+            -(J0(1, 0) + 0.5 * total(J_xy)),
+            -(J0(2, 0) + 0.5 * total(J_xz)),
+            -(J0(2, 1) + 0.5 * total(J_yz))};
   }
   Matrix3 rate_sum() const {
     Matrix3 sum;

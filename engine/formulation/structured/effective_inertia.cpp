@@ -37,8 +37,7 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   // (2) Root: M^C = T^T R Lam^-1 R^T T and Q^C = T^T R Lam^-1 R^T (R be - b), with the bracket's
   // acceleration T Y'' + b in the hub frame. R leads there from the first body's.
   const tree::HubShare<World> share = run_kernel([&]() noexcept {
-    for (std::size_t j = work.bodies.size(); j-- > 0;)
-      join_children(subsystem, j, data, work);
+    for (std::size_t j = work.bodies.size(); j-- > 0;) join_children(subsystem, j, data, work);
     return tree::eliminate_root(make_root_joint(subsystem, data), work.bodies[0].branch, work.root);
   });
   EffectiveInertia<World>& effective = data.effective;
