@@ -35,24 +35,17 @@ class LaneRows {
   return (value[0] + value[1]) + (value[2] + value[3]);
 }
 
-/// Four nodes with their neighbours. They are read where they are needed: there are too few
-/// registers for all components of a node.
-class Around {
- public:
-  [[gnu::always_inline]] explicit Around(const double* own) : own_(own) {}
+/// Four nodes with their neighbours.
+struct Around {
+  Double4 inner, own, outer;
 
-  [[gnu::always_inline]] Double4 own() const { return load4(own_); }
-  [[gnu::always_inline]] Double4 times(const Band& band) const {
-    return lanes(band.inner) * load4(own_ - 1) + lanes(band.own) * own() +
-           lanes(band.outer) * load4(own_ + 1);
+  [[gnu::always_inline]] static Around from(const double* x) {
+    return {load4(x - 1), load4(x), load4(x + 1)};
   }
-
- private:
-  const double* own_;
 };
 
 [[gnu::always_inline]] inline Double4 operator*(const Band& band, const Around& x) {
-  return x.times(band);
+  return lanes(band.inner) * x.inner + lanes(band.own) * x.own + lanes(band.outer) * x.outer;
 }
 
 }  // namespace spoke::space

@@ -43,12 +43,12 @@ struct NodeMotion {
   Around u, torsion, place1, slope1, place2, slope2;
 
   [[gnu::always_inline]] NodeMotion(const LaneRows& rows, int k)
-      : u(Around(rows.at(kAxialPlace, k))),
-        torsion(Around(rows.at(kTorsion, k))),
-        place1(Around(rows.at(kPlace1, k))),
-        slope1(Around(rows.at(kSlope1, k))),
-        place2(Around(rows.at(kPlace2, k))),
-        slope2(Around(rows.at(kSlope2, k))) {}
+      : u(Around::from(rows.at(kAxialPlace, k))),
+        torsion(Around::from(rows.at(kTorsion, k))),
+        place1(Around::from(rows.at(kPlace1, k))),
+        slope1(Around::from(rows.at(kSlope1, k))),
+        place2(Around::from(rows.at(kPlace2, k))),
+        slope2(Around::from(rows.at(kSlope2, k))) {}
 };
 
 /// Three components, at four nodes.
@@ -169,15 +169,15 @@ struct NodeSums {
 
   [[gnu::always_inline]] static void add_moment(const NodeLanes& m, const NodeMotion& q,
                                                 Double4 (&sum)[3]) {
-    sum[0] += lanes(m.axial) * q.u.own();
-    sum[1] += lanes(m.place) * q.place1.own() + lanes(m.slope) * q.slope1.own();
-    sum[2] += lanes(m.place) * q.place2.own() + lanes(m.slope) * q.slope2.own();
+    sum[0] += lanes(m.axial) * q.u.own;
+    sum[1] += lanes(m.place) * q.place1.own + lanes(m.slope) * q.slope1.own;
+    sum[2] += lanes(m.place) * q.place2.own + lanes(m.slope) * q.slope2.own;
   }
   /// P = sum of (what a slot is displaced by) (its momentum, undeformed and now)^T.
   [[gnu::always_inline]] void add_inertia(const NodeLanes& m, const NodeMotion& q,
                                           const NodeMomenta& mu) {
-    const Double4 u = q.u.own(), th = q.torsion.own(), v = q.place1.own(), s1 = q.slope1.own(),
-                  w = q.place2.own(), s2 = q.slope2.own();
+    const Double4 u = q.u.own, th = q.torsion.own, v = q.place1.own, s1 = q.slope1.own,
+                  w = q.place2.own, s2 = q.slope2.own;
     const Double4 d_y = 2.0 * lanes(m.d_undeformed), g_z = 2.0 * lanes(m.g_undeformed);
     const Double4 r_x = mu.r.x + lanes(m.r.undeformed), t_x = mu.t.x + lanes(m.t.undeformed);
     J_xx +=
@@ -194,15 +194,15 @@ struct NodeSums {
   [[gnu::always_inline]] void add_rates(const NodeLanes& m, const NodeMotion& v,
                                         const NodeMomenta& mu) {
     const Double4 d_y = lanes(m.d_undeformed), g_z = lanes(m.g_undeformed);
-    const Double4 th = v.torsion.own(), s1 = v.slope1.own(), s2 = v.slope2.own();
+    const Double4 th = v.torsion.own, s1 = v.slope1.own, s2 = v.slope2.own;
     const Double4 r[3] = {mu.r.x, mu.r.y, mu.r.z}, t[3] = {mu.t.x, mu.t.y, mu.t.z};
     const Double4 stretched[3] = {mu.stretched.x, mu.stretched.y, mu.stretched.z};
     const Double4 d[3] = {-mu.d_slope1, d_y, mu.d_torsion},
                   g[3] = {-mu.g_slope2, -mu.g_torsion, g_z};
     for (int i = 0; i < 3; ++i) {
-      G[i][0] += stretched[i] * v.u.own() - d[i] * s1 - g[i] * s2;
-      G[i][1] += r[i] * v.place1.own() + t[i] * s1 - g[i] * th;
-      G[i][2] += r[i] * v.place2.own() + t[i] * s2 + d[i] * th;
+      G[i][0] += stretched[i] * v.u.own - d[i] * s1 - g[i] * s2;
+      G[i][1] += r[i] * v.place1.own + t[i] * s1 - g[i] * th;
+      G[i][2] += r[i] * v.place2.own + t[i] * s2 + d[i] * th;
     }
   }
   Inertia inertia_sum(const Matrix3& J0) const {

@@ -77,7 +77,7 @@ inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
 inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const TwistMatrix& a,
                                       const SymmetricTwistMatrix& b) {
   // Of one half, for the same reason.
-  return {subtract_product_transposed(c.all, multiply(a, b.all), a)};
+  return {subtract_symmetric_product(c.all, multiply(a, b.all), a)};
 }
 
 }  // namespace spoke::space

@@ -120,8 +120,8 @@ inline TwistMatrix add_product(const TwistMatrix& C, const TwistMatrix& A, const
 
 /// The symmetric matrix C - A B^T, if C and A B^T are symmetric: the lower left block stands for
 /// the upper right one, too.
-inline TwistMatrix subtract_product_transposed(const TwistMatrix& C, const TwistMatrix& A,
-                                               const TwistMatrix& B) {
+inline TwistMatrix subtract_symmetric_product(const TwistMatrix& C, const TwistMatrix& A,
+                                              const TwistMatrix& B) {
   const TwistColumns a(A);
   TwistColumns d(C);
   for (int j = 0; j < kTwist; ++j) {
@@ -237,16 +237,15 @@ inline TwistColumns invert_definite(const TwistMatrix& A) {
 /// (A + A^T)/2.
 inline TwistMatrix symmetric_mean(const TwistColumns& A) {
   const TwistColumn* c = A.at;
-  const auto half = [](const TwistColumn& x, const TwistColumn& y) __attribute__((always_inline)) {
-    return TwistColumn{0.5 * (x.a + y.a), 0.5 * (x.b + y.b)};
-  };
   TwistMatrix mean;
   unroll<kTwist>([&](auto column) __attribute__((always_inline)) {
     constexpr int j = column;
-    const TwistColumn row{{c[0].template get<j>(), c[1].template get<j>(), c[2].template get<j>(),
-                           c[3].template get<j>()},
-                          {c[4].template get<j>(), c[5].template get<j>()}};
-    half(c[j], row).store_to(mean.data() + kTwist * j);
+    TwistColumn half{{c[0].template get<j>(), c[1].template get<j>(), c[2].template get<j>(),
+                      c[3].template get<j>()},
+                     {c[4].template get<j>(), c[5].template get<j>()}};
+    half.a = 0.5 * (c[j].a + half.a);
+    half.b = 0.5 * (c[j].b + half.b);
+    half.store_to(mean.data() + kTwist * j);
   });
   return mean;
 }

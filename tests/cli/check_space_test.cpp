@@ -104,7 +104,7 @@ TEST_CASE("a model in space runs as others do") {
   CHECK(run.status == 0);
   for (const char* file : {"sensors.csv", "summary.json", "report.html"})
     CHECK(std::filesystem::exists(folder.path() / "run" / file));
-  const std::string sensors = read_file(folder.path() / "run" / "sensors.csv");
+  const std::string sensors = file_text(folder.path() / "run" / "sensors.csv");
   for (const char* name :
        {"blade1.tip.z", "blade4.hinges.1", "blade2.pitch", "blade3.root.moment.y"})
     CHECK(sensors.find(name) != std::string::npos);
@@ -119,7 +119,7 @@ TEST_CASE("a model in space has three formulations") {
                        "--formulation", formulation, "--out", "run", "--quiet"},
                       folder)
                 .status == 0);
-    const auto summary = nlohmann::json::parse(read_file(folder.path() / "run" / "summary.json"));
+    const auto summary = nlohmann::json::parse(file_text(folder.path() / "run" / "summary.json"));
     CHECK(summary["formulation"] == formulation);
     return summary["sensors"]["appendage.tip.z"]["final"].get<double>();
   };
@@ -155,11 +155,11 @@ TEST_CASE("check draws a model, in space or not, in a page that runs nothing") {
     const Ended ended = run_spoke({"check", shipped(name), "--html", "model.html"}, folder);
     CHECK(ended.status == 0);
     CHECK(ended.out.find("  drawn           model.html\n") != std::string::npos);
-    CHECK(read_file(folder.path() / "model.html").find("id=\"model-view\"") != std::string::npos);
+    CHECK(file_text(folder.path() / "model.html").find("id=\"model-view\"") != std::string::npos);
   }
   CHECK(folder.entries() == 1);
   // With a mount that moves, too.
-  const auto mounted = folder.write("mounted.toml", read_file(shipped("heavy_top")) + R"(
+  const auto mounted = folder.write("mounted.toml", file_text(shipped("heavy_top")) + R"(
 [hub.mount]
 rotation = { amplitude = [0.1, 0.0, 0.0], frequency = 0.6 }
 )");
@@ -195,7 +195,7 @@ TEST_CASE("--vtk writes models in space") {
                                 folder);
   CHECK(ended.status == 0);
   CHECK(ended.out.find("vtk (11 times)") != std::string::npos);
-  const std::string last = read_file(folder.path() / "o" / "vtk" / "blades_000010.vtp");
+  const std::string last = file_text(folder.path() / "o" / "vtk" / "blades_000010.vtp");
   CHECK(last.find("NumberOfLines=\"0\"") != std::string::npos);
   CHECK(last.ends_with("</VTKFile>\n"));
 }

@@ -112,7 +112,7 @@ TEST_CASE("an azimuth beyond a turn is asked for in space, too") {
 
 TEST_CASE("check draws no page in the place of the scenario") {
   const WorkFolder folder;
-  const std::string scenario = folder.write("s.toml", read_file(shipped("wu_haug_rotor"))).string();
+  const std::string scenario = folder.write("s.toml", file_text(shipped("wu_haug_rotor"))).string();
   check_refused({"check", scenario, "--html", scenario}, scenario + " is the scenario itself",
                 folder);
 }

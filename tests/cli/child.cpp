@@ -62,7 +62,7 @@ ChildEnded Child::wait() {
   if (!has_ended_) waitpid(process_, &how_, 0);
   has_ended_ = true;
   return {WIFEXITED(how_) ? WEXITSTATUS(how_) : -1, WIFSIGNALED(how_) ? WTERMSIG(how_) : 0,
-          read_file(texts_.path() / "err")};
+          file_text(texts_.path() / "err")};
 }
 
 std::uint64_t size_of(const fs::path& file) {

@@ -45,7 +45,7 @@ TEST_CASE("compare measures every configuration and all end in the same bits") {
     CHECK(ended.out.find(part) != std::string::npos);
   }
   const fs::path results = folder.path() / "results" / "simo_vu_quoc_beam" / "compare";
-  const json all = json::parse(read_file(results / "compare.json"));
+  const json all = json::parse(file_text(results / "compare.json"));
   CHECK(all["rounds"] == 2);
   CHECK(all["scenario"]["blades"][0]["bodies"] == 1);
   REQUIRE(all["configurations"].size() == 6);
@@ -64,8 +64,8 @@ TEST_CASE("compare measures every configuration and all end in the same bits") {
     CHECK(model["span_step_s"].get<double>() <= model["serial_step_s"].get<double>());
     CHECK(model["steps_per_sample"].get<int>() >= 1);
   }
-  CHECK(lines_of(read_file(results / "compare.csv")).size() == 7);
-  CHECK(read_file(results / "compare.html").starts_with("<!DOCTYPE html>"));
+  CHECK(lines_of(file_text(results / "compare.csv")).size() == 7);
+  CHECK(file_text(results / "compare.html").starts_with("<!DOCTYPE html>"));
 }
 
 TEST_CASE("spin counts are an axis of OpenMP's executors, shown wherever configurations are") {
@@ -80,9 +80,9 @@ TEST_CASE("spin counts are an axis of OpenMP's executors, shown wherever configu
   const std::vector<std::string> names{"serial", "flow_graph 2", "openmp_levels 2 spin 0",
                                        "openmp_levels 2 spin 1000"};
   const std::vector<std::string> spins{"default", "default", "0", "1000"};
-  const json all = json::parse(read_file(folder.path() / "o" / "compare.json"));
-  const auto rows = lines_of(read_file(folder.path() / "o" / "compare.csv"));
-  const std::string page = read_file(folder.path() / "o" / "compare.html");
+  const json all = json::parse(file_text(folder.path() / "o" / "compare.json"));
+  const auto rows = lines_of(file_text(folder.path() / "o" / "compare.csv"));
+  const std::string page = file_text(folder.path() / "o" / "compare.html");
   REQUIRE(all["configurations"].size() == names.size());
   REQUIRE(rows.size() == names.size() + 1);
   CHECK(rows[0].ends_with(",spin"));
@@ -103,7 +103,7 @@ TEST_CASE("compare reads its scenario once, as from a pipe") {
                                 folder, "", shipped("simo_vu_quoc_beam"));
   CAPTURE(ended.err);
   CHECK(ended.status == 0);
-  const json all = json::parse(read_file(folder.path() / "o" / "compare.json"));
+  const json all = json::parse(file_text(folder.path() / "o" / "compare.json"));
   REQUIRE(all["configurations"].size() == 3);
   for (const json& configuration : all["configurations"]) {
     CAPTURE(configuration.dump());
@@ -118,7 +118,7 @@ TEST_CASE("compare goes on where the scenario would end") {
                        "o", "--integrator", "rk4", "--set", "integration.step=1e-5"}),
                 folder);
   CHECK(ended.status == 0);
-  const json all = json::parse(read_file(folder.path() / "o" / "compare.json"));
+  const json all = json::parse(file_text(folder.path() / "o" / "compare.json"));
   CHECK(all["integrator"] == "rk4");
   CHECK(all["step_size_s"].get<double>() == approx(1e-5));
   CHECK(all["scenario"]["integration"]["duration"].get<double>() >= 0.02);

@@ -37,21 +37,21 @@ TEST_CASE("one linear body per blade diverges with a diagnosis and keeps its res
     CHECK(message.find(part) != std::string::npos);
   }
   const auto results = folder.path() / "results" / "paper_rotor";
-  const json summary = json::parse(read_file(results / "summary.json"));
+  const json summary = json::parse(file_text(results / "summary.json"));
   CHECK(summary["status"] == "diverged");
   CHECK(summary["message"] == message);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("blade 1 / body 1 bends by ") == 0);
   CHECK(summary["warnings"] == json(warnings));
   CHECK(summary["sensors"]["blade1.tip.y"]["min"].get<double>() < -1.0);
-  const auto rows = lines_of(read_file(results / "sensors.csv"));
+  const auto rows = lines_of(file_text(results / "sensors.csv"));
   REQUIRE(rows.size() > 200);
   const double last = std::stod(rows.back());
   CHECK(last > 9.0);
   CHECK(last < 11.5);
   CHECK(last == approx(summary["step_size_s"].get<double>() * (summary["steps"].get<double>()))
                     .epsilon(1e-3));
-  const std::string page = read_file(results / "report.html");
+  const std::string page = file_text(results / "report.html");
   CHECK(page.find(warnings[0]) != std::string::npos);
   CHECK(page.find("class=\"note bad\"") != std::string::npos);
   CHECK(page.find("The page shows what came before") != std::string::npos);
@@ -71,7 +71,7 @@ TEST_CASE("one linear body per blade diverges in space too, and says where") {
   for (const char* part : {"diverged at t = ", "blade 1 / body 1", "of node ", "(limit ",
                            "recovery", "geometric_stiffening"})
     CHECK(message.find(part) != std::string::npos);
-  const json summary = json::parse(read_file(folder.path() / "o" / "summary.json"));
+  const json summary = json::parse(file_text(folder.path() / "o" / "summary.json"));
   CHECK(summary["status"] == "diverged");
   CHECK(summary["message"] == message);
 }
@@ -84,9 +84,9 @@ TEST_CASE("rk4 beyond its stable step diverges with status 3") {
   CHECK(ended.out.empty());
   warnings_before_message(ended);
   CHECK(lines_of(ended.err).back().find("above the stability limit of rk4") != std::string::npos);
-  CHECK(json::parse(read_file(folder.path() / "o" / "summary.json"))["status"] == "diverged");
-  CHECK(lines_of(read_file(folder.path() / "o" / "sensors.csv")).size() >= 2);
-  const std::string page = read_file(folder.path() / "o" / "report.html");
+  CHECK(json::parse(file_text(folder.path() / "o" / "summary.json"))["status"] == "diverged");
+  CHECK(lines_of(file_text(folder.path() / "o" / "sensors.csv")).size() >= 2);
+  const std::string page = file_text(folder.path() / "o" / "report.html");
   CHECK(page.find("The run was too short for an animation.") != std::string::npos);
 }
 
@@ -99,13 +99,13 @@ TEST_CASE("a run that bends too far ends well, with one line of warning") {
   CHECK(ended.out.empty());
   REQUIRE(lines_of(ended.err).size() == 1);
   CHECK(ended.err.find("warning: blade 1 / body ") == 0);
-  const json summary = json::parse(read_file(folder.path() / "o" / "summary.json"));
+  const json summary = json::parse(file_text(folder.path() / "o" / "summary.json"));
   CHECK(summary["status"] == "completed");
   REQUIRE(summary["warnings"].size() == 1);
   CHECK("warning: " + summary["warnings"][0].get<std::string>() + "\n" == ended.err);
   run.back() = "limits.deflection=0";
   CHECK(run_spoke(run, folder).err.empty());
-  CHECK(json::parse(read_file(folder.path() / "o" / "summary.json"))["warnings"].empty());
+  CHECK(json::parse(file_text(folder.path() / "o" / "summary.json"))["warnings"].empty());
 }
 
 TEST_CASE("growing energy ends a run with status 3 if the scenario says so") {
@@ -121,10 +121,10 @@ TEST_CASE("growing energy ends a run with status 3 if the scenario says so") {
   const std::string message = lines_of(ended.err)[0];
   CHECK(message.find("diverged at t = ") == 0);
   CHECK(message.find("the energy has grown by ") != std::string::npos);
-  const json summary = json::parse(read_file(folder.path() / "o" / "summary.json"));
+  const json summary = json::parse(file_text(folder.path() / "o" / "summary.json"));
   CHECK(summary["status"] == "diverged");
   CHECK(summary["message"] == message);
   // A header, the start and every step, the one that failed included.
-  CHECK(lines_of(read_file(folder.path() / "o" / "sensors.csv")).size() ==
+  CHECK(lines_of(file_text(folder.path() / "o" / "sensors.csv")).size() ==
         summary["steps"].get<std::size_t>() + 2);
 }

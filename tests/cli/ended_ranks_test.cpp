@@ -18,12 +18,12 @@ TEST_CASE("a run in several processes that diverges says so once") {
   const std::vector<std::string> diverging =
       run_of("wu_haug_rotor", "2", {"--integrator", "rk4", "--out", "o"});
   const Ended alone = run_spoke(diverging, folder);
-  const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
+  const std::string rows = file_text(folder.path() / "o" / "sensors.csv");
   const Ended shared = run_spoke(diverging, folder, mpirun(3));
   CHECK(alone.status == 3);
   CHECK(shared.status == 3);
   CHECK(count_of(lines_of(alone.err).back(), shared.err) == 1);
-  CHECK(read_file(folder.path() / "o" / "sensors.csv") == rows);
+  CHECK(file_text(folder.path() / "o" / "sensors.csv") == rows);
 }
 
 TEST_CASE("what several processes cannot do is refused by one of them, and nothing written") {
@@ -59,7 +59,7 @@ TEST_CASE("a run in several processes that is interrupted is resumed by any numb
   CAPTURE(resumed.err);
   CHECK(resumed.status == 0);
   const fs::path whole = folder.path() / "whole", o = folder.path() / "o";
-  CHECK(read_file(o / "sensors.csv") == read_file(whole / "sensors.csv"));
+  CHECK(file_text(o / "sensors.csv") == file_text(whole / "sensors.csv"));
   CHECK(figures_in(o) == figures_in(whole));
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a run of which a process is killed is resumed by another number of th
       run_spoke(run_of(scenario, duration, {"--resume", "o/checkpoint.spoke"}), folder, mpirun(2));
   CAPTURE(resumed.err);
   CHECK(resumed.status == 0);
-  CHECK(read_file(o / "sensors.csv") == read_file(whole / "sensors.csv"));
+  CHECK(file_text(o / "sensors.csv") == file_text(whole / "sensors.csv"));
   CHECK(figures_in(o) == figures_in(whole));
 }
 

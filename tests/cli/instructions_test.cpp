@@ -22,7 +22,7 @@ json summary_with(const std::string& instructions, const std::string& before = {
                                 folder, before);
   CAPTURE(ended.err);
   REQUIRE(ended.status == 0);
-  return json::parse(read_file(folder.path() / "o" / "summary.json"));
+  return json::parse(file_text(folder.path() / "o" / "summary.json"));
 }
 
 constexpr const char* kLikeOldProcessor = "env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";

@@ -45,7 +45,7 @@ Words long_run(const Words& more, const std::string& seconds = "150") {
   return words;
 }
 
-double last_time(const fs::path& file) { return std::stod(lines_of(read_file(file)).back()); }
+double last_time(const fs::path& file) { return std::stod(lines_of(file_text(file)).back()); }
 
 /// Runs until rows are on disk, then sends a signal.
 ChildEnded interrupt(int signal, const Words& words, const WorkFolder& folder) {
@@ -56,7 +56,7 @@ ChildEnded interrupt(int signal, const Words& words, const WorkFolder& folder) {
 }
 
 void check_complete_rows(const fs::path& file) {
-  const std::string text = read_file(file);
+  const std::string text = file_text(file);
   REQUIRE_FALSE(text.empty());
   CHECK(text.back() == '\n');
   const auto rows = lines_of(text);
@@ -70,7 +70,7 @@ void check_complete_rows(const fs::path& file) {
 void check_whole(const fs::path& rows, const std::string& duration) {
   const WorkFolder folder;
   REQUIRE(run_spoke(long_run({"--executor", "serial"}, duration), folder).status == 0);
-  CHECK(read_file(rows) == read_file(folder.path() / "o" / "sensors.csv"));
+  CHECK(file_text(rows) == file_text(folder.path() / "o" / "sensors.csv"));
 }
 
 }  // namespace
@@ -88,13 +88,13 @@ TEST_CASE("SIGINT and SIGTERM complete the step, write what is due and end with 
       REQUIRE(lines_of(ended.err).size() == 1);
       const std::string name = signal == SIGINT ? "SIGINT" : "SIGTERM";
       CHECK(ended.err.find("interrupted by " + name + " at t = ") == 0);
-      const json summary = json::parse(read_file(results / "summary.json"));
+      const json summary = json::parse(file_text(results / "summary.json"));
       CHECK(summary["status"] == "interrupted");
       CHECK(summary["message"] == lines_of(ended.err)[0]);
       const auto steps = summary["steps"].get<int>();
       CHECK(steps > 0);
       CHECK(steps < 300000);
-      CHECK(lines_of(read_file(results / "sensors.csv")).size() ==
+      CHECK(lines_of(file_text(results / "sensors.csv")).size() ==
             static_cast<std::size_t>(steps + 2));
       CHECK(last_time(results / "sensors.csv") == steps * summary["step_size_s"].get<double>());
       CHECK_FALSE(fs::exists(results / "checkpoint.spoke"));
@@ -203,7 +203,7 @@ TEST_CASE("text that standard output does not take is told, with status 2") {
     const int status = std::system(command.c_str());
     REQUIRE(WIFEXITED(status));
     CHECK(WEXITSTATUS(status) == 2);
-    CHECK(read_file(folder.path() / "err") ==
+    CHECK(file_text(folder.path() / "err") ==
           "standard output: cannot be written: No space left on device\n");
   }
 }

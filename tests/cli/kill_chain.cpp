@@ -23,7 +23,7 @@ struct RunLeft {
 };
 
 RunLeft left_in(const fs::path& folder) {
-  RunLeft left{json::parse(read_file(folder / "summary.json")), read_file(folder / "sensors.csv")};
+  RunLeft left{json::parse(file_text(folder / "summary.json")), file_text(folder / "sensors.csv")};
   for (const char* field : {"wall_time_s", "executor", "executor_choice", "threads"})
     left.summary.erase(field);
   return left;

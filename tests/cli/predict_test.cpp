@@ -52,7 +52,7 @@ TEST_CASE("predict prints a table and a conclusion and writes its files") {
     CHECK(ended.out.find(part) != std::string::npos);
   }
   const fs::path results = folder.path() / "results" / "simo_vu_quoc_beam" / "predict";
-  const json all = json::parse(read_file(results / "predict.json"));
+  const json all = json::parse(file_text(results / "predict.json"));
   CHECK(all["kind"] == "predict");
   CHECK(all["model"]["formulation"] == "subsystem");
   CHECK(all["model"]["window_steps"] == 1);
@@ -69,9 +69,9 @@ TEST_CASE("predict prints a table and a conclusion and writes its files") {
   CHECK(all["points"][0]["executor"] == "serial");
   CHECK_FALSE(all["points"][0]["measured"].is_null());
   check_points(all);
-  const auto rows = lines_of(read_file(results / "predict.csv"));
+  const auto rows = lines_of(file_text(results / "predict.csv"));
   CHECK(rows.size() == all["points"].size() + 1);
-  const std::string page = read_file(results / "predict.html");
+  const std::string page = file_text(results / "predict.html");
   CHECK(page.starts_with("<!DOCTYPE html>"));
   CHECK(page.find("T1 / max(T1/P, Tinf)") != std::string::npos);
 }
@@ -83,7 +83,7 @@ TEST_CASE("predict takes auto in the window that it has in a run") {
                                 "", shipped("wu_haug_rotor"));
   CAPTURE(ended.err);
   CHECK(ended.status == 0);
-  const json all = json::parse(read_file(folder.path() / "o" / "predict.json"));
+  const json all = json::parse(file_text(folder.path() / "o" / "predict.json"));
   CHECK(all["model"]["window_steps"] == 1);
   const json& window = all["auto_window"];
   REQUIRE(window.is_object());
@@ -111,7 +111,7 @@ TEST_CASE("predict of a window of steps") {
                                  "--threads", "3", "--window", "4", "--out", "o"},
                                 folder);
   CHECK(ended.status == 0);
-  const json all = json::parse(read_file(folder.path() / "o" / "predict.json"));
+  const json all = json::parse(file_text(folder.path() / "o" / "predict.json"));
   CHECK(all["model"]["window_steps"] == 4);
   CHECK(all["auto_window"].is_null());
   for (const json& point : all["points"]) CHECK(point["window_steps"] == 4);

@@ -50,8 +50,8 @@ Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& fol
   command += " >" + quoted((texts.path() / "out").string()) + " 2>" +
              quoted((texts.path() / "err").string()) + " <" + quoted(input);
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(texts.path() / "out"),
-          read_file(texts.path() / "err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_text(texts.path() / "out"),
+          file_text(texts.path() / "err")};
 }
 
 std::string mpirun(int ranks) {
@@ -65,11 +65,6 @@ std::string mpirun(int ranks) {
 
 std::string shipped(const std::string& name) {
   return (fs::path(SPOKE_MODELS_DIR) / (name + ".toml")).string();
-}
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

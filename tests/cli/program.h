@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/file_text.h"
+
+using spoke::test::file_text;
+
 /// An empty folder that is removed at the end.
 class WorkFolder {
  public:
@@ -42,5 +46,4 @@ std::string mpirun(int ranks);
 /// The path of a shipped scenario.
 std::string shipped(const std::string& name);
 
-std::string read_file(const std::filesystem::path& file);
 std::vector<std::string> lines_of(const std::string& text);

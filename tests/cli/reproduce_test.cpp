@@ -40,7 +40,7 @@ TEST_CASE("reproduce --quick writes a page and a file of everything, from any fo
     CHECK(ended.out.find(part) != std::string::npos);
   }
   const fs::path results = folder.path() / "results" / "reproduce";
-  const json all = json::parse(read_file(results / "reproduce.json"));
+  const json all = json::parse(file_text(results / "reproduce.json"));
   for (const char* key : {"version", "machine", "load_average", "rounds", "scenario", "openmp"})
     CHECK(all.contains(key));
   CHECK(all["kind"] == "reproduce");
@@ -53,7 +53,7 @@ TEST_CASE("reproduce --quick writes a page and a file of everything, from any fo
   CHECK(all["fig_9"]["models"].size() == 3);
   CHECK(all["table_3"]["methods"].size() == 7);
   check_timings(all["timings"]);
-  const std::string page = read_file(results / "reproduce.html");
+  const std::string page = file_text(results / "reproduce.html");
   CHECK(page.starts_with("<!DOCTYPE html>"));
   CHECK(page.find("</html>") != std::string::npos);
   for (const char* heading :

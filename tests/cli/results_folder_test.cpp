@@ -54,7 +54,7 @@ TEST_CASE("a folder that a run writes to is refused to others, until that ends o
   CHECK(child.wait().signal == SIGKILL);
   CHECK(run_spoke(with(short_run, {"o"}), folder).status == 0);
   CHECK(run_spoke(with(short_run, {"p"}), folder).status == 0);
-  CHECK(read_file(rows) == read_file(folder.path() / "p" / "sensors.csv"));
+  CHECK(file_text(rows) == file_text(folder.path() / "p" / "sensors.csv"));
 }
 
 TEST_CASE("two resumes of one checkpoint do not share a folder") {

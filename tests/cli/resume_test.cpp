@@ -26,7 +26,7 @@ Words run_of(const std::string& seconds, const Words& more) {
 }
 
 json untimed_summary_in(const fs::path& folder) {
-  json summary = json::parse(read_file(folder / "summary.json"));
+  json summary = json::parse(file_text(folder / "summary.json"));
   summary.erase("wall_time_s");
   return summary;
 }
@@ -34,7 +34,7 @@ json untimed_summary_in(const fs::path& folder) {
 /// Checks that spoke refuses, in one line with `message`, and leaves the results as they are.
 void check_refused_resume(const Words& words, const std::string& message,
                           const WorkFolder& folder) {
-  const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
+  const std::string rows = file_text(folder.path() / "o" / "sensors.csv");
   const int entries = folder.entries();
   const Ended ended = run_spoke(words, folder);
   CAPTURE(message);
@@ -42,7 +42,7 @@ void check_refused_resume(const Words& words, const std::string& message,
   CHECK(ended.status == 2);
   CHECK(lines_of(ended.err).size() == 1);
   CHECK(ended.err.find(message) != std::string::npos);
-  CHECK(read_file(folder.path() / "o" / "sensors.csv") == rows);
+  CHECK(file_text(folder.path() / "o" / "sensors.csv") == rows);
   CHECK(folder.entries() == entries);
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("a run goes on for longer, in its folder or another, as if it had not 
           .status == 0);
   REQUIRE(run_spoke(run_of("2.04", {"--executor", "serial", "--out", "whole"}), folder).status ==
           0);
-  const std::string rows = read_file(folder.path() / "whole" / "sensors.csv");
+  const std::string rows = file_text(folder.path() / "whole" / "sensors.csv");
   for (const Words& out : {Words{"--out", "other"}, Words{}}) {
     Words words = run_of("2.04", {"--executor", "serial", "--resume", "o/checkpoint.spoke"});
     words.insert(words.end(), out.begin(), out.end());
@@ -73,7 +73,7 @@ TEST_CASE("a run goes on for longer, in its folder or another, as if it had not 
     CAPTURE(ended.err);
     REQUIRE(ended.status == 0);
     const fs::path results = folder.path() / (out.empty() ? "o" : "other");
-    CHECK(read_file(results / "sensors.csv") == rows);
+    CHECK(file_text(results / "sensors.csv") == rows);
     CHECK(untimed_summary_in(results) == untimed_summary_in(folder.path() / "whole"));
   }
   CHECK(fs::exists(folder.path() / "o" / "checkpoint.spoke"));
@@ -83,12 +83,12 @@ TEST_CASE("a run goes on for longer, in its folder or another, as if it had not 
 TEST_CASE("a run resumed at its end has the same results again") {
   const WorkFolder folder;
   run_a_second(folder);
-  const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
+  const std::string rows = file_text(folder.path() / "o" / "sensors.csv");
   const json summary = untimed_summary_in(folder.path() / "o");
   const Ended ended =
       run_spoke(run_of("1", {"--executor", "serial", "--resume", "o/checkpoint.spoke"}), folder);
   CHECK(ended.status == 0);
-  CHECK(read_file(folder.path() / "o" / "sensors.csv") == rows);
+  CHECK(file_text(folder.path() / "o" / "sensors.csv") == rows);
   CHECK(untimed_summary_in(folder.path() / "o") == summary);
 }
 
@@ -98,10 +98,10 @@ TEST_CASE("checkpoints do not change the results, and a run without removes an o
                                  "output.interval=0"}),
                     folder)
               .status == 0);
-  const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
+  const std::string rows = file_text(folder.path() / "o" / "sensors.csv");
   CHECK(fs::exists(folder.path() / "o" / "checkpoint.spoke"));
   REQUIRE(run_spoke(run_of("4", {"--out", "o", "--set", "output.interval=0"}), folder).status == 0);
-  CHECK(read_file(folder.path() / "o" / "sensors.csv") == rows);
+  CHECK(file_text(folder.path() / "o" / "sensors.csv") == rows);
   CHECK(folder.entries() == 4);
 }
 
@@ -156,8 +156,8 @@ TEST_CASE("a resumed run goes on with the rows of its sensors, and with no other
   check_refused_resume(run_of("2", {"--resume", checkpoint}),
                        "it has records of 41 sensors and 3 tips, expected 29 and 3", folder);
   REQUIRE(run_spoke(run_of("2", with({"--resume", checkpoint})), folder).status == 0);
-  const std::string rows = read_file(folder.path() / "o" / "sensors.csv");
-  CHECK(rows == read_file(folder.path() / "whole" / "sensors.csv"));
+  const std::string rows = file_text(folder.path() / "o" / "sensors.csv");
+  CHECK(rows == file_text(folder.path() / "whole" / "sensors.csv"));
   CHECK(
       rows.find(",blade3.root.moment,blade1.mid.x,blade1.mid.y,blade1.mid.moment,blade2.mid.x,") !=
       std::string::npos);
@@ -169,8 +169,8 @@ TEST_CASE("a damaged checkpoint, and rows that are not its own, are refused") {
   const WorkFolder folder;
   run_a_second(folder);
   const fs::path results = folder.path() / "o";
-  const std::string bytes = read_file(results / "checkpoint.spoke");
-  const std::string rows = read_file(results / "sensors.csv");
+  const std::string bytes = file_text(results / "checkpoint.spoke");
+  const std::string rows = file_text(results / "sensors.csv");
   const Words words = run_of("2", {"--resume", "o/checkpoint.spoke"});
   const auto write = [&](const char* name, const std::string& text) {
     std::ofstream(results / name, std::ios::binary) << text;

@@ -5,7 +5,7 @@
 using nlohmann::json;
 
 json figures_in(const std::filesystem::path& folder) {
-  json summary = json::parse(read_file(folder / "summary.json"));
+  json summary = json::parse(file_text(folder / "summary.json"));
   for (const char* field : {"wall_time_s", "threads", "processes", "machine", "executor_choice"})
     summary.erase(field);
   return summary;

@@ -24,9 +24,9 @@ TEST_CASE("a run in several processes writes the bytes of one process") {
     CHECK(alone.status == 0);
     CHECK(shared.status == 0);
     const fs::path one = folder.path() / "alone", all = folder.path() / "shared";
-    CHECK(read_file(one / "sensors.csv") == read_file(all / "sensors.csv"));
+    CHECK(file_text(one / "sensors.csv") == file_text(all / "sensors.csv"));
     CHECK(figures_in(one) == figures_in(all));
-    CHECK(json::parse(read_file(all / "summary.json"))["processes"] == ranks);
+    CHECK(json::parse(file_text(all / "summary.json"))["processes"] == ranks);
     CHECK(fs::exists(all / "report.html"));
     CHECK(fs::exists(all / "vtk"));
   };

@@ -23,7 +23,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-json summary_in(const fs::path& folder) { return json::parse(read_file(folder / "summary.json")); }
+json summary_in(const fs::path& folder) { return json::parse(file_text(folder / "summary.json")); }
 
 }  // namespace
 
@@ -45,7 +45,7 @@ TEST_CASE("run prints what it does and writes rows and a summary to a folder of 
   CHECK(ended.out.find('\r') == std::string::npos);
 
   const fs::path results = folder.path() / "results" / "wu_haug_rotor";
-  const auto rows = lines_of(read_file(results / "sensors.csv"));
+  const auto rows = lines_of(file_text(results / "sensors.csv"));
   REQUIRE(rows.size() == 22);
   const auto header = cells_of(rows[0]);
   CHECK(header[0] == "t");
@@ -83,7 +83,7 @@ TEST_CASE("the summary holds what was run and agrees with the rows") {
   CHECK(summary["machine"]["cores"].get<int>() >= 1);
   CHECK_FALSE(summary["version"].get<std::string>().empty());
 
-  const auto rows = lines_of(read_file(folder.path() / "a" / "b" / "sensors.csv"));
+  const auto rows = lines_of(file_text(folder.path() / "a" / "b" / "sensors.csv"));
   REQUIRE(rows.size() == 102);
   double lowest = 0.0;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -154,7 +154,7 @@ TEST_CASE("scenarios with odd names have results in a folder of their own") {
     const std::string &file = names_of_one.first, &name = names_of_one.second;
     CAPTURE(file);
     const WorkFolder folder;
-    folder.write(file, read_file(shipped("wu_haug_rotor")));
+    folder.write(file, file_text(shipped("wu_haug_rotor")));
     const Ended ended = run_spoke(
         {"run", file, "--quiet", "--set", "integration.duration=0.05", "--no-report"}, folder);
     CHECK(ended.status == 0);
@@ -171,7 +171,7 @@ TEST_CASE("a second run replaces the results of the first") {
                 .status == 0);
   }
   const fs::path results = folder.path() / "results" / "simo_vu_quoc_beam";
-  CHECK(lines_of(read_file(results / "sensors.csv")).size() == 4);
+  CHECK(lines_of(file_text(results / "sensors.csv")).size() == 4);
   CHECK(summary_in(results)["steps"] == 20);
   CHECK(folder.entries() == 5);  // two folders, three files
 }
@@ -182,7 +182,7 @@ TEST_CASE("run writes a page that needs nothing from elsewhere, unless told not 
                                               "integration.duration=0.5", "--quiet"};
   REQUIRE(run_spoke(arguments, folder).status == 0);
   const fs::path results = folder.path() / "results" / "wu_haug_rotor";
-  const std::string page = read_file(results / "report.html");
+  const std::string page = file_text(results / "report.html");
   for (const char* part : {"Wu &amp; Haug 1988 rotor", "0.5 s in 100 steps of 0.005 s",
                            "beam elements</dt><dd>48<", "61 nodes, 78 edges", "generalized_alpha",
                            "energy.residual", "id=\"run-data\"", "class TimePlot"}) {
@@ -214,8 +214,8 @@ TEST_CASE("--vtk writes the blades at every output time and an index of them") {
   };
   REQUIRE(run({"--vtk"}) == 0);
   const fs::path vtk = folder.path() / "o" / "vtk";
-  const std::string index = read_file(vtk / "blades.pvd");
-  const auto rows = lines_of(read_file(folder.path() / "o" / "sensors.csv"));
+  const std::string index = file_text(vtk / "blades.pvd");
+  const auto rows = lines_of(file_text(folder.path() / "o" / "sensors.csv"));
   REQUIRE(rows.size() == 12);  // header, 0 to 0.45 s, and the end
   for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
     const std::string name = "blades_0000" + std::string(k < 10 ? "0" : "") + std::to_string(k);
@@ -223,7 +223,7 @@ TEST_CASE("--vtk writes the blades at every output time and an index of them") {
     CHECK(index.find("timestep=\"" + cells_of(rows[k + 1])[0] + "\" part=\"0\" file=\"" + name) !=
           std::string::npos);
   }
-  const std::string first = read_file(vtk / "blades_000000.vtp");
+  const std::string first = file_text(vtk / "blades_000000.vtp");
   CHECK(first.find("NumberOfPoints=\"51\" NumberOfLines=\"48\"") != std::string::npos);
   const std::string hash = summary_in(folder.path() / "o")["state_hash"];
 
@@ -245,7 +245,7 @@ TEST_CASE("a file in place of the folder of --vtk is refused") {
   CHECK(ended.status == 2);
   REQUIRE(lines_of(ended.err).size() == 1);
   CHECK(ended.err.find("o/vtk: cannot be the folder of results") != std::string::npos);
-  CHECK(read_file(folder.path() / "o" / "vtk") == "no folder");
+  CHECK(file_text(folder.path() / "o" / "vtk") == "no folder");
   CHECK(folder.entries() == 2);
 }
 
@@ -255,12 +255,12 @@ TEST_CASE("a run that is refused for its folder leaves the results of an earlier
                                         "--set", "integration.duration=0.1"};
   REQUIRE(run_spoke(run, folder).status == 0);
   const fs::path results = folder.path() / "o";
-  const std::string rows = read_file(results / "sensors.csv");
+  const std::string rows = file_text(results / "sensors.csv");
   const auto refused = [&](const std::vector<std::string>& more, const std::string& message) {
     std::vector<std::string> arguments = run;
     arguments.insert(arguments.end(), more.begin(), more.end());
     check_refused(arguments, message, folder);
-    CHECK(read_file(results / "sensors.csv") == rows);
+    CHECK(file_text(results / "sensors.csv") == rows);
     CHECK(fs::exists(results / "report.html"));
   };
   folder.write("o/vtk", "no folder");

@@ -26,7 +26,7 @@ const std::string kRun = "$spoke run $rotor --set integration.duration=0.5 --out
 TEST_CASE("streams that are closed or full change neither the files of a run nor its status") {
   const WorkFolder folder;
   REQUIRE(status_of(kRun + "whole >out", folder) == 0);
-  const std::string rows = read_file(folder.path() / "whole" / "sensors.csv");
+  const std::string rows = file_text(folder.path() / "whole" / "sensors.csv");
   REQUIRE_FALSE(rows.empty());
   for (const std::string streams :
        {"1>&-", "2>&-", "1>&- 2>&-", "0<&- 1>&- 2>&-", "2>/dev/full >out", "1>&- 2>/dev/full"})
@@ -35,7 +35,7 @@ TEST_CASE("streams that are closed or full change neither the files of a run nor
       CAPTURE(options);
       fs::remove_all(folder.path() / "o");
       CHECK(status_of(kRun + "o" + options + ' ' + streams, folder) == 0);
-      CHECK(read_file(folder.path() / "o" / "sensors.csv") == rows);
+      CHECK(file_text(folder.path() / "o" / "sensors.csv") == rows);
       CHECK(fs::exists(folder.path() / "o" / "report.html"));
     }
 }
@@ -50,9 +50,9 @@ TEST_CASE("a reader that goes away does not end the run, whose status tells of i
                       "o2 2>err; echo $? >status; } | true; "
                       "[ $(cat status) = 2 ]",
                   folder) == 0);
-  CHECK(read_file(folder.path() / "err") == "standard output: cannot be written: Broken pipe\n");
-  CHECK(read_file(folder.path() / "o" / "sensors.csv") ==
-        read_file(folder.path() / "o2" / "sensors.csv"));
+  CHECK(file_text(folder.path() / "err") == "standard output: cannot be written: Broken pipe\n");
+  CHECK(file_text(folder.path() / "o" / "sensors.csv") ==
+        file_text(folder.path() / "o2" / "sensors.csv"));
   CHECK(fs::exists(folder.path() / "o2" / "report.html"));
   CHECK(fs::exists(folder.path() / "t" / "trace.html"));
 }
@@ -60,7 +60,7 @@ TEST_CASE("a reader that goes away does not end the run, whose status tells of i
 TEST_CASE("a full standard output leaves all files of a run and its trace") {
   const WorkFolder folder;
   CHECK(status_of(kRun + "o --trace t >/dev/full 2>err", folder) == 2);
-  CHECK(read_file(folder.path() / "err") ==
+  CHECK(file_text(folder.path() / "err") ==
         "standard output: cannot be written: No space left on device\n");
   for (const char* file : {"o/sensors.csv", "o/summary.json", "o/report.html", "t/trace.html"})
     CHECK(fs::exists(folder.path() / file));
@@ -71,9 +71,9 @@ TEST_CASE("what only prints ends with status 2 if nobody can read it") {
   for (const std::string words : {"check $rotor", "--help", "--version", "run --help"}) {
     CAPTURE(words);
     CHECK(status_of("$spoke " + words + " 1>&- 2>err", folder) == 2);
-    CHECK(read_file(folder.path() / "err") == "standard output: cannot be written: it is closed\n");
+    CHECK(file_text(folder.path() / "err") == "standard output: cannot be written: it is closed\n");
     CHECK(status_of("$spoke " + words + " >/dev/full 2>err", folder) == 2);
-    CHECK(read_file(folder.path() / "err") ==
+    CHECK(file_text(folder.path() / "err") ==
           "standard output: cannot be written: No space left on device\n");
     CHECK(status_of("$spoke " + words + " >out 2>/dev/full", folder) == 0);
   }

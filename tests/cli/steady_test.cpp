@@ -20,13 +20,13 @@ TEST_CASE("static prints an equilibrium and writes its files") {
     CHECK(ended.out.find(part) != std::string::npos);
   }
   const fs::path results = folder.path() / "results" / "articulated_rotor" / "static";
-  const json all = json::parse(read_file(results / "static.json"));
+  const json all = json::parse(file_text(results / "static.json"));
   CHECK(all["speed_rad_per_s"] == 30.0);
   CHECK(all["blades"].size() == 4);
   CHECK(all["blades"][0]["nodes_m"].size() == all["blades"][0]["undeformed_nodes_m"].size());
-  CHECK(lines_of(read_file(results / "section_forces.csv")).size() ==
+  CHECK(lines_of(file_text(results / "section_forces.csv")).size() ==
         1 + 4 * all["blades"][0]["section_forces"].size());
-  CHECK(read_file(results / "static.html").find("Equilibrium at 30 rad/s") != std::string::npos);
+  CHECK(file_text(results / "static.html").find("Equilibrium at 30 rad/s") != std::string::npos);
 }
 
 TEST_CASE("modes prints a table and writes its files") {
@@ -36,11 +36,11 @@ TEST_CASE("modes prints a table and writes its files") {
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
   CHECK(ended.out.find("blades 1 to 3  lag 1") != std::string::npos);
-  const json all = json::parse(read_file(folder.path() / "x" / "modes.json"));
+  const json all = json::parse(file_text(folder.path() / "x" / "modes.json"));
   CHECK(all["modes"].size() == 3);
   CHECK(all["blades_couple"] == false);
   CHECK(all["modes"][0]["shape"][0]["real"].size() == all["equilibrium"][0]["nodes_m"].size());
-  CHECK(lines_of(read_file(folder.path() / "x" / "modes.csv")).size() == 4);
+  CHECK(lines_of(file_text(folder.path() / "x" / "modes.csv")).size() == 4);
 }
 
 TEST_CASE("campbell follows modes and writes its files") {
@@ -50,12 +50,12 @@ TEST_CASE("campbell follows modes and writes its files") {
       folder);
   CHECK(ended.status == 0);
   CHECK(ended.out.find("Crossings") != std::string::npos);
-  const json all = json::parse(read_file(folder.path() / "x" / "campbell.json"));
+  const json all = json::parse(file_text(folder.path() / "x" / "campbell.json"));
   CHECK(all["speeds_rad_per_s"].size() == 9);
   CHECK(all["branches"].size() == 2);
   CHECK(all["branches"][0]["mode"] == "lag 1");
-  CHECK(lines_of(read_file(folder.path() / "x" / "campbell.csv")).size() == 1 + 2 * 9);
-  CHECK(read_file(folder.path() / "x" / "campbell.html").find("per revolution") !=
+  CHECK(lines_of(file_text(folder.path() / "x" / "campbell.csv")).size() == 1 + 2 * 9);
+  CHECK(file_text(folder.path() / "x" / "campbell.html").find("per revolution") !=
         std::string::npos);
 }
 
@@ -66,11 +66,11 @@ TEST_CASE("linearize writes matrices whose rows and columns have names") {
                                 folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  const json names = json::parse(read_file(folder.path() / "x" / "linear.json"));
+  const json names = json::parse(file_text(folder.path() / "x" / "linear.json"));
   CHECK(names["inputs"].size() == 3);
   CHECK(names["inputs"][0]["name"] == "blade 1 / load.1");
   CHECK(names["outputs"][1] == json{{"name", "blade1.tip.y"}, {"unit", "m"}});
-  const std::vector<std::string> b = lines_of(read_file(folder.path() / "x" / "B.mtx"));
+  const std::vector<std::string> b = lines_of(file_text(folder.path() / "x" / "B.mtx"));
   CHECK(b[0] == "%%MatrixMarket matrix coordinate real general");
   const std::string sizes = std::to_string(names["states"].size()) + " 3 ";
   CHECK(b[1] == sizes + std::to_string(b.size() - 2));

@@ -84,7 +84,7 @@ Left StudyFolder::left_in(const std::string& out) const {
   Left left;
   for (const auto& entry : fs::directory_iterator(work_.path() / out))
     if (entry.path().filename() != "study.journal")
-      left[entry.path().filename().string()] = read_file(entry.path());
+      left[entry.path().filename().string()] = file_text(entry.path());
   return left;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("a response is what spoke run measures with the command of the run") {
     words.push_back(replay.substr(at, replay.find(' ', at) - at));
   words.insert(words.end(), {"--out", "again", "--quiet"});
   CHECK(run_spoke(words, folder.work()).status == 0);
-  const json summary = json::parse(read_file(folder.work().path() / "again" / "summary.json"));
+  const json summary = json::parse(file_text(folder.work().path() / "again" / "summary.json"));
   CHECK(summary["sensors"]["blade1.tip.y"]["min"] == study["responses"][0]["min"]["value"]);
 }
 

@@ -27,7 +27,7 @@ json summary_of(const std::vector<std::string>& arguments, const std::string& be
   CAPTURE(before);
   CAPTURE(ended.err);
   REQUIRE(ended.status == 0);
-  return json::parse(read_file(folder.path() / "o" / "summary.json"));
+  return json::parse(file_text(folder.path() / "o" / "summary.json"));
 }
 
 int cores_with(const std::string& before, const std::string& executor = "auto") {
@@ -63,7 +63,7 @@ TEST_CASE("compare measures with all processors, whatever binds OpenMP's threads
                  "flow_graph", "--formulations", "structured", "--repeat", "2", "--out", "o"},
                 folder, "env OMP_PROC_BIND=true OMP_PLACES={0}");
   CHECK(ended.status == 0);
-  const json all = json::parse(read_file(folder.path() / "o" / "compare.json"));
+  const json all = json::parse(file_text(folder.path() / "o" / "compare.json"));
   const int cores = cores_with("");
   CHECK(all["machine"]["cores"] == cores);
   CHECK(all["configurations"].back()["threads"] == cores);

@@ -8,21 +8,19 @@
 #include <vector>
 
 #include "tests/cli/program.h"
+#include "tests/contains.h"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using spoke::test::contains;
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-json trace_in(const fs::path& folder) { return json::parse(read_file(folder / "trace.json")); }
+json trace_in(const fs::path& folder) { return json::parse(file_text(folder / "trace.json")); }
 
 /// The pictures in the page of a run.
 json animation_in(const fs::path& folder) {
-  const std::string page = read_file(folder / "report.html");
+  const std::string page = file_text(folder / "report.html");
   const std::string mark = "id=\"run-data\">";
   const std::size_t begin = page.find(mark);
   REQUIRE(begin != std::string::npos);
@@ -32,7 +30,7 @@ json animation_in(const fs::path& folder) {
 
 /// Of the files of two runs.
 std::string hash_in(const fs::path& folder) {
-  return json::parse(read_file(folder / "summary.json"))["state_hash"];
+  return json::parse(file_text(folder / "summary.json"))["state_hash"];
 }
 
 }  // namespace
@@ -57,11 +55,11 @@ TEST_CASE("trace writes its files and prints a summary") {
   CHECK(trace["spoke"]["steps"][0]["step"] == 101);
   CHECK(trace["spoke"]["settings"]["formulation"] == "subsystem");
   CHECK(trace["spoke"]["graph"]["name"].size() == 61);
-  CHECK(read_file(results / "graph.dot").starts_with("digraph"));
+  CHECK(file_text(results / "graph.dot").starts_with("digraph"));
   // With Graphviz there is a picture, without a line that says so.
   const bool has_picture = fs::exists(results / "graph.svg");
   CHECK(has_picture != contains(ended.out, "no graph.svg: "));
-  if (has_picture) CHECK(contains(read_file(results / "graph.svg"), "</svg>"));
+  if (has_picture) CHECK(contains(file_text(results / "graph.svg"), "</svg>"));
 }
 
 TEST_CASE("trace of a window of steps, and of what auto has not chosen yet") {
@@ -228,8 +226,8 @@ TEST_CASE("run --trace writes the trace, too, and the same results") {
   CHECK(contains(ended.out, "20 steps from t = 0.005 s on"));
   CHECK(trace_in(folder.path() / "t")["spoke"]["steps"].size() == 20);
   CHECK(hash_in(folder.path() / "plain") == hash_in(folder.path() / "traced"));
-  CHECK(read_file(folder.path() / "plain" / "sensors.csv") ==
-        read_file(folder.path() / "traced" / "sensors.csv"));
+  CHECK(file_text(folder.path() / "plain" / "sensors.csv") ==
+        file_text(folder.path() / "traced" / "sensors.csv"));
   traced.insert(traced.end(), {"--quiet"});
   CHECK(run_spoke(traced, folder).out.empty());
 }
@@ -262,7 +260,7 @@ TEST_CASE("run --trace leaves pictures, files for ParaView and checkpoints, and 
     CHECK(animation_in(plain)["times"] != "");
     CHECK(animation_in(plain) == animation_in(traced));
     for (const char* file : {"sensors.csv", "vtk/blades.pvd", "vtk/blades_000003.vtp"})
-      CHECK(read_file(plain / file) == read_file(traced / file));
+      CHECK(file_text(plain / file) == file_text(traced / file));
     CHECK(fs::exists(plain / "checkpoint.spoke") == fs::exists(traced / "checkpoint.spoke"));
     CHECK(hash_in(plain) == hash_in(traced));
   }

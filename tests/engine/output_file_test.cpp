@@ -7,8 +7,6 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "tests/file_text.h"
@@ -18,8 +16,6 @@ namespace fs = std::filesystem;
 using namespace spoke;
 using spoke::test::file_text;
 using spoke::test::TemporaryFolder;
-
-namespace {}  // namespace
 
 TEST_CASE("a file is replaced as a whole or stays as it is") {
   const TemporaryFolder folder;

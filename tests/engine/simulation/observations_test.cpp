@@ -14,6 +14,7 @@
 #include "engine/simulation/node_measurement.h"
 #include "models/error.h"
 #include "tests/approx.h"
+#include "tests/contains.h"
 #include "tests/engine/rotors.h"
 
 using namespace spoke;
@@ -76,10 +77,6 @@ Shown run_all_ways(const Scenario& scenario) {
     CHECK(single == run(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2, window}));
   }
   return single;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// rk4 a little beyond its stability limit: the fastest vibration grows slowly.

@@ -8,8 +8,10 @@
 
 #include "models/error.h"
 #include "models/scenario.h"
+#include "tests/models/reader/check_message.h"
 
 using namespace spoke;
+using test::check_message;
 
 namespace {
 
@@ -52,11 +54,6 @@ std::string with(const std::string& line, const std::string& replacement) {
   const auto at = text.find(line + '\n');
   REQUIRE(at != std::string::npos);
   return text.replace(at, line.size(), replacement);
-}
-
-void check_message(const std::string& message, const std::string& expected) {
-  CHECK(message == expected);
-  CHECK(message.find('\n') == std::string::npos);
 }
 
 struct Edit {

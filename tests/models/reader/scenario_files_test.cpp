@@ -7,8 +7,10 @@
 
 #include "models/error.h"
 #include "models/scenario.h"
+#include "tests/models/reader/check_message.h"
 
 using namespace spoke;
+using test::check_message;
 
 namespace {
 
@@ -19,11 +21,6 @@ std::string error_of_file(const std::filesystem::path& file) {
     return error.what();
   }
   return "accepted";
-}
-
-void check_file_message(const std::string& message, const std::string& expected) {
-  CHECK(message == expected);
-  CHECK(message.find('\n') == std::string::npos);
 }
 
 /// A file that is removed at the end.
@@ -47,31 +44,29 @@ class TemporaryFile {
 
 TEST_CASE("files that are no scenarios are refused") {
   const std::string expected = ", expected a scenario file (TOML)";
-  check_file_message(error_of_file("no/such/file.toml"),
-                     "no/such/file.toml: no such file" + expected);
-  check_file_message(error_of_file("/"), "/: is a directory" + expected);
-  check_file_message(error_of_file("/dev/null"), "/dev/null: is empty" + expected);
-  check_file_message(error_of_file("/dev/zero"), "/dev/zero: is larger than 16 MiB" + expected);
-  check_file_message(error_of_file("/proc/self/mem"), "/proc/self/mem: cannot be read" + expected);
+  check_message(error_of_file("no/such/file.toml"), "no/such/file.toml: no such file" + expected);
+  check_message(error_of_file("/"), "/: is a directory" + expected);
+  check_message(error_of_file("/dev/null"), "/dev/null: is empty" + expected);
+  check_message(error_of_file("/dev/zero"), "/dev/zero: is larger than 16 MiB" + expected);
+  check_message(error_of_file("/proc/self/mem"), "/proc/self/mem: cannot be read" + expected);
   const TemporaryFile empty("empty.toml", "");
-  check_file_message(error_of_file(empty.path()), empty.path().string() + ": is empty" + expected);
-  check_file_message(error_of_file(empty.path() / "below"),
-                     (empty.path() / "below").string() + ": no such file" + expected);
+  check_message(error_of_file(empty.path()), empty.path().string() + ": is empty" + expected);
+  check_message(error_of_file(empty.path() / "below"),
+                (empty.path() / "below").string() + ": no such file" + expected);
   const TemporaryFile binary("binary.toml", std::string("\x7F"
                                                         "ELF\0\0",
                                                         6));
-  check_file_message(error_of_file(binary.path()),
-                     binary.path().string() +
-                         ": has a zero byte at 4, expected a text file (TOML in "
-                         "UTF-8)");
+  check_message(error_of_file(binary.path()),
+                binary.path().string() +
+                    ": has a zero byte at 4, expected a text file (TOML in "
+                    "UTF-8)");
 }
 
 TEST_CASE("a file that may not be read is refused") {
   if (geteuid() == 0) return;  // root may read everything
   const TemporaryFile file("locked.toml", "title = \"test\"\n");
   std::filesystem::permissions(file.path(), std::filesystem::perms::none);
-  check_file_message(error_of_file(file.path()),
-                     file.path().string() +
-                         ": Permission denied, expected a scenario file "
-                         "(TOML)");
+  check_message(error_of_file(file.path()), file.path().string() +
+                                                ": Permission denied, expected a scenario file "
+                                                "(TOML)");
 }
