@@ -15,8 +15,21 @@
 
 namespace spoke::graph {
 
+namespace {
+
+/// Whether the environment may ask for bound threads. Without, the runtime is not asked either:
+/// LLVM's begins at the first question, which costs time, and a process that is then killed leaves
+/// a file in /dev/shm that may keep a later process of the same number from using OpenMP.
+bool may_bind() {
+  const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
+  return is_set("OMP_PROC_BIND") || is_set("OMP_PLACES") || is_set("GOMP_CPU_AFFINITY") ||
+         is_set("KMP_AFFINITY");
+}
+
+}  // namespace
+
 std::optional<OpenMpBinding> openmp_binding() {
-  if (omp_get_proc_bind() == omp_proc_bind_false) return {};
+  if (!may_bind() || omp_get_proc_bind() == omp_proc_bind_false) return {};
   OpenMpBinding binding;
   // The runtime begins by counting the processors, then makes places, then binds.
   binding.processors = omp_get_num_procs();

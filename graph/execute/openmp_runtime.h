@@ -17,7 +17,8 @@ struct OpenMpBinding {
   std::vector<int> places;  ///< numbers of the processors of all places, each once
 };
 
-/// Nothing if it binds no threads.
+/// Nothing if it binds no threads. It is asked only if OMP_PROC_BIND, OMP_PLACES,
+/// GOMP_CPU_AFFINITY or KMP_AFFINITY is set.
 std::optional<OpenMpBinding> openmp_binding();
 
 /// How many of its threads can run at once: available_threads(), at most the processors of all

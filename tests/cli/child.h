@@ -32,6 +32,7 @@ class Child {
   void send(int signal) const;
   bool is_running();
   ChildEnded wait();
+  pid_t process() const { return process_; }
 
  private:
   WorkFolder texts_;

@@ -1,6 +1,7 @@
 #include "tests/cli/kill_chain.h"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -52,10 +53,21 @@ std::vector<std::string> next_run(const fs::path& checkpoint, int number) {
   return arguments;
 }
 
+/// What LLVM's OpenMP runtime leaves behind if it has begun in a process that is killed. It may
+/// keep a later process of that number from starting.
+bool has_left_openmp(pid_t process, fs::file_time_type since) {
+  std::error_code error;
+  const auto written = fs::last_write_time(
+      "/dev/shm/__KMP_REGISTERED_LIB_" + std::to_string(process) + "_" + std::to_string(getuid()),
+      error);
+  return !error && written >= since;
+}
+
 }  // namespace
 
 void check_kills(int kills) {
   const WorkFolder whole, folder;
+  const auto begin = fs::file_time_type::clock::now();
   const auto start = std::chrono::steady_clock::now();
   REQUIRE(Child(run_of({"--executor", "serial"}), whole).wait().status == 0);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -76,6 +88,7 @@ void check_kills(int kills) {
     const ChildEnded ended = child.wait();
     if (ended.signal == SIGKILL) {
       ++killed;
+      CHECK_FALSE(has_left_openmp(child.process(), begin));
       continue;
     }
     CAPTURE(ended.err);
