@@ -109,9 +109,9 @@ StepRunner::Runner::Runner(StepContext& context, int passes, const RunnerOptions
                            graph::Threads threads)
     : graph(context.build_graph(passes)), executor(make_asked(graph, options, threads)) {}
 
-StepRunner::Runner::Runner(StepContext& context, int passes)
+StepRunner::Runner::Runner(StepContext& context, int passes, double passes_per_step)
     : graph(context.build_graph(passes)),
-      steps(std::max(1, passes / usual_passes(context.integrator))) {}
+      steps(std::max(1, static_cast<int>(passes / passes_per_step))) {}
 
 StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
     : context_(context),
@@ -124,7 +124,8 @@ StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
   if (!is_automatic()) threads_ = single_.executor->threads();
   if (is_automatic() && threads_.total() == 1) reason_ = "serial: one thread";
   if (options.window <= 1 || !reason_.empty()) return;
-  window_ = std::make_unique<Runner>(context, options.window * usual_passes(context.integrator));
+  const int usual = usual_passes(context.integrator);
+  window_ = std::make_unique<Runner>(context, options.window * usual, usual);
   window_->executor = make_asked(window_->graph, options, threads_);
 }
 
@@ -172,7 +173,8 @@ StepOutcome StepRunner::open_window(bool observed, const TimeStepper::Completed&
     const StepOutcome outcome = advance_timed(target, observed, completed);
     if (outcome != StepOutcome::done) return outcome;
   }
-  window_ = std::make_unique<Runner>(context_, window_passes(options_.planned_steps - steps()));
+  const int passes = window_passes(options_.planned_steps - steps());
+  window_ = std::make_unique<Runner>(context_, passes, passes_per_step());
   window_->executor = graph::make_executor(window_->graph, ExecutorKind::serial);
   return StepOutcome::done;
 }
@@ -249,7 +251,11 @@ bool StepRunner::has_timed() const {
 
 double StepRunner::seconds_per_step() const {
   const double run = graph::median(timed_.run_times()) + timed_.between_runs();
-  return run * timed_.runs() / timed_steps_;
+  return run * passes_per_step();
+}
+
+double StepRunner::passes_per_step() const {
+  return static_cast<double>(timed_.runs()) / timed_steps_;
 }
 
 double StepRunner::remaining_seconds() const {
@@ -274,7 +280,7 @@ void StepRunner::choose_window(std::int64_t steps_asked) {
     reason_ = text.str();
     return;
   }
-  window_ = std::make_unique<Runner>(context_, passes);
+  window_ = std::make_unique<Runner>(context_, passes, passes_per_step());
   window_->executor = make_planned(window_->graph);
 }
 
@@ -282,15 +288,15 @@ void StepRunner::choose_window(std::int64_t steps_asked) {
 // the simulation so many times the overhead of a run as there are windows in it: the sum is least
 // where both are equal.
 int StepRunner::window_passes(std::int64_t steps_asked) const {
-  const int usual = usual_passes(context_.integrator);
-  const double pass = seconds_per_step() / usual;
+  const double per_step = passes_per_step();
+  const double pass = seconds_per_step() / per_step;
   const double passes_left = remaining_seconds() / pass;
   const double building = single_.graph.node_count() * kBuildingPerNode;
   const double best = std::sqrt(passes_left * kRunOverhead / building);
   const double records = static_cast<double>(context_.table().ring_size()) / 2.0;
   const double most = std::min({static_cast<double>(kMostNodes) / single_.graph.node_count(),
-                                std::ceil(kLongestRun / pass), records * usual,
-                                static_cast<double>(steps_asked) * usual});
+                                std::ceil(kLongestRun / pass), records * per_step,
+                                static_cast<double>(steps_asked) * per_step});
   return static_cast<int>(std::clamp(std::ceil(best), 1.0, std::max(most, 1.0)));
 }
 
@@ -298,7 +304,7 @@ void StepRunner::choose_stepping() {
   if (seconds_per_step() < kLongStep) return;
   const double building = single_.graph.node_count() * kBuildingPerNode;
   if (remaining_seconds() < kLeastPayback * building) return;
-  stepping_ = std::make_unique<Runner>(context_, 1);
+  stepping_ = std::make_unique<Runner>(context_, 1, passes_per_step());
   stepping_->executor = make_planned(stepping_->graph);
 }
 

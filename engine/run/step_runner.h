@@ -92,7 +92,7 @@ class StepRunner {
   struct Runner {
     Runner(StepContext& context, int passes, const RunnerOptions& options, graph::Threads threads);
     /// The graph alone.
-    Runner(StepContext& context, int passes);
+    Runner(StepContext& context, int passes, double passes_per_step);
     graph::StepGraph graph;
     std::unique_ptr<graph::Executor> executor;
     int steps = 1;  ///< that a run makes, about
@@ -111,7 +111,9 @@ class StepRunner {
   int window_passes(std::int64_t steps) const;
   void choose_stepping();
   std::unique_ptr<graph::Executor> make_planned(const graph::StepGraph& graph) const;
+  /// Of the steps that were timed.
   double seconds_per_step() const;
+  double passes_per_step() const;
   void describe_traced(const Runner& runner, StepTrace& trace) const;
   std::string describe_window(const std::string& before) const;
 
