@@ -76,25 +76,28 @@ void compare_with_plane(const Effort& effort, Report& report) {
 
 /// What kernels for wider vectors gain, where the processor has them.
 void compare_kernels(const Effort& effort, Report& report) {
-  const Kernels before = use_kernels(Kernels::wide);
-  if (kernels_in_use() == Kernels::baseline) return;
+  const Kernels before = use_kernels(Kernels::avx512);
+  const Kernels last = kernels_in_use();
+  if (last == Kernels::baseline) return;
   const std::vector<Alternative> models{
       in_plane(kSmall, true, 0), in_space("straight, stiffening", kStraight, kSmall, true, 0),
       in_space("twisted, stiffening", kStraight, kSmall, true, 0, kTwist),
       in_space("wind turbine, stiffening", "nrel_5mw_rotor.toml", kSmall, true, 0)};
   std::vector<Alternative> alternatives;
-  for (const Alternative& model : models)
-    for (const Kernels kernels : {Kernels::baseline, Kernels::wide}) {
-      const bool is_wide = kernels == Kernels::wide;
+  for (const Alternative& model : models) {
+    const int baseline = static_cast<int>(alternatives.size());
+    for (const Kernels kernels : {Kernels::baseline, Kernels::avx2, Kernels::avx512}) {
+      if (kernels > last) break;
       Alternative alternative = model;
-      alternative.name += is_wide ? ", wide" : ", baseline";
+      alternative.name += ", " + std::string(name_of(kernels));
       alternative.run = [run = model.run, kernels] {
         use_kernels(kernels);
         run();
       };
-      alternative.reference = static_cast<int>(alternatives.size()) - (is_wide ? 1 : 0);
+      alternative.reference = baseline;
       alternatives.push_back(std::move(alternative));
     }
+  }
   Table table{"One evaluation of a rotor " + kSmall.name() + ", by instructions; all in turns",
               {"model, kernels", "time", "/ baseline"},
               {}};

@@ -40,7 +40,7 @@ struct Arguments {
   std::optional<double> checkpoint_every;  ///< of run [s of wall time]
   std::optional<IntegrationMethod> integrator;
   SimulationOptions options;
-  bool uses_baseline = false;  ///< instructions that all processors have
+  std::string instructions = "auto";  ///< or "avx2", "baseline"
   bool quiet = false;
   bool writes_report = true;  ///< of run: report.html
   bool writes_vtk = false;    ///< of run: files for ParaView

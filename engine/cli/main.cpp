@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/cli/baseline_instructions.h"
 #include "engine/cli/campbell_command.h"
 #include "engine/cli/check_command.h"
+#include "engine/cli/choose_instructions.h"
 #include "engine/cli/compare_command.h"
 #include "engine/cli/linearize_command.h"
 #include "engine/cli/measure_child_command.h"
@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
     // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
-    if (arguments.uses_baseline) cli::use_baseline_instructions(argv);
+    cli::choose_instructions(arguments.instructions, argv);
     start_logging(arguments);
     // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
     std::optional<graph::UnboundThread> unbound;

@@ -121,12 +121,10 @@ void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_
 
 void add_instructions(CLI::App& command, Arguments& arguments) {
   command
-      .add_option_function<std::string>(
-          "--instructions",
-          [&](const std::string& name) { arguments.uses_baseline = name == "baseline"; },
-          "baseline: the same bits on every machine;\nauto: wider vectors and fused "
-          "multiply-add where this\none has them [auto]")
-      ->check(CLI::IsMember({"auto", "baseline"}))
+      .add_option("--instructions", arguments.instructions,
+                  "baseline: the same bits on every machine;\navx2: on all that have AVX2, and "
+                  "faster; auto: AVX-512\nor AVX2 where this one has them [auto]")
+      ->check(CLI::IsMember({"auto", "avx2", "baseline"}))
       ->type_name("NAME");
 }
 

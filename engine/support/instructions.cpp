@@ -2,6 +2,7 @@
 
 #include "engine/support/instructions.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
@@ -14,20 +15,21 @@ bool is_forbidden() {
   return tunables && std::string_view(tunables).find(kWithoutFusing) != std::string_view::npos;
 }
 
-/// Whether the processor, and the system that runs it, can do what kernels of wide instructions
-/// need.
-bool has_wide() {
+/// The last ones that the processor, and the system that runs it, can run.
+Kernels last_possible() {
 #if SPOKE_WIDE_KERNELS
   __builtin_cpu_init();  // before main()
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return Kernels::baseline;
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                 __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw")
+             ? Kernels::avx512
+             : Kernels::avx2;
 #else
-  return false;
+  return Kernels::baseline;
 #endif
 }
 
-Kernels choose_kernels() {
-  return has_wide() && !is_forbidden() ? Kernels::wide : Kernels::baseline;
-}
+Kernels choose_kernels() { return is_forbidden() ? Kernels::baseline : last_possible(); }
 
 }  // namespace
 
@@ -36,15 +38,26 @@ Kernels kernels = choose_kernels();
 }
 
 Kernels use_kernels(Kernels kernels) noexcept {
-  if (kernels == Kernels::wide && !has_wide()) kernels = Kernels::baseline;
-  return std::exchange(detail::kernels, kernels);
+  return std::exchange(detail::kernels, std::min(kernels, last_possible()));
+}
+
+std::string_view name_of(Kernels kernels) {
+  switch (kernels) {
+    case Kernels::baseline:
+      return "baseline";
+    case Kernels::avx2:
+      return "avx2";
+    case Kernels::avx512:
+      break;
+  }
+  return "avx512";
 }
 
 std::string_view instructions_in_use() {
 #ifdef SPOKE_NATIVE
   return "native";
 #else
-  if (kernels_in_use() == Kernels::wide) return "avx2";
+  if (kernels_in_use() != Kernels::baseline) return name_of(kernels_in_use());
 #ifdef __x86_64__
   return __builtin_cpu_supports("fma") && !is_forbidden() ? "fma" : "baseline";
 #else

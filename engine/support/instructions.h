@@ -25,26 +25,30 @@ inline constexpr const char* kTunables = "GLIBC_TUNABLES";
 inline constexpr std::string_view kWithoutFusing = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";
 
 /// "baseline": the same bits on every machine of this architecture; "avx2": kernels use AVX2 and
-/// fused multiply-add, as do the C library's functions; "fma": those alone; "native": Spoke was
-/// built for one processor.
+/// fused multiply-add, as do the C library's functions; "avx512": kernels use AVX-512 besides;
+/// "fma": the C library's functions alone; "native": Spoke was built for one processor.
 std::string_view instructions_in_use();
 
-/// The versions of kernels.
+/// The versions of kernels, each for what the one before needs and more.
 enum class Kernels {
   baseline,  ///< for all processors of the architecture
-  wide,      ///< for AVX2 and fused multiply-add
+  avx2,      ///< for AVX2 and fused multiply-add
+  avx512,    ///< for AVX-512 (F, VL, DQ, BW)
 };
+
+/// "baseline", ...
+std::string_view name_of(Kernels kernels);
 
 namespace detail {
 extern Kernels kernels;  // set before main()
 }
 
-/// Which ones run in this process: `wide` unless the processor, the environment or the build
-/// forbids it.
+/// Which ones run in this process: the last that the processor, the environment and the build
+/// allow.
 inline Kernels kernels_in_use() noexcept { return detail::kernels; }
 
-/// For tests and benchmarks, which compare them: uses other ones from here on, if there are any,
-/// and returns those that were in use. Not while anything is simulated.
+/// Uses other ones from here on, or the last ones before them that the processor and the build
+/// have, and returns those that were in use. Not while anything is simulated.
 Kernels use_kernels(Kernels kernels) noexcept;
 
 }  // namespace spoke

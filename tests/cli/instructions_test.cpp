@@ -34,7 +34,11 @@ std::string expect_auto() {
 #elif defined(__x86_64__)
   const bool fuses = __builtin_cpu_supports("fma");
 #ifndef SPOKE_SANITIZED
-  if (fuses && __builtin_cpu_supports("avx2")) return "avx2";
+  if (fuses && __builtin_cpu_supports("avx2"))
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw")
+               ? "avx512"
+               : "avx2";
 #endif
   return fuses ? "fma" : "baseline";
 #else
@@ -77,7 +81,20 @@ TEST_CASE("baseline instructions keep what the environment asks of the C library
   CHECK(summary["instructions"] == "baseline");
 }
 
+TEST_CASE("instructions of AVX2 are those of a processor that has no wider ones, or are refused") {
+  const std::string best = expect_auto();
+  if (best == "avx2" || best == "avx512") {
+    const json summary = summary_with("avx2", {}, "spatial_wu_haug");
+    CHECK(summary["instructions"] == "avx2");
+    const json own = summary_with("auto", {}, "spatial_wu_haug");
+    CHECK((own["state_hash"] == summary["state_hash"] || best == "avx512"));
+  } else {
+    check_refused({"run", shipped("wu_haug_rotor"), "--instructions", "avx2"},
+                  "--instructions avx2: this program ");
+  }
+}
+
 TEST_CASE("a name of instructions that there are not is refused") {
   check_refused({"run", shipped("wu_haug_rotor"), "--instructions", "sse9"},
-                "--instructions: sse9 not in {auto,baseline}");
+                "--instructions: sse9 not in {auto,avx2,baseline}");
 }
