@@ -2,18 +2,59 @@
 
 #include "engine/support/json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 namespace spoke {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Whether JSON has the text as it is, as it has data in base64.
+bool is_plain(const std::string& text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
+/// As dump() of the library, which takes a page's longest texts apart letter by letter.
+void append(const ordered_json& value, std::string& text) {
+  bool is_first = true;
+  const auto separate = [&text, &is_first] {
+    if (!std::exchange(is_first, false)) text += ',';
+  };
+  if (value.is_object()) {
+    text += '{';
+    for (const auto& [key, member] : value.items()) {
+      separate();
+      append(key, text);
+      text += ':';
+      append(member, text);
+    }
+    text += '}';
+  } else if (value.is_array()) {
+    text += '[';
+    for (const ordered_json& element : value) {
+      separate();
+      append(element, text);
+    }
+    text += ']';
+  } else if (value.is_string() && is_plain(value.get_ref<const std::string&>())) {
+    text.append(1, '"').append(value.get_ref<const std::string&>()).append(1, '"');
+  } else {
+    text += value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  }
+}
+
+}  // namespace
 
 struct Json::Value {
-  nlohmann::ordered_json json;
+  ordered_json json;
 };
 
 template <class Source>
 std::unique_ptr<Json::Value> Json::make(Source&& source) {
-  return std::make_unique<Value>(Value{nlohmann::ordered_json(std::forward<Source>(source))});
+  return std::make_unique<Value>(Value{ordered_json(std::forward<Source>(source))});
 }
 
 Json::Json() : value_(make(nullptr)) {}
@@ -27,7 +68,7 @@ Json::Json(const std::vector<double>& numbers) : value_(make(numbers)) {}
 Json::Json(const std::vector<int>& numbers) : value_(make(numbers)) {}
 Json::Json(const std::vector<std::string>& texts) : value_(make(texts)) {}
 
-Json::Json(std::initializer_list<Member> members) : value_(make(nlohmann::ordered_json::object())) {
+Json::Json(std::initializer_list<Member> members) : value_(make(ordered_json::object())) {
   for (const Member& member : members) set(member.key, std::move(member.value));
 }
 
@@ -41,7 +82,7 @@ Json::~Json() = default;
 
 Json Json::array(std::initializer_list<Json> elements) {
   Json array;
-  array.value_->json = nlohmann::ordered_json::array();
+  array.value_->json = ordered_json::array();
   for (const Json& element : elements) array.push_back(element);
   return array;
 }
@@ -50,7 +91,7 @@ Json Json::object() { return std::initializer_list<Member>{}; }
 
 Json Json::parse(std::string_view text) {
   Json value;
-  value.value_->json = nlohmann::ordered_json::parse(text);
+  value.value_->json = ordered_json::parse(text);
   return value;
 }
 
@@ -63,11 +104,13 @@ void Json::set(std::string_view key, Json value) {
 void Json::update(Json members) { value_->json.update(members.value_->json); }
 
 std::string Json::dump() const {
-  return value_->json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  std::string text;
+  append(value_->json, text);
+  return text;
 }
 
 std::string Json::dump_lines() const {
-  return value_->json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return value_->json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace spoke

@@ -31,6 +31,7 @@ TEST_CASE("json: numbers are whole or read back as they were, others are null") 
 
 TEST_CASE("json: any bytes make a valid text") {
   CHECK(Json("a\xff\"b").dump() == "\"a\xef\xbf\xbd\\\"b\"");
+  CHECK(Json{{"a \\ key", "a\nline"}}.dump() == R"({"a \\ key":"a\nline"})");
   CHECK_THROWS_AS(Json::parse("{"), std::exception);
   CHECK(Json::parse(R"({"b": 1, "a": [2]})").dump() == R"({"b":1,"a":[2]})");
 }
