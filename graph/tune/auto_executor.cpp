@@ -35,7 +35,7 @@ constexpr double kTurn = 1e-3;          // s, of runs in turn
 constexpr std::size_t kTimedTurns = 5;  // whose median counts
 constexpr std::size_t kMostPlans = 3;
 constexpr double kFirstPause = 10e-3;  // s, before a plan that was left is tried again; then ...
-constexpr double kLongerPause = 3.0;   // ... times as long
+constexpr double kLongerPause = 3.0;   // ... times as long, unless it had gained more than it lost
 
 // Runs that are timed node by node: enough for a robust mean.
 bool is_enough(const NodeCosts& costs) {
@@ -151,6 +151,7 @@ class AutoExecutor final : public Executor {
   double elapsed_ = 0.0;        // s, of all runs
   double spent_ = 0.0;          // s, on planning, probes, trials and slow plans
   double lost_ = 0.0;           // s, by the chosen plan since it was slower than serial runs
+  double gained_ = 0.0;         // s, by plans since serial runs were left
   double pause_ = kFirstPause;  // s, before a plan that was left is tried again
   double resume_at_ = 0.0;      // in elapsed_ [s]
   double turn_seconds_ = 0.0;   // of the turn's runs
@@ -214,6 +215,7 @@ void AutoExecutor::account(double seconds) {
   ++turn_runs_;
   if (running_ != 0) {
     const double loss = seconds - serial().seconds();
+    gained_ -= loss;
     lost_ = std::max(0.0, lost_ + loss);
     if (lost_ > std::clamp(0.25 * budget(), kLeastAllowance, kMostAllowance)) return leave_plan();
   }
@@ -226,6 +228,9 @@ void AutoExecutor::leave_plan() {
   reason_ = text_of("serial: the plan of %d clusters was slower at present",
                     alternatives_[running_].clusters);
   for (Alternative& alternative : alternatives_) alternative.turns.clear();
+  // A plan that was worth while met a passing disturbance.
+  if (gained_ > 0.0) pause_ = kFirstPause;
+  gained_ = 0.0;
   resume_at_ = elapsed_ + pause_;
   pause_ *= kLongerPause;
   choose(0);
