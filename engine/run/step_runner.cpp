@@ -97,12 +97,16 @@ RunnerOptions single_options(RunnerOptions options) {
 int window_records(const RunnerOptions& options, double bytes_per_step) {
   // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
   if (options.window > 0) return options.window > 1 ? 2 * options.window : 1;
-  constexpr double most_bytes = 4e6;
-  const double most = std::clamp(most_bytes / bytes_per_step, 4.0, 1024.0);
-  if (options.is_shared) return std::min(static_cast<int>(most), kMostSharedSteps);
+  // Steps write to one record after the other: those of one process stay in the nearer caches,
+  // while processes have less to say to one another the more steps they make at once.
+  constexpr double near_bytes = 4e5, shared_bytes = 4e6;
+  const auto fitting = [bytes_per_step](double bytes) {
+    return static_cast<int>(std::clamp(bytes / bytes_per_step, 4.0, 1024.0));
+  };
+  if (options.is_shared) return std::min(fitting(shared_bytes), kMostSharedSteps);
   if (options.executor != ExecutorKind::automatic || resolved(options.threads).total() == 1)
     return 1;
-  return static_cast<int>(most);
+  return fitting(near_bytes);
 }
 
 StepRunner::Runner::Runner(StepContext& context, int passes, const RunnerOptions& options,
@@ -144,26 +148,40 @@ std::unique_ptr<graph::Executor> StepRunner::make_planned(const graph::StepGraph
   for (const graph::Node& node : graph.nodes())
     costs.push_back(cost_of[{node.label.stage, node.label.subsystem, node.label.body}]);
   return graph::make_auto_executor(graph, threads_.total(),
-                                   {std::move(costs), remaining_seconds()});
+                                   {std::move(costs), remaining_seconds(), threads_are_worth_});
 }
 
 StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
                                    const TimeStepper::Completed& completed) {
-  const std::int64_t asked = target - steps();
-  while (is_automatic() && !window_ && reason_.empty() && steps() < target) {
-    if (has_timed()) {
-      choose_window(asked);
-      break;
-    }
-    const StepOutcome outcome =
-        advance_timed(std::min(target, steps() + kBatch), observed, completed);
-    if (outcome != StepOutcome::done || stepper_.is_stopping()) return outcome;
-  }
+  if (const auto ended = advance_choosing(target, observed, completed)) return *ended;
   if (window_ && options_.window == 0 && window_->executor->settled_on_serial()) {
     reason_ = window_->executor->describe();
     window_.reset();
   }
   return stepper_.advance(target, *runner_for(target - steps()).executor, observed, completed);
+}
+
+/// Times steps, and then goes on serially until a window is worth building, or to the target. The
+/// outcome if advance_to() ends with it.
+std::optional<StepOutcome> StepRunner::advance_choosing(std::int64_t target, bool observed,
+                                                        const TimeStepper::Completed& completed) {
+  const std::int64_t asked = target - steps();
+  while (is_automatic() && !window_ && reason_.empty() && steps() < target) {
+    StepOutcome outcome = StepOutcome::done;
+    if (!has_timed()) {
+      outcome = advance_timed(std::min(target, steps() + kBatch), observed, completed);
+    } else if (!probes_ || probes_->pause_left(elapsed_seconds()) <= 0.0) {
+      choose_window(asked);
+      continue;
+    } else {
+      const double pause = probes_->pause_left(elapsed_seconds()) / seconds_per_step();
+      const double last = static_cast<double>(steps()) + std::ceil(pause) + kBatch;
+      const auto stop = static_cast<std::int64_t>(std::min(last, static_cast<double>(target)));
+      outcome = stepper_.advance(stop, *single_.executor, observed, completed);
+    }
+    if (outcome != StepOutcome::done || stepper_.is_stopping()) return outcome;
+  }
+  return {};
 }
 
 StepOutcome StepRunner::open_window(bool observed, const TimeStepper::Completed& completed) {
@@ -280,8 +298,19 @@ void StepRunner::choose_window(std::int64_t steps_asked) {
     reason_ = text.str();
     return;
   }
+  if (!is_worth_building(building)) return;
   window_ = std::make_unique<Runner>(context_, passes, passes_per_step());
   window_->executor = make_planned(window_->graph);
+}
+
+/// Before building takes more than tuning may cost, the machine is asked whether it has another
+/// processor at present.
+bool StepRunner::is_worth_building(double seconds) {
+  const int processors = std::min(threads_.total(), graph::available_threads());
+  if (processors == 1 || seconds < graph::kTuningShare * remaining_seconds()) return true;
+  if (!probes_) probes_.emplace(processors, elapsed_seconds() + remaining_seconds());
+  threads_are_worth_ = probes_->find_worth(elapsed_seconds());
+  return threads_are_worth_;
 }
 
 // A window of n passes costs n times the building of one pass's graph, once, and what is left of
@@ -313,10 +342,10 @@ std::string_view StepRunner::executor_name() const {
 }
 
 int StepRunner::choices() const {
-  if (window_) return window_->executor->choices();
+  if (window_) return window_->executor->choices() + (probes_ ? 1 : 0);
   if (stepping_) return stepping_->executor->choices();
   if (!is_automatic()) return single_.executor->choices();
-  return reason_.empty() ? 0 : 1;
+  return reason_.empty() && !probes_ ? 0 : 1;
 }
 
 std::string StepRunner::describe_window(const std::string& before) const {
@@ -329,7 +358,8 @@ std::string StepRunner::describe() const {
   if (window_) return describe_window("");
   if (stepping_) return stepping_->executor->describe();
   if (!is_automatic()) return single_.executor->describe();
-  return reason_.empty() ? "serial: not timed yet" : reason_;
+  if (!reason_.empty()) return reason_;
+  return probes_ ? "serial: " + probes_->describe() : "serial: not timed yet";
 }
 
 }  // namespace spoke

@@ -13,6 +13,7 @@
 #include "engine/step_trace.h"
 #include "graph/calibrate/measuring_executor.h"
 #include "graph/executor.h"
+#include "graph/tune/capacity_probes.h"
 
 namespace spoke {
 
@@ -38,10 +39,10 @@ int window_records(const RunnerOptions& options, double bytes_per_step);
 /// it pays, one of the passes of a window of steps.
 ///
 /// The executor `automatic` begins with some serial steps whose nodes it times. If what is left of
-/// the simulation takes long enough to win back the building, it makes the graph of a window, the
-/// longer the more is left, and hands it with the nodes' costs to graph::make_auto_executor(),
-/// which goes parallel at once. Callers of advance_one() get no window; then long steps only are
-/// planned.
+/// the simulation takes long enough to win back the building, and the machine has another processor
+/// at present, it makes the graph of a window, the longer the more is left, and hands it with the
+/// nodes' costs to graph::make_auto_executor(), which goes parallel at once. Callers of
+/// advance_one() get no window; then long steps only are planned.
 class StepRunner {
  public:
   /// `context` must be allocated with window_records() and outlive this.
@@ -104,10 +105,14 @@ class StepRunner {
     return options_.executor == graph::ExecutorKind::automatic && !options_.is_shared;
   }
   bool has_timed() const;
+  double elapsed_seconds() const { return static_cast<double>(steps()) * seconds_per_step(); }
   double remaining_seconds() const;
   StepOutcome advance_timed(std::int64_t target, bool observed,
                             const TimeStepper::Completed& completed);
   void choose_window(std::int64_t steps);
+  bool is_worth_building(double seconds);
+  std::optional<StepOutcome> advance_choosing(std::int64_t target, bool observed,
+                                              const TimeStepper::Completed& completed);
   int window_passes(std::int64_t steps) const;
   void choose_stepping();
   std::unique_ptr<graph::Executor> make_planned(const graph::StepGraph& graph) const;
@@ -127,7 +132,9 @@ class StepRunner {
   TimeStepper stepper_;
   graph::MeasuringExecutor timed_;  ///< of the first steps of automatic
   int timed_steps_ = 0;
-  std::string reason_;  ///< for having no window
+  std::string reason_;                           ///< for having no window
+  std::optional<graph::CapacityProbes> probes_;  ///< before a window is built
+  bool threads_are_worth_ = false;               ///< by the last probe
 };
 
 }  // namespace spoke

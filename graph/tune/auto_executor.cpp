@@ -13,7 +13,6 @@
 #include <string_view>
 #include <utility>
 
-#include "graph/calibrate/capacity.h"
 #include "graph/calibrate/node_costs.h"
 #include "graph/calibrate/quantiles.h"
 #include "graph/calibrate/timed_runs.h"
@@ -22,20 +21,17 @@
 #include "graph/execute/unbound_thread.h"
 #include "graph/machine/duration_text.h"
 #include "graph/machine/time_stamp.h"
+#include "graph/tune/capacity_probes.h"
 #include "graph/tune/plan_candidates.h"
 
 namespace spoke::graph {
 namespace {
 
-constexpr double kShare = 0.02;  // of the runs' time that tuning may cost
 // s, that a plan may be slower than serial runs, summed up, before it is left
 constexpr double kLeastAllowance = 1e-3, kMostAllowance = 4e-3;
-constexpr double kLeastCapacity = 1.2;  // below it, other threads are not worth waking
 constexpr double kTurn = 1e-3;          // s, of runs in turn
 constexpr std::size_t kTimedTurns = 5;  // whose median counts
 constexpr std::size_t kMostPlans = 3;
-constexpr double kFirstPause = 10e-3;  // s, before a plan that was left is tried again; then ...
-constexpr double kLongerPause = 3.0;   // ... times as long, unless it had gained more than it lost
 
 // Runs that are timed node by node: enough for a robust mean.
 bool is_enough(const NodeCosts& costs) {
@@ -63,9 +59,13 @@ struct Alternative {
 class AutoExecutor final : public Executor {
  public:
   AutoExecutor(const StepGraph& graph, int threads, Expectation expectation)
-      : graph_(graph), threads_(threads), expected_seconds_(expectation.seconds) {
+      : graph_(graph),
+        threads_(threads),
+        expected_seconds_(expectation.seconds),
+        processors_(std::min(threads, available_threads())),
+        threads_are_worth_(expectation.threads_are_worth),
+        probes_(processors_, expectation.seconds) {
     assert(threads >= 1);
-    processors_ = std::min(threads, available_threads());
     alternatives_.push_back({make_serial_executor(graph), 1, 0.0, {}});
     if (processors_ <= 1) {
       stay_serial("serial: one thread");
@@ -127,34 +127,33 @@ class AutoExecutor final : public Executor {
   void start_turn(std::size_t alternative);
   std::size_t next_alternative();
   void leave_plan();
-  bool is_worth_another_try();
+  bool find_worth();
 
   void choose(std::size_t alternative) {
     if (choices_ == 0 || alternative != chosen_) ++choices_;
     chosen_ = alternative;
   }
   // What tuning may still cost [s].
-  double budget() const { return kShare * std::max(expected_seconds_, elapsed_) - spent_; }
+  double budget() const { return kTuningShare * std::max(expected_seconds_, elapsed_) - spent_; }
 
   const StepGraph& graph_;
   int threads_;
   double expected_seconds_;
-  int processors_ = 1;
+  int processors_;
+  bool threads_are_worth_;  // to begin with
+  CapacityProbes probes_;
   std::optional<NodeCosts> costs_;         // while they are measured
   std::vector<Alternative> alternatives_;  // the serial one first
   std::size_t chosen_ = 0, running_ = 0;
   bool is_final_ = false;  // serial for good
   std::string reason_;     // for running serially
   int choices_ = 0;
-  double capacity_ = 0.0;  // as measured last; 0: not yet
 
-  double elapsed_ = 0.0;        // s, of all runs
-  double spent_ = 0.0;          // s, on planning, probes, trials and slow plans
-  double lost_ = 0.0;           // s, by the chosen plan since it was slower than serial runs
-  double gained_ = 0.0;         // s, by plans since serial runs were left
-  double pause_ = kFirstPause;  // s, before a plan that was left is tried again
-  double resume_at_ = 0.0;      // in elapsed_ [s]
-  double turn_seconds_ = 0.0;   // of the turn's runs
+  double elapsed_ = 0.0;       // s, of all runs
+  double spent_ = 0.0;         // s, on planning, probes, trials and slow plans
+  double lost_ = 0.0;          // s, by the chosen plan since it was slower than serial runs
+  double gained_ = 0.0;        // s, by plans since serial runs were left
+  double turn_seconds_ = 0.0;  // of the turn's runs
   int turn_runs_ = 0, runs_in_turn_ = 1;
   std::size_t next_trial_ = 0;
 };
@@ -179,24 +178,19 @@ void AutoExecutor::plan(const std::vector<double>& costs) {
   if (alternatives_.size() == 1) {
     stay_serial(
         text_of("serial: 1 run takes %s, no plan promised a gain", duration_text(work).c_str()));
-  } else if (is_worth_another_try()) {
-    choose(1);
-    start_turn(1);
   } else {
-    choose(0);
-    start_turn(0);
-    resume_at_ = elapsed_ + pause_;
+    const std::size_t first = threads_are_worth_ || find_worth() ? 1 : 0;
+    choose(first);
+    start_turn(first);
   }
   spent_ += seconds_since(begin);
 }
 
 // Whether the machine has a processor for other threads at present.
-bool AutoExecutor::is_worth_another_try() {
-  capacity_ = measure_capacity(processors_);
-  if (capacity_ >= kLeastCapacity) return true;
-  reason_ =
-      text_of("serial: %d threads do %.2g times the work of one here", processors_, capacity_);
-  return false;
+bool AutoExecutor::find_worth() {
+  const bool are_worth = probes_.find_worth(elapsed_);
+  if (!are_worth) reason_ = "serial: " + probes_.describe();
+  return are_worth;
 }
 
 void AutoExecutor::start_turn(std::size_t alternative) {
@@ -229,10 +223,8 @@ void AutoExecutor::leave_plan() {
                     alternatives_[running_].clusters);
   for (Alternative& alternative : alternatives_) alternative.turns.clear();
   // A plan that was worth while met a passing disturbance.
-  if (gained_ > 0.0) pause_ = kFirstPause;
+  probes_.begin_pause(elapsed_, gained_ > 0.0);
   gained_ = 0.0;
-  resume_at_ = elapsed_ + pause_;
-  pause_ *= kLongerPause;
   choose(0);
   start_turn(0);
 }
@@ -250,15 +242,11 @@ void AutoExecutor::end_turn() {
 // The chosen one, or if the budget allows it another one in turn.
 std::size_t AutoExecutor::next_alternative() {
   if (chosen_ == 0) {
-    if (elapsed_ < resume_at_) return 0;
+    if (probes_.pause_left(elapsed_) > 0.0) return 0;
     const std::uint64_t begin = time_stamp();
-    const bool is_worth = is_worth_another_try();
+    const bool are_worth = find_worth();
     spent_ += seconds_since(begin);
-    if (!is_worth) {
-      resume_at_ = elapsed_ + pause_;
-      pause_ *= kLongerPause;
-      return 0;
-    }
+    if (!are_worth) return 0;
     choose(1);
     return 1;
   }

@@ -13,6 +13,7 @@ namespace spoke::graph {
 struct Expectation {
   std::vector<double> node_costs;  ///< by index of the node [s]; empty: measured on the first runs
   double seconds = 0.0;            ///< that all its runs will take serially; 0: not known
+  bool threads_are_worth = false;  ///< as was measured just now; else it will be
 };
 
 /// Goes parallel at once by the plan that the simulator predicts to be fastest, if a probe of the
