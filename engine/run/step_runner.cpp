@@ -317,6 +317,7 @@ bool StepRunner::is_worth_building(double seconds) {
 // the simulation so many times the overhead of a run as there are windows in it: the sum is least
 // where both are equal.
 int StepRunner::window_passes(std::int64_t steps_asked) const {
+  if (options_.window == 1) return 1;
   const double per_step = passes_per_step();
   const double pass = seconds_per_step() / per_step;
   const double passes_left = remaining_seconds() / pass;

@@ -148,6 +148,17 @@ TEST_CASE("auto's window is opened without planning, and the steps in it are the
   CHECK(serial.state_hash() == simulation.state_hash());
 }
 
+TEST_CASE("a window of 1 is a graph of one pass, also where steps take many") {
+  Scenario scenario = unequal_scenario(IntegrationMethod::generalized_alpha);
+  scenario.integration.tolerance = 1e-12;
+  scenario.integration.duration = 10.0;
+  Simulation simulation(scenario, {.executor = ExecutorKind::automatic, .threads = 2, .window = 1});
+  CHECK(open_window(simulation) == 1);
+  CHECK(simulation.evaluations() >= 4 * simulation.steps());
+  CHECK(&simulation.run_graph() != &simulation.step_graph());
+  CHECK(simulation.run_graph().node_count() == simulation.step_graph().node_count());
+}
+
 TEST_CASE("who chooses no window opens none") {
   const Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
   for (const SimulationOptions& options :
