@@ -75,7 +75,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::append(std::string_view bytes) {
-  demand_not_removed();
+  require_not_removed();
   while (!bytes.empty()) {
     const ssize_t count =
         without_interruption([&] { return write(descriptor_, bytes.data(), bytes.size()); });
@@ -93,15 +93,15 @@ void OutputFile::cut(std::uint64_t size) {
 
 void OutputFile::sync() {
   if (!is_synchronised(descriptor_)) fail(file_);
-  demand_not_removed();
+  require_not_removed();
 }
 
 void OutputFile::close() {
-  demand_not_removed();
+  require_not_removed();
   if (::close(std::exchange(descriptor_, -1)) != 0) fail(file_);
 }
 
-void OutputFile::demand_not_removed() const {
+void OutputFile::require_not_removed() const {
   struct stat status {};
   if (fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 0)
     fail(file_, "it was removed meanwhile");

@@ -41,7 +41,7 @@ class SPOKE_EXPORT OutputFile {
   const std::string& path() const { return file_; }
 
  private:
-  void demand_not_removed() const;
+  void require_not_removed() const;
 
   std::string file_;
   int descriptor_ = -1;

@@ -101,11 +101,13 @@ using ExecutorFactory = std::function<std::unique_ptr<Executor>(const StepGraph&
 
 /// What an executor runs a graph on.
 enum class ExecutorKind {
-  /// Measures the nodes on the first runs, lets the most promising plans and a serial loop take
-  /// turns on the next ones, then keeps to the fastest; serial unless another is 5 % faster, or
-  /// more where runs are as short as some handovers between threads. Tunes again only if a clearly
-  /// larger gain was foreseen than found: after 4 times as many runs, then after 20 times as many,
-  /// and so on. Uses at most the available threads. With one thread serial from the start.
+  /// Measures the nodes on the first runs, then goes parallel by the plan that a simulated run
+  /// predicts to be fastest, if a probe shows that the machine has other processors at present and
+  /// the plan promises at least 5 %, or more where runs are as short as some handovers between
+  /// threads. Later runs try other plans; one that turns out slower than serial runs is left, and
+  /// tried again later. All of that may cost 2 % of the time of the runs. Uses at most the
+  /// available
+  /// threads. With one thread serial from the start.
   automatic,
   /// A oneTBB flow graph in an arena of its own. As oneTBB does, lets no more threads work than
   /// there are processors, unless the program raises that limit by an

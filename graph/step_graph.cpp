@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 
 #include "graph/structure/depth_first_order.h"
 #include "graph/structure/index_of.h"
 #include "graph/structure/reachability.h"
+#include "graph/structure/transitive_reduction.h"
 #include "spoke/error.h"
 
 namespace spoke::graph {
@@ -49,75 +49,6 @@ NodeLists derive_predecessors(const std::vector<Node>& nodes, std::size_t part_c
     sort_unique(predecessors[i]);
   }
   return predecessors;
-}
-
-// Which of some successive nodes, the block, lead to each node.
-class AncestorsInBlock {
- public:
-  explicit AncestorsInBlock(std::size_t nodes) : words_(nodes * kWords), has_any_(nodes) {}
-
-  static constexpr std::size_t kNodes = 1024;
-
-  // Forgets what it knows, for a block that begins at node `first`.
-  void begin(std::size_t first) {
-    for (std::size_t node = first_; node < has_any_.size(); ++node)
-      if (has_any_[node]) std::fill_n(row(node), kWords, 0);
-    std::fill(has_any_.begin(), has_any_.end(), false);
-    first_ = first;
-  }
-  bool is_in_block(std::size_t node) const { return node >= first_ && node < first_ + kNodes; }
-  // Precondition: is_in_block(ancestor).
-  bool leads_to(std::size_t node, std::size_t ancestor) {
-    return (row(node)[(ancestor - first_) / 64] >> ((ancestor - first_) % 64)) & 1U;
-  }
-  // Adds `from` and its ancestors to those of `node`.
-  void absorb(std::size_t node, std::size_t from) {
-    if (is_in_block(from)) {
-      row(node)[(from - first_) / 64] |= std::uint64_t{1} << ((from - first_) % 64);
-      has_any_[node] = true;
-    }
-    if (!has_any_[from]) return;
-    for (std::size_t w = 0; w < kWords; ++w) row(node)[w] |= row(from)[w];
-    has_any_[node] = true;
-  }
-
- private:
-  static constexpr std::size_t kWords = kNodes / 64;
-
-  std::uint64_t* row(std::size_t node) { return words_.data() + node * kWords; }
-
-  std::size_t first_ = 0;
-  std::vector<std::uint64_t> words_;
-  std::vector<bool> has_any_;  // most rows are empty where subsystems are independent
-};
-
-// Drops edges from nodes of the block that begins at `first`. The order of insertion is
-// topological, so a predecessor is implied exactly if it is an ancestor of a later one: one pass
-// from the latest down suffices.
-void reduce_from_block(std::size_t first, AncestorsInBlock& ancestors, NodeLists& predecessors) {
-  ancestors.begin(first);
-  for (std::size_t node = first + 1; node < predecessors.size(); ++node) {
-    std::vector<NodeId>& before = predecessors[node];
-    bool drops = false;
-    for (auto p = before.rbegin(); p != before.rend() && index_of(*p) >= first; ++p) {
-      const std::size_t from = index_of(*p);
-      if (ancestors.is_in_block(from) && ancestors.leads_to(node, from)) {
-        p->index = -1;
-        drops = true;
-      } else {
-        ancestors.absorb(node, from);
-      }
-    }
-    if (drops) std::erase_if(before, [](NodeId from) { return from.index < 0; });
-  }
-}
-
-// Drops the edges that other paths imply. By blocks of ancestors, for a table of all of them would
-// grow with the square of the nodes.
-void reduce_transitively(NodeLists& predecessors) {
-  AncestorsInBlock ancestors(predecessors.size());
-  for (std::size_t first = 0; first < predecessors.size(); first += AncestorsInBlock::kNodes)
-    reduce_from_block(first, ancestors, predecessors);
 }
 
 NodeLists inverted(const NodeLists& lists) {

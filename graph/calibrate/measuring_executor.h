@@ -11,7 +11,7 @@
 namespace spoke::graph {
 
 /// Runs the nodes serially, in one order or another, and measures what each of them costs and what
-/// is done between two runs. Whoever can be run by an executor can so be measured at work.
+/// is done between two runs. So what runs by an executor can be measured at work.
 /// Time stamps stand between the nodes of half of the runs only; the others tell what all nodes
 /// cost together, undisturbed.
 class MeasuringExecutor final : public Executor {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "graph/simulate/data_traffic.h"
-#include "graph/simulate/schedule_simulator.h"
+#include "graph/simulate/schedule.h"
 
 namespace spoke::graph {
 

@@ -11,13 +11,13 @@
 namespace spoke::graph {
 
 /// The makers behind make_executor(), one per source file, so that each runtime's headers stay in
-/// one place.
+/// one file.
 std::unique_ptr<Executor> make_serial_executor(const StepGraph& graph);
 /// One node of a flow graph per cluster of `plan`, a plan of `graph`. A plan of one cluster is run
-/// on the calling thread and touches no runtime. `places` says which flow graph a cluster belongs
-/// to, from 0 on without gaps; without it counting_places() does.
+/// on the calling thread and touches no runtime. `partition` says which flow graph a cluster
+/// belongs to, from 0 on without gaps; without it partition_clusters() does.
 std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads,
-                                                   std::vector<int> places = {});
+                                                   std::vector<int> partition = {});
 
 /// Of builds with OpenMP only. At most `processors` threads get work.
 std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, Threads threads,

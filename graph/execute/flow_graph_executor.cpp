@@ -92,7 +92,7 @@ struct alignas(128) CountedFlow {  // 128: processors fetch cache lines in pairs
 
 class FlowGraphExecutor final : public Executor {
  public:
-  FlowGraphExecutor(const StepGraph& graph, Plan plan, int threads, std::vector<int> places)
+  FlowGraphExecutor(const StepGraph& graph, Plan plan, int threads, std::vector<int> partition)
       : graph_(graph), plan_(std::move(plan)), threads_(threads) {
     const int width = level_width(plan_);
     if (width <= 1) return;  // no threads for what one thread does
@@ -101,9 +101,9 @@ class FlowGraphExecutor final : public Executor {
     // oneTBB ends the program if the system refuses it a thread: that shows here.
     if (working_ > available_threads()) try_threads(working_);
     arena_.initialize(working_);
-    if (places.empty()) places = counting_places(plan_, working_);
+    if (partition.empty()) partition = partition_clusters(plan_, working_);
     // A flow graph belongs to the arena it is made in.
-    arena_.execute([&] { make_flow(places); });
+    arena_.execute([&] { make_flow(partition); });
   }
   ~FlowGraphExecutor() override {
     if (flows_.empty()) return;
@@ -150,34 +150,34 @@ class FlowGraphExecutor final : public Executor {
     return recorder() == nullptr ? 0 : oneapi::tbb::this_task_arena::current_thread_index();
   }
 
-  // oneTBB's edges are to stay within a flow graph: to a cluster that another one counts, its
-  // predecessors tell by themselves that they have ended. Threads of oneTBB go on with what became
-  // ready last: successors are told from the last to the first, so that a thread comes through the
-  // clusters, and through the memory of their flow nodes, in depth-first order.
-  void make_flow(const std::vector<int>& places) {
+  // oneTBB's edges are to stay within a flow graph: a cluster of another one is notified by its
+  // predecessors themselves. Threads of oneTBB go on with what became ready last: successors are
+  // notified from the last to the first, so that a thread comes through the clusters, and through
+  // the memory of their flow nodes, in depth-first order.
+  void make_flow(const std::vector<int>& partition) {
     const auto are_apart = [&](int a, int b) {
-      return places[static_cast<std::size_t>(a)] != places[static_cast<std::size_t>(b)];
+      return partition[static_cast<std::size_t>(a)] != partition[static_cast<std::size_t>(b)];
     };
-    make_flows(1 + *std::max_element(places.begin(), places.end()));
+    make_flows(1 + *std::max_element(partition.begin(), partition.end()));
     for (int c = 0; c < plan_.cluster_count(); ++c) {
       const auto is_apart = [&](int other) { return are_apart(c, other); };
       const auto before = plan_.predecessors(c);
-      const auto flow = static_cast<std::size_t>(places[static_cast<std::size_t>(c)]);
-      const auto told_by = std::count_if(before.begin(), before.end(), is_apart);
-      nodes_.emplace_back(flows_[flow].graph, static_cast<int>(told_by),
-                          [this, c](flow::continue_msg) noexcept { run_and_tell(c); });
+      const auto flow = static_cast<std::size_t>(partition[static_cast<std::size_t>(c)]);
+      const auto notifiers = std::count_if(before.begin(), before.end(), is_apart);
+      nodes_.emplace_back(flows_[flow].graph, static_cast<int>(notifiers),
+                          [this, c](flow::continue_msg) noexcept { run_and_notify(c); });
       if (before.empty()) roots_.push_back(&nodes_.back());
     }
     for (int c = 0; c < plan_.cluster_count(); ++c) {
       const auto after = plan_.successors(c);
       for (auto next = after.rbegin(); next != after.rend(); ++next) {
         if (are_apart(c, *next)) {
-          told_.push_back(&node_of(*next));
+          notified_.push_back(&node_of(*next));
         } else {
           flow::make_edge(node_of(c), node_of(*next));
         }
       }
-      told_.end_row();
+      notified_.end_row();
       if (plan_.successors(c).empty()) ++final_clusters_;
     }
   }
@@ -191,9 +191,9 @@ class FlowGraphExecutor final : public Executor {
 
   FlowNode& node_of(int cluster) { return nodes_[static_cast<std::size_t>(cluster)]; }
 
-  void run_and_tell(int cluster) noexcept {
+  void run_and_notify(int cluster) noexcept {
     run_cluster(cluster, this_thread());
-    for (FlowNode* next : told_.row(static_cast<std::size_t>(cluster)))
+    for (FlowNode* next : notified_.row(static_cast<std::size_t>(cluster)))
       next->try_put(flow::continue_msg());
     if (plan_.successors(cluster).empty()) unfinished_->graph.release_wait();
   }
@@ -210,19 +210,19 @@ class FlowGraphExecutor final : public Executor {
                                            oneapi::tbb::task_group_context::default_traits |
                                                oneapi::tbb::task_group_context::fp_settings};
   oneapi::tbb::task_group_context run_context_{oneapi::tbb::task_group_context::isolated};
-  std::deque<CountedFlow> flows_;          // one per place of counting; none: no threads
+  std::deque<CountedFlow> flows_;          // one per part of the partition; none: no threads
   std::optional<CountedFlow> unfinished_;  // has no nodes: counts final clusters yet to end
   int final_clusters_ = 0;                 // without successors
   std::deque<FlowNode> nodes_;             // neither move nor copy with their edges
-  CompressedRows<FlowNode*> told_;         // per cluster its successors in other flow graphs
+  CompressedRows<FlowNode*> notified_;     // per cluster its successors in other flow graphs
   std::vector<FlowNode*> roots_;
 };
 
 }  // namespace
 
 std::unique_ptr<Executor> make_flow_graph_executor(const StepGraph& graph, Plan plan, int threads,
-                                                   std::vector<int> places) {
-  return std::make_unique<FlowGraphExecutor>(graph, std::move(plan), threads, std::move(places));
+                                                   std::vector<int> partition) {
+  return std::make_unique<FlowGraphExecutor>(graph, std::move(plan), threads, std::move(partition));
 }
 
 }  // namespace spoke::graph

@@ -26,14 +26,14 @@ std::vector<int> edges_across(const Plan& plan, const std::vector<int>& order) {
   return across;
 }
 
-// Where the parts of an order begin whose clusters are counted together: about equally many each,
-// cut where the fewest edges lead across. Last comes the end.
-std::vector<std::size_t> cut(const std::vector<int>& across, std::size_t parts) {
+// Where the flow graphs' stretches of an order begin: about equally long, cut where the fewest
+// edges lead across. Last comes the end.
+std::vector<std::size_t> cut(const std::vector<int>& across, std::size_t flows) {
   const std::size_t count = across.size() - 1;
-  const auto slack = static_cast<std::ptrdiff_t>(count / parts / 4);
+  const auto slack = static_cast<std::ptrdiff_t>(count / flows / 4);
   std::vector<std::size_t> begins{0};
-  for (std::size_t part = 1; part < parts; ++part) {
-    const auto middle = across.begin() + static_cast<std::ptrdiff_t>(count * part / parts);
+  for (std::size_t flow = 1; flow < flows; ++flow) {
+    const auto middle = across.begin() + static_cast<std::ptrdiff_t>(count * flow / flows);
     const auto fewest = std::min_element(middle - slack, middle + slack + 1);
     begins.push_back(static_cast<std::size_t>(fewest - across.begin()));
   }
@@ -43,23 +43,23 @@ std::vector<std::size_t> cut(const std::vector<int>& across, std::size_t parts) 
 
 }  // namespace
 
-std::vector<int> counting_places(const Plan& plan, int threads) {
+std::vector<int> partition_clusters(const Plan& plan, int threads) {
   // More of them are no faster, and with fewer threads meet more often.
-  constexpr int clusters_per_place = 16, places_per_thread = 4;
+  constexpr int clusters_per_flow = 16, flows_per_thread = 4;
   const int count = plan.cluster_count();
-  std::vector<int> places(index_of(count), 0);
+  std::vector<int> flow_of(index_of(count), 0);
   const int used =
-      threads == 1 ? 1 : std::clamp(count / clusters_per_place, 1, places_per_thread * threads);
-  if (used == 1) return places;
+      threads == 1 ? 1 : std::clamp(count / clusters_per_flow, 1, flows_per_thread * threads);
+  if (used == 1) return flow_of;
   const auto order = depth_first_order<int>(
       count, [&](int c) { return plan.predecessors(c); },
       [&](int c) { return plan.successors(c); });
   const std::vector<std::size_t> begins = cut(edges_across(plan, order), index_of(used));
-  for (int place = 0; place < used; ++place) {
-    for (std::size_t k = begins[index_of(place)]; k < begins[index_of(place + 1)]; ++k)
-      places[index_of(order[k])] = place;
+  for (int flow = 0; flow < used; ++flow) {
+    for (std::size_t k = begins[index_of(flow)]; k < begins[index_of(flow + 1)]; ++k)
+      flow_of[index_of(order[k])] = flow;
   }
-  return places;
+  return flow_of;
 }
 
 }  // namespace spoke::graph

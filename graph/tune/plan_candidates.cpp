@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "graph/plan/coarsening.h"
-#include "graph/simulate/schedule_order.h"
 #include "graph/simulate/work_stealing.h"
+#include "graph/simulate/wrap_around.h"
 
 namespace spoke::graph {
 namespace {
@@ -49,8 +49,7 @@ class Selection {
   void add(Plan plan) {
     if (!seen_.insert({plan.cluster_count(), plan.edge_count(), span_of(plan, costs_)}).second)
       return;
-    const ProcessorLists lists = wrap_around_lists(plan, costs_, processors_, overheads_);
-    score(order_by_schedule(plan, costs_, simulate_lists(plan, costs_, lists, overheads_)));
+    score(order_by_lists(plan, costs_, wrap_around_lists(plan, costs_, processors_, overheads_)));
     score(std::move(plan));
   }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graph/plan/plan.h"
-#include "graph/simulate/schedule_simulator.h"
+#include "graph/simulate/schedule.h"
 
 namespace spoke::graph {
 

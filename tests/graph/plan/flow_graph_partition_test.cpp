@@ -29,15 +29,15 @@ Plan make_chains(std::span<const int> lengths) {
   return plan_of_single_nodes(builder.build());
 }
 
-std::size_t different(const std::vector<int>& places) {
-  return std::set<int>(places.begin(), places.end()).size();
+std::size_t different(const std::vector<int>& partition) {
+  return std::set<int>(partition.begin(), partition.end()).size();
 }
 
-int edges_between_places(const Plan& plan, const std::vector<int>& places) {
+int edges_between_flows(const Plan& plan, const std::vector<int>& partition) {
   int count = 0;
   for (int c = 0; c < plan.cluster_count(); ++c) {
     for (const int next : plan.successors(c)) {
-      count += places[static_cast<std::size_t>(c)] != places[static_cast<std::size_t>(next)];
+      count += partition[static_cast<std::size_t>(c)] != partition[static_cast<std::size_t>(next)];
     }
   }
   return count;
@@ -45,45 +45,45 @@ int edges_between_places(const Plan& plan, const std::vector<int>& places) {
 
 }  // namespace
 
-TEST_CASE("counting places: one for one thread, and for few clusters") {
+TEST_CASE("partition: one for one thread, and for few clusters") {
   const Plan large = plan_of_single_nodes(make_window(50, 3, 4));
-  CHECK(different(counting_places(large, 1)) == 1);
-  CHECK(counting_places(large, 1).size() == static_cast<std::size_t>(large.cluster_count()));
-  CHECK(different(counting_places(plan_of_single_nodes(make_fan(14, 2)), 2)) == 1);
-  CHECK(counting_places(Plan(), 2).empty());
+  CHECK(different(partition_clusters(large, 1)) == 1);
+  CHECK(partition_clusters(large, 1).size() == static_cast<std::size_t>(large.cluster_count()));
+  CHECK(different(partition_clusters(plan_of_single_nodes(make_fan(14, 2)), 2)) == 1);
+  CHECK(partition_clusters(Plan(), 2).empty());
 }
 
-TEST_CASE("counting places: several for several threads, numbered without gaps") {
+TEST_CASE("partition: several for several threads, numbered without gaps") {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     GraphPlan source = make_random_plan(seed, 300, 60, 2);
     const Plan plan = plan_of_single_nodes(build_graph(source));
     for (const int threads : {2, 3, 64}) {
-      const std::vector<int> places = counting_places(plan, threads);
+      const std::vector<int> partition = partition_clusters(plan, threads);
       CAPTURE(seed);
       CAPTURE(threads);
-      CHECK(different(places) == (threads == 2 ? 8 : threads == 3 ? 12 : 18));
-      CHECK(*std::min_element(places.begin(), places.end()) == 0);
-      CHECK(*std::max_element(places.begin(), places.end()) + 1 ==
-            static_cast<int>(different(places)));
+      CHECK(different(partition) == (threads == 2 ? 8 : threads == 3 ? 12 : 18));
+      CHECK(*std::min_element(partition.begin(), partition.end()) == 0);
+      CHECK(*std::max_element(partition.begin(), partition.end()) + 1 ==
+            static_cast<int>(different(partition)));
     }
   }
 }
 
-TEST_CASE("counting places: chains are not torn where they need not be") {
-  const std::array lengths{23, 19, 22, 20, 18};  // of 102 clusters, for 6 places
+TEST_CASE("partition: chains are not torn where they need not be") {
+  const std::array lengths{23, 19, 22, 20, 18};  // of 102 clusters, for 6 flow graphs
   const Plan plan = make_chains(lengths);
-  CHECK(different(counting_places(plan, 2)) == 6);
-  CHECK(edges_between_places(plan, counting_places(plan, 2)) <= 3);
+  CHECK(different(partition_clusters(plan, 2)) == 6);
+  CHECK(edges_between_flows(plan, partition_clusters(plan, 2)) <= 3);
   const std::array equal{17, 17, 17, 17};
   const Plan four = make_chains(equal);
-  CHECK(different(counting_places(four, 2)) == 4);
-  CHECK(edges_between_places(four, counting_places(four, 2)) == 0);
+  CHECK(different(partition_clusters(four, 2)) == 4);
+  CHECK(edges_between_flows(four, partition_clusters(four, 2)) == 0);
 }
 
-TEST_CASE("counting places: blades of a window have their own") {
+TEST_CASE("partition: blades of a window have their own") {
   const StepGraph graph = make_window(20, 4, 3);
   const Plan plan = plan_of_single_nodes(graph);
-  const std::vector<int> places = counting_places(plan, 2);
-  CHECK(different(places) == 8);
-  CHECK(edges_between_places(plan, places) <= 4);  // within each blade one cut between two steps
+  const std::vector<int> partition = partition_clusters(plan, 2);
+  CHECK(different(partition) == 8);
+  CHECK(edges_between_flows(plan, partition) <= 4);  // within each blade one cut between two steps
 }

@@ -1,4 +1,4 @@
-#include "graph/simulate/schedule_simulator.h"
+#include "graph/simulate/schedule.h"
 
 #include <doctest/doctest.h>
 
@@ -40,15 +40,6 @@ int count_faults(const Plan& plan, const Schedule& schedule) {
   return faults;
 }
 
-// All clusters in their topological order, dealt out to the processors in turns.
-ProcessorLists deal(const Plan& plan, int processors) {
-  ProcessorLists lists(static_cast<std::size_t>(processors));
-  for (int c = 0; c < plan.cluster_count(); ++c) {
-    lists[static_cast<std::size_t>(c % processors)].push_back(c);
-  }
-  return lists;
-}
-
 }  // namespace
 
 TEST_CASE("simulator: one processor takes the work and the overheads") {
@@ -60,9 +51,8 @@ TEST_CASE("simulator: one processor takes the work and the overheads") {
     const Plan plan = coarsen(graph, costs, {.max_bins = 3});
     const double expected = work_of(costs) + kOverheads.per_node * graph.node_count() +
                             kOverheads.per_cluster * plan.cluster_count();
-    const auto near = approx(expected).epsilon(1e-9);
-    CHECK(simulate_work_stealing(plan, costs, 1, kOverheads).makespan == near);
-    CHECK(simulate_lists(plan, costs, deal(plan, 1), kOverheads).makespan == near);
+    CHECK(simulate_work_stealing(plan, costs, 1, kOverheads).makespan ==
+          approx(expected).epsilon(1e-9));
   }
 }
 
@@ -82,20 +72,8 @@ TEST_CASE("simulator: schedules are feasible and within Graham's bounds") {
       CHECK(schedule.makespan >= std::max(span, work / processors) - 1e-12);
       CHECK(schedule.makespan <= work / processors + span + 1e-12);
       CHECK(count_faults(plan, simulate_work_stealing(plan, costs, processors, kOverheads)) == 0);
-      CHECK(count_faults(plan, simulate_lists(plan, costs, deal(plan, processors), kOverheads)) ==
-            0);
     }
   }
-}
-
-TEST_CASE("simulator: a cluster of a list waits a handover for one on another processor") {
-  const StepGraph graph = make_fan(2, 1);
-  const auto costs = equal_costs(graph, 10e-6);
-  const Plan plan = plan_of_single_nodes(graph);
-  const Schedule schedule = simulate_lists(plan, costs, {{0, 1, 3}, {2}}, {0.0, 0.0, 3e-6, 0.0});
-  CHECK(schedule.slots[1].start == approx(10e-6));
-  CHECK(schedule.slots[2].start == approx(13e-6));
-  CHECK(schedule.makespan == approx(36e-6));
 }
 
 TEST_CASE("simulator: the span is the costliest path") {

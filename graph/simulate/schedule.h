@@ -1,6 +1,6 @@
 #pragma once
 
-// What a schedule of a plan is, its bounds, and the schedule that given lists lead to.
+// What a schedule of a plan is, what its clusters take, and its bounds.
 
 #include <span>
 #include <vector>
@@ -33,9 +33,6 @@ struct Schedule {
   std::vector<Slot> slots;  ///< per cluster
 };
 
-/// Per processor the clusters it runs, in that order.
-using ProcessorLists = std::vector<std::vector<int>>;
-
 /// Per cluster what it takes with its nodes and overheads, without handovers [s].
 std::vector<double> cluster_times(const Plan& plan, std::span<const double> node_costs,
                                   const Overheads& overheads);
@@ -44,10 +41,5 @@ std::vector<double> cluster_times(const Plan& plan, std::span<const double> node
 double work_of(std::span<const double> node_costs);
 /// The span Tinf: the costliest path of clusters [s], without overheads.
 double span_of(const Plan& plan, std::span<const double> node_costs);
-
-/// Each processor runs its list in order, waiting for predecessors. The lists hold every cluster
-/// once, in an order that, together with the plan's edges, makes no cycle.
-Schedule simulate_lists(const Plan& plan, std::span<const double> node_costs,
-                        const ProcessorLists& lists, const Overheads& overheads);
 
 }  // namespace spoke::graph
