@@ -21,7 +21,6 @@ class WorkStealer {
   WorkStealer(const Plan& plan, std::span<const double> node_costs, int processors,
               const Overheads& overheads, DataTraffic* traffic)
       : plan_(plan),
-        node_costs_(node_costs),
         overheads_(overheads),
         traffic_(traffic),
         durations_(cluster_times(plan, node_costs, overheads)),
@@ -75,9 +74,7 @@ class WorkStealer {
   void start(int cluster, int processor, double now) {
     double end = now + durations_[index_of(cluster)];
     if (traffic_) {
-      end += traffic_->start_cluster(cluster, processor);
-      for (const NodeId node : plan_.nodes(cluster))
-        end += traffic_->run(node, processor, node_costs_[index_of(node)]);
+      for (const NodeId node : plan_.nodes(cluster)) end += traffic_->run(node, processor);
     }
     schedule_.slots[index_of(cluster)] = {processor, now, end};
     events_.push({end, processor, cluster});
@@ -88,7 +85,6 @@ class WorkStealer {
     int next_cluster = -1;
     const auto after = plan_.successors(cluster);
     for (auto next = after.rbegin(); next != after.rend(); ++next) {
-      if (traffic_) now += traffic_->notify(*next, processor);
       if (--waiting_for_[index_of(*next)] > 0) continue;
       if (next_cluster >= 0) spawn(processor, next_cluster);
       next_cluster = *next;
@@ -135,7 +131,6 @@ class WorkStealer {
   }
 
   const Plan& plan_;
-  std::span<const double> node_costs_;
   const Overheads overheads_;
   DataTraffic* traffic_;
   std::vector<double> durations_;

@@ -9,6 +9,7 @@
 
 #include "graph/plan/level_rounds.h"
 #include "graph/simulate/work_stealing.h"
+#include "graph/structure/index_of.h"
 #include "graph/tune/plan_candidates.h"
 
 namespace spoke::graph {
@@ -42,11 +43,8 @@ double critical_shares(const std::vector<Round>& rounds, const std::vector<doubl
     double most = 0.0;
     for (std::size_t thread = 0; thread < round.size(); ++thread) {
       double share = 0.0;
-      for (const NodeId node : round[thread]) {
-        const double cost = costs[static_cast<std::size_t>(node.index)];
-        share += cost + traffic.run(node, static_cast<int>(thread), cost);
-      }
-      share += traffic.wait_at_barrier(static_cast<int>(thread));
+      for (const NodeId node : round[thread])
+        share += costs[index_of(node)] + traffic.run(node, static_cast<int>(thread));
       most = std::max(most, share);
     }
     seconds += most;
@@ -123,7 +121,7 @@ PredictedRun RunPredictor::predict_levels(int threads) const {
   const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
   const double barrier =
       threads == 1 ? runtime_.barrier_alone : runtime_.barrier * std::log2(threads);
-  DataTraffic traffic(graph_, runtime_.transfer, Writing::at_barriers);
+  DataTraffic traffic(graph_, runtime_.transfer);
   const auto run = [&] { return critical_shares(rounds, node_costs_.levels, traffic); };
   run();  // leaves the data where a run finds them
   return within_bounds(run() + barriers_of(rounds) * barrier, threads, 0);
