@@ -19,7 +19,7 @@ constexpr double kLeastCapacity = 1.2;  // below it, other threads are not worth
 constexpr double kFirstPause = 5e-3;    // s; the next ones are ...
 constexpr double kLongerPause = 3.0;    // ... times as long
 // So many, whatever they cost: threads that were just made may all wait on one processor.
-constexpr int kLeastProbes = 3;
+constexpr int kLeastProbes = 2;
 
 }  // namespace
 

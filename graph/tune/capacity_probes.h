@@ -10,7 +10,7 @@ namespace spoke::graph {
 inline constexpr double kTuningShare = 0.02;
 
 /// Asks what other threads are worth, and if they are worth nothing, again after pauses that become
-/// longer each time; more than three times only as far as kTuningShare allows.
+/// longer each time; more than twice only as far as kTuningShare allows.
 class CapacityProbes {
  public:
   /// `seconds`: that all runs are expected to take; 0: not known. Precondition: threads >= 1.
