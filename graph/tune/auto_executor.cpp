@@ -32,6 +32,8 @@ constexpr double kLeastAllowance = 1e-3, kMostAllowance = 4e-3;
 constexpr double kTurn = 1e-3;          // s, of runs in turn
 constexpr std::size_t kTimedTurns = 5;  // whose median counts
 constexpr std::size_t kMostPlans = 3;
+// Of the time of all runs, up to which alternatives are tried again that have proved slower.
+constexpr double kRepeatShare = kTuningShare / 4;
 
 // Runs that are timed node by node: enough for a robust mean.
 bool is_enough(const NodeCosts& costs) {
@@ -257,7 +259,8 @@ std::size_t AutoExecutor::next_alternative() {
   const Alternative& trial = alternatives_[next_trial_ % alternatives_.size()];
   const double cost =
       kTurn * std::max(0.0, 1.0 - alternatives_[chosen_].seconds() / trial.seconds());
-  if (running_ != chosen_ || budget() < cost + 0.1 * kTurn) return chosen_;
+  const double left = timed(trial) ? kRepeatShare * elapsed_ - spent_ : budget();
+  if (running_ != chosen_ || left < cost + 0.1 * kTurn) return chosen_;
   return next_trial_++ % alternatives_.size();
 }
 
