@@ -256,12 +256,16 @@ std::size_t AutoExecutor::next_alternative() {
   if (running_ != 0 && running_ != chosen_ && timed(running()) && timed(alternatives_[chosen_]) &&
       running().seconds() < 0.99 * alternatives_[chosen_].seconds())
     choose(running_);
-  const Alternative& trial = alternatives_[next_trial_ % alternatives_.size()];
-  const double cost =
-      kTurn * std::max(0.0, 1.0 - alternatives_[chosen_].seconds() / trial.seconds());
-  const double left = timed(trial) ? kRepeatShare * elapsed_ - spent_ : budget();
-  if (running_ != chosen_ || left < cost + 0.1 * kTurn) return chosen_;
-  return next_trial_++ % alternatives_.size();
+  if (running_ != chosen_) return chosen_;
+  for (std::size_t k = 0; k < alternatives_.size(); ++k) {
+    const std::size_t next = next_trial_++ % alternatives_.size();
+    const Alternative& trial = alternatives_[next];
+    const double cost =
+        kTurn * std::max(0.0, 1.0 - alternatives_[chosen_].seconds() / trial.seconds());
+    const double left = timed(trial) ? kRepeatShare * elapsed_ - spent_ : budget();
+    if (left >= cost + 0.1 * kTurn) return next;
+  }
+  return chosen_;
 }
 
 std::string AutoExecutor::describe() const {
