@@ -29,8 +29,9 @@ namespace {
 
 // s, that a plan may be slower than serial runs, summed up, before it is left
 constexpr double kLeastAllowance = 1e-3, kMostAllowance = 4e-3;
-constexpr double kTurn = 1e-3;          // s, of runs in turn
-constexpr std::size_t kTimedTurns = 5;  // whose median counts
+constexpr double kTurn = 1e-3;           // s, of runs in turn
+constexpr std::size_t kTimedTurns = 5;   // whose median counts, and ...
+constexpr std::size_t kFewestTurns = 3;  // ... how many say which alternative is the faster one
 constexpr std::size_t kMostPlans = 3;
 // Of the time of all runs, up to which alternatives are tried again that have proved slower.
 constexpr double kRepeatShare = kTuningShare / 4;
@@ -56,6 +57,7 @@ struct Alternative {
   double predicted = 0.0;     // s per run
   std::vector<double> turns;  // s per run, of the latest kTimedTurns turns
   double seconds() const { return turns.empty() ? predicted : median(turns); }
+  bool is_timed() const { return turns.size() >= kFewestTurns; }
 };
 
 class AutoExecutor final : public Executor {
@@ -128,6 +130,7 @@ class AutoExecutor final : public Executor {
   void end_turn();
   void start_turn(std::size_t alternative);
   std::size_t next_alternative();
+  bool can_pay(const Alternative& trial) const;
   void leave_plan();
   bool find_worth();
 
@@ -252,20 +255,24 @@ std::size_t AutoExecutor::next_alternative() {
     choose(1);
     return 1;
   }
-  const auto timed = [](const Alternative& alternative) { return alternative.turns.size() >= 3; };
-  if (running_ != 0 && running_ != chosen_ && timed(running()) && timed(alternatives_[chosen_]) &&
+  if (running_ != 0 && running_ != chosen_ && running().is_timed() &&
+      alternatives_[chosen_].is_timed() &&
       running().seconds() < 0.99 * alternatives_[chosen_].seconds())
     choose(running_);
   if (running_ != chosen_) return chosen_;
   for (std::size_t k = 0; k < alternatives_.size(); ++k) {
-    const std::size_t next = next_trial_++ % alternatives_.size();
-    const Alternative& trial = alternatives_[next];
-    const double cost =
-        kTurn * std::max(0.0, 1.0 - alternatives_[chosen_].seconds() / trial.seconds());
-    const double left = timed(trial) ? kRepeatShare * elapsed_ - spent_ : budget();
-    if (left >= cost + 0.1 * kTurn) return next;
+    const std::size_t trial = next_trial_++ % alternatives_.size();
+    if (can_pay(alternatives_[trial])) return trial;
   }
   return chosen_;
+}
+
+// Whether a turn is within what may still be spent.
+bool AutoExecutor::can_pay(const Alternative& trial) const {
+  const double cost =
+      kTurn * std::max(0.0, 1.0 - alternatives_[chosen_].seconds() / trial.seconds());
+  const double left = trial.is_timed() ? kRepeatShare * elapsed_ - spent_ : budget();
+  return left >= cost + 0.1 * kTurn;
 }
 
 std::string AutoExecutor::describe() const {
