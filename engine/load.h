@@ -28,7 +28,10 @@ struct Marker {
   friend bool operator==(const Marker&, const Marker&) = default;
 };
 
-/// The motion of a marker's cross section, in the inertial frame.
+/// The motion of a marker's cross section, in the inertial frame. What a load is given includes the
+/// foreshortening of bodies with geometric stiffening, along the axes of the undeformed model that
+/// turn with the hub: the place at which its force does work. So a spring between two markers keeps
+/// energy and momentum.
 struct MarkerMotion {
   Eigen::Vector3d position{0.0, 0.0, 0.0};  ///< [m]
   /// Takes vectors from the section's frame to the inertial frame: x along the deformed axis,
@@ -46,8 +49,9 @@ struct MarkerState : MarkerMotion {
   /// From its place on the undeformed blade, which turns with the hub (in space with all joint
   /// coordinates zero); hub frame [m].
   Eigen::Vector3d deflection{0.0, 0.0, 0.0};
-  /// What a model with geometric stiffening accounts for in its energies, not in its places: the
-  /// tip's sensors show the deflection less this; hub frame [m].
+  /// What a model with geometric stiffening accounts for in its energies, not in its coordinates,
+  /// of which position, velocity and deflection are here: the tip's sensors show the deflection
+  /// less this; hub frame [m].
   Eigen::Vector3d foreshortening{0.0, 0.0, 0.0};
 };
 

@@ -22,17 +22,19 @@ struct PlanarJointMotion {
 struct PlanarHubStiffening {
   double inertia = 0.0;  ///< qf^T KG qf, off its rotary inertia [kg m^2]
   double rate = 0.0;     ///< qf^T KG qf' [kg m^2/s]
+  double moment = 0.0;   ///< of the tension by applied forces and fields [N m]
 
   PlanarHubStiffening& operator+=(const PlanarHubStiffening& other) {
     inertia += other.inertia;
     rate += other.rate;
+    moment += other.moment;
     return *this;
   }
 };
-/// The moment on the hub that takes its place on the right-hand side, 2 w0 qf^T KG qf', and the
-/// angular momentum that it takes.
+/// The moment on the hub that takes its place on the right-hand side: 2 w0 qf^T KG qf', and that of
+/// the tension.
 inline double calc_stiffening_moment(const PlanarHubStiffening& s, double w0) {
-  return 2.0 * w0 * s.rate;
+  return 2.0 * w0 * s.rate + s.moment;
 }
 
 /// Terms of a body's equations of motion that its state determines (docs/formulation.md, section

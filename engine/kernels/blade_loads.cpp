@@ -2,6 +2,9 @@
 
 #include "engine/kernels/blade_loads.h"
 
+#include <algorithm>
+
+#include "engine/kernels/kinematics.h"
 #include "models/system/gauss_rule.h"
 
 namespace spoke {
@@ -62,6 +65,37 @@ void visit_beyond(const PlacedLoad<Plane, Load>& placed, double x, const BodyDat
 }
 
 }  // namespace
+
+bool depend_on_pose(const BodyData<Plane>& body) noexcept {
+  const std::vector<BodyLoad<Plane>>& loads = body.model->loads;
+  return !body.drags.empty() || !body.applied.empty() ||
+         std::any_of(loads.begin(), loads.end(),
+                     [](const BodyLoad<Plane>& load) { return load.frame == LoadFrame::section; });
+}
+
+ForceFrames find_force_frames(const SubsystemData<Plane>& data, int j) noexcept {
+  ForceFrames frames{{}, data.hub->R};
+  const auto index = static_cast<std::size_t>(j);
+  if (!depend_on_pose(data.bodies[index])) return frames;
+  if (data.bodies[index].drags.empty() || data.drag_poses.empty())
+    frames.X_HB.R = calc_rotation_to_hub(data, j);
+  else
+    frames.X_HB = data.drag_poses[index];
+  return frames;
+}
+
+Position calc_load_force(const BodyLoad<Plane>& load, double rotation,
+                         const ForceFrames& frames) noexcept {
+  if (load.frame == LoadFrame::hub) return load.force;
+  if (load.frame == LoadFrame::inertial) return frames.R_0.inverse() * load.force;
+  return frames.X_HB.R * (Rotation::from_angle(rotation) * load.force);
+}
+
+Position calc_drag_force(const BodyDrag<Plane>& drag, const Section& section, const Twist& twist,
+                         const ForceFrames& frames, const HubState<Plane>& hub,
+                         const BodyData<Plane>& body) noexcept {
+  return frames.X_HB.R * calc_drag(drag, section, twist, frames.X_HB, hub, body);
+}
 
 void add_wrench(const Section& section, const Position& force, double moment, const Twist& twist,
                 BodyData<Plane>& body) noexcept {

@@ -22,6 +22,49 @@ void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist&
 /// for drag must be those of the state.
 void add_drags(double t, int j, SubsystemData<Plane>& data) noexcept;
 
+/// What resolves the forces that are applied to a body.
+struct ForceFrames {
+  Pose X_HB;     ///< of the body in the hub's frame, its place only where drag depends on it
+  Rotation R_0;  ///< of the hub's frame in the inertial one
+};
+/// Whether forces on a body, in the hub's frame, depend on its pose and deformation.
+bool depend_on_pose(const BodyData<Plane>& body) noexcept;
+/// Those of body `j` at the state in the table; the pose only where forces depend on it.
+ForceFrames find_force_frames(const SubsystemData<Plane>& data, int j) noexcept;
+
+/// Force of a load [N] without weight and course, hub frame, at a section that has turned by
+/// `rotation` [rad] in the body frame.
+Position calc_load_force(const BodyLoad<Plane>& load, double rotation,
+                         const ForceFrames& frames) noexcept;
+/// Force of drag [N] at a section, without weight and course, hub frame.
+Position calc_drag_force(const BodyDrag<Plane>& drag, const Section& section, const Twist& twist,
+                         const ForceFrames& frames, const HubState<Plane>& hub,
+                         const BodyData<Plane>& body) noexcept;
+
+/// Calls visit(section, force) for all that is applied to body `j` of a subsystem at time `t` [s]:
+/// loads, drag, loads of the user's; force in the hub's frame [N].
+template <class Visit>
+void visit_forces(double t, int j, const SubsystemData<Plane>& data, const Visit& visit) {
+  const BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(j)];
+  if (!body.forces.applied) return;
+  const ForceFrames frames = find_force_frames(data, j);
+  for (const auto& [load, sections] : body.loads)
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+      const double rotation =
+          value_at(sections[k].slope, sections[k].bending_at, body.coordinates.q);
+      visit(sections[k], Position(load->points[k].weight * load->course->value(t) *
+                                  calc_load_force(*load, rotation, frames)));
+    }
+  const Twist& twist = data.twists[static_cast<std::size_t>(j)];
+  for (const auto& [drag, sections] : body.drags)
+    for (std::size_t k = 0; k < sections.size(); ++k)
+      visit(sections[k],
+            Position(drag->points[k].weight * drag->course->value(t) *
+                     calc_drag_force(*drag, sections[k], twist, frames, *data.hub, body)));
+  for (const auto& [section, wrench] : body.applied)
+    visit(*section, Position(frames.X_HB.R * wrench->force));
+}
+
 /// What loads of the scenario, drag and loads of the user's do to body `j` of a subsystem at a
 /// section and outboard of it: force [N] and moment about the deformed section [N m], body frame.
 /// Poses, twists and the hub's motion must be those of the state at time `t` [s].

@@ -164,6 +164,7 @@ void calc_terms(const BodyMotion& motion, const Damping& damping, BodyData<Plane
   terms.rotary_inertia = body.I0 + axial.inertia + bending.inertia;
   terms.stiffening.inertia = bending.centrifugal_inertia;
   terms.stiffening.rate = bending.centrifugal_rate;
+  terms.stiffening.moment = 0.0;
   // Q_t = w^2 (S0 + S qf) - 2 w B S qf',  Q_w = -2 w (d0 + Mff qf) . qf'
   const Position S_rate{axial.S_rate, bending.S_rate};
   const Position Q_t = w * w * terms.S - 2.0 * w * quarter_turn(S_rate);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "engine/kernels/applied_forces.h"
 #include "engine/kernels/blade_loads.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/marker_motion.h"
@@ -170,7 +171,7 @@ void call(double t, const System<World>& system, const StepData<World>& data,
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
     const auto blade = static_cast<std::size_t>(load.markers[k].blade);
     load.motions[k] =
-        calc_marker_motion(system.subsystems[blade], data.subsystems[blade], load.markers[k]);
+        calc_load_motion(system.subsystems[blade], data.subsystems[blade], load.markers[k]);
   }
   std::fill(load.forces.begin(), load.forces.end(), Wrench{});
   load.load->evaluate(t, load.motions, load.forces);
@@ -242,6 +243,7 @@ void place_loads(const std::vector<AskedLoad>& loads, StepData<World>& data) {
   for (const AskedLoad& asked : loads) add_load_data(asked, data).number = number++;
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (LoadData<World>& load : subsystem.loads) apply(load, data);
+  place_applied_forces(data);
 }
 
 template <class World>

@@ -44,6 +44,27 @@ MarkerMotion calc_marker_motion(const Subsystem<Plane>& subsystem, const Subsyst
   return motion;
 }
 
+MarkerMotion calc_load_motion(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                              const PlacedMarker<Plane>& marker) noexcept {
+  MarkerMotion motion = calc_marker_motion(subsystem, data, marker);
+  double length = 0.0, rate = 0.0;
+  for (int j = 0; j <= marker.body; ++j) {
+    const BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(j)];
+    if (!body.model->stiffening) continue;
+    const double station = j < marker.body ? 1.0 : marker.section.x / body.model->body->length;
+    const Foreshortening drawn = calc_foreshortening(body, station);
+    length += drawn.length;
+    rate += drawn.rate;
+  }
+  const HubState<Plane>& hub = *data.hub;
+  const Position d = subsystem.root.R * Position{-length, 0.0};
+  const Position v = subsystem.root.R * Position{-rate, 0.0};
+  motion.position += in_space(Position(hub.R * d));
+  motion.velocity +=
+      in_space(Position(hub.R * Position(v + hub.twist[kRotation] * quarter_turn(d))));
+  return motion;
+}
+
 Twist calc_marker_acceleration(const Position& gravity, const SubsystemData<Plane>& data,
                                const PlacedMarker<Plane>& marker) noexcept {
   const BodyData<Plane>& body = data.bodies[marker.body];

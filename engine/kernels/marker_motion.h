@@ -12,9 +12,14 @@ Pose calc_pose_in_hub(const Subsystem<Plane>& subsystem, const SubsystemData<Pla
 
 /// The motion of a marker at the state in the table, whose rotations and twists must be those of
 /// the state. Of a body with geometric stiffening the place is that of its coordinates, without
-/// foreshortening: where forces do their work in this model.
+/// foreshortening.
 MarkerMotion calc_marker_motion(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
                                 const PlacedMarker<Plane>& marker) noexcept;
+
+/// The motion of the place at which a load does its work there: bodies with geometric stiffening
+/// are drawn inward along the axes of the undeformed tree (docs/formulation.md, section 2).
+MarkerMotion calc_load_motion(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                              const PlacedMarker<Plane>& marker) noexcept;
 
 /// Accelerations of a marker's section in the inertial frame, from the accelerations of the body
 /// that an evaluation at the state has left in the table, and the gravity in force there: x, y
@@ -38,6 +43,8 @@ space::Pose calc_pose_in_hub(const Subsystem<Space>& subsystem, const SubsystemD
                              int body) noexcept;
 MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                                 const PlacedMarker<Space>& marker) noexcept;
+MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                              const PlacedMarker<Space>& marker) noexcept;
 /// Linear and angular [m/s^2, rad/s^2].
 space::Twist calc_marker_acceleration(const space::Position& gravity,
                                       const Subsystem<Space>& subsystem,

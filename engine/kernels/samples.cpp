@@ -2,6 +2,7 @@
 
 #include "engine/kernels/samples.h"
 
+#include "engine/kernels/axial_tension.h"
 #include "engine/kernels/body_energies.h"
 #include "engine/kernels/kinematics.h"
 
@@ -40,7 +41,9 @@ SubsystemSample<Plane> calc_sample(const System<Plane>& system, std::size_t i,
     if (!has_gravity) continue;
     const double mass = data.bodies[j].model->body->mass;
     const Pose& X_HB = data.poses[j];
-    const Position moment = mass * X_HB.p + Position(X_HB.R * body.S);
+    Position moment = mass * X_HB.p + Position(X_HB.R * body.S);
+    if (data.bodies[j].model->stiffening.outboard_mass && system.hub.support == HubSupport::axle)
+      moment -= subsystem.root.R * Position{calc_foreshortened_moment(data.bodies[j]), 0.0};
     sample.gravity += system.gravity.dot(Position(mass * hub.p + Position(hub.R * moment)));
   }
   return sample;

@@ -72,13 +72,14 @@ void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& d
   const Rotation to_blade = subsystem.root.R.inverse() * data.joints[0].R;
   data.root_load = Twist::Zero() - to_blade * data.joint_loads[0];  // never -0
   if (!subsystem.bodies.front().stiffening.centrifugal) return;
-  double inertia = 0.0, rate = 0.0;
+  double inertia = 0.0, rate = 0.0, moment = 0.0;
   for (const BodyData<Plane>& body : data.bodies) {
     inertia += body.terms.stiffening.inertia;
     rate += body.terms.stiffening.rate;
+    moment += body.terms.stiffening.moment;
   }
-  data.root_load[kRotation] +=
-      inertia * (*data.hub_acceleration)[kRotation] + 2.0 * data.hub->twist[kRotation] * rate;
+  data.root_load[kRotation] += inertia * (*data.hub_acceleration)[kRotation] +
+                               2.0 * data.hub->twist[kRotation] * rate + moment;
 }
 
 std::vector<MassPoint> make_mass_points(const FlexibleBody& body, const FlexLayout& layout,

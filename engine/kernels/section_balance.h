@@ -13,9 +13,9 @@ namespace spoke {
 
 /// What blade `i` hands to the hub, and what each joint does to the body outboard of it, in the
 /// evaluation that the table holds: to data.root_load and data.joint_loads.
-///   root_load = -(F, M) of the first joint + (0, qf^T KG qf alpha0 + 2 w0 qf^T KG qf'),
-/// in the blade's axes; the last term is that of geometric stiffening on the hub's rotation, summed
-/// over the bodies.
+///   root_load = -(F, M) of the first joint + (0, qf^T KG qf alpha0 + 2 w0 qf^T KG qf' + M_T),
+/// in the blade's axes; the last term is that of geometric stiffening on the hub's rotation, M_T
+/// that of the tension by applied forces and fields, summed over the bodies.
 void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data) noexcept;
 
 /// The mass of a body outboard of `from` [m], for the sums below: in each element, or part of one,

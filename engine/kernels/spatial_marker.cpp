@@ -3,6 +3,7 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/marker_motion.h"
 #include "engine/kernels/spatial_terms.h"
+#include "engine/space/applied_tension.h"
 #include "engine/space/body_energies.h"
 
 namespace spoke {
@@ -71,6 +72,33 @@ MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const Subsyst
   motion.rotation = (R * section.turn.R * marker.section.axes).axes;
   motion.velocity = R * space::Position(linear(velocity));
   motion.angular_velocity = R * space::Angular(angular(velocity));
+  return motion;
+}
+
+MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                              const PlacedMarker<Space>& marker) noexcept {
+  MarkerMotion motion = calc_marker_motion(subsystem, data, marker);
+  space::Position place = space::Position::Zero(), rate = space::Position::Zero();
+  int handle = -1;  // by which the path leaves a body; -1: the marker is on it
+  for (int j = marker.body; j >= 0;) {
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
+    const TreeBody<Space>& model = *body.model;
+    const space::FlexibleBody* flexible = model.body->flexible();
+    if (flexible && model.stiffening) {
+      const int node = handle < 0 ? 0 : flexible->handles[static_cast<std::size_t>(handle)];
+      const int element = handle < 0 ? marker.section.element : node - 1;
+      const double xi = handle < 0 ? place_in_element(*flexible, marker.section) : 1.0;
+      const space::DrawnInward drawn =
+          calc_drawn_inward(*flexible, body.coordinates.q, body.coordinates.v, element, xi);
+      place += model.stiffening->R_HB * drawn.place;
+      rate += model.stiffening->R_HB * drawn.rate;
+    }
+    handle = model.handle;
+    j = model.parent;
+  }
+  const HubState<Space>& hub = *data.hub;
+  motion.position += hub.R * place;
+  motion.velocity += hub.R * space::Position(rate + cross(angular(hub.twist), place));
   return motion;
 }
 

@@ -47,9 +47,10 @@ space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemDa
   const HubState<Space>& hub = *data.hub;
   if (const space::RigidBody* rigid = body.model->body->rigid())
     return {calc_kinetic_energy(rigid_mass_of(body), twist), 0.0, 0.0, rigid->mass * rigid->centre};
-  // The work of gravity that rises is that of a load.
+  // The work of gravity that rises is that of a load. A hub that flies falls as its bodies do.
+  const bool is_potential = system.gravity_ramp == 0.0 && system.hub.support == HubSupport::axle;
   const space::Position gravity =
-      system.gravity_ramp > 0.0 ? space::Position(space::Position::Zero()) : system.gravity;
+      is_potential ? system.gravity : space::Position(space::Position::Zero());
   const space::BodyMotion motion{angular(twist), angular(hub.twist), hub.R.inverse() * gravity};
   return calc_body_energies(body_model_of(body), body_state_of(body), twist, motion, body.work);
 }

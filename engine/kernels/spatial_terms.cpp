@@ -2,11 +2,14 @@
 
 #include "engine/kernels/spatial_terms.h"
 
+#include <algorithm>
 #include <array>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/space/applied_tension.h"
 #include "engine/space/body_energies.h"
 #include "engine/space/body_terms.h"
+#include "models/space/mount.h"
 
 namespace spoke {
 namespace {
@@ -64,15 +67,13 @@ void add_wrench(const space::Section& section, const space::HandleMotion& motion
   body.terms.load_power += wrench.dot(motion.carry(twist) + motion.twist());
 }
 
+/// Adds the loads of the scenario.
 void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
                const space::Twist& twist, BodyData<Space>& body) {
-  for (const auto& [load, sections] : body.loads)
-    for (std::size_t k = 0; k < sections.size(); ++k) {
-      const space::HandleMotion motion = motion_at(body, sections[k]);
-      const space::Twist wrench =
-          calc_load_wrench(*load, k, t, R_HB, R_0, motion.turn.R * sections[k].axes);
-      add_wrench(sections[k], motion, wrench, twist, body);
-    }
+  visit_wrenches(
+      t, R_HB, R_0, body,
+      [&](const space::Section& section, const space::HandleMotion& motion,
+          const space::Twist& wrench) { add_wrench(section, motion, wrench, twist, body); });
 }
 
 /// What loads of the user's exert.
@@ -82,16 +83,53 @@ void add_applied(const space::Twist& twist, BodyData<Space>& body) {
                twist, body);
 }
 
-/// Of gravity that rises, whose work is that of a load.
-void add_gravity_power(const space::Position& gravity_H, const space::Rotation& R_HB,
-                       const HubState<Space>& hub, const space::Twist& twist,
-                       BodyData<Space>& body) {
+/// The tension of what is applied to body `j` and beyond it, in the undeformed tree.
+void add_applied_tension(double t, const Subsystem<Space>& subsystem, std::size_t j,
+                         SubsystemData<Space>& data) {
+  BodyData<Space>& body = data.bodies[j];
+  const TreeBody<Space>& model = *body.model;
+  const space::FlexibleBody& flexible = *model.body->flexible();
+  const space::Rotation& R_HB = model.stiffening->R_HB;
+  const space::Rotation to_body = R_HB.inverse();
+  space::AppliedTension tension(body_model_of(body), body_state_of(body), body.work);
+  if (body.forces.carried)
+    for (std::size_t h = 1; h <= model.children.size(); ++h)
+      tension.add_at_node(
+          flexible.handles[h],
+          to_body * data.applied_forces[static_cast<std::size_t>(model.children[h - 1])]);
+  visit_forces(t, subsystem, data, j,
+               [&](const space::Section& section, const space::Position& force) {
+                 tension.add_at(section, to_body * force);
+               });
+  const space::Angular on_hub = R_HB * tension.add_to(body.terms);
+  body.terms.stiffening.moment += on_hub;
+  body.terms.load_power += on_hub.dot(space::Angular(angular(data.hub->twist)));
+}
+
+bool has_working_field(const System<Space>& system, const SubsystemData<Space>& data) {
+  return system.hub.mount || data.flight_acceleration;
+}
+
+/// What of the field that tension feels is no gravity of constant size, whose work is a function of
+/// the state; in H.
+space::Position calc_working_field(const System<Space>& system, double t,
+                                   const SubsystemData<Space>& data) {
+  const space::Position field = calc_tension_field(system, t, data);
+  if (system.hub.support == HubSupport::free) return field;
+  return field - data.hub->R.inverse() * space::Position(system.gravity_at(t));
+}
+
+/// Of gravity that rises, whose work is that of a load; `tension_H`: as far as the tension feels
+/// it.
+void add_gravity_power(const space::Position& gravity_H, const space::Position& tension_H,
+                       const space::Rotation& R_HB, const HubState<Space>& hub,
+                       const space::Twist& twist, BodyData<Space>& body) {
   const space::Position gravity = R_HB.inverse() * gravity_H;
   if (body.model->body->rigid()) {
     body.terms.load_power += gravity.dot(space::Position(linear(rigid_mass_of(body) * twist)));
     return;
   }
-  const space::BodyMotion motion{angular(twist), angular(hub.twist), gravity_H};
+  const space::BodyMotion motion{angular(twist), angular(hub.twist), tension_H};
   body.terms.load_power += calc_gravity_power(body_model_of(body), body_state_of(body), twist,
                                               motion, gravity, body.work);
 }
@@ -128,6 +166,25 @@ space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section&
   return space::make_fixed_handle(section.s0);
 }
 
+space::Position calc_tension_field(const System<Space>& system, double t,
+                                   const SubsystemData<Space>& data) noexcept {
+  if (system.hub.support == HubSupport::free)
+    return data.flight_acceleration ? space::Position(-*data.flight_acceleration)
+                                    : space::Position::Zero();
+  space::Position field = system.gravity_at(t);
+  if (system.hub.mount) field -= calc_axle_motion(system.hub, t).a;
+  return data.hub->R.inverse() * field;
+}
+
+bool depend_on_pose(const BodyData<Space>& body) noexcept {
+  const std::vector<BodyLoad<Space>>& loads = body.model->loads;
+  return !body.applied.empty() ||
+         std::any_of(loads.begin(), loads.end(), [](const BodyLoad<Space>& load) {
+           return load.frame == spatial::LoadFrame::body ||
+                  load.frame == spatial::LoadFrame::section;
+         });
+}
+
 space::JointState joint_state_of(const BodyData<Space>& body) {
   return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
           body.joint.driven};
@@ -135,25 +192,34 @@ space::JointState joint_state_of(const BodyData<Space>& body) {
 
 void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, double t,
                 const space::ImplicitShares& shares, int j, SubsystemData<Space>& data) noexcept {
-  BodyData<Space>& body = data.bodies[j];
-  const space::Twist& twist = data.twists[j];
+  const auto index = static_cast<std::size_t>(j);
+  BodyData<Space>& body = data.bodies[index];
+  const space::Twist& twist = data.twists[index];
   if (const space::RigidBody* rigid = body.model->body->rigid()) {
     body.terms = calc_rigid_terms(*rigid, rigid_mass_of(body), twist);
   } else {
     const HubState<Space>& hub = *data.hub;
     const space::BodyMotion motion{angular(twist), angular(hub.twist),
-                                   hub.R.inverse() * space::Position(system.gravity_at(t))};
+                                   calc_tension_field(system, t, data)};
     body.terms = calc_body_terms(body_model_of(body), body_state_of(body), motion, system.damping,
                                  body.work);
+    if (body.model->stiffening && has_working_field(system, data))
+      body.terms.load_power += calc_tension_power(
+          body_model_of(body), body_state_of(body),
+          {angular(twist), angular(hub.twist), calc_working_field(system, t, data)}, body.work);
   }
   add_joint_forces(t, shares, body);
   add_applied(twist, body);
+  if (body.model->stiffening && body.forces) add_applied_tension(t, subsystem, index, data);
   if (body.loads.empty() && system.gravity_ramp == 0.0) return;
   const space::Rotation R_HB = calc_rotation_to_hub(subsystem, data, j);
   add_loads(t, R_HB, data.hub->R, twist, body);
-  if (system.gravity_ramp > 0.0)
-    add_gravity_power(data.hub->R.inverse() * space::Position(system.gravity_at(t)), R_HB,
+  if (system.gravity_ramp > 0.0) {
+    const space::Position gravity = data.hub->R.inverse() * space::Position(system.gravity_at(t));
+    const bool falls = system.hub.support == HubSupport::free;
+    add_gravity_power(gravity, falls ? space::Position(space::Position::Zero()) : gravity, R_HB,
                       *data.hub, twist, body);
+  }
 }
 
 }  // namespace spoke

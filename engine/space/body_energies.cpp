@@ -71,15 +71,22 @@ double calc_gravity_power(const BodyModel& model, const BodyState& state, const 
   const Position momentum =
       body.mass * Position(linear(twist)) + cross(angular(twist), sums.S) + sums.S_rate;
   const double power = gravity.dot(momentum);
-  if (!model.tension) return power;
-  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
+  return model.tension ? power + calc_tension_power(model, state, motion, work) : power;
+}
+
+double calc_tension_power(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
+                          const BodyWork& work) noexcept {
+  double *q = work.nodal[0], *v = work.nodal[1];
+  expand(*model.body, state.q, q);
+  expand(*model.body, state.v, v);
+  std::fill_n(work.force, kTwist * model.body->node_count(), 0.0);
   const StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
-  // On the hub, which turns gravity in H: g x gamma.
+  // On the hub, which turns the field in H: g x gamma.
   const Position gamma = calc_tension_moment(*model.tension, stiffening.value);
   const double on_hub = motion.hub_w.dot(cross(motion.gravity, gamma));
   // gamma is quadratic in q: its rate is that of q^T K q', twice.
   const Position rate = 2.0 * calc_tension_moment(*model.tension, stiffening.rate);
-  return power + on_hub - motion.gravity.dot(rate);
+  return on_hub - motion.gravity.dot(rate);
 }
 
 double calc_strain_energy(const FlexibleBody& body, const double* q,

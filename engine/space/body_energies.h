@@ -25,6 +25,10 @@ double calc_gravity_power(const BodyModel& model, const BodyState& state, const 
                           const BodyMotion& motion, const Position& gravity,
                           const BodyWork& work) noexcept;
 
+/// Of what the field `motion.gravity` does to the tension alone [W]. Precondition: model.tension.
+double calc_tension_power(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
+                          const BodyWork& work) noexcept;
+
 /// Elastic energy of a body [J].
 double calc_strain_energy(const FlexibleBody& body, const double* q, const BodyWork& work) noexcept;
 

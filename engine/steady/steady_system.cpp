@@ -31,7 +31,8 @@ constexpr double kLate = std::numeric_limits<double>::max();
 
 /// Nodes up to the terms of bodies.
 bool makes_terms(const std::string& stage) {
-  return stage == "position" || stage == "velocity" || stage == "load" || stage == "mass";
+  return stage == "position" || stage == "velocity" || stage == "load" ||
+         stage == "applied forces" || stage == "mass";
 }
 /// Nodes behind these, up to the accelerations.
 bool solves(const std::string& stage) {

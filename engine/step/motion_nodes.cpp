@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "engine/kernels/applied_forces.h"
+#include "engine/kernels/blade_loads.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/spatial_terms.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -138,17 +141,82 @@ void add_loads_of_user(const Assembly<World>& g, int i) {
   }
 }
 
+namespace {
+
+/// What the forces that are applied to the bodies of a subsystem depend on.
+template <class World>
+PartList force_inputs(const Assembly<World>& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const SubsystemData<World>& data = g.c.data.subsystems[i];
+  PartList inputs{blade.progress};
+  const auto add = [&inputs](auto... parts) { (inputs.push_back(parts), ...); };
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const BodyData<World>& body = data.bodies[j];
+    const TreeBody<World>& model = *body.model;
+    const bool has_pose = !model.drags.empty() && !data.drag_poses.empty();
+    if (depend_on_pose(body) && !has_pose) add(blade.rotations);
+    if (depend_on_pose(body) && !(model.loads.empty() && model.drags.empty()))
+      add(blade.bodies[j].coordinates);
+    if (!model.drags.empty()) add(blade.twists, blade.hub_state);
+    if (has_pose) add(blade.drag_poses);
+    if (std::any_of(model.loads.begin(), model.loads.end(), [](const BodyLoad<World>& load) {
+          return load.frame == decltype(load.frame)::inertial;
+        }))
+      add(blade.hub_state);
+    const PartList loads = loads_on(g, i, static_cast<int>(j));
+    inputs.insert(inputs.end(), loads.begin(), loads.end());
+  }
+  return inputs;
+}
+
+}  // namespace
+
+template <class World>
+void add_applied_forces(const Assembly<World>& g, int i) {
+  StepData<World>& table = g.c.data;
+  SubsystemData<World>& data = table.subsystems[i];
+  if (data.applied_forces.empty()) return;
+  g.builder.add_node(
+      g.label("applied forces", i), reads(force_inputs(g, i)), writes(g.blade(i).applied_forces),
+      unless_halted(*data.progress, [&system = g.c.system, &table, &data, i]() noexcept {
+        calc_applied_forces(system, static_cast<std::size_t>(i), data.progress->control.time,
+                            table);
+      }));
+}
+
+template <class World>
+void add_flight_acceleration(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
+  PartList inputs{g.parts.progress, g.parts.hub_state};
+  bool is_needed = false;
+  for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
+    const SubsystemData<World>& data = c.data.subsystems[i];
+    is_needed |= data.flight_acceleration != nullptr;
+    if (!data.applied_forces.empty()) inputs.push_back(g.parts.subsystems[i].applied_forces);
+  }
+  if (!is_needed) return;
+  g.builder.add_node(g.label("flight acceleration"), reads(inputs),
+                     writes(g.parts.flight_acceleration),
+                     unless_halted(c.data.progress[0], [&c]() noexcept {
+                       calc_flight_acceleration(c.system, c.data.progress[0].control.time, c.data);
+                     }));
+}
+
 template void add_hub_motion(const Assembly<Plane>&);
 template void add_prescribed_hub_motion(const Assembly<Plane>&, int);
 template void add_coordinates(const Assembly<Plane>&, int);
 template void add_position(const Assembly<Plane>&, int);
 template void add_velocity(const Assembly<Plane>&, int);
 template void add_loads_of_user(const Assembly<Plane>&, int);
+template void add_applied_forces(const Assembly<Plane>&, int);
+template void add_flight_acceleration(const Assembly<Plane>&);
 template void add_hub_motion(const Assembly<Space>&);
 template void add_prescribed_hub_motion(const Assembly<Space>&, int);
 template void add_coordinates(const Assembly<Space>&, int);
 template void add_position(const Assembly<Space>&, int);
 template void add_velocity(const Assembly<Space>&, int);
 template void add_loads_of_user(const Assembly<Space>&, int);
+template void add_applied_forces(const Assembly<Space>&, int);
+template void add_flight_acceleration(const Assembly<Space>&);
 
 }  // namespace spoke

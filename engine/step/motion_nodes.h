@@ -25,5 +25,11 @@ void add_velocity(const Assembly<World>& g, int i);
 /// Loads whose first blade this is. A load between blades is a node of no blade.
 template <class World>
 void add_loads_of_user(const Assembly<World>& g, int i);
+/// The sums of applied forces along a blade, where tension depends on them.
+template <class World>
+void add_applied_forces(const Assembly<World>& g, int i);
+/// Of a hub that flies: what they accelerate its mass centre by, likewise.
+template <class World>
+void add_flight_acceleration(const Assembly<World>& g);
 
 }  // namespace spoke

@@ -83,7 +83,15 @@ void share_out(Exchange& exchange, SystemContext<World>& context) {
   context.sharing = std::make_unique<Sharing>(
       Sharing{exchange, first, SharedPlaces(exchange, by_rank(first, inertia)),
               SharedPlaces(exchange, by_rank(first, reports)),
-              SharedPlaces(exchange, by_rank(first, state))});
+              SharedPlaces(exchange, by_rank(first, state)), std::nullopt});
+  const auto forces = [&data](std::size_t i) {
+    ArenaVector<PositionOf<World>>& sums = data.subsystems[i].applied_forces;
+    return sums.empty() ? MemoryPieces{} : MemoryPieces{bytes_of(sums.front(), sums.size())};
+  };
+  const auto has_sums = [](const SubsystemData<World>& s) { return !s.applied_forces.empty(); };
+  if (data.subsystems.front().flight_acceleration &&
+      std::any_of(data.subsystems.begin(), data.subsystems.end(), has_sums))
+    context.sharing->forces.emplace(exchange, by_rank(first, forces));
 }
 
 std::span<const StepProgress> StepContext::own_progress() {

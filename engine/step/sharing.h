@@ -6,6 +6,7 @@
 // so that all that follows has the same bits in every process.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct Sharing {
   // what bodies report to its end.
   SharedPlaces inertias, reports;
   SharedPlaces state;  ///< of the subsystems, see state_values.h
+  /// In every pass, where the hub flies and tension depends on it: sums of applied forces.
+  std::optional<SharedPlaces> forces;
 
   int own_first() const { return first[static_cast<std::size_t>(exchange.rank())]; }
   int own_last() const { return first[static_cast<std::size_t>(exchange.rank()) + 1]; }  ///< behind

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/space/put_joint.h"
 
@@ -70,6 +71,7 @@ void allocate(SystemContext<World>& context, int window_steps) {
   allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),
            data, context.work);
   set_start(context.system, !alpha, data);
+  place_applied_forces(data);
   put_hub_at_start(context);
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "engine/formulation/tree_joints.h"
+#include "engine/kernels/applied_forces.h"
+#include "engine/kernels/axial_tension.h"
 #include "engine/kernels/blade_loads.h"
 #include "engine/kernels/body_terms.h"
 #include "engine/kernels/hub_motion.h"
@@ -77,9 +79,19 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   }
   const PartList loads = loads_on(g, i, j);
   inputs.insert(inputs.end(), loads.begin(), loads.end());
+  const SubsystemData<World>& data = g.c.data.subsystems[i];
+  const bool flies = data.flight_acceleration && member.stiffening;
   const bool has_rising_gravity = g.c.system.gravity_ramp > 0.0;
   bool needs_rotations = has_rising_gravity;
+  if (member.stiffening) {
+    const BodyData<World>& body = data.bodies[j];
+    if (body.forces.carried) inputs.push_back(blade.applied_forces);
+    const bool has_pose = !member.drags.empty() && !data.drag_poses.empty();
+    if (has_pose) inputs.push_back(blade.drag_poses);
+    needs_rotations |= depend_on_pose(body) && !has_pose;
+  }
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
+  if (flies) inputs.push_back(g.parts.flight_acceleration);
   for (const BodyLoad<World>& load : member.loads) {
     using Frame = decltype(load.frame);
     needs_rotations |= load.frame == Frame::hub || load.frame == Frame::inertial;
@@ -96,26 +108,34 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
 }
 
 /// Adds what acts on body `j` at the state in the table.
-void add_forces(const System<Plane>& system, int j, SubsystemData<Plane>& blade) noexcept {
+void add_forces(const System<Plane>& system, const Rotation& root, int j,
+                SubsystemData<Plane>& blade) noexcept {
   const double t = blade.progress->control.time;
   const Twist& twist = blade.twists[j];
   BodyData<Plane>& body = blade.bodies[j];
   if (!body.loads.empty()) add_loads(t, calc_rotation_to_hub(blade, j), blade.hub->R, twist, body);
   if (!body.drags.empty()) add_drags(t, j, blade);
   if (!body.applied.empty()) add_applied(twist, body);
-  if (system.gravity_ramp > 0.0) {
+  add_applied_tension(t, root, j, blade);
+  const bool has_rising_gravity = system.gravity_ramp > 0.0;
+  if (has_rising_gravity) {
     const auto R = blade.hub->R * calc_rotation_to_hub(blade, j);
     add_gravity_power(R.inverse() * system.gravity_at(t), twist, body);
   }
+  if (!body.model->stiffening.outboard_mass) return;
+  const double power = add_field_tension(root.inverse() * calc_tension_field(system, t, blade),
+                                         blade.hub->twist[kRotation], body);
+  // Of gravity that does not rise it is the rate of a potential, see calc_sample().
+  if (has_rising_gravity || system.hub.support == HubSupport::free) body.terms.load_power += power;
 }
 
 // The terms of a body and of what acts on it, by world.
 
-void calc_mass_terms(const SystemContext<Plane>& c, int, int j,
+void calc_mass_terms(const SystemContext<Plane>& c, int i, int j,
                      SubsystemData<Plane>& blade) noexcept {
   calc_body_terms({angular(blade.twists[j]), angular(blade.hub->twist)}, c.system.damping,
                   blade.bodies[j]);
-  add_forces(c.system, j, blade);
+  add_forces(c.system, c.system.subsystems[i].root.R, j, blade);
 }
 
 void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
@@ -246,11 +266,12 @@ void add_prescribed_hub_solve(const Assembly<World>& g) {
 }
 
 /// Where subsystems are shared out: lets all processes know what the subsystems of each have found
-/// in these parts. Those of others are read as well, for not all of a part is told.
+/// in these parts. Those of others are read as well, for not all of a part is told. `behind`: what
+/// puts it behind another exchange, as all processes must make theirs in one order.
 template <class World>
 void add_share(const Assembly<World>& g, const char* stage, const PartList& parts,
-               SharedPlaces& places) {
-  g.builder.add_node(g.label(stage), reads(g.parts.progress, parts), writes(parts),
+               SharedPlaces& places, const PartList& behind = {}) {
+  g.builder.add_node(g.label(stage), reads(g.parts.progress, parts, behind), writes(parts),
                      unless_halted(g.c.data.progress[0], [&places]() noexcept { places.share(); }));
 }
 
@@ -442,9 +463,22 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
   add_hub_motion(g);
   for_each(add_motion<World>);
   for_each(add_loads_of_user<World>);  // which may be between blades
+  for_each(add_applied_forces<World>);
+  if (own.sharing && own.sharing->forces) {
+    PartList forces;
+    for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i)
+      if (!g.c.data.subsystems[i].applied_forces.empty())
+        forces.push_back(g.parts.subsystems[i].applied_forces);
+    add_share(g, "share forces", forces, *own.sharing->forces);
+  }
+  add_flight_acceleration(g);
   for_each(add_condensation<World>);
-  if (own.sharing)
-    add_share(g, "share inertias", g.parts.all(&SubsystemParts::effective), own.sharing->inertias);
+  if (own.sharing) {
+    const PartList behind =
+        own.sharing->forces ? PartList{g.parts.flight_acceleration} : PartList{};
+    add_share(g, "share inertias", g.parts.all(&SubsystemParts::effective), own.sharing->inertias,
+              behind);
+  }
   if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
   else
@@ -463,6 +497,7 @@ template <class World>
 void add_pass_of_blade(const Assembly<World>& g, int i) {
   add_motion(g, i);
   add_loads_of_user(g, i);
+  add_applied_forces(g, i);
   add_condensation(g, i);
   add_recoveries(g, i);
   add_subsystem_finish(g, i);

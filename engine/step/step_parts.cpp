@@ -130,6 +130,8 @@ Memory memory_of_terms(BodyData<Plane>& body) {
   Memory memory{bytes_of(body.terms)};
   add_flex(memory, body.c_theta, body.layout);
   add_flex(memory, body.Q_f, body.layout);
+  if (!body.element_forces.empty())
+    memory.push_back(memory_of(body.element_forces.data(), body.element_forces.size()));
   return memory;
 }
 
@@ -232,6 +234,9 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   if (!data.drag_poses.empty())
     parts.drag_poses =
         builder.add_part(name + "poses for drag", {bytes_of(data.drag_poses[0], count)});
+  if (!data.applied_forces.empty())
+    parts.applied_forces = builder.add_part(
+        name + "applied forces", {bytes_of(data.applied_forces[0], data.applied_forces.size())});
   parts.wrenches = builder.add_part(name + "wrenches", memory_of_wrenches(data));
   parts.samples = add_ring(name + "samples", data.samples, builder);
   parts.joint_loads = builder.add_part(
@@ -271,6 +276,8 @@ void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, St
     parts.progress = builder.add_part("progress", {bytes_of(data.progress[0])});
     parts.hub_state = builder.add_part("hub state", {bytes_of(data.hub)});
     parts.hub_solution = builder.add_part("hub solution", {bytes_of(data.hub_solution)});
+    parts.flight_acceleration =
+        builder.add_part("flight acceleration", {bytes_of(data.flight_acceleration)});
   }
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     SubsystemParts& blade = parts.subsystems[i];

@@ -28,6 +28,7 @@ struct SubsystemParts {
   std::vector<BodyParts> bodies;
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
   graph::PartId drag_poses;             ///< if there are any
+  graph::PartId applied_forces;         ///< likewise
   graph::PartId joint_loads, readings;  ///< with the load of the root; of the sensors, if any
   graph::PartId progress, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
@@ -45,6 +46,7 @@ struct StepParts {
   std::vector<SubsystemParts> subsystems;
   graph::PartId hub_coordinates, hub_history, records;
   graph::PartId progress, hub_state, hub_solution;  ///< if coupled
+  graph::PartId flight_acceleration;                ///< likewise
   graph::PartId augmented_solution;
 
   /// One member of all bodies of all subsystems.

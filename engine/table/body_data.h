@@ -24,6 +24,14 @@ struct BodyReport {
   Flag failed;         ///< a coordinate is not finite or beyond its limit
 };
 
+/// Whether forces are applied to a body itself, and to what it carries: its tension depends on
+/// them.
+struct ForceSources {
+  bool applied = false;
+  bool carried = false;
+  explicit operator bool() const { return applied || carried; }
+};
+
 /// One body's share of the table.
 template <class World>
 struct BodyData : BodyTypes<World>::Fields {
@@ -48,6 +56,10 @@ struct BodyData : BodyTypes<World>::Fields {
   std::vector<AppliedWrench<World>> applied;  ///< by loads of the user's
   std::vector<PlacedLoad<World, BodyLoad<World>>> loads;
   std::vector<PlacedLoad<World, BodyDrag<World>>> drags;
+  ForceSources forces;
+  /// In the plane, where the tension depends on applied forces: those that act in each element and,
+  /// the last value, those of bodies that it carries, body frame [N]. Of the kernel of its terms.
+  ArenaVector<PositionOf<World>> element_forces;
 };
 
 }  // namespace spoke

@@ -40,6 +40,11 @@ space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& p
   return space::make_section(*data.model->body, point.element, point.s);
 }
 
+double mass_of(const FlexibleBody& body) { return body.mass; }
+double mass_of(const space::Body& body) {
+  return body.flexible() ? body.flexible()->mass : body.rigid()->mass;
+}
+
 /// Lengths by which deformations are measured [m].
 double extent_of(const FlexibleBody& body) { return body.length; }
 double extent_of(const space::Body& body) { return body.extent(); }
@@ -144,6 +149,14 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
   data.hub_solution = {TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(),
                        0.0};
   data.is_coupled = options.is_coupled;
+  data.flies = !is_prescribed(system.hub, 0);
+  data.mass = system.hub.mass;
+  for (const Subsystem<World>& subsystem : system.subsystems)
+    for (const TreeBody<World>& body : subsystem.bodies) data.mass += mass_of(*body.body);
+  data.has_hub_loads =
+      std::any_of(system.hub_loads.begin(), system.hub_loads.end(),
+                  [](const typename World::HubLoad& load) { return !load.force.isZero(0.0); });
+  data.flight_acceleration = PositionOf<World>::Zero();
   data.window = {};
   data.progress.assign(options.is_coupled ? 1 : system.subsystems.size(), StepProgress{});
   data.records.assign(static_cast<std::size_t>(options.window_steps), {});

@@ -97,6 +97,11 @@ struct alignas(kInterferenceSize) SubsystemData {
       drag_poses;                      ///< the same during a step; none unless drag depends on them
   ArenaVector<double> storage;         ///< of all flex vectors
   std::vector<LoadData<World>> loads;  ///< of the user's, whose first blade this is
+  /// By body, the sum of the forces that are applied to it and to all that it carries, hub frame
+  /// [N], and at the end that of the whole; empty unless a tension depends on them.
+  ArenaVector<PositionOf<World>> applied_forces;
+  /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
+  const PositionOf<World>* flight_acceleration = nullptr;
 
   // What the subsystem's nodes follow: the system's if it is coupled, else its own.
   StepProgress* progress = nullptr;
@@ -143,6 +148,11 @@ class StepData final : public StepTable {
   std::vector<SubsystemData<World>> subsystems;
   std::vector<SystemRecord<World>> records;  ///< ring by step
   SystemRecord<World> evaluated;             ///< see take_evaluated_record()
+  bool flies = false;                        ///< whether the hub's translation is free
+  double mass = 0.0;                         ///< of hub and bodies [kg]
+  bool has_hub_loads = false;                ///< forces on the hub
+  /// Of a hub that flies: what the applied forces accelerate the mass centre by, hub frame [m/s^2].
+  PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
 
   std::size_t ring_size() const override { return records.size(); }
   std::int64_t passes_of(std::size_t index, std::int64_t step) const override;

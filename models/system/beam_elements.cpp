@@ -339,6 +339,22 @@ SymmetricBand<3> make_centrifugal_stiffness(const BeamProperties& beam, double d
   });
 }
 
+SymmetricBand<3> make_outboard_mass_stiffness(const BeamProperties& beam, double outboard) {
+  if (beam.pieces.empty())
+    return integrate_slopes(
+        beam, [&](double x) { return beam.mass_per_length * (beam.length - x) + outboard; });
+  const FlexibleBody body = make_empty_body(beam);
+  SymmetricBand<3> sum(body.bending());
+  const std::vector<double> masses = masses_outboard(beam.pieces, beam.masses);
+  visit_gauss_points(beam, [&](const Place& at, double dx, const BeamPiece& piece) {
+    const Vector4 slope = bending_slope(at.xi, beam.length / beam.elements);
+    const auto k = static_cast<std::size_t>(&piece - beam.pieces.data());
+    const double mass = mass_beyond(piece, at.x) + masses[k] + outboard;
+    add_bending(body, at.element, dx * mass * slope * slope.transpose(), sum);
+  });
+  return sum;
+}
+
 SymmetricBand<3> make_slope_integral(const BeamProperties& beam) {
   return integrate_slopes(beam, [](double) { return 1.0; });
 }

@@ -23,6 +23,11 @@ FlexibleBody make_beam_body(const BeamProperties& beam);
 SymmetricBand<3> make_centrifugal_stiffness(const BeamProperties& beam, double distance,
                                             double outboard);
 
+/// int m(x) N_v'^T N_v' dx [kg/m, ...] with m(x) the mass beyond x, `outboard` [kg] of it that of
+/// the bodies outboard: the stiffness of a tension by a field of one unit that acts on all masses
+/// alike.
+SymmetricBand<3> make_outboard_mass_stiffness(const BeamProperties& beam, double outboard);
+
 /// int N_v'^T N_v' dx [1/m, 1, m]: half its quadratic form is the foreshortening of a bent body.
 SymmetricBand<3> make_slope_integral(const BeamProperties& beam);
 

@@ -34,20 +34,48 @@ double first_moment_beyond(const BeamPiece& piece, double x, double distance) {
   return (end - x) / 6.0 * (moment(x) + 4.0 * moment(0.5 * (x + end)) + moment(end));
 }
 
-std::vector<double> first_moments_outboard(const std::vector<BeamPiece>& pieces,
-                                           const std::vector<BodyMass>& masses, double distance) {
-  std::vector<double> moments(pieces.size());
+double mass_beyond(const BeamPiece& piece, double x) {
+  return (piece.end - x) * piece.at(piece.mass_per_length, 0.5 * (x + piece.end));
+}
+
+namespace {
+
+/// For each piece, the sum of what `of_point` and `of_piece` say of all that lies outboard of it.
+template <class OfPoint, class OfPiece>
+std::vector<double> sum_outboard(const std::vector<BeamPiece>& pieces,
+                                 const std::vector<BodyMass>& masses, const OfPoint& of_point,
+                                 const OfPiece& of_piece) {
+  std::vector<double> sums(pieces.size());
   auto point = masses.rbegin();
   double sum = 0.0;
   for (std::size_t k = pieces.size(); k-- > 0;) {
     const BeamPiece& piece = pieces[k];
     // Up to rounding at its end: the middle of the piece tells on which side.
     for (; point != masses.rend() && point->x > 0.5 * (piece.begin + piece.end); ++point)
-      sum += point->mass * (distance + point->x);
-    moments[k] = sum;
-    sum += first_moment_beyond(piece, piece.begin, distance);
+      sum += of_point(*point);
+    sums[k] = sum;
+    sum += of_piece(piece);
   }
-  return moments;
+  return sums;
+}
+
+}  // namespace
+
+std::vector<double> masses_outboard(const std::vector<BeamPiece>& pieces,
+                                    const std::vector<BodyMass>& masses) {
+  return sum_outboard(
+      pieces, masses, [](const BodyMass& point) { return point.mass; },
+      [](const BeamPiece& piece) { return mass_beyond(piece, piece.begin); });
+}
+
+std::vector<double> first_moments_outboard(const std::vector<BeamPiece>& pieces,
+                                           const std::vector<BodyMass>& masses, double distance) {
+  return sum_outboard(
+      pieces, masses,
+      [distance](const BodyMass& point) { return point.mass * (distance + point.x); },
+      [distance](const BeamPiece& piece) {
+        return first_moment_beyond(piece, piece.begin, distance);
+      });
 }
 
 }  // namespace spoke

@@ -47,6 +47,14 @@ double mean_axial_stiffness(const std::vector<BeamPiece>& pieces, double from, d
 /// point `distance` [m] inboard of the body. Precondition: x <= piece.end.
 double first_moment_beyond(const BeamPiece& piece, double x, double distance);
 
+/// Mass of a piece from x to its end [kg]. Precondition: x <= piece.end.
+double mass_beyond(const BeamPiece& piece, double x);
+
+/// For each piece, the mass of what lies outboard of it, the point masses at its end included [kg].
+/// Precondition: as below.
+std::vector<double> masses_outboard(const std::vector<BeamPiece>& pieces,
+                                    const std::vector<BodyMass>& masses);
+
 /// For each piece, the first moment of what lies outboard of it, the point masses at its end
 /// included [kg m]. Precondition: the masses are in order, each at the end of a piece or at 0.
 std::vector<double> first_moments_outboard(const std::vector<BeamPiece>& pieces,

@@ -92,11 +92,16 @@ class Beams {
   std::map<Key, std::shared_ptr<const space::Body>> bodies_;
 };
 
-/// Makes the subsystem of one tree.
+/// Makes the subsystem of one tree. `centre`: about which the undeformed model turns freely, in H.
 class SubsystemMaker {
  public:
-  SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis, Beams& made)
-      : tree_(tree), to_axis_(to_axis), placements_(calc_placements(tree)), shared_(made) {
+  SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis,
+                 const space::Position& centre, Beams& made)
+      : tree_(tree),
+        to_axis_(to_axis),
+        centre_(centre),
+        placements_(calc_placements(tree)),
+        shared_(made) {
     for (const spatial::Beam& beam : tree.beams) beams_.push_back(made.find_or_make(beam));
   }
 
@@ -238,8 +243,10 @@ class SubsystemMaker {
         carried.push_back(carried.back());
         carried.back().end = node;
       }
-      carried.back().mass += branches[child].mass;
-      carried.back().moment += to_body * (to_axis_ * space::Position(branches[child].first_moment));
+      const double mass = branches[child].mass;
+      const space::Position moment = to_axis_ * space::Position(branches[child].first_moment);
+      carried.back().mass += mass;
+      carried.back().moment += to_body * space::Position(moment - mass * centre_);
     }
     std::reverse(carried.begin(), carried.end());
     return carried;
@@ -252,8 +259,8 @@ class SubsystemMaker {
       if (!part || !tree_.beams[part->beam].geometric_stiffening) continue;
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
-      made_.bodies[j].stiffening =
-          space::TensionPlace{pose.R, to_body * pose.p, find_carried(j, to_body, branches)};
+      made_.bodies[j].stiffening = space::TensionPlace{
+          pose.R, to_body * space::Position(pose.p - centre_), find_carried(j, to_body, branches)};
     }
   }
 
@@ -271,11 +278,32 @@ class SubsystemMaker {
 
   const spatial::Tree& tree_;
   space::Rotation to_axis_;
+  space::Position centre_;
   std::vector<Placement> placements_;  ///< in the frame of the description's hub
   Beams& shared_;
   std::vector<Beams::Pointer> beams_;  ///< of the tree
   Subsystem<Space> made_;
 };
+
+/// The centre of mass of a model, undeformed and with joint coordinates zero, in H [m].
+space::Position find_mass_centre(const spatial::Hub& hub, const std::vector<spatial::Tree>& trees,
+                                 const space::Rotation& to_axis) {
+  double mass = hub.mass, extent = 0.0;
+  space::Position moment = hub.mass * space::Position(hub.center);
+  for (const spatial::Tree& tree : trees) {
+    const std::vector<Placement> placements = calc_placements(tree);
+    for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
+      const spatial::MassProperties body =
+          calc_mass_properties(tree, tree.bodies[j]).seen_from_outside(placements[j]);
+      mass += body.mass;
+      moment += space::Position(body.first_moment);
+      extent += body.first_moment.norm();
+    }
+  }
+  // Where the trees balance one another, nothing is left but round-off.
+  if (moment.norm() <= 1e-12 * extent) return space::Position::Zero();
+  return to_axis * space::Position(moment / mass);
+}
 
 /// A hub that is free in space has no azimuth.
 void require_azimuth(const System<Space>& system) {
@@ -300,10 +328,12 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   system.damping = model.damping;
   for (const spatial::HubLoad& load : model.hub_loads)
     system.hub_loads.push_back(make_hub_load(load, to_axis));
+  space::Position centre = space::Position::Zero();
+  if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
   Beams beams;
   for (std::size_t i = 0; i < trees.size(); ++i)
     system.subsystems.push_back(
-        SubsystemMaker(trees[i], to_axis, beams).make(make_body_loads(model, trees[i], i)));
+        SubsystemMaker(trees[i], to_axis, centre, beams).make(make_body_loads(model, trees[i], i)));
   require_azimuth(system);
   return system;
 }

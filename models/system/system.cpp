@@ -26,6 +26,12 @@ class BodyCatalogue {
                   [&] { return make_centrifugal_stiffness(beam, distance, outboard); });
   }
 
+  std::shared_ptr<const SymmetricBand<3>> outboard_mass(const BeamProperties& beam,
+                                                        double outboard) {
+    return shared(outboard_masses_[{beam, outboard}],
+                  [&] { return make_outboard_mass_stiffness(beam, outboard); });
+  }
+
   std::shared_ptr<const SymmetricBand<3>> slope_integral(const BeamProperties& beam) {
     return shared(slope_integrals_[beam], [&] { return make_slope_integral(beam); });
   }
@@ -40,6 +46,7 @@ class BodyCatalogue {
 
   std::map<BeamProperties, std::shared_ptr<const FlexibleBody>> bodies_;
   std::map<std::tuple<BeamProperties, double, double>, SharedBand> stiffnesses_;
+  std::map<std::tuple<BeamProperties, double>, SharedBand> outboard_masses_;
   std::map<BeamProperties, SharedBand> slope_integrals_;
 };
 
@@ -94,6 +101,44 @@ Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogu
   return subsystem;
 }
 
+/// Where the undeformed centre of mass of a rotor is in the hub's frame [m].
+Position find_mass_centre(const Rotor& rotor, const System<Plane>& system) {
+  double mass = rotor.hub.mass, extent = 0.0;
+  Position moment = Position::Zero();
+  for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
+    const Blade& blade = rotor.blades[i];
+    double along = 0.0;
+    for (int j = 0; j < blade.bodies; ++j) {
+      const BeamProperties beam = make_beam_properties(blade, j);
+      along += first_moment(beam, rotor.hub.radius + j * beam.length);
+      mass += system.subsystems[i].bodies[static_cast<std::size_t>(j)].body->mass;
+    }
+    moment += system.subsystems[i].root.R * Position{along, 0.0};
+    extent += along;
+  }
+  // Where the blades balance one another, nothing is left but round-off.
+  return moment.norm() > 1e-12 * extent ? Position(moment / mass) : Position::Zero();
+}
+
+/// Adds the stiffness of a field to a blade's bodies: of gravity, or where the hub flies, of what
+/// is applied. Then the blade turns about the mass centre of the whole.
+void add_field_stiffness(const Blade& blade, const Position& centre, BodyCatalogue& catalogue,
+                         Subsystem<Plane>& subsystem) {
+  if (!blade.geometric_stiffening) return;
+  const double nearer = (subsystem.root.R.inverse() * centre).x();
+  double outboard = 0.0;
+  for (int j = blade.bodies - 1; j >= 0; --j) {
+    TreeBody<Plane>& body = subsystem.bodies[static_cast<std::size_t>(j)];
+    PlanarStiffening& stiffening = body.stiffening;
+    stiffening.outboard_mass = catalogue.outboard_mass(make_beam_properties(blade, j), outboard);
+    outboard += body.body->mass;
+    if (nearer == 0.0) continue;
+    auto centrifugal = std::make_shared<SymmetricBand<3>>(*stiffening.centrifugal);
+    centrifugal->add_scaled(-nearer, *stiffening.outboard_mass);
+    stiffening.centrifugal = std::move(centrifugal);
+  }
+}
+
 void put_loads(std::vector<BodyLoads<Plane>> placed, Subsystem<Plane>& subsystem) {
   for (std::size_t j = 0; j < placed.size(); ++j) {
     subsystem.bodies[j].loads = std::move(placed[j].loads);
@@ -119,6 +164,11 @@ System<Plane> make_system(const Rotor& rotor) {
     system.subsystems.push_back(make_subsystem(rotor.hub, rotor.blades[i], catalogue));
     put_loads(make_body_loads(rotor, i), system.subsystems.back());
   }
+  const bool flies = rotor.hub.support == HubSupport::free;
+  if (!flies && rotor.gravity.isZero(0.0)) return system;
+  const Position centre = flies ? find_mass_centre(rotor, system) : Position::Zero();
+  for (std::size_t i = 0; i < rotor.blades.size(); ++i)
+    add_field_stiffness(rotor.blades[i], centre, catalogue, system.subsystems[i]);
   return system;
 }
 

@@ -19,6 +19,8 @@ struct PlanarStiffening {
   std::shared_ptr<const SymmetricBand<3>> centrifugal;  ///< KG of make_centrifugal_stiffness
   /// make_slope_integral, for the tip's displacement.
   std::shared_ptr<const SymmetricBand<3>> slope_integral;
+  /// make_outboard_mass_stiffness: of a field that acts on all masses alike; none without.
+  std::shared_ptr<const SymmetricBand<3>> outboard_mass;
 
   explicit operator bool() const { return centrifugal != nullptr; }
 };

@@ -85,6 +85,10 @@ class Run {
     return {p[0], p[1], y[0] * p[1] - y[1] * p[0] + p[2]};
   }
 
+  Position drawn_centre() const {
+    return lagrangian_.drawn_centre(independent_coordinates(context_));
+  }
+
   const SystemContext<Plane>& context() const { return context_; }
 
  private:
@@ -195,7 +199,8 @@ TEST_CASE("a thruster changes momentum by its force, and angular momentum by its
     Run run(rotor, Rk4{step}, step);
     const auto rate = [&] {
       const HubState<Plane> hub = calc_hub_state(run.context().data);
-      const Position p = hub.p + hub.R * thruster.position;
+      // The mass centre keeps its place where bending draws blades inward: the hub gives way.
+      const Position p = hub.p + hub.R * thruster.position - run.drawn_centre();
       const Rotation R = frame == LoadFrame::hub ? hub.R : Rotation{};
       return translate(p, R * Twist(0.4, 0.7, 0.05));
     };

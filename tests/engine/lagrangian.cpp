@@ -175,10 +175,42 @@ Matter matter_of(const Subsystem<Plane>& subsystem, std::size_t body, const Blad
   return {*subsystem.bodies[body].body, blade, origin};
 }
 
-/// Tension of the undeformed blade at unit hub speed, at x of a body: int rhoA r dr outboard of x.
+/// Calls visit(i, j, x, mass) for all matter of the bodies of a system.
+template <class Visit>
+void for_each_mass(const System<Plane>& system, std::span<const Blade> blades, const Visit& visit) {
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < system.subsystems[i].bodies.size(); ++j) {
+      const Matter matter =
+          matter_of(system.subsystems[i], j, blades.empty() ? nullptr : &blades[i]);
+      const auto at = [&](double x, double mass) {
+        visit(static_cast<int>(i), static_cast<int>(j), x, mass);
+      };
+      matter.for_each_point(
+          0.0, [&](double x, double weight) { at(x, weight * matter.mass_per_length(x)); });
+      matter.for_each_mass(0.0, [&](double x, const PointMass& point) { at(x, point.mass); });
+    }
+}
+
+/// About which the undeformed system turns, hub frame: the hub, or where it flies the mass centre.
+Position centre_of_rotation(const System<Plane>& system, std::span<const Blade> blades) {
+  if (system.hub.support == HubSupport::axle) return Position::Zero();
+  double mass = system.hub.mass;
+  Position moment = Position::Zero();
+  for_each_mass(system, blades, [&](int i, int j, double x, double m) {
+    const Subsystem<Plane>& subsystem = system.subsystems[static_cast<std::size_t>(i)];
+    for (int k = 0; k < j; ++k) x += subsystem.bodies[static_cast<std::size_t>(k)].body->length;
+    mass += m;
+    moment += m * (subsystem.root.p + subsystem.root.R * Position{x, 0.0});
+  });
+  return moment / mass;
+}
+
+/// Tension of the undeformed blade at unit hub speed, at x of a body: int rhoA r dr outboard of x,
+/// with r from the centre of rotation, along the blade.
 double unit_tension(const Subsystem<Plane>& subsystem, const Blade* blade, std::size_t body,
-                    double x) {
-  const double radius = std::hypot(subsystem.root.p.x(), subsystem.root.p.y());
+                    double x, const Position& centre) {
+  const Position along = subsystem.root.R * Position{1.0, 0.0};
+  const double radius = std::hypot(subsystem.root.p.x(), subsystem.root.p.y()) - along.dot(centre);
   double tension = 0.0;
   for (std::size_t j = body; j < subsystem.bodies.size(); ++j) {
     const Matter matter = matter_of(subsystem, j, blade);
@@ -210,6 +242,7 @@ Eigen::VectorXd gather(const SystemContext<Plane>& context, double* CoordinateBl
 
 double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const {
   const Hub& hub = system_.hub;
+  const Position centre = centre_of_rotation(system_, blades_);
   double energy = 0.5 * hub.mass * (v[0] * v[0] + v[1] * v[1]) + 0.5 * hub.inertia * v[2] * v[2];
   for_each_body(
       system_, y, v.data(), [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
@@ -232,7 +265,7 @@ double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorX
           const Point at = point_at(*member.body, q, x);
           energy += weight * matter.mass_per_length(x) * of_particle(at, 0.0);
           energy -= of_stiffening(
-              weight * unit_tension(subsystem, blade, static_cast<std::size_t>(j), x), at);
+              weight * unit_tension(subsystem, blade, static_cast<std::size_t>(j), x, centre), at);
         });
         // Two halves on either side of the axis have the inertia; turned by psi, each goes towards
         // the axis by side psi^2 / 2.
@@ -259,6 +292,9 @@ double Lagrangian::potential_energy(const Eigen::VectorXd& y) const {
           const Point at = point_at(body, q, x);
           const auto [px, py] = frame.point(constant(x) + at.u, at.v);
           energy -= mass * (g.x() * px.value + g.y() * py.value);
+          // Where the hub flies these sum up to nothing.
+          if (system_.hub.support == HubSupport::axle)
+            energy -= mass * g.dot(drawn_on_hub(y, i, j, x));
         };
         matter.for_each_point(0.0, [&](double x, double weight) {
           of_gravity(weight * matter.mass_per_length(x), x);
@@ -330,6 +366,42 @@ SectionMotion Lagrangian::section(const Eigen::VectorXd& y, const Eigen::VectorX
                   found = {{px.value, py.value, angle.value}, {px.rate, py.rate, angle.rate}};
                 });
   return found;
+}
+
+Position Lagrangian::drawn_on_hub(const Eigen::VectorXd& y, int blade, int body, double x) const {
+  double length = 0.0;
+  for_each_body(system_, y, nullptr, [&](int i, int j, const Frame&, const BodyCoordinates& q) {
+    const TreeBody<Plane>& member =
+        system_.subsystems[static_cast<std::size_t>(i)].bodies[static_cast<std::size_t>(j)];
+    if (i != blade || j > body || !member.stiffening) return;
+    const double end = j < body ? member.body->length : x;
+    const double l = member.body->length / member.body->elements;
+    for (int e = 0; e < member.body->elements && e * l < end; ++e) {
+      const double half = 0.5 * (std::min(end, (e + 1) * l) - e * l);
+      for (std::size_t g = 0; g < kGaussPoints.size(); ++g) {
+        const Point at = point_at(*member.body, q, e * l + half * (1.0 + kGaussPoints[g]));
+        length += 0.5 * half * kGaussWeights[g] * at.slope.value * at.slope.value;
+      }
+    }
+  });
+  const Rotation R =
+      Rotation::from_angle(y[2]) * system_.subsystems[static_cast<std::size_t>(blade)].root.R;
+  return R * Position{-length, 0.0};
+}
+
+Position Lagrangian::drawn_centre(const Eigen::VectorXd& y) const {
+  Position sum = Position::Zero();
+  if (system_.hub.support == HubSupport::axle) return sum;
+  double mass = system_.hub.mass;
+  for_each_mass(system_, blades_, [&](int i, int j, double x, double m) {
+    sum += m * drawn_on_hub(y, i, j, x);
+    mass += m;
+  });
+  return sum / mass;
+}
+
+Position Lagrangian::drawn(const Eigen::VectorXd& y, int blade, int body, double x) const {
+  return drawn_on_hub(y, blade, body, x) - drawn_centre(y);
 }
 
 Eigen::VectorXd independent_coordinates(const SystemContext<Plane>& context) {

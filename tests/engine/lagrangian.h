@@ -43,8 +43,16 @@ class Lagrangian {
   /// The section at x [m] of a body.
   SectionMotion section(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int blade, int body,
                         double x) const;
+  /// What bending draws that section inward by, along the undeformed blade, in the inertial frame
+  /// [m], where bodies have geometric stiffening. A force does work on it. Where the hub flies,
+  /// less the mean of all masses: there it is the mass centre that keeps its place.
+  Position drawn(const Eigen::VectorXd& y, int blade, int body, double x) const;
+  /// That mean; of a hub that does not fly zero.
+  Position drawn_centre(const Eigen::VectorXd& y) const;
 
  private:
+  /// drawn() against the hub.
+  Position drawn_on_hub(const Eigen::VectorXd& y, int blade, int body, double x) const;
   /// Component i of dT/dv.
   double momentum(const Eigen::VectorXd& y, const Eigen::VectorXd& v, int i) const;
 

@@ -51,13 +51,20 @@ class LoadedRotor {
 
   /// A wrench on that section, in the inertial frame.
   Applied at(double distance, const Twist& wrench) const {
-    return {[this, distance](const Eigen::VectorXd& y) { return section_at(distance, y).place; },
+    return {[this, distance](const Eigen::VectorXd& y) {
+              const auto [body, x] = body_at(distance);
+              const Position drawn = Lagrangian(with_.system).drawn(y, 0, body, x);
+              Twist place = section_at(distance, y).place;
+              place.head<kPosition>() += drawn;
+              return place;
+            },
             wrench};
   }
   /// A wrench on the hub, at a point of its frame.
   Applied on_hub(const Position& p, const Twist& wrench) const {
-    return {[p](const Eigen::VectorXd& y) {
-              const Position at = Rotation::from_angle(y[kRotation]) * p;
+    return {[this, p](const Eigen::VectorXd& y) {
+              const Position at =
+                  Rotation::from_angle(y[kRotation]) * p - Lagrangian(with_.system).drawn_centre(y);
               return Twist(y[0] + at.x(), y[1] + at.y(), y[kRotation]);
             },
             wrench};
@@ -104,11 +111,16 @@ class LoadedRotor {
   }
 
  private:
-  SectionMotion section_at(double distance, const Eigen::VectorXd& y) const {
+  /// The body of the first blade at a distance from its root, and the place on it.
+  std::pair<int, double> body_at(double distance) const {
     const Blade& blade = rotor_.blades[0];
     const double length = blade.length / blade.bodies;
     const int j = std::min(static_cast<int>(distance / length), blade.bodies - 1);
-    return Lagrangian(with_.system).section(y, v_, 0, j, distance - j * length);
+    return {j, distance - j * length};
+  }
+  SectionMotion section_at(double distance, const Eigen::VectorXd& y) const {
+    const auto [body, x] = body_at(distance);
+    return Lagrangian(with_.system).section(y, v_, 0, body, x);
   }
 
   /// Of loads on blades and hub.

@@ -82,11 +82,13 @@ std::string number(double value) {
   return text.str();
 }
 
+/// Across the tip of one of three blades.
 PointLoad tip_load(int blade, Curve factor) {
   PointLoad load;
   load.blade = BladeChoice::number(blade + 1);
   load.position = 8.0;
-  load.force = {0.0, 1.0};
+  const double azimuth = 2.0 * M_PI * blade / 3.0;
+  load.force = {-std::sin(azimuth), std::cos(azimuth)};
   load.factor = std::move(factor);
   return load;
 }

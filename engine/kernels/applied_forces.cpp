@@ -1,0 +1,111 @@
+// From the tips of a tree to the hub.
+
+#include "engine/kernels/applied_forces.h"
+
+#include <algorithm>
+
+#include "engine/kernels/blade_loads.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/kernels/kinematics.h"
+
+namespace spoke {
+namespace {
+
+template <class World>
+bool is_stiffened(const SubsystemData<World>& data) {
+  return std::any_of(data.bodies.begin(), data.bodies.end(), [](const BodyData<World>& body) {
+    return static_cast<bool>(body.model->stiffening);
+  });
+}
+
+/// Notes what is applied to bodies and to what they carry; whether anything is.
+template <class World>
+bool find_sources(SubsystemData<World>& data) {
+  bool any = false;
+  for (std::size_t j = data.bodies.size(); j-- > 0;) {
+    BodyData<World>& body = data.bodies[j];
+    body.forces.applied = !body.loads.empty() || !body.drags.empty() || !body.applied.empty();
+    any |= body.forces.applied;
+    if (body.forces && body.model->parent >= 0)
+      data.bodies[static_cast<std::size_t>(body.model->parent)].forces.carried = true;
+  }
+  return any;
+}
+
+/// Whether the tension of a body depends on what is applied to it and to what it carries.
+template <class World>
+bool any_body_feels(const SubsystemData<World>& data) {
+  return std::any_of(data.bodies.begin(), data.bodies.end(), [](const BodyData<World>& body) {
+    return body.forces && body.model->stiffening;
+  });
+}
+
+void place_element_forces(SubsystemData<Plane>& data) {
+  for (BodyData<Plane>& body : data.bodies)
+    if (body.model->stiffening && body.forces && body.element_forces.empty())
+      body.element_forces = ArenaVector<Position>(
+          static_cast<std::size_t>(body.model->body->elements) + 1, Position::Zero(), *data.arena);
+}
+void place_element_forces(SubsystemData<Space>&) {}
+
+}  // namespace
+
+template <class World>
+void place_applied_forces(StepData<World>& data) {
+  bool any_forces = data.has_hub_loads, any_stiffened = false;
+  for (SubsystemData<World>& subsystem : data.subsystems) {
+    any_forces |= find_sources(subsystem);
+    any_stiffened |= is_stiffened(subsystem);
+  }
+  const bool flies = data.flies && any_stiffened && any_forces;
+  for (SubsystemData<World>& subsystem : data.subsystems) {
+    if (flies) subsystem.flight_acceleration = &data.flight_acceleration;
+    const bool is_needed = any_body_feels(subsystem) || (flies && find_sources(subsystem));
+    if (!is_needed || !subsystem.applied_forces.empty()) continue;
+    subsystem.applied_forces = ArenaVector<PositionOf<World>>(
+        subsystem.bodies.size() + 1, PositionOf<World>::Zero(), *subsystem.arena);
+  }
+  for (SubsystemData<World>& subsystem : data.subsystems) place_element_forces(subsystem);
+}
+
+template <class World>
+void sum_up_forces(SubsystemData<World>& data) noexcept {
+  ArenaVector<PositionOf<World>>& sums = data.applied_forces;
+  PositionOf<World> whole = PositionOf<World>::Zero();
+  for (std::size_t j = data.bodies.size(); j-- > 0;) {
+    const TreeBody<World>& model = *data.bodies[j].model;
+    for (const int child : model.children) sums[j] += sums[static_cast<std::size_t>(child)];
+    if (model.parent < 0) whole += sums[j];
+  }
+  sums.back() = whole;
+}
+
+void calc_applied_forces(const System<Plane>&, std::size_t i, double t,
+                         StepData<Plane>& table) noexcept {
+  SubsystemData<Plane>& data = table.subsystems[i];
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    Position& sum = data.applied_forces[j];
+    sum.setZero();
+    visit_forces(t, static_cast<int>(j), data,
+                 [&sum](const Section&, const Position& force) { sum += force; });
+  }
+  sum_up_forces(data);
+}
+
+template <class World>
+void calc_flight_acceleration(const System<World>& system, double t,
+                              StepData<World>& data) noexcept {
+  PositionOf<World> sum = linear(calc_hub_load(system, t, data.hub));
+  for (const SubsystemData<World>& subsystem : data.subsystems)
+    if (!subsystem.applied_forces.empty()) sum += subsystem.applied_forces.back();
+  data.flight_acceleration = sum / data.mass;
+}
+
+template void sum_up_forces(SubsystemData<Plane>&) noexcept;
+template void sum_up_forces(SubsystemData<Space>&) noexcept;
+template void place_applied_forces(StepData<Plane>&);
+template void place_applied_forces(StepData<Space>&);
+template void calc_flight_acceleration(const System<Plane>&, double, StepData<Plane>&) noexcept;
+template void calc_flight_acceleration(const System<Space>&, double, StepData<Space>&) noexcept;
+
+}  // namespace spoke

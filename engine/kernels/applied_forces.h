@@ -1,0 +1,32 @@
+#pragma once
+
+// What applied forces (loads of the scenario and of the user's, drag) come to along a tree, in the
+// hub's frame: the tension in its bodies depends on it (docs/formulation.md, section 2).
+
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// Finds whose tension depends on applied forces, and makes room for the sums.
+/// Loads must have been placed; may be called again when there are more.
+template <class World>
+void place_applied_forces(StepData<World>& data);
+
+/// Sets the sums of subsystem `i` at the state in the table and time t [s].
+void calc_applied_forces(const System<Plane>& system, std::size_t i, double t,
+                         StepData<Plane>& data) noexcept;
+void calc_applied_forces(const System<Space>& system, std::size_t i, double t,
+                         StepData<Space>& data) noexcept;
+
+/// Adds to the sums by body those of what each carries, and sets the one of the whole. Children
+/// stand behind their parents.
+template <class World>
+void sum_up_forces(SubsystemData<World>& data) noexcept;
+
+/// Of a hub that flies: sets data.flight_acceleration, from the sums of the subsystems and the
+/// loads on the hub.
+template <class World>
+void calc_flight_acceleration(const System<World>& system, double t,
+                              StepData<World>& data) noexcept;
+
+}  // namespace spoke

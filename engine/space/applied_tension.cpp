@@ -1,0 +1,152 @@
+// Whole elements by their tension matrices, the element of a force by Gauss's rule up to it.
+
+#include "engine/space/applied_tension.h"
+
+#include <algorithm>
+
+#include "engine/space/plane_coordinates.h"
+#include "models/space/gauss_rule.h"
+
+namespace spoke::space {
+namespace {
+
+/// Slopes of the cubics at a place of an element, both planes side by side.
+struct SlopeShape {
+  double rise, inner, outer;
+
+  SlopeShape(double xi, double length) {
+    const Eigen::Vector4d h = hermite_slope(xi, length);
+    rise = h[2];
+    inner = h[1];
+    outer = h[3];
+  }
+  Double2 times(const PlaneCoordinates& x) const {
+    return rise * x.rise + inner * x.slope[0] + outer * x.slope[1];
+  }
+  void add(Double2 factor, PlaneCoordinates& f) const {
+    f.rise += rise * factor;
+    f.slope[0] += inner * factor;
+    f.slope[1] += outer * factor;
+  }
+};
+
+double twist_of(const PlaneCoordinates& x) { return x.torsion[1] - x.torsion[0]; }
+
+const BeamElement& element_of(const FlexibleBody& body, int e) {
+  return body.beam[static_cast<std::size_t>(e)];
+}
+
+/// Coordinates of the nodes of an element, side by side.
+void gather(const FlexibleBody& body, int e, const double* flex, double* nodal) {
+  for (int i = 0; i < 2 * kTwist; ++i) {
+    const int at = body.coordinate(e + i / kTwist, i % kTwist);
+    nodal[i] = at < 0 ? 0.0 : flex[at];
+  }
+}
+
+}  // namespace
+
+DrawnInward calc_drawn_inward(const FlexibleBody& body, const double* q, const double* v,
+                              int element, double xi) noexcept {
+  DrawnInward drawn;
+  for (int e = 0; e <= element; ++e) {
+    const BeamElement& beam = element_of(body, e);
+    double values[2 * kTwist], rates[2 * kTwist];
+    gather(body, e, q, values);
+    gather(body, e, v, rates);
+    const PlaneCoordinates x = in_axes_of(beam, body.is_straight, values);
+    const PlaneCoordinates y = in_axes_of(beam, body.is_straight, rates);
+    const double share = e < element ? 1.0 : xi;
+    const double trapeze = share * beam.stiffening.torsion[0] * twist_of(x);
+    double form = trapeze * twist_of(x), rate = trapeze * twist_of(y);
+    for (int k = 0; k < GaussRule::kPoints; ++k) {
+      const auto point = static_cast<std::size_t>(k);
+      const SlopeShape shape(share * GaussRule::places[point], beam.length);
+      const Double2 weighted = (GaussRule::weights[point] * share * beam.length) * shape.times(x);
+      form += total(weighted * shape.times(x));
+      rate += total(weighted * shape.times(y));
+    }
+    drawn.place -= 0.5 * form * beam.axes.col(0);
+    drawn.rate -= rate * beam.axes.col(0);
+  }
+  return drawn;
+}
+
+AppliedTension::AppliedTension(const BodyModel& model, const BodyState& state,
+                               const BodyWork& work) noexcept
+    : body_(*model.body), work_(work) {
+  expand(body_, state.q, work.nodal[0]);
+  expand(body_, state.v, work.nodal[1]);
+  const int values = kTwist * body_.node_count();
+  std::fill_n(work.nodal[2], values, 0.0);  // by node, what acts on the elements inboard of it
+  std::fill_n(work.force, values, 0.0);
+}
+
+void AppliedTension::add_at_node(int node, const Position& force) noexcept {
+  Eigen::Map<Position>(work_.nodal[2] + kTwist * node) += force;
+}
+
+void AppliedTension::add_at(const Section& section, const Position& force) noexcept {
+  add_at_node(section.element, force);
+  add_stretch(section.element, place_in_element(body_, section), force);
+}
+
+void AppliedTension::add_stretch(int e, double xi, const Position& force) noexcept {
+  const BeamElement& element = element_of(body_, e);
+  const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
+  const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
+  const double tension = element.axes.col(0).dot(force);
+  PlaneCoordinates f{};
+  double form = 0.0, rate = 0.0;
+  for (int k = 0; k < GaussRule::kPoints; ++k) {
+    const auto point = static_cast<std::size_t>(k);
+    const SlopeShape shape(xi * GaussRule::places[point], element.length);
+    const double weight = GaussRule::weights[point] * xi * element.length;
+    const Double2 slope = shape.times(q);
+    shape.add((weight * tension) * slope, f);
+    form += weight * total(slope * slope);
+    rate += weight * total(slope * shape.times(v));
+  }
+  const double trapeze = xi * element.stiffening.torsion[0] * twist_of(q);
+  f.torsion[0] = -tension * trapeze;
+  f.torsion[1] = tension * trapeze;
+  form += trapeze * twist_of(q);
+  rate += trapeze * twist_of(v);
+  subtract_forces<false>(element, f, work_.force + kTwist * e);
+  moment_ -= 0.5 * form * cross(Position(element.axes.col(0)), force);
+  power_ -= tension * rate;
+}
+
+void AppliedTension::add_element(int e, const Position& force) noexcept {
+  const BeamElement& element = element_of(body_, e);
+  const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
+  const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
+  const double tension = element.axes.col(0).dot(force);
+  PlaneCoordinates f = multiply_planes(element.stiffening.bending[0], q);
+  const double trapeze = element.stiffening.torsion[0] * twist_of(q);
+  const double form = total(sum_products(f, q)) + trapeze * twist_of(q);
+  const double rate = total(sum_products(f, v)) + trapeze * twist_of(v);
+  f.rise *= tension;
+  for (Double2& slope : f.slope) slope *= tension;
+  f.torsion[0] = -tension * trapeze;
+  f.torsion[1] = tension * trapeze;
+  subtract_forces<false>(element, f, work_.force + kTwist * e);
+  moment_ -= 0.5 * form * cross(Position(element.axes.col(0)), force);
+  power_ -= tension * rate;
+}
+
+Angular AppliedTension::add_to(BodyTerms& terms) noexcept {
+  Position beyond = Position::Zero();
+  for (int e = body_.elements - 1; e >= 0; --e) {
+    beyond += Eigen::Map<const Position>(work_.nodal[2] + kTwist * (e + 1));
+    if (!beyond.isZero(0.0)) add_element(e, beyond);
+  }
+  terms.load_power += power_;
+  double* rows = work_.rows;
+  const double* force = work_.force;
+  for (int node = 0; node < body_.node_count(); ++node, rows += kNodeRows, force += kTwist)
+    for (int c = 0; c < kTwist; ++c) rows[4 * c + 3] += force[c];
+  return moment_;
+}
+
+}  // namespace spoke::space

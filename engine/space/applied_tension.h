@@ -1,0 +1,49 @@
+#pragma once
+
+// The tension that applied forces put on a spatial body: they act at points that bending and
+// twisting draw inward (docs/formulation.md, section 10).
+//
+// A point at the station x of a body has come nearer to the body's frame by
+//   r(x) = -1/2 int_0^x (v'^2 + w'^2 + (EIy + EIz)/EA tx'^2) ds e1,
+// e1 the axis of each element, in the undeformed tree. A force N beyond x does work on it, which is
+//   -(e1.N) K q on the deformation, with the K of that integral, and r x N on the hub's rotation.
+
+#include "engine/space/body_data.h"
+#include "engine/space/section.h"
+
+namespace spoke::space {
+
+/// r of a place of an element, 0 <= xi <= 1, and its rate, along the axes of the body.
+struct DrawnInward {
+  Position place = Position::Zero();  ///< [m]
+  Position rate = Position::Zero();   ///< [m/s]
+};
+DrawnInward calc_drawn_inward(const FlexibleBody& body, const double* q, const double* v,
+                              int element, double xi) noexcept;
+
+/// Collects the forces beyond the elements of a body, and turns them to terms. It works in
+/// BodyWork::force and three of BodyWork::nodal.
+class AppliedTension {
+ public:
+  /// Of a body at a state, which has geometric stiffening.
+  AppliedTension(const BodyModel& model, const BodyState& state, const BodyWork& work) noexcept;
+
+  /// A force [N], along the axes of the body, that is applied to what hangs at a node.
+  void add_at_node(int node, const Position& force) noexcept;
+  /// A force [N], likewise, at a section.
+  void add_at(const Section& section, const Position& force) noexcept;
+  /// When all forces are known: adds to the right-hand side in the rows, and the power on the
+  /// deformation. Returns the moment that belongs to it, along the axes of the forces.
+  Angular add_to(BodyTerms& terms) noexcept;
+
+ private:
+  void add_stretch(int element, double xi, const Position& force) noexcept;
+  void add_element(int element, const Position& force) noexcept;
+
+  const FlexibleBody& body_;
+  const BodyWork& work_;
+  Angular moment_ = Angular::Zero();
+  double power_ = 0.0;  ///< on the deformation [W]
+};
+
+}  // namespace spoke::space
