@@ -10,8 +10,9 @@
 //   S_R X = p + X_i^T F + X_o^T f,    S_R = M_RR - C W,  p = Q - C z,  X_e = J_e - E_e W
 // and so to the multi-port of handle accelerations. Per subsystem the tree of multi-ports is
 // eliminated from the tips to the root (engine/tree) (the block-tridiagonal Phi M^-1 Phi^T of (P
-// 8)); what remains at the root is (P 10). Sources: structured/condense_body, effective_inertia and
-// recovery.
+// 8)); what remains at the root is (P 10). Trees of one subsystem meet at the hub alone: each has a
+// root of its own, and (P 10) is their sum. Sources: structured/condense_body, effective_inertia
+// and recovery.
 
 #include "engine/table/step_data.h"
 #include "engine/tree/joint_recovery.h"
@@ -21,7 +22,7 @@ namespace spoke::structured {
 /// What the structured path keeps per body besides BodyData.
 template <class World>
 struct BodyWork : BodyTypes<World>::Condensed {
-  tree::JointElimination<World> joint;  ///< of the inboard joint; unused at the hub
+  tree::JointElimination<World> joint;  ///< of the inboard joint; unused of roots
   tree::Branch<World> branch;           ///< the body with all that it carries
 };
 
@@ -29,7 +30,8 @@ struct BodyWork : BodyTypes<World>::Condensed {
 template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork<World>> bodies;
-  tree::RootElimination<World> root;
+  std::vector<int> root_bodies;  ///< those that the hub carries
+  ArenaVector<tree::RootElimination<World>> roots;
   ArenaVector<double> storage;  ///< of all bodies
 };
 
@@ -42,12 +44,13 @@ void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implici
 void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
                    BodyWork<Space>& work) noexcept;
 
-/// Effective mass and force (P 10): eliminates the joints of a tree from its tips to the root.
+/// Effective mass and force (P 10): eliminates the joints from the tips to the roots, over which it
+/// sums in their order.
 template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept;
 
-/// Joint wrenches from root to tip (P 8), from the hub's acceleration.
+/// Joint wrenches from the roots to the tips (P 8), from the hub's acceleration.
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;

@@ -50,8 +50,10 @@ struct BodyWork {
 template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork<World>> bodies;
-  Eigen::MatrixXd D;  ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
-  /// D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1); the joints' coordinates follow.
+  std::vector<int> root_of;  ///< by body: the one of its tree that the hub carries
+  Eigen::MatrixXd D;         ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
+  /// D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1); the joints' coordinates follow. D couples
+  /// no trees, which meet at the hub alone: those of all roots share the d columns.
   Eigen::MatrixXd solution;
   Eigen::VectorXd multipliers;  ///< (P 8), C1
   // Of the coordinates of all joints, C in number; in the plane 0.
@@ -59,7 +61,7 @@ struct alignas(kInterferenceSize) SubsystemWork {
   Eigen::MatrixXd columns;            ///< R^T H, C1 x C
   Eigen::MatrixXd inverse_columns;    ///< D^-1 R^T H, C1 x C
   Eigen::MatrixXd inertia;   ///< (R^T H)^T D^-1 R^T H + k^, C x C; then its Cholesky factor
-  Eigen::MatrixXd response;  ///< q_J'' by [the root rows' Y'', 1], C x (d + 1)
+  Eigen::MatrixXd response;  ///< q_J'' by [its root's rows of Y'', 1], C x (d + 1)
 };
 
 /// Allocates the work of one subsystem; `elastic`: by body.

@@ -27,10 +27,6 @@ inline space::JointTerms joint_of(const Subsystem<Space>& subsystem,
                                   const SubsystemData<Space>& data, std::size_t j) {
   return {subsystem.bodies[j].joint.joint, data.joints[j], *data.bodies[j].joint.forces};
 }
-inline space::JointTerms make_root_joint(const Subsystem<Space>& subsystem,
-                                         const SubsystemData<Space>& data) {
-  return joint_of(subsystem, data, 0);
-}
 
 /// Where the accelerations of the coordinates of a body's joint go; null in the plane.
 inline double* joint_accelerations(BodyData<Plane>&) { return nullptr; }

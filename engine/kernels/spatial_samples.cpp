@@ -88,10 +88,17 @@ void update_kinematics(const Subsystem<Space>& subsystem, SubsystemData<Space>& 
   calc_velocities(subsystem, data);
 }
 
-void keep_joint_loads(const Subsystem<Space>&, SubsystemData<Space>& data) noexcept {
+void keep_joint_loads(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
   for (std::size_t j = 0; j < data.bodies.size(); ++j)
     data.joint_loads[j] = data.wrenches[j].inboard;
   data.root_load = -(data.joints[0].R * data.wrenches[0].inboard);
+  // Of further bodies on the hub about the origin of the first.
+  for (std::size_t j = 1; j < data.bodies.size(); ++j) {
+    if (subsystem.bodies[j].parent >= 0) continue;
+    const space::JointMotion& joint = data.joints[j];
+    const space::Position from_first = joint.p - data.joints[0].p;
+    data.root_load -= translate(from_first, joint.R * data.wrenches[j].inboard);
+  }
 }
 
 }  // namespace spoke

@@ -12,7 +12,7 @@ SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
 void update_kinematics(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept;
 
 /// Keeps what each joint does to the body that it carries, in its frame, and to data.root_load what
-/// the tree does to the hub: about the first body's origin, in the hub's frame.
+/// all bodies on the hub do to it: about the first one's origin, in the hub's frame.
 void keep_joint_loads(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept;
 
 }  // namespace spoke

@@ -120,8 +120,9 @@ class SteadyModel {
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = azimuth(i);
     return all;
   }
-  /// Its axes where it is fixed to the hub: x along it, z along the axis of rotation; hub frame.
-  virtual Eigen::Matrix3d root_axes(std::size_t tree) const = 0;
+  /// Axes of what carries a body, where that is fixed to the hub: of a blade x along it, z along
+  /// the axis of rotation; hub frame.
+  virtual Eigen::Matrix3d root_axes(std::size_t tree, int body) const = 0;
   virtual bool is_spatial() const = 0;
   /// Components of a twist.
   virtual int twist_size() const = 0;

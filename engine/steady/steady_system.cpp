@@ -49,10 +49,12 @@ double station_of(const Subsystem<Space>& subsystem, std::size_t j) {
   return flexible ? flexible->stations.front() : 0.0;
 }
 
-/// Its first body's frame, undeformed.
-Rotation root_rotation(const Subsystem<Plane>& subsystem) { return subsystem.root.R; }
-space::Rotation root_rotation(const Subsystem<Space>& subsystem) {
-  return subsystem.bodies.front().joint.joint.offset.R;
+/// The frame of the body on the hub by which another one hangs, undeformed.
+Rotation root_rotation(const Subsystem<Plane>& subsystem, int) { return subsystem.root.R; }
+space::Rotation root_rotation(const Subsystem<Space>& subsystem, int body) {
+  const TreeBody<Space>* root = &subsystem.bodies[static_cast<std::size_t>(body)];
+  while (root->parent >= 0) root = &subsystem.bodies[static_cast<std::size_t>(root->parent)];
+  return root->joint.joint.offset.R;
 }
 
 Eigen::Vector3d in_space(const Position& p) { return {p.x(), p.y(), 0.0}; }
@@ -184,8 +186,8 @@ Eigen::MatrixXd SteadySystem<World>::assemble_stiffness(std::size_t tree) const 
 }
 
 template <class World>
-Eigen::Matrix3d SteadySystem<World>::root_axes(std::size_t tree) const {
-  return axes_of(root_rotation(context_.system.subsystems[tree]));
+Eigen::Matrix3d SteadySystem<World>::root_axes(std::size_t tree, int body) const {
+  return axes_of(root_rotation(context_.system.subsystems[tree], body));
 }
 
 template <class World>

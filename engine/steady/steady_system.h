@@ -44,7 +44,7 @@ class SteadySystem final : public SteadyModel {
     return coordinates_[tree];
   }
   double azimuth(std::size_t tree) const override { return names_[tree].azimuth; }
-  Eigen::Matrix3d root_axes(std::size_t tree) const override;
+  Eigen::Matrix3d root_axes(std::size_t tree, int body) const override;
   bool is_spatial() const override { return World::kTwist > kTwist; }
   int twist_size() const override { return World::kTwist; }
   const std::vector<int>& free_components() const override { return free_; }

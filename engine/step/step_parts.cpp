@@ -167,7 +167,7 @@ void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::s
                        StepGraphBuilder& builder, BodyParts& parts) {
   if (context.formulation == Formulation::structured) {
     add_condensed_parts(context, i, j, name, builder, parts);
-    if (j > 0)
+    if (!parts.is_root)
       parts.joint =
           builder.add_part(name + "joint", {bytes_of(context.work.structured[i].bodies[j].joint)});
   } else if (context.formulation == Formulation::subsystem) {
@@ -194,6 +194,7 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
     if (h) add_flex(history, h, data.layout);
   add_joint_coordinates(data, coordinates, history, accelerations);
   BodyParts parts;
+  parts.is_root = data.model->parent < 0;
   parts.coordinates = builder.add_part(name + "coordinates", coordinates);
   parts.history = builder.add_part(name + "history", history);
   parts.accelerations = builder.add_part(name + "accelerations", accelerations);
@@ -251,7 +252,7 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
       add_synthesis_memory(context.work.subsystem[i], effective, workspace);
     } else {
       structured::SubsystemWork<World>& work = context.work.structured[i];
-      effective.push_back(bytes_of(work.root));
+      effective.push_back(bytes_of(work.roots[0], work.roots.size()));
       for (structured::BodyWork<World>& body : work.bodies)
         workspace.push_back(bytes_of(body.branch));
     }
@@ -305,8 +306,9 @@ std::vector<PartId> SubsystemParts::all(PartId BodyParts::*member) const {
 }
 
 std::vector<PartId> SubsystemParts::joints() const {
-  std::vector<PartId> list = all(&BodyParts::joint);
-  list.erase(list.begin());  // that of the hub is none between bodies
+  std::vector<PartId> list;
+  for (const BodyParts& body : bodies)
+    if (!body.is_root) list.push_back(body.joint);
   return list;
 }
 

@@ -12,6 +12,7 @@ namespace spoke {
 /// Handles of the table's parts (see step_data.h), by which the step graph's nodes declare what
 /// they read and write.
 struct BodyParts {
+  bool is_root = false;         ///< whether the hub carries it
   graph::PartId coordinates;    ///< q, v
   graph::PartId history;        ///< the integrator's vectors
   graph::PartId accelerations;  ///< a, X
@@ -36,7 +37,7 @@ struct SubsystemParts {
   std::vector<graph::PartId> ports;                     ///< of the bodies (structured, space)
   std::vector<graph::PartId> loads;                     ///< of the user's: wrenches
 
-  /// One member of all bodies, root to tip.
+  /// One member of all bodies, parents before children.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
   /// Of the joints between the bodies.
   std::vector<graph::PartId> joints() const;

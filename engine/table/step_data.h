@@ -80,7 +80,7 @@ struct SystemRecord : ReactionRecord<World> {
   [[no_unique_address]] typename BodyTypes<World>::RecordedRotation hub_rotation;
 };
 
-/// One subsystem's share of the table; vectors by body, root to tip.
+/// One subsystem's share of the table; vectors by body, parents before children.
 template <class World>
 struct alignas(kInterferenceSize) SubsystemData {
   using Types = BodyTypes<World>;
@@ -113,8 +113,9 @@ struct alignas(kInterferenceSize) SubsystemData {
   ArenaVector<SubsystemSample<World>> samples;  ///< ring by step
 
   // At the end of the last step, by its last evaluation.
-  TwistOf<World> root_load =
-      TwistOf<World>::Zero();  ///< what the blade does to the hub, in the blade's axes [N, N m]
+  /// What the blade does to the hub, in the blade's axes [N, N m]. In space: what all bodies on the
+  /// hub do, in H, about the origin of the first one.
+  TwistOf<World> root_load = TwistOf<World>::Zero();
   ArenaVector<TwistOf<World>>
       joint_loads;  ///< on the inboard handle of each body, body frames [N, N m]
 

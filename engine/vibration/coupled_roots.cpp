@@ -145,6 +145,7 @@ void add_held(const LinearModel& model, const Family& family, const Layout& layo
   if (family.held() == 0) return;
   const LinearModel one = hold_hub(model, family);
   const Pencil pencil(one);
+  if (pencil.size() == 0) return;
   const Index needed = std::min(pencil.size(), (count - 1) / family.held() + 1);
   for (const Root& root : find_roots(pencil, needed))
     for (Index pattern = family.meeting; pattern < family.patterns.cols(); ++pattern) {

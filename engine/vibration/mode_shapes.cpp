@@ -78,12 +78,12 @@ TreeShape calc_tree_shape(std::size_t tree, const VectorXd& q, const VectorXcd& 
   const std::vector<NodeMotion> real = move(tree, q, x.real(), model);
   const std::vector<NodeMotion> imag = move(tree, q, x.imag(), model);
   const std::vector<NodePlace> places = places_at(tree, q, model);
-  const Eigen::Matrix3d to_root = model.root_axes(tree).transpose();
   constexpr std::complex<double> kI(0.0, 1.0);
   TreeShape shape;
   for (std::size_t k = 0; k < places.size(); ++k) {
     shape.nodes.push_back(real[k].p + kI * imag[k].p);
     shape.rotations.push_back(real[k].rotation + kI * imag[k].rotation);
+    const Eigen::Matrix3d to_root = model.root_axes(tree, places[k].body).transpose();
     for (const std::vector<NodeMotion>* part : {&real, &imag}) {
       const Vector3d p = to_root * (*part)[k].centre, rotation = to_root * (*part)[k].rotation;
       for (int c = 0; c < 3; ++c)

@@ -16,8 +16,10 @@ using steady::HubCoupling;
 using steady::LinearModel;
 using steady::LinearTree;
 
-/// The estimate passes by a pivot of zero, that of what nothing holds.
+/// The estimate passes by a pivot of zero, that of what nothing holds. A tree without coordinates
+/// loses nothing.
 double find_rcond(const Eigen::PartialPivLU<MatrixXd>& factor) {
+  if (factor.rows() == 0) return 1.0;
   const VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
   const double least = pivots.minCoeff() / pivots.maxCoeff();
   return least > 0.0 ? std::min(least, factor.rcond()) : 0.0;

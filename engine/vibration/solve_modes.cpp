@@ -213,8 +213,12 @@ ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options) {
     add_coupled_modes(options.count, all, result);
     return result;
   }
+  // What has no coordinates has no modes.
   for (std::size_t i = 0; i < model->trees(); ++i)
-    if (linear.alike[i] == i) add_modes_of_tree(i, options.count, all, result);
+    if (linear.alike[i] == i && linear.tree(i).M.rows() > 0)
+      add_modes_of_tree(i, options.count, all, result);
+  if (result.modes.empty())
+    throw InputError("nothing of the model moves, expected a body or a joint that does");
   return result;
 }
 

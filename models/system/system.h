@@ -41,7 +41,7 @@ struct TreeBody {
   std::vector<BodyDrag<World>> drags;
 };
 
-/// A tree of bodies on the hub, which parents lead; in the plane a chain, root to tip.
+/// Trees of bodies on the hub, which parents lead; in the plane a chain, root to tip.
 template <class World>
 struct Subsystem {
   /// Pose of the root bracket in the hub frame; in space that of the first body's frame in the

@@ -120,9 +120,10 @@ TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation
   for (const Formulation formulation :
        {Formulation::structured, Formulation::subsystem, Formulation::augmented})
     for (const char* method : {"generalized_alpha", "rk4"}) {
-      const Scenario scenario = parse_scenario(make_text(kFlyingHub, kTree + kMotors, kGravity) +
-                                                   "step = 1e-4\nmethod = \"" + method + "\"\n",
-                                               "tree.toml");
+      const Scenario scenario =
+          parse_scenario(make_text(kFlyingHub, kTree + kMotors + kForest, kGravity) +
+                             "step = 1e-4\nmethod = \"" + method + "\"\n",
+                         "tree.toml");
       CAPTURE(name_of(formulation));
       CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
     }

@@ -59,7 +59,7 @@ Rates rates_between(const spatial::Placement& a, const spatial::Placement& b, do
 TEST_CASE("the last node of a tree is where the tip's sensors have it") {
   for (const auto& [hub, bodies] :
        {std::pair{kTurnedHub, kBooms + kHinges}, std::pair{kDrivenHub, kBooms + kHinges + kPitch},
-        std::pair{kFlyingHub, kTree}}) {
+        std::pair{kFlyingHub, kTree}, std::pair{kTurnedHub, kForest}}) {
     const Scenario scenario = space_scenario(hub, bodies, 1e-3);
     const scene::Scene scene = scene::make_scene(scenario, 1000);
     const Tensor axes = rotor_placement(scenario.space->hub).rotation;
@@ -83,7 +83,8 @@ TEST_CASE("the last node of a tree is where the tip's sensors have it") {
 TEST_CASE("velocities of nodes are the rates of their places") {
   for (const auto& [hub, bodies] :
        {std::pair{kTurnedHub, kBooms + kHinges}, std::pair{kFlyingHub, kTree},
-        std::pair{kFlyingHub, kMotors}, std::pair{kDrivenHub, kBooms + kPitch}}) {
+        std::pair{kFlyingHub, kMotors}, std::pair{kFlyingHub, kForest},
+        std::pair{kDrivenHub, kBooms + kPitch}}) {
     const double h = 1e-4;
     Simulation simulation(space_scenario(hub, bodies, h), kSerial);
     simulation.run_until(0.3);
@@ -143,7 +144,7 @@ TEST_CASE("a planar rotor in space has the shape and the forces that it has in t
 
 TEST_CASE("a beam that stands undeformed moves with its joints alone") {
   // The initial angles of the joints are no deformation.
-  for (const std::string& bodies : {kTree, kMotors, kBooms + kHinges}) {
+  for (const std::string& bodies : {kTree, kForest, kMotors, kBooms + kHinges}) {
     const Simulation simulation(space_scenario(kFlyingHub, bodies, 1e-3), kSerial);
     for (const TreeBodyShape& body : shape_of(simulation, 0).bodies)
       for (const TreeNode& node : body.nodes) {

@@ -1,8 +1,9 @@
 // Effective mass and force of a subsystem, (P 10): the block-tridiagonal Phi M^-1 Phi^T of its
-// joints is eliminated from the tips; only its first pivot reaches the hub. docs/formulation.md,
-// section 4.1, "condensing a blade".
+// joints is eliminated from the tips; only the pivots of its roots reach the hub.
+// docs/formulation.md, section 4.1, "condensing a blade".
 
 #include "engine/formulation/structured/spatial_tree.h"
+#include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/support/wide_kernels.h"
@@ -28,17 +29,38 @@ void join_children(const Subsystem<Plane>& subsystem, std::size_t j,
   branch = tree::join<Plane>(port.P_ii, port.P_io, port.free_i, child.joint.Pi, f);
 }
 
+/// What the hub feels: in the plane of a chain, in space of all trees. R of a root leads from its
+/// body's frame to the hub's.
+tree::HubShare<Plane> sum_shares(const Subsystem<Plane>& subsystem,
+                                 const SubsystemData<Plane>& data,
+                                 SubsystemWork<Plane>& work) noexcept {
+  return tree::eliminate_root(make_root_joint(subsystem, data), work.bodies[0].branch,
+                              work.roots[0]);
+}
+tree::HubShare<Space> sum_shares(const Subsystem<Space>& subsystem,
+                                 const SubsystemData<Space>& data,
+                                 SubsystemWork<Space>& work) noexcept {
+  tree::HubShare<Space> sum;
+  for (std::size_t k = 0; k < work.roots.size(); ++k) {
+    const auto j = static_cast<std::size_t>(work.root_bodies[k]);
+    const tree::HubShare<Space> share =
+        tree::eliminate_root(joint_of(subsystem, data, j), work.bodies[j].branch, work.roots[k]);
+    sum = k == 0 ? share : tree::HubShare<Space>{sum.mass + share.mass, sum.force + share.force};
+  }
+  return sum;
+}
+
 }  // namespace
 
 template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept {
   // (1) From the tips: each body with what it carries.
-  // (2) Root: M^C = T^T R Lam^-1 R^T T and Q^C = T^T R Lam^-1 R^T (R be - b), with the bracket's
-  // acceleration T Y'' + b in the hub frame. R leads there from the first body's.
+  // (2) Roots: M^C = T^T R Lam^-1 R^T T and Q^C = T^T R Lam^-1 R^T (R be - b), with the bracket's
+  // acceleration T Y'' + b in the hub frame.
   const tree::HubShare<World> share = run_kernel([&]() noexcept {
     for (std::size_t j = work.bodies.size(); j-- > 0;) join_children(subsystem, j, data, work);
-    return tree::eliminate_root(make_root_joint(subsystem, data), work.bodies[0].branch, work.root);
+    return sum_shares(subsystem, data, work);
   });
   EffectiveInertia<World>& effective = data.effective;
   effective.mass = share.mass.matrix();

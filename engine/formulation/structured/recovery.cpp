@@ -1,5 +1,5 @@
 // Recovery, docs/formulation.md, section 4.1: the wrenches of the joints, the multipliers of (P 8),
-// from root to tip, then the accelerations of every body on its own, (P 7).
+// from the roots to the tips, then the accelerations of every body on its own, (P 7).
 
 #include "engine/formulation/structured/spatial_tree.h"
 #include "engine/kernels/hub_motion.h"
@@ -33,11 +33,14 @@ void recover_children(const Subsystem<Plane>& subsystem, std::size_t j,
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept {
-  // (1) At the root F = Lam^-1 (R_PB^T (T Y'' + b) - be).
-  const auto root = make_root_joint(subsystem, data);
-  data.wrenches[0].inboard = tree::recover_root(
-      root, work.root, calc_root_acceleration<World>(root, *data.hub_acceleration),
-      joint_accelerations(data.bodies[0]));
+  // (1) At the roots F = Lam^-1 (R_PB^T (T Y'' + b) - be).
+  for (std::size_t k = 0; k < work.roots.size(); ++k) {
+    const auto j = static_cast<std::size_t>(work.root_bodies[k]);
+    const auto root = joint_of(subsystem, data, j);
+    data.wrenches[j].inboard = tree::recover_root(
+        root, work.roots[k], calc_root_acceleration<World>(root, *data.hub_acceleration),
+        joint_accelerations(data.bodies[j]));
+  }
   // (2) From body to body.
   for (std::size_t j = 0; j < work.bodies.size(); ++j) recover_children(subsystem, j, work, data);
 }

@@ -10,6 +10,9 @@ template <class World>
 void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work) {
   Arena& arena = *data.arena;
   work.bodies = ArenaVector<BodyWork<World>>(data.bodies.size(), arena);
+  for (std::size_t j = 0; j < data.bodies.size(); ++j)
+    if (data.bodies[j].model->parent < 0) work.root_bodies.push_back(static_cast<int>(j));
+  work.roots = ArenaVector<tree::RootElimination<World>>(work.root_bodies.size(), arena);
   std::size_t total = BodyTypes<World>::Layout::kPad;
   for (const BodyData<World>& body : data.bodies) total += count_condensed(*body.model->body);
   work.storage = ArenaVector<double>(total, 0.0, arena);

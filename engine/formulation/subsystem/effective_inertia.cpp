@@ -13,7 +13,8 @@ namespace {
 
 /// The rows of the joint that carries body k in D, and in `right`, Phi M^-1 Q - gamma. They hold
 /// -J_0 of this body and C J_h of the parent's handle, C = R^T T. So D couples a joint with that of
-/// its parent's, and with those at other handles of its parent. Only its lower triangle is filled.
+/// its parent's, and with those at other handles of its parent; joints at the hub have no others.
+/// Only its lower triangle is filled.
 template <class World>
 void add_joint(const Subsystem<World>& subsystem, const SubsystemData<World>& data, int k,
                SubsystemWork<World>& work) {
@@ -42,6 +43,17 @@ void add_joint(const Subsystem<World>& subsystem, const SubsystemData<World>& da
   }
 }
 
+/// (3) Adds the share of the tree of root j, whose Phi_Y is R^T T.
+template <class World>
+void add_root(const Subsystem<World>& subsystem, const SubsystemData<World>& data, std::size_t j,
+              const SubsystemWork<World>& work, EffectiveInertia<World>& effective) {
+  constexpr int d = World::kTwist;
+  const TwistMatrixOf<World> Phi_Y = tree::carrying_matrix<World>(joint_of(subsystem, data, j));
+  const auto rows = work.solution.template middleRows<d>(d * static_cast<Eigen::Index>(j));
+  effective.mass += Phi_Y.transpose() * rows.template leftCols<d>() * Phi_Y;
+  effective.force -= Phi_Y.transpose() * rows.col(d);
+}
+
 /// (1) Fills D, the last column of `solution`, and the columns of the joints' coordinates.
 template <class World>
 void assemble(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
@@ -60,11 +72,13 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   constexpr int d = World::kTwist;
   // (1) D = Phi M^-1 Phi^T and Phi M^-1 Q - gamma, joint by joint.
   assemble(subsystem, data, work);
-  // (2) D^-1 of the root joint's rows and of Phi M^-1 Q - gamma. Phi_Y has rows at the root only.
+  // (2) D^-1 of the root joints' rows and of Phi M^-1 Q - gamma. Phi_Y has rows at roots only.
   const Cholesky factor(work.D);
   Eigen::MatrixXd& solution = work.solution;
   solution.leftCols<d>().setZero();
-  solution.topLeftCorner<d, d>().setIdentity();
+  for (std::size_t j = 0; j < work.bodies.size(); ++j)
+    if (subsystem.bodies[j].parent < 0)
+      solution.block<d, d>(d * static_cast<Eigen::Index>(j), 0).setIdentity();
   factor.solveInPlace(solution);
   if (work.columns.cols() > 0) {
     work.inverse_columns = work.columns;
@@ -72,11 +86,13 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
     eliminate_coordinates(subsystem, data, work);
   }
 
-  // (3) M^C = Phi_Y^T D^-1 Phi_Y and Q^C = Phi_Y^T D^-1 (gamma - Phi M^-1 Q), Phi_Y = R^T T.
+  // (3) M^C = Phi_Y^T D^-1 Phi_Y and Q^C = Phi_Y^T D^-1 (gamma - Phi M^-1 Q), summed over the
+  // roots.
   EffectiveInertia<World>& effective = data.effective;
-  const TwistMatrixOf<World> Phi_Y = tree::carrying_matrix<World>(joint_of(subsystem, data, 0));
-  effective.mass = Phi_Y.transpose() * solution.topLeftCorner<d, d>() * Phi_Y;
-  effective.force = -Phi_Y.transpose() * solution.col(d).head<d>();
+  effective.mass.setZero();
+  effective.force.setZero();
+  for (std::size_t j = 0; j < work.bodies.size(); ++j)
+    if (subsystem.bodies[j].parent < 0) add_root(subsystem, data, j, work, effective);
   // (4) The terms of geometric stiffening, for the hub's equation.
   effective.stiffening = sum_stiffening(data.bodies);
 }

@@ -25,6 +25,8 @@ void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& 
     body.biases.setZero(d, m);
     work.first_coordinate.push_back(coordinates);
     coordinates += joint_coordinates(*data.bodies[j].model);
+    const int parent = data.bodies[j].model->parent;
+    work.root_of.push_back(parent < 0 ? static_cast<int>(j) : work.root_of[parent]);
   }
   const int C1 = d * static_cast<int>(data.bodies.size());
   work.D.setZero(C1, C1);

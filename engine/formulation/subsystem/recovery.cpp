@@ -12,20 +12,26 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
                       SubsystemData<World>& data) noexcept {
   constexpr int d = World::kTwist;
   // (P 8): lambda = D^-1 (Phi_Y Y'' + Phi M^-1 Q - gamma), with what the joints' coordinates add.
-  const TwistOf<World> root =
-      tree::carry_to_child<World>(joint_of(subsystem, data, 0), *data.hub_acceleration);
-  const Eigen::MatrixXd& solution = work.solution;
+  TwistOf<World> root = TwistOf<World>::Zero();  // Phi_Y Y'' at the root of the body's tree
+  int root_body = -1;
   Eigen::VectorXd& multipliers = work.multipliers;
-  multipliers.noalias() = solution.col(d) + solution.leftCols<d>().lazyProduct(root);
-  set_wrenches(
-      subsystem, [&](int j) { return multipliers.segment<d>(d * j); }, data);
   for (std::size_t j = 0; j < work.bodies.size(); ++j) {
+    if (work.root_of[j] != root_body) {
+      root_body = work.root_of[j];
+      root = tree::carry_to_child<World>(
+          joint_of(subsystem, data, static_cast<std::size_t>(root_body)), *data.hub_acceleration);
+    }
+    const auto rows = work.solution.template middleRows<d>(d * static_cast<Eigen::Index>(j));
+    multipliers.template segment<d>(d * static_cast<Eigen::Index>(j)) =
+        rows.col(d) + rows.template leftCols<d>().lazyProduct(root);
     double* a = joint_accelerations(data.bodies[j]);
     const int first = work.first_coordinate[j];
     for (int c = 0; c < joint_coordinates(subsystem.bodies[j]); ++c)
       a[c] =
           work.response(first + c, d) + work.response.row(first + c).template head<d>().dot(root);
   }
+  set_wrenches(
+      subsystem, [&](int j) { return multipliers.segment<d>(d * j); }, data);
 }
 
 template <class World>

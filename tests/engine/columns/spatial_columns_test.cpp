@@ -256,7 +256,7 @@ TEST_CASE("sensors show what the views of a simulation show") {
 
 TEST_CASE("the momentum of a free flight in space stays, and gravity adds to it") {
   const std::string sensors = sensor("quantity = \"momentum\"");
-  for (const std::string& bodies : {kBooms, kTree}) {
+  for (const std::string& bodies : {kBooms, kTree, kForest}) {
     Simulation simulation(make_scenario(make_text(kFlyingHub, bodies, sensors), 5e-4, 0.1),
                           kSerial);
     const Eigen::Vector3d linear = vector_of(simulation, "momentum");

@@ -34,7 +34,7 @@ Frame frame_of(const Simulation& simulation, const Scene& scene) {
 
 TEST_CASE("groups, displacements and rotations of a frame make the places of the nodes") {
   for (const auto& [hub, bodies] :
-       {std::pair{kFlyingHub, kTree}, std::pair{kFlyingHub, kMotors},
+       {std::pair{kFlyingHub, kTree}, std::pair{kFlyingHub, kMotors + kForest},
         std::pair{kTurnedHub, kBooms + kHinges}, std::pair{kDrivenHub, kBooms + kPitch}}) {
     const Scenario scenario = scenario_of(hub, bodies);
     const Scene scene = make_scene(scenario, 1000);
@@ -62,7 +62,7 @@ TEST_CASE("groups, displacements and rotations of a frame make the places of the
 
 TEST_CASE("the first frame is what a simulation begins with") {
   for (const auto& [hub, bodies] :
-       {std::pair{kFlyingHub, kTree}, std::pair{kFlyingHub, kMotors},
+       {std::pair{kFlyingHub, kTree}, std::pair{kFlyingHub, kMotors + kForest},
         std::pair{kTurnedHub, kBooms + kHinges}, std::pair{kDrivenHub, kBooms + kPitch}}) {
     const Scenario scenario = scenario_of(hub, bodies);
     const Scene scene = make_scene(scenario, 1000);

@@ -46,7 +46,8 @@ std::shared_ptr<const Load> drag() {
 TEST_CASE("a run in space that is saved and restored goes on with the bits of the whole run") {
   const std::string texts[] = {make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity),
                                make_text(kTurnedHub, kBooms + kHinges, kGravity),
-                               make_text(kFlyingHub, kTree + kMotors, kGravity)};
+                               make_text(kFlyingHub, kTree + kMotors, kGravity),
+                               make_text(kTurnedHub, kTree + kForest, kGravity)};
   for (const std::string& text : texts)
     for (const IntegrationMethod method :
          {IntegrationMethod::rk4, IntegrationMethod::generalized_alpha}) {

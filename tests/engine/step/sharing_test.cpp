@@ -17,6 +17,7 @@
 #include "engine/simulation/simulation_core.h"
 #include "graph/declaration_check.h"
 #include "models/error.h"
+#include "tests/engine/space/system/models.h"
 
 using namespace spoke;
 
@@ -147,6 +148,17 @@ Scenario make_rotor(bool is_driven) {
   return scenario;
 }
 
+/// Trees of two subsystems, and two of trees of their own.
+Scenario make_forests() {
+  std::string second = test::kForest;
+  second.replace(second.find("\"forest\""), 8, "\"other\"");
+  Scenario scenario = test::make_scenario(
+      test::make_text(test::kTurnedHub, test::kForest + test::kMotors + second + test::kTree), 2e-3,
+      1.0, IntegrationMethod::generalized_alpha);
+  scenario.integration.duration = kSteps * scenario.integration.step;
+  return scenario;
+}
+
 struct Case {
   const char* name;
   Scenario scenario;
@@ -161,7 +173,8 @@ std::vector<Case> all_cases() {
           {"free in the plane", flying},
           {"driven in space", read("articulated_rotor", {"damping.stiffness_factor=0"})},
           {"free in space", read("satellite_booms", {"blade.sections.flap_inertia=0.001",
-                                                     "blade.sections.lag_inertia=0.001"})}};
+                                                     "blade.sections.lag_inertia=0.001"})},
+          {"forests on a hub that a torque turns", make_forests()}};
 }
 
 /// Takes steps beyond the stability limit of the method.

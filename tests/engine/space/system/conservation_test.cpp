@@ -40,7 +40,7 @@ double calc_residual(const std::string& text, const Method& method, double secon
 }  // namespace
 
 TEST_CASE("a free flight keeps energy and momentum: rk4, of order 4") {
-  for (const std::string& bodies : {kBooms, kTree}) {
+  for (const std::string& bodies : {kBooms, kTree, kForest}) {
     const std::string text = make_text(kFlyingHub, bodies);
     const Drift whole = fly(text, Rk4{1e-3}, 0.2), half = fly(text, Rk4{5e-4}, 0.2);
     CHECK(half.energy < 1e-6);
@@ -51,7 +51,7 @@ TEST_CASE("a free flight keeps energy and momentum: rk4, of order 4") {
 }
 
 TEST_CASE("a free flight keeps energy and momentum: generalized_alpha, of order 2") {
-  for (const std::string& bodies : {kBooms, kTree}) {
+  for (const std::string& bodies : {kBooms, kTree, kForest}) {
     const std::string text = make_text(kFlyingHub, bodies);
     const auto run = [&](double h) { return fly(text, make_generalized_alpha(1.0, h), 0.2); };
     const Drift whole = run(5e-4), half = run(2.5e-4);
@@ -67,6 +67,7 @@ TEST_CASE("the energy in space grows by what drives, motors, loads and dampers d
                                make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity),
                                make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + load),
                                make_text(kFlyingHub, kTree + kMotors, kGravity + load),
+                               make_text(kFlyingHub, kForest, kGravity + load),
                                make_text(kFlyingHub, kMotors, kRisingGravity + load),
                                make_text(kDrivenHub, kMotors, kRisingGravity)};
   // Ends before the first point of a table, where the acceleration that it prescribes jumps.
@@ -83,7 +84,7 @@ TEST_CASE("the energy in space grows by what drives, motors, loads and dampers d
 }
 
 TEST_CASE("a flight deforms alike at another velocity of all") {
-  for (const std::string& bodies : {kBooms, kTree}) {
+  for (const std::string& bodies : {kBooms, kTree, kForest}) {
     const auto fly_at = [&](const spatial::Vector& velocity) {
       spatial::Model model = parse_model(make_text(kFlyingHub, bodies));
       model.hub.velocity += velocity;

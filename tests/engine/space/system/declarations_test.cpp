@@ -40,7 +40,9 @@ std::vector<Case> all_cases() {
        make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity + kDamping)},
       {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + kHubLoads)},
       {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity + kDamping + kHubLoads)},
-      {"motors, driven", make_text(kDrivenHub, kMotors + kTree, kRisingGravity + kDamping)}};
+      {"forest, turned", make_text(kTurnedHub, kForest, kGravity + kDamping)},
+      {"motors, driven",
+       make_text(kDrivenHub, kMotors + kTree + kForest, kRisingGravity + kDamping)}};
   for (const auto& [name, text] : models) {
     cases.push_back({name, text, Rk4{1e-5}, {{0.1, 1, false}, {0.1, 2, false}, {0.1, 0, false}}});
     cases.push_back({name,

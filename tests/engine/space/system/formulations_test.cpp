@@ -111,7 +111,8 @@ TEST_CASE("runs by the formulations agree in space") {
       {"blades, driven", make_text(kDrivenHub, kBooms + kHinges + kPitch, kRisingGravity)},
       {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kGravity)},
       {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity)},
-      {"trees, driven", make_text(kDrivenHub, kMotors + kTree, kRisingGravity)}};
+      {"forest, turned", make_text(kTurnedHub, kForest + kMotors, kGravity)},
+      {"trees, driven", make_text(kDrivenHub, kMotors + kTree + kForest, kRisingGravity)}};
   for (const auto& model : models)
     for (const Method& method : {Method{Rk4{1e-4}}, Method{make_generalized_alpha(0.8, 2e-3)}}) {
       CAPTURE(model.first);

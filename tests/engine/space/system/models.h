@@ -200,6 +200,91 @@ stiffness = [4.0, 50.0]
 initial_speed = [-2.0, 0.3]
 )";
 
+/// Trees of one subsystem on the hub, likewise conservative: one with a beam on a ball, a rigid
+/// body that is fixed and carries another one, and a beam that is fixed.
+inline const std::string kForest = R"(
+[[subsystem]]
+name = "forest"
+[[subsystem.body]]
+name = "ball"
+kind = "rigid"
+mass = 0.8
+center = [0.2, 0.0, 0.1]
+inertia = [0.03, 0.05, 0.04]
+[[subsystem.body]]
+name = "rod"
+kind = "beam"
+length = 1.5
+bodies = 1
+elements = 2
+[subsystem.body.sections]
+mass_per_length = 0.8
+axial_stiffness = 2e4
+lag_stiffness = 40.0
+flap_stiffness = 30.0
+torsion_stiffness = 30.0
+[[subsystem.body]]
+name = "lump"
+kind = "rigid"
+mass = 0.7
+center = [-0.3, 0.1, 0.0]
+inertia = [0.02, 0.03, 0.02]
+[[subsystem.body]]
+name = "slider"
+kind = "rigid"
+mass = 0.4
+center = [0.0, 0.0, 0.1]
+inertia = [0.01, 0.02, 0.02]
+[[subsystem.body]]
+name = "whip"
+kind = "beam"
+length = 1.0
+bodies = 1
+elements = 2
+reference_frame = "chord"
+[subsystem.body.sections]
+mass_per_length = 0.6
+axial_stiffness = 1e4
+lag_stiffness = 20.0
+flap_stiffness = 15.0
+torsion_stiffness = 12.0
+[[subsystem.joint]]
+parent = "hub"
+child = "ball"
+kind = "spherical"
+offset = [0.2, 0.1, 0.0]
+stiffness = 30.0
+initial = [0.1, -0.2, 0.1]
+initial_speed = [1.0, 0.5, -1.0]
+[[subsystem.joint]]
+parent = "hub"
+child = "lump"
+kind = "fixed"
+offset = [-0.2, 0.0, 0.1]
+[[subsystem.joint]]
+parent = "hub"
+child = "whip"
+kind = "fixed"
+offset = [0.0, 0.3, 0.0]
+orientation = [0.0, 0.3, 1.5]
+[[subsystem.joint]]
+parent = "lump"
+child = "slider"
+kind = "prismatic"
+offset = [-0.4, 0.0, 0.0]
+axis = [1.0, 0.3, 0.5]
+stiffness = 60.0
+initial_speed = 0.4
+[[subsystem.joint]]
+parent = "ball"
+child = "rod"
+kind = "revolute"
+axis = [0.0, 1.0, 0.3]
+offset = [0.4, 0.0, 0.1]
+stiffness = 8.0
+initial_speed = 1.0
+)";
+
 /// A pendulum on a driven hinge and on one with a motor and a damper.
 inline const std::string kMotors = R"(
 [[subsystem]]

@@ -63,19 +63,20 @@ space::TreeJoint make_joint(const char* kind, bool has_azimuth, std::mt19937& ra
   return joint;
 }
 
-/// Where bodies hang: each on one before, the first on the hub.
+/// Where bodies hang: each on one before or on the hub, the first there.
 void hang(std::vector<TreeBody<Space>>& bodies, std::mt19937& random) {
   for (int j = 1; j < static_cast<int>(bodies.size()); ++j) {
     TreeBody<Space>& body = bodies[static_cast<std::size_t>(j)];
-    body.parent = random_index(j, random);
+    body.parent = random_index(j + 1, random) - 1;
+    if (body.parent < 0) continue;
     TreeBody<Space>& parent = bodies[static_cast<std::size_t>(body.parent)];
     parent.children.push_back(j);
     body.handle = static_cast<int>(parent.children.size());
   }
 }
 
-Subsystem<Space> make_tree(const RandomSystem& kind, std::size_t first_joint,
-                           std::mt19937& random) {
+Subsystem<Space> make_trees(const RandomSystem& kind, std::size_t first_joint,
+                            std::mt19937& random) {
   Subsystem<Space> tree;
   tree.bodies.resize(static_cast<std::size_t>(kind.bodies));
   hang(tree.bodies, random);
@@ -111,7 +112,7 @@ System<Space> make_random_system(const RandomSystem& kind, std::mt19937& random)
   system.gravity = 9.81 * random_axis(random);
   system.damping = {0.1, 1e-4};
   for (const std::size_t first_joint : {0U, 5U})
-    system.subsystems.push_back(make_tree(kind, first_joint, random));
+    system.subsystems.push_back(make_trees(kind, first_joint, random));
   return system;
 }
 

@@ -8,11 +8,11 @@
 
 namespace spoke::test {
 
-/// Two trees on a hub.
+/// Two subsystems of several trees on a hub.
 struct RandomSystem {
   HubSupport support = HubSupport::axle;
   bool is_driven = true;  ///< the rotation about the hub's z axis is prescribed
-  int bodies = 14;        ///< of each tree; from 14 on it has joints of every kind
+  int bodies = 14;        ///< of each subsystem; from 14 on it has joints of every kind
 };
 
 /// Rigid and flexible bodies in both frames, with several children at any nodes, carried by joints

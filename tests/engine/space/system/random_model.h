@@ -1,0 +1,31 @@
+#pragma once
+
+// Random models in space as a user describes them.
+
+#include <random>
+
+#include "models/spatial_model.h"
+
+namespace spoke::spatial::testing {
+
+/// What moves the hub of a random model.
+enum class RandomHub {
+  fixed,   ///< nothing
+  driven,  ///< a spin-up
+  torque,  ///< a constant torque, kRandomTorque
+  free     ///< it flies
+};
+
+/// The constant torque on a hub that one turns [N m].
+inline constexpr double kRandomTorque = 0.8;
+
+/// Subsystems of several trees on the hub, of rigid bodies and beams in both frames, and one that
+/// often has no coordinates at all; joints of all kinds, sprung, damped, with motors, or of
+/// prescribed motion; gravity, and loads in all frames. Soft enough for steps of 0.1 ms.
+Model make_random_model(RandomHub hub, std::mt19937& random);
+
+/// The same model without gravity and loads, which are all that acts from outside; on a hub that a
+/// torque turns besides that torque.
+Model without_loads(Model model);
+
+}  // namespace spoke::spatial::testing
