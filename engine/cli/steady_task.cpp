@@ -2,6 +2,7 @@
 
 #include "engine/cli/steady_task.h"
 
+#include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/output_file.h"
 
@@ -13,6 +14,7 @@ SteadyTask::SteadyTask(const Arguments& arguments, const std::string& command)
       folder_(arguments.out.empty() ? std::filesystem::path("results") / scenario_.name / command
                                     : std::filesystem::path(arguments.out)) {
   require_folder(folder_);
+  warn_of_degrees(file_, scenario_);
 }
 
 const std::string& SteadyTask::title() const {

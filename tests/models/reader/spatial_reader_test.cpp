@@ -257,3 +257,23 @@ TEST_CASE("a model filled in code is held to the rules of files") {
   CHECK(error_after([](Scenario& s, Model&) { s.integration.step = 0.0; }) ==
         "integration.step: is 0, expected a number greater than 0 (s)");
 }
+
+TEST_CASE("one number is an inertia about every axis, of all bodies that have one") {
+  const spatial::Tensor three = 3.0 * spatial::Tensor::Identity();
+  const spatial::Model tree =
+      read(edited(edited(kTreeText, "inertia = [20.0, 20.0, 30.0]", "inertia = 3"),
+                  "inertia = [1.0, 2.0, 3.0]", "inertia = 3.0"));
+  CHECK(tree.hub.inertia == three);
+  CHECK(std::get<spatial::RigidBody>(tree.subsystems.at(0).bodies.at(1).shape).inertia == three);
+  CHECK(read(edited(kBladeText, "radius = 0.1", "inertia = 3")).hub.inertia == three);
+  const auto with_point = [](const std::string& inertia) {
+    return read(edited(kBladeText, "[[blade.joint]]",
+                       "[[blade.point_mass]]\nposition = 8.0\nmass = 1.0\ninertia = " + inertia +
+                           "\n[[blade.joint]]"))
+        .blades.at(0)
+        .beam.point_masses.at(0)
+        .inertia;
+  };
+  CHECK(with_point("3") == three);
+  CHECK(with_point("0") == spatial::Tensor(spatial::Tensor::Zero()));
+}
