@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "engine/checkpoint.h"
 #include "engine/support/instructions.h"
 #include "models/error.h"
 
@@ -31,9 +32,27 @@ void use_avx2() {
                      " on this processor, expected one with kernels for AVX2");
 }
 
+/// What a checkpoint was computed with; empty if it cannot be read, which resume() will tell.
+std::string instructions_of(const std::string& checkpoint) {
+  try {
+    return load_checkpoint(checkpoint).instructions;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// Changes to these where that is possible; resume() refuses what then differs.
+void use_those_of(const std::string& checkpoint, char** arguments) {
+  const std::string before = instructions_of(checkpoint);
+  if (instructions_in_use() == "native") return;
+  if (before == "baseline") use_baseline(arguments);
+  if (before == "avx2") use_kernels(Kernels::avx2);
+}
+
 }  // namespace
 
-void choose_instructions(const std::string& name, char** arguments) {
+void choose_instructions(const std::string& name, const std::string& resumed, char** arguments) {
+  if (name == "auto" && !resumed.empty()) return use_those_of(resumed, arguments);
   if (name == "auto") return;
   if (instructions_in_use() == "native")
     throw InputError("--instructions " + name +

@@ -3,6 +3,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <optional>
@@ -98,12 +99,15 @@ int finish_output(int status, bool is_lost) {
 
 int main(int argc, char** argv) {
   const bool has_output = cli::open_standard_streams();
+  // Spoke says itself how many threads there are, and LLVM's OpenMP runtime, which reads this when
+  // it is first used, does not survive what is no number, or takes gigabytes.
+  unsetenv("OMP_NUM_THREADS");
   try {
     const std::vector<std::string> words(argv + 1, argv + argc);
     // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
-    cli::choose_instructions(arguments.instructions, argv);
+    cli::choose_instructions(arguments.instructions, arguments.resume, argv);
     start_logging(arguments);
     // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
     std::optional<graph::UnboundThread> unbound;

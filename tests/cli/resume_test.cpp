@@ -192,7 +192,7 @@ TEST_CASE("a damaged checkpoint, and rows that are not its own, are refused") {
 
 TEST_CASE("--checkpoint-every wants a time") {
   const WorkFolder folder;
-  for (const char* seconds : {"0", "-1", "nan"}) {
+  for (const char* seconds : {"0", "-1", "nan", "inf", "1e400", "soon", ""}) {
     const Ended ended = run_spoke(run_of("1", {"--checkpoint-every", seconds}), folder);
     CHECK(ended.status == 2);
     CHECK(ended.err.find("--checkpoint-every: expected a number above 0") != std::string::npos);
