@@ -48,9 +48,7 @@ void require_columns(const std::filesystem::path& file, const Simulation& simula
   std::ifstream stream(rows);
   std::string header;
   if (!std::getline(stream, header)) return;
-  std::string expected = "t";
-  for (const std::string& name : simulation.sensor_names()) expected += "," + name;
-  if (header != expected)
+  if (header != make_sensor_head(simulation.sensor_names()))
     refuse(file, rows.string() + " has other columns than the sensors of the scenario");
 }
 
