@@ -14,6 +14,7 @@
 #include "engine/cli/check_command.h"
 #include "engine/cli/choose_instructions.h"
 #include "engine/cli/compare_command.h"
+#include "engine/cli/interruption.h"
 #include "engine/cli/linearize_command.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/modes_command.h"
@@ -102,6 +103,7 @@ int main(int argc, char** argv) {
   // Spoke says itself how many threads there are, and LLVM's OpenMP runtime, which reads this when
   // it is first used, does not survive what is no number, or takes gigabytes.
   unsetenv("OMP_NUM_THREADS");
+  cli::clean_up_on_signals();
   try {
     const std::vector<std::string> words(argv + 1, argv + argc);
     // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
