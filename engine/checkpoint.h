@@ -40,8 +40,8 @@ struct Checkpoint {
   std::optional<RunRecord> record;  ///< absent if no `spoke run` wrote it
 };
 
-/// The bytes of a checkpoint file; `program` is this version of Spoke, `instructions` are those that
-/// this process computes with.
+/// The bytes of a checkpoint file; `program` is this version of Spoke, `instructions` are those
+/// that this process computes with.
 SPOKE_EXPORT std::string make_checkpoint(const SavedState& state,
                                          const std::optional<RunRecord>& record = {});
 

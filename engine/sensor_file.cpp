@@ -14,7 +14,6 @@
 #include <system_error>
 #include <utility>
 
-#include "engine/support/csv_cell.h"
 #include "models/count_text.h"
 #include "models/error.h"
 
@@ -76,15 +75,10 @@ OutputFile open_behind(const std::string& file, const SensorFileMark& mark,
 
 }  // namespace
 
-std::string make_sensor_head(const std::vector<std::string>& names) {
-  std::string head = "t";
-  for (const std::string& name : names) head += ',' + csv_cell(name);
-  return head;
-}
-
 SensorFile::SensorFile(std::string file, const std::vector<std::string>& names)
     : output_(std::move(file)) {
-  lines_ += make_sensor_head(names);
+  lines_ += 't';
+  for (const std::string& name : names) lines_ += ',' + name;
   end_line();
 }
 

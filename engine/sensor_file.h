@@ -19,10 +19,6 @@ struct SensorFileMark {
   std::uint32_t checksum = 0;  ///< CRC-32 of these bytes
 };
 
-/// The first line of a sensors.csv, without its end: "t" and the names of the columns. One that a
-/// spreadsheet would take for a formula has an apostrophe before it.
-SPOKE_EXPORT std::string make_sensor_head(const std::vector<std::string>& names);
-
 /// sensors.csv: a header of names, then rows of numbers in the fewest digits that read back equal.
 /// Whatever cannot be done throws InputError; the file then ends with a complete row.
 class SPOKE_EXPORT SensorFile {

@@ -48,7 +48,9 @@ void require_columns(const std::filesystem::path& file, const Simulation& simula
   std::ifstream stream(rows);
   std::string header;
   if (!std::getline(stream, header)) return;
-  if (header != make_sensor_head(simulation.sensor_names()))
+  std::string expected = "t";
+  for (const std::string& head : column_heads(simulation)) expected += "," + head;
+  if (header != expected)
     refuse(file, rows.string() + " has other columns than the sensors of the scenario");
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "engine/cli/help_texts.h"
+#include "engine/cli/number_option.h"
 #include "engine/cli/shared_options.h"
 #include "engine/cli/standard_streams.h"
 #include "models/error.h"

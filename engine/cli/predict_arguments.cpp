@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "engine/cli/shared_options.h"
+#include "engine/cli/number_option.h"
 #include "engine/cli/threads_option.h"
 #include "engine/simulation.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/cli/standard_streams.h"
+#include "engine/support/csv_cell.h"
 #include "models/count_text.h"
 #include "models/reader/angle_hints.h"
 
@@ -50,6 +51,12 @@ void print_plan(const Simulation& simulation, int processes) {
 void warn_of_degrees(const std::string& file, const Scenario& scenario) {
   for (const std::string& hint : find_angle_hints(scenario))
     print_error(one_line("warning: " + file + ": " + hint));
+}
+
+std::vector<std::string> column_heads(const Simulation& simulation) {
+  std::vector<std::string> heads;
+  for (const std::string& name : simulation.sensor_names()) heads.push_back(csv_cell(name));
+  return heads;
 }
 
 void print_table(const report::Table& table) {

@@ -65,7 +65,7 @@ struct Recording {
       : statistics(simulation.sensor_names().size()),
         tips(simulation),
         due(simulation.scenario().output.interval),
-        file(folder / "sensors.csv", simulation.sensor_names()) {
+        file(folder / "sensors.csv", column_heads(simulation)) {
     open_pictures(simulation, arguments, folder);
   }
   /// Goes on where `before` ended, with its rows in `rows`.

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <initializer_list>
 #include <vector>
 
@@ -68,16 +67,6 @@ void add_executor(CLI::App& run, Arguments& arguments) {
 }
 
 }  // namespace
-
-double parse_number(const std::string& option, const std::string& text, double least, double most,
-                    const std::string& expected) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool is_number = !text.empty() && end == text.c_str() + text.size();
-  if (!is_number || !(value >= least && value <= most))  // nan is not
-    throw CLI::ValidationError(option, "expected " + expected + ", got " + text);
-  return value;
-}
 
 void add_common(CLI::App& command, Arguments& arguments) {
   command.add_option("SCENARIO", arguments.scenario, "Scenario file (TOML; see docs/scenario.md)")

@@ -14,12 +14,6 @@ namespace spoke::cli {
 
 // Options that several commands have. They refer to `arguments`, which must outlive the command.
 
-/// The number that the whole text is, from `least` to `most`. Else throws CLI::ValidationError of
-/// the option: "expected EXPECTED, got TEXT". A text that is no number, or nan, is none from
-/// anything.
-double parse_number(const std::string& option, const std::string& text, double least, double most,
-                    const std::string& expected);
-
 /// SCENARIO, --set and --verbose.
 void add_common(CLI::App& command, Arguments& arguments);
 /// An option that names a folder ("DIR") or a file ("FILE"). An empty name is refused: it is what a

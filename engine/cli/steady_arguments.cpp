@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/cli/shared_options.h"
+#include "engine/cli/number_option.h"
 
 namespace spoke::cli {
 namespace {

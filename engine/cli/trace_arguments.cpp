@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 
-#include "engine/cli/shared_options.h"
+#include "engine/cli/number_option.h"
 
 namespace spoke::cli {
 namespace {

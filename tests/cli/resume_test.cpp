@@ -199,3 +199,21 @@ TEST_CASE("--checkpoint-every wants a time") {
   }
   CHECK(run_spoke(run_of("0.1", {"--checkpoint-every", "1e300"}), folder).status == 0);
 }
+
+TEST_CASE("a column whose name begins as a formula does is none, and goes on when resumed") {
+  const WorkFolder folder;
+  const Words sensor = {"--set", "sensor.1={quantity=\"hub_reaction\", name=\"-a\"}"};
+  const auto with = [&](Words more) {
+    more.insert(more.end(), sensor.begin(), sensor.end());
+    return more;
+  };
+  REQUIRE(run_spoke(run_of("1", with({"--out", "o", "--checkpoint-every", "9"})), folder).status ==
+          0);
+  const std::string head = lines_of(file_text(folder.path() / "o" / "sensors.csv")).front();
+  CHECK(head.ends_with(",'-a.x,'-a.y,'-a.moment"));
+  CHECK(json::parse(file_text(folder.path() / "o" / "summary.json"))["sensors"].contains("-a.x"));
+  const Ended ended =
+      run_spoke(run_of("2", with({"--out", "o", "--resume", "o/checkpoint.spoke"})), folder);
+  CAPTURE(ended.err);
+  CHECK(ended.status == 0);
+}
