@@ -202,7 +202,7 @@ TEST_CASE("missing keys are named with what they should be") {
       "f.toml:1:1: hub.drive.kind: is missing, expected \"spin_up\", "
       "\"spin_up_hold_spin_down\", \"torque\", \"free\", \"table\", \"fixed\", \"constant\" or "
       "\"torque_by_speed\"");
-  check_message(error_of("hub.drive.kind = 'free'"),
+  check_message(error_of("hub.drive.kind = 'fixed'"),
                 "f.toml:1:1: blade: is missing, expected [blade] or [[blades]]");
 }
 
