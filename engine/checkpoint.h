@@ -35,9 +35,9 @@ struct RunRecord {
 /// What a checkpoint file holds.
 struct Checkpoint {
   std::string program;              ///< version of Spoke that wrote it
-  std::string instructions;         ///< of the process that wrote it: "baseline", "avx512", ...
   SavedState state;                 ///< of the simulation
   std::optional<RunRecord> record;  ///< absent if no `spoke run` wrote it
+  std::string instructions;         ///< of the process that wrote it: "baseline", "avx512", ...
 };
 
 /// The bytes of a checkpoint file; `program` is this version of Spoke, `instructions` are those

@@ -297,6 +297,8 @@ std::vector<Wrong> wrong_studies() {
                      std::string(70'000, 'x') + "\""),
        "response.1.name: makes the names of responses 70001 bytes long together, expected at most "
        "60000"},
+      {"title = \"" + std::string(70'000, 'x') + "\"\n" + kTop + kParameter + kResponse,
+       "study.toml:1:9: title: is 70000 bytes long, expected at most 60000"},
       {with_parameter("key = \"blade.length\"\nuniform = [2, 4]\nname = \"" +
                       std::string(70'000, 'x') + "\""),
        "parameter.1.name: makes the names of parameters 70001 bytes long together, expected"},
