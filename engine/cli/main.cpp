@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
     // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
-    cli::choose_instructions(arguments.instructions, arguments.resume, argv);
+    cli::choose_instructions(arguments, argv);
     start_logging(arguments);
     // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
     std::optional<graph::UnboundThread> unbound;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/cli/program.h"
 #include "tests/cli/refusal.h"
+#include "tests/cli/study_folder.h"
 
 using nlohmann::json;
 
@@ -157,6 +159,26 @@ TEST_CASE("a checkpoint is refused where its instructions are not those of the r
   check_refused(run_of("2", {"--resume", "o/checkpoint.spoke", "--instructions", "baseline"}),
                 message, folder);
   CHECK(file_text(folder.path() / "o" / "sensors.csv") == rows);
+}
+
+TEST_CASE("a resumed study goes on with the instructions of its journal, or is refused") {
+  const std::string own = expect_auto();
+  if (own == "native" || own == "baseline") return;
+  const StudyFolder folder;
+  folder.write_study(kSmallStudy);
+  const Left whole = folder.run({"--out", "whole", "--instructions", "baseline"});
+  const std::filesystem::path cut = folder.work().path() / "cut";
+  std::filesystem::create_directory(cut);
+  std::filesystem::copy_file(folder.work().path() / "whole" / "study.journal",
+                             cut / "study.journal");
+  std::filesystem::resize_file(cut / "study.journal",
+                               std::filesystem::file_size(cut / "study.journal") * 2 / 3);
+  if (own == "avx512" || own == "avx2")
+    check_refused({"study", "study.toml", "--out", "cut", "--resume", "--instructions", "avx2"},
+                  "cut/study.journal: is of another study, expected the same one to resume: it was "
+                  "begun with the instructions \"baseline\", here they are \"avx2\"",
+                  folder.work());
+  CHECK(folder.run({"--out", "cut", "--resume"}) == whole);
 }
 
 TEST_CASE("a name of instructions that there are not is refused") {
