@@ -17,6 +17,7 @@
 
 #include "engine/output_file.h"
 #include "engine/support/byte_order.h"
+#include "engine/support/instructions.h"
 #include "engine/support/log.h"
 #include "models/count_text.h"
 #include "models/error.h"
@@ -27,7 +28,7 @@ namespace {
 // The frame, which all formats share: magic, format, length of the content, content, checksum of
 // all before it.
 constexpr std::string_view kMagic = "SPOKECKP";
-constexpr std::uint32_t kFormat = 3;
+constexpr std::uint32_t kFormat = 4;
 constexpr std::size_t kHeader = 8 + 4 + 8;
 constexpr std::size_t kFrame = kHeader + 4;
 
@@ -157,6 +158,7 @@ std::string_view require_frame(std::string_view bytes, const std::string& name) 
 std::string make_checkpoint(const SavedState& state, const std::optional<RunRecord>& record) {
   ByteWriter content;
   content.add_text(SPOKE_VERSION);
+  content.add_text(std::string(instructions_in_use()));
   add_state(state, content);
   content.add(static_cast<std::uint8_t>(record.has_value()));
   if (record) add_record(*record, content);
@@ -173,6 +175,7 @@ Checkpoint parse_checkpoint(std::string_view bytes, const std::string& name) {
   ByteReader content(require_frame(bytes, name));
   Checkpoint checkpoint;
   checkpoint.program = content.take_text();
+  checkpoint.instructions = content.take_text();
   checkpoint.state = take_state(content);
   const auto has_record = content.take<std::uint8_t>();
   if (has_record == 1) checkpoint.record = take_record(content);

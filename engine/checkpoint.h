@@ -37,9 +37,11 @@ struct Checkpoint {
   std::string program;              ///< version of Spoke that wrote it
   SavedState state;                 ///< of the simulation
   std::optional<RunRecord> record;  ///< absent if no `spoke run` wrote it
+  std::string instructions;         ///< of the process that wrote it: "baseline", "avx512", ...
 };
 
-/// The bytes of a checkpoint file; `program` is this version of Spoke.
+/// The bytes of a checkpoint file; `program` is this version of Spoke, `instructions` are those
+/// that this process computes with.
 SPOKE_EXPORT std::string make_checkpoint(const SavedState& state,
                                          const std::optional<RunRecord>& record = {});
 

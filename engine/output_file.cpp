@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -58,6 +60,10 @@ void sync_folder(const std::string& file) {
   if (!is_done) fail(file);
 }
 
+/// The names of files that are not finished. Handlers of signals read it, so nothing here waits.
+std::array<std::atomic<const char*>, 32> unfinished_files{};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
 }  // namespace
 
 OutputFile::OutputFile(std::string file, Start start) : file_(std::move(file)) {
@@ -107,6 +113,23 @@ void OutputFile::require_not_removed() const {
     fail(file_, "it was removed meanwhile");
 }
 
+UnfinishedFile::UnfinishedFile(std::string file) : file_(std::move(file)) {
+  for (std::size_t slot = 0; slot < unfinished_files.size() && slot_ < 0; ++slot) {
+    const char* none = nullptr;
+    if (unfinished_files[slot].compare_exchange_strong(none, file_.c_str()))
+      slot_ = static_cast<int>(slot);
+  }
+}
+
+UnfinishedFile::~UnfinishedFile() {
+  if (slot_ >= 0) unfinished_files[static_cast<std::size_t>(slot_)] = nullptr;
+}
+
+void remove_unfinished_files() noexcept {
+  for (const std::atomic<const char*>& file : unfinished_files)
+    if (const char* const name = file.load()) unlink(name);
+}
+
 /// Messages name the file that was asked for.
 template <class Work>
 void ReplacedFile::name_the_file(const Work& work) const {
@@ -120,6 +143,7 @@ void ReplacedFile::name_the_file(const Work& work) const {
 
 ReplacedFile::ReplacedFile(std::string file)
     : file_(std::move(file)), temporary_(is_device(file_) ? file_ : file_ + ".tmp") {
+  if (temporary_ != file_) unfinished_.emplace(temporary_);
   name_the_file([&] { output_ = std::make_unique<OutputFile>(temporary_); });
 }
 
@@ -138,6 +162,7 @@ void ReplacedFile::commit(Outlives outlives) {
     if (temporary_ != file_ && std::rename(temporary_.c_str(), file_.c_str()) != 0) fail(file_);
   });
   output_.reset();
+  unfinished_.reset();
   if (outlives == Outlives::machine) sync_folder(file_);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -48,6 +49,25 @@ class SPOKE_EXPORT OutputFile {
   std::uint64_t size_ = 0;
 };
 
+/// A file that is removed if the process ends by a signal while this lives, where the program has
+/// arranged for remove_unfinished_files(): what has not taken its place yet.
+class SPOKE_EXPORT UnfinishedFile {
+ public:
+  /// Not the file itself is made.
+  explicit UnfinishedFile(std::string file);
+  ~UnfinishedFile();
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+ private:
+  std::string file_;
+  int slot_ = -1;  ///< where it is noted; negative: nowhere, there are too many
+};
+
+/// Removes all UnfinishedFiles of the process. May be called in a handler of a signal that then
+/// ends the process.
+SPOKE_EXPORT void remove_unfinished_files() noexcept;
+
 /// What a new file has to outlive.
 enum class Outlives {
   process,  ///< a program that fails or is killed
@@ -74,6 +94,7 @@ class SPOKE_EXPORT ReplacedFile {
   void name_the_file(const Work& work) const;
 
   std::string file_, temporary_;
+  std::optional<UnfinishedFile> unfinished_;  ///< the temporary one, if it is one
   std::unique_ptr<OutputFile> output_;
 };
 

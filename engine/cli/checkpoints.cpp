@@ -9,7 +9,10 @@
 #include <string>
 #include <utility>
 
+#include "engine/cli/report.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/run_report/tip_deflections.h"
+#include "engine/support/instructions.h"
 #include "models/count_text.h"
 #include "models/error.h"
 
@@ -46,7 +49,7 @@ void require_columns(const std::filesystem::path& file, const Simulation& simula
   std::string header;
   if (!std::getline(stream, header)) return;
   std::string expected = "t";
-  for (const std::string& name : simulation.sensor_names()) expected += "," + name;
+  for (const std::string& head : column_heads(simulation)) expected += "," + head;
   if (header != expected)
     refuse(file, rows.string() + " has other columns than the sensors of the scenario");
 }
@@ -62,15 +65,22 @@ Checkpoint resume(const std::filesystem::path& file, Simulation& simulation) {
   } catch (const InputError& error) {
     refuse(file, error.what());
   }
+  if (checkpoint.instructions != instructions_in_use())
+    refuse(file, fmt::format("it was computed with the instructions \"{}\", here they are \"{}\", "
+                             "which have other bits (see --instructions)",
+                             checkpoint.instructions, instructions_in_use()));
   require_fit(file, *checkpoint.record, simulation);
   require_columns(file, simulation);
   if (simulation.steps() > simulation.planned_steps())
     refuse(file, fmt::format("it stands at t = {:.6g} s, beyond the duration of {:.6g} s",
                              simulation.time(), simulation.scenario().integration.duration));
-  if (checkpoint.program != SPOKE_VERSION)
-    spdlog::warn("{}: written by Spoke {}; with {} the last bits may differ", file.string(),
-                 checkpoint.program, SPOKE_VERSION);
   return checkpoint;
+}
+
+void warn_of_version(const std::filesystem::path& file, const Checkpoint& checkpoint) {
+  if (checkpoint.program == SPOKE_VERSION) return;
+  print_error(fmt::format("warning: {}: written by Spoke {}; with {} the last bits may differ",
+                          one_line(file.string()), one_line(checkpoint.program), SPOKE_VERSION));
 }
 
 Checkpoints::Checkpoints(std::filesystem::path file, std::optional<double> every)

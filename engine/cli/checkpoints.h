@@ -12,9 +12,12 @@
 namespace spoke::cli {
 
 /// Loads a checkpoint and restores its state. Throws InputError, its text beginning with the file,
-/// if it cannot be read, holds no record of a run, or does not belong to this simulation or stands
-/// beyond its end.
+/// if it cannot be read, holds no record of a run, does not belong to this simulation, was computed
+/// with other instructions or stands beyond its end.
 Checkpoint resume(const std::filesystem::path& file, Simulation& simulation);
+
+/// Warns on standard error if another version of Spoke wrote the checkpoint.
+void warn_of_version(const std::filesystem::path& file, const Checkpoint& checkpoint);
 
 /// The checkpoints of a run: one file, replaced every so many seconds of wall time.
 class Checkpoints {

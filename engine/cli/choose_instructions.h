@@ -2,15 +2,17 @@
 
 // `--instructions baseline`, `avx2`: the same bits on machines of different processors.
 
-#include <string>
+#include "engine/cli/arguments.h"
 
 namespace spoke::cli {
 
-/// "auto": what the process has chosen. "avx2": kernels as on processors without AVX-512.
-/// "baseline": starts this program again, with the same arguments and in an environment in which
-/// the C library uses baseline instructions only; returns if the process computes with them
-/// already. Throws InputError in a program built with SPOKE_NATIVE, where the processor or the
-/// program lacks the instructions, or if it cannot be started again.
-void choose_instructions(const std::string& name, char** arguments);
+/// By `arguments.instructions`. "auto": what the process has chosen or, of a run or study that is
+/// resumed, what it was computed with before, where that is possible; where it is not, the
+/// checkpoint or journal is refused later. "avx2": kernels as on processors without AVX-512.
+/// "baseline": starts this program again, with the same words and in an environment in which the C
+/// library uses baseline instructions only; returns if the process computes with them already.
+/// Throws InputError in a program built with SPOKE_NATIVE, where processor, program or environment
+/// lack the instructions, or if it cannot be started again.
+void choose_instructions(const Arguments& arguments, char** words);
 
 }  // namespace spoke::cli

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/cli/interruption.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
@@ -89,9 +90,11 @@ void print(const compare::Comparison& comparison, const fs::path& folder) {
 }
 
 void write(const compare::Comparison& comparison, const fs::path& folder) {
-  write_file(folder / "compare.json", compare::make_json(comparison));
-  write_file(folder / "compare.csv", compare::make_csv(comparison));
-  write_file(folder / "compare.html", compare::make_html(comparison));
+  write_together([&] {
+    write_file(folder / "compare.json", compare::make_json(comparison));
+    write_file(folder / "compare.csv", compare::make_csv(comparison));
+    write_file(folder / "compare.html", compare::make_html(comparison));
+  });
 }
 
 }  // namespace

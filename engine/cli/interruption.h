@@ -24,6 +24,23 @@ class Interruption {
   Action interrupt_{}, terminate_{};  ///< before
 };
 
+/// From here on a signal that ends the process, SIGINT, SIGTERM or SIGHUP, leaves no unfinished
+/// file (output_file.h). Those that the process was started to ignore stay ignored.
+void clean_up_on_signals();
+
+/// Writes files that belong together: a first SIGINT or SIGTERM meanwhile ends the process when all
+/// are there. Not within the life of an Interruption.
+template <class Write>
+void write_together(const Write& write) {
+  int signal = 0;
+  {
+    const Interruption interruption;
+    write();
+    signal = Interruption::signal();
+  }
+  if (signal != 0) std::raise(signal);
+}
+
 /// "SIGINT" or "SIGTERM".
 std::string name_of_signal(int signal);
 

@@ -3,6 +3,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "engine/cli/check_command.h"
 #include "engine/cli/choose_instructions.h"
 #include "engine/cli/compare_command.h"
+#include "engine/cli/interruption.h"
 #include "engine/cli/linearize_command.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/modes_command.h"
@@ -98,12 +100,16 @@ int finish_output(int status, bool is_lost) {
 
 int main(int argc, char** argv) {
   const bool has_output = cli::open_standard_streams();
+  // Spoke says itself how many threads there are, and LLVM's OpenMP runtime, which reads this when
+  // it is first used, does not survive what is no number, or takes gigabytes.
+  unsetenv("OMP_NUM_THREADS");
+  cli::clean_up_on_signals();
   try {
     const std::vector<std::string> words(argv + 1, argv + argc);
     // What `compare`, `predict` and `reproduce` start; no command for people, so it is in no help.
     if (!words.empty() && words[0] == cli::kMeasureChild) return cli::measure_child(words);
     const cli::Arguments arguments = cli::parse_arguments(words);
-    cli::choose_instructions(arguments.instructions, argv);
+    cli::choose_instructions(arguments, argv);
     start_logging(arguments);
     // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
     std::optional<graph::UnboundThread> unbound;

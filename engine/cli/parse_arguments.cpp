@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <sstream>
 
 #include "engine/cli/help_texts.h"
+#include "engine/cli/number_option.h"
 #include "engine/cli/shared_options.h"
 #include "engine/cli/standard_streams.h"
 #include "models/error.h"
@@ -28,19 +30,21 @@ void check_threads(const SimulationOptions& options) {
 }
 
 void add_checkpoints(CLI::App& run, Arguments& arguments) {
-  run.add_option_function<double>(
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  constexpr double most = std::numeric_limits<double>::max();
+  run.add_option_function<std::string>(
          "--checkpoint-every",
-         [&](double seconds) {
-           if (!(seconds > 0.0))
-             throw CLI::ValidationError("--checkpoint-every", "expected a number above 0");
-           arguments.checkpoint_every = seconds;
+         [&](const std::string& text) {
+           arguments.checkpoint_every =
+               parse_number("--checkpoint-every", text, least, most, "a number above 0 [s]");
          },
          "Write checkpoint.spoke each time so many seconds\nof wall time have passed, and at the "
          "end")
       ->type_name("SECONDS");
   add_path(run, "--resume", arguments.resume,
            "Go on from a checkpoint, with the rows beside it\n"
-           "(the same SCENARIO and --set; --out unless given: its folder)",
+           "(the same SCENARIO and --set; --out unless given: its folder;\n"
+           "--instructions unless given: those of the checkpoint)",
            "FILE");
 }
 

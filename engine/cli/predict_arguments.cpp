@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/cli/number_option.h"
 #include "engine/cli/threads_option.h"
 #include "engine/simulation.h"
 
@@ -56,10 +57,14 @@ void add_predict_options(CLI::App& command, PredictArguments& arguments) {
           ->check(CLI::Range(1, 1000000))
           ->type_name("N,N,...");
   command
-      .add_option("--latency", arguments.latency,
-                  "Of a message between processes\n"
-                  "[measured under mpirun -n 2, else 5e-6]")
-      ->check(CLI::Range(0.0, 1.0))
+      .add_option_function<std::string>(
+          "--latency",
+          [&](const std::string& text) {
+            arguments.latency =
+                parse_number("--latency", text, 0.0, 1.0, "a number from 0 to 1 [s]");
+          },
+          "Of a message between processes\n"
+          "[measured under mpirun -n 2, else 5e-6]")
       ->needs(ranks)
       ->type_name("SECONDS");
 }

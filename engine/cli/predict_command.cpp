@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/cli/build_simulation.h"
+#include "engine/cli/interruption.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
@@ -232,9 +233,11 @@ void require_ranks(const PredictArguments& asked, Simulation& simulation) {
 }
 
 void write(const predict::Prediction& prediction, const fs::path& folder) {
-  write_file(folder / "predict.json", predict::make_json(prediction));
-  write_file(folder / "predict.csv", predict::make_csv(prediction));
-  write_file(folder / "predict.html", predict::make_html(prediction));
+  write_together([&] {
+    write_file(folder / "predict.json", predict::make_json(prediction));
+    write_file(folder / "predict.csv", predict::make_csv(prediction));
+    write_file(folder / "predict.html", predict::make_html(prediction));
+  });
 }
 
 void print(const predict::Prediction& prediction, const fs::path& folder) {

@@ -5,12 +5,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "engine/cli/standard_streams.h"
+#include "engine/support/csv_cell.h"
 #include "models/count_text.h"
+#include "models/reader/angle_hints.h"
 
 namespace spoke::cli {
 void print_line(std::string_view label, std::string_view text) {
@@ -48,30 +48,15 @@ void print_plan(const Simulation& simulation, int processes) {
   flush_output();
 }
 
-namespace {
-
-/// Of blades in the plane or in space.
-template <class Blade>
-void warn_of_blades_in_degrees(const std::string& file, const std::vector<Blade>& blades) {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  for (std::size_t i = 0; i < blades.size(); ++i) {
-    const double azimuth = blades[i].azimuth;
-    // Unless given, it is that of the first blade and a share of a turn.
-    const double share = turn * static_cast<double>(i) / static_cast<double>(blades.size());
-    if (std::abs(azimuth) <= turn || std::abs(azimuth - share) <= turn) continue;
-    return print_error(fmt::format(
-        "warning: {}: the azimuth of blade {} is {:.6g} rad, beyond a turn of 2 pi: degrees?",
-        one_line(file), i + 1, azimuth));
-  }
+void warn_of_degrees(const std::string& file, const Scenario& scenario) {
+  for (const std::string& hint : find_angle_hints(scenario))
+    print_error(one_line("warning: " + file + ": " + hint));
 }
 
-}  // namespace
-
-void warn_of_degrees(const std::string& file, const Scenario& scenario) {
-  if (scenario.space)
-    warn_of_blades_in_degrees(file, scenario.space->blades);
-  else
-    warn_of_blades_in_degrees(file, scenario.rotor.blades);
+std::vector<std::string> column_heads(const Simulation& simulation) {
+  std::vector<std::string> heads;
+  for (const std::string& name : simulation.sensor_names()) heads.push_back(csv_cell(name));
+  return heads;
 }
 
 void print_table(const report::Table& table) {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/report/page.h"
 #include "engine/simulation.h"
@@ -25,9 +26,12 @@ void print_model(const Simulation& simulation);
 /// Prints the model, and what solves it on each of so many processes.
 void print_plan(const Simulation& simulation, int processes);
 
-/// Warns on stderr, in one line, of an azimuth that looks as if it were given in degrees. `file` of
-/// the scenario.
+/// Warns on stderr of angles that look as if they were given in degrees, a line for each kind of
+/// angle. `file` of the scenario.
 void warn_of_degrees(const std::string& file, const Scenario& scenario);
+
+/// The heads of the columns of sensors.csv behind that of the time, as cells (csv_cell.h).
+std::vector<std::string> column_heads(const Simulation& simulation);
 
 /// Prints a table in columns as wide as their widest cell, after an empty line.
 void print_table(const report::Table& table);

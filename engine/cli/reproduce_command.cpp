@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "engine/cli/interruption.h"
 #include "engine/cli/measure_child_command.h"
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
@@ -120,8 +121,10 @@ int reproduce(const Arguments& arguments) {
   simulate(all);
   measure_all(effort, all);
   all.loads.after = load_average();
-  write_file(folder / "reproduce.json", reproduce::make_json(all));
-  write_file(folder / "reproduce.html", reproduce::make_html(all));
+  write_together([&] {
+    write_file(folder / "reproduce.json", reproduce::make_json(all));
+    write_file(folder / "reproduce.html", reproduce::make_html(all));
+  });
   print_title(all.scenario.title);
   print_table(reproduce::method_table(all));
   print("\n");

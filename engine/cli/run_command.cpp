@@ -65,7 +65,7 @@ struct Recording {
       : statistics(simulation.sensor_names().size()),
         tips(simulation),
         due(simulation.scenario().output.interval),
-        file(folder / "sensors.csv", simulation.sensor_names()) {
+        file(folder / "sensors.csv", column_heads(simulation)) {
     open_pictures(simulation, arguments, folder);
   }
   /// Goes on where `before` ended, with its rows in `rows`.
@@ -352,6 +352,7 @@ int complete(Prepared& run, const Arguments& arguments, ranks::Launch& launch) {
   if (!arguments.quiet && !arguments.resume.empty())
     print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
                                       simulation.time(), simulation.steps()));
+  if (run.resumed) warn_of_version(arguments.resume, *run.resumed);
   warn_of_degrees(arguments.scenario, run.scenario);
   const Interruption interruption;
   const RunOutcome outcome = integrate(simulation, *run.recording, checkpoints,

@@ -6,23 +6,22 @@
 #include <cmath>
 #include <string>
 
+#include "engine/cli/number_option.h"
+
 namespace spoke::cli {
 namespace {
 
-constexpr const char* kRange = "expected FROM:TO:STEP, ascending numbers [rad/s], got ";
+constexpr const char* kRange = "expected FROM:TO:STEP, ascending numbers up to 1e30 [rad/s], got ";
 constexpr double kMostSpeeds = 10000;
 
-/// A finite number that the whole text is; else what is refused says so of the option.
-double parse_number(const std::string& text, const char* option, const std::string& refusal) {
-  std::size_t used = 0;
-  double value = NAN;
+/// A speed as scenarios may have it, too [rad/s].
+double parse_speed(const char* option, const std::string& text, const std::string& refused) {
+  constexpr double most = 1e30;
   try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = std::string::npos;
+    return parse_number(option, text, -most, most, "");
+  } catch (const CLI::ValidationError&) {
+    throw CLI::ValidationError(option, refused);
   }
-  if (used != text.size() || !std::isfinite(value)) throw CLI::ValidationError(option, refusal);
-  return value;
 }
 
 /// "0:12:0.5", both ends included as far as the step meets them.
@@ -31,7 +30,7 @@ std::vector<double> parse_range(const std::string& text) {
   if (first == std::string::npos || second == std::string::npos)
     throw CLI::ValidationError("--speeds", kRange + text);
   const auto parse = [&](const std::string& part) {
-    return parse_number(part, "--speeds", kRange + text);
+    return parse_speed("--speeds", part, kRange + text);
   };
   const double from = parse(text.substr(0, first));
   const double to = parse(text.substr(first + 1, second - first - 1));
@@ -62,8 +61,9 @@ void add_speed(CLI::App& command, SteadyArguments& arguments) {
       .add_option_function<std::string>(
           "--speed",
           [&](const std::string& text) {
-            arguments.speed = parse_number(text, "--speed",
-                                           "expected a finite number [rad/s], got \"" + text + '"');
+            arguments.speed =
+                parse_speed("--speed", text,
+                            "expected a number from -1e30 to 1e30 [rad/s], got \"" + text + '"');
           },
           "Speed of the hub about its axis [the one that the drive leads to]")
       ->type_name("RAD_PER_S");

@@ -2,6 +2,8 @@
 
 #include "engine/cli/steady_task.h"
 
+#include "engine/cli/interruption.h"
+#include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/output_file.h"
 
@@ -13,6 +15,7 @@ SteadyTask::SteadyTask(const Arguments& arguments, const std::string& command)
       folder_(arguments.out.empty() ? std::filesystem::path("results") / scenario_.name / command
                                     : std::filesystem::path(arguments.out)) {
   require_folder(folder_);
+  warn_of_degrees(file_, scenario_);
 }
 
 const std::string& SteadyTask::title() const {
@@ -22,7 +25,9 @@ const std::string& SteadyTask::title() const {
 void SteadyTask::write(const std::vector<File>& files) const {
   const ResultsFolder taken(folder_);
   for (const File& file : files) require_no_folder(path(file.name));
-  for (const File& file : files) replace_file(path(file.name), file.text);
+  write_together([&] {
+    for (const File& file : files) replace_file(path(file.name), file.text);
+  });
 }
 
 }  // namespace spoke::cli

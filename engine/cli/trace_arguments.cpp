@@ -3,25 +3,16 @@
 #include "engine/cli/trace_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
+#include <cstdint>
+
+#include "engine/cli/number_option.h"
 
 namespace spoke::cli {
 namespace {
 
 constexpr std::int64_t kMostSteps = 100000;
-constexpr double kMostBuffer = 65536.0;
-
-/// A number from `least` to `most`, both included.
-double parse_number(const std::string& option, const std::string& text, double least, double most,
-                    const std::string& expected) {
-  double value = 0.0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value) ||
-      value < least || value > most)
-    throw CLI::ValidationError(option, "expected " + expected + ", got " + text);
-  return value;
-}
+constexpr double kMostBuffer = 65536.0;  // [MB]
+constexpr double kLatest = 1e300;        // [s]
 
 }  // namespace
 
@@ -33,7 +24,7 @@ void add_trace_options(CLI::App& command, TraceArguments& arguments) {
       .add_option_function<std::string>(
           "--from",
           [&](const std::string& text) {
-            arguments.from = parse_number("--from", text, 0.0, 1e300, "a time in s, 0 or more");
+            arguments.from = parse_number("--from", text, 0.0, kLatest, "a time in s, 0 or more");
           },
           "Simulated time at which recording begins, in s [0]; the executor\n"
           "auto chooses on the way there")

@@ -96,8 +96,10 @@ void add_hub(const System<World>& system, const StepData<World>& data, Work& wor
 }
 
 void copy_lower_to_upper(Work& work) {
-  const Eigen::Index constraints = work.matrix.rows() - work.first_joint[0][0];
-  const Eigen::Index coordinates = work.first_joint[0][0];
+  // A hub alone has no joints.
+  const Eigen::Index coordinates =
+      work.first_joint.empty() ? work.first_hub_multiplier : work.first_joint[0][0];
+  const Eigen::Index constraints = work.matrix.rows() - coordinates;
   work.matrix.topRightCorner(coordinates, constraints) =
       work.matrix.bottomLeftCorner(constraints, coordinates).transpose();
 }

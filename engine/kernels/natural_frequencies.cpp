@@ -137,6 +137,7 @@ int count_frequencies_below(const Rotor& rotor, double frequency) {
 }
 
 FrequencyRange calc_frequency_range(const Rotor& rotor) {
+  if (rotor.blades.empty()) return {0.0, 0.0};  // of a hub alone
   const int rigid = static_cast<int>(free_components(rotor.hub).size());
   return {find_frequency(rotor, rigid + 1), find_frequency(rotor, count_coordinates(rotor))};
 }
@@ -172,6 +173,7 @@ double calc_rk4_limit(Complex root) {
 }
 
 double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping) {
+  if (range.highest == 0.0) return HUGE_VAL;
   if (damping.mass_factor == 0.0 && damping.stiffness_factor == 0.0)
     return 2.0 * std::sqrt(2.0) / range.highest;
   double largest = HUGE_VAL;

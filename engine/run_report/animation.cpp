@@ -12,11 +12,12 @@
 namespace spoke::run_report {
 namespace {
 
-/// 16-bit numbers of a frame, or half of its single ones.
+/// 16-bit numbers of a frame, or half of its single ones; 1 of a hub alone, which has none.
 std::size_t count_numbers(const scene::Scene& scene) {
   const std::size_t per_node = scene.is_planar ? 3 : 6;
-  return per_node * scene.nodes.size() + 2 * scene.element_count() +
-         14 * static_cast<std::size_t>(scene.groups - 1);
+  const std::size_t count = per_node * scene.nodes.size() + 2 * scene.element_count() +
+                            14 * static_cast<std::size_t>(scene.groups - 1);
+  return std::max<std::size_t>(count, 1);
 }
 
 }  // namespace

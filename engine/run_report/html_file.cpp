@@ -76,8 +76,9 @@ std::vector<report::Tile> make_tiles(const Simulation& simulation,
                                      const TipSummary& tips) {
   std::vector<report::Tile> tiles;
   const bool is_in_space = simulation.scenario().space.has_value();
-  tiles.push_back({is_in_space ? "Largest tip displacement" : "Largest tip deflection",
-                   report::quantity(tips.largest, "m", 5), tips.when});
+  if (!tips.when.empty())
+    tiles.push_back({is_in_space ? "Largest tip displacement" : "Largest tip deflection",
+                     report::quantity(tips.largest, "m", 5), tips.when});
   const auto at = [](const Sample& sample) { return fmt::format("at {} s", number(sample.t)); };
   const Sample speed = largest(range_of(simulation, statistics, "hub.speed"));
   tiles.push_back({"Largest hub speed", report::figure(speed.value, 4) + " rad/s", at(speed)});

@@ -10,7 +10,7 @@
 
 namespace spoke::run_report {
 
-/// The largest deflection of all tips.
+/// The largest deflection of all tips; of none, `when` is empty.
 struct TipSummary {
   double largest = 0.0;  ///< with its sign [m]
   std::string when;      ///< "at 6.765 s (blades 1-3)"

@@ -111,6 +111,7 @@ std::vector<std::string> TipDeflections::describe() const {
 }
 
 TipSummary TipDeflections::summarise() const {
+  if (tips_.empty()) return {};
   const auto largest = std::max_element(tips_.begin(), tips_.end(), [](const Tip& a, const Tip& b) {
     return std::abs(a.extreme.largest) < std::abs(b.extreme.largest);
   });

@@ -44,7 +44,8 @@ Wrench calc_joint_reaction(const StepData<Plane>& table, int blade, int joint) {
 Wrench calc_hub_reaction(const StepData<Plane>& data) {
   Twist wrench = data.evaluated.reaction;
   wrench[kRotation] += data.evaluated.applied_torque;
-  return wrench_in_space(data.subsystems.front().hub->R * wrench);
+  const HubState<Plane>& hub = data.is_coupled ? data.hub : *data.subsystems.front().hub;
+  return wrench_in_space(hub.R * wrench);
 }
 
 Wrench calc_section_force(const Rotor& rotor, const SystemContext<Plane>& context,

@@ -44,7 +44,8 @@ Wrench calc_joint_reaction(const SystemContext<Space>& context, int blade, int j
 Wrench calc_hub_reaction(const StepData<Space>& data) {
   space::Twist wrench = data.evaluated.reaction;
   wrench[Space::kAxial] += data.evaluated.applied_torque;
-  return make(data.subsystems.front().hub->R * wrench);
+  const HubState<Space>& hub = data.is_coupled ? data.hub : *data.subsystems.front().hub;
+  return make(hub.R * wrench);
 }
 
 Wrench calc_section_force(const SystemContext<Space>& context, const Marker& marker) {

@@ -2,10 +2,10 @@
 
 #include "engine/steady/steady_speed.h"
 
-#include <cmath>
 #include <string>
 
 #include "models/error.h"
+#include "models/reader/scenario_fields.h"
 
 namespace spoke::steady {
 namespace {
@@ -32,8 +32,9 @@ std::optional<double> speed_of(const spatial::Hub& hub) {
 }  // namespace
 
 double find_steady_speed(const Scenario& scenario, std::optional<double> asked) {
-  if (asked && !std::isfinite(*asked))
-    throw InputError("the speed is " + std::to_string(*asked) + ", expected a finite number");
+  if (asked)
+    if (const std::string expected = kSpeed.expectation_instead_of(*asked); !expected.empty())
+      throw InputError("the speed is " + spoke::describe(*asked) + ", expected " + expected);
   if (asked) return *asked;
   const std::optional<double> speed = scenario.space
                                           ? speed_of(scenario.space->hub)

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/steady_report/mode_files.h"
+#include "engine/support/csv_cell.h"
 #include "engine/support/json.h"
 
 namespace spoke::steady_report {
@@ -75,8 +76,9 @@ std::string make_csv(const CampbellResult& result) {
   for (std::size_t k = 0; k < result.states.size(); ++k)
     for (std::size_t b = 0; b < result.branches.size(); ++b)
       if (const Mode* mode = mode_at(result, result.branches[b], k))
-        text += fmt::format("{},{},\"{}\",{},{},{},{},{}\n", speed_at(result, k), b + 1,
-                            result.branches[b].of, result.branches[b].name, hertz(mode->frequency),
+        text += fmt::format("{},{},{},{},{},{},{},{}\n", speed_at(result, k), b + 1,
+                            quoted_csv_cell(result.branches[b].of),
+                            csv_cell(result.branches[b].name), hertz(mode->frequency),
                             mode->frequency, damping_of(*mode), mode->grows() ? 1 : 0);
   return text;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/support/csv_cell.h"
 #include "engine/support/json.h"
 
 namespace spoke::steady_report {
@@ -98,9 +99,9 @@ std::string make_csv(const ModesResult& result) {
   std::string text =
       "of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,eigenvalue_real_per_s,grows\n";
   for (const Mode& mode : result.modes)
-    text +=
-        fmt::format("\"{}\",{},{},{},{},{},{}\n", mode.of, mode.name, hertz(mode.frequency),
-                    mode.frequency, damping_of(mode), mode.eigenvalue.real(), mode.grows() ? 1 : 0);
+    text += fmt::format("{},{},{},{},{},{},{}\n", quoted_csv_cell(mode.of), csv_cell(mode.name),
+                        hertz(mode.frequency), mode.frequency, damping_of(mode),
+                        mode.eigenvalue.real(), mode.grows() ? 1 : 0);
   return text;
 }
 

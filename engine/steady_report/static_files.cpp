@@ -12,6 +12,7 @@
 #include "engine/report/scene_markup.h"
 #include "engine/report/static_script.h"
 #include "engine/steady_report/steady_scene.h"
+#include "engine/support/csv_cell.h"
 #include "engine/support/json.h"
 
 namespace spoke::steady_report {
@@ -186,9 +187,9 @@ std::string make_section_csv(const EquilibriumResult& result) {
   std::string text = "blade,body,station_m,Fx_N,Fy_N,Fz_N,Mx_N_m,My_N_m,Mz_N_m\n";
   for (const BladeEquilibrium& blade : result.blades)
     for (const SectionLoad& load : blade.loads)
-      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", blade.name, load.body, load.station,
-                          load.force.x(), load.force.y(), load.force.z(), load.moment.x(),
-                          load.moment.y(), load.moment.z());
+      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_cell(blade.name), csv_cell(load.body),
+                          load.station, load.force.x(), load.force.y(), load.force.z(),
+                          load.moment.x(), load.moment.y(), load.moment.z());
   return text;
 }
 

@@ -7,33 +7,29 @@
 #include <map>
 
 #include "engine/study/files.h"
+#include "engine/support/csv_cell.h"
 
 namespace spoke::study {
 namespace {
-
-/// A cell, in quotes if it has to be.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return quoted + '"';
-}
 
 std::string number_cell(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "";
 }
 
+/// A number as it is, its sign included; a text as a cell.
+std::string value_cell(const Parameter& parameter, double value) {
+  const std::string text = plain_text(parameter, value);
+  return parameter.is_choice() ? csv_cell(text) : text;
+}
+
 std::string row_of(const Study& study, const std::vector<double>& values, const RunResult& result) {
   std::string row = fmt::format("{},{}", result.run + 1, name_of(result.status));
   for (std::size_t i = 0; i < values.size(); ++i)
-    row += ',' + cell(plain_text(study.parameters[i], values[i]));
+    row += ',' + value_cell(study.parameters[i], values[i]);
   for (std::size_t k = 0; k < study.responses.size(); ++k)
     if (study.responses[k].kind != ResponseKind::history)
       row += ',' + number_cell(result.responses[k]);
-  return row + ',' + cell(result.diagnosis) + '\n';
+  return row + ',' + csv_cell(result.diagnosis) + '\n';
 }
 
 /// The rows of one run, by time.
@@ -61,9 +57,9 @@ std::string rows_of(const RunResult& result) {
 void write_runs_csv(const Study& study, const Sampling& sampling, const ForEachRun& for_each,
                     const Sink& sink) {
   std::string head = "run,status";
-  for (const Parameter& parameter : study.parameters) head += ',' + parameter.name;
+  for (const Parameter& parameter : study.parameters) head += ',' + csv_cell(parameter.name);
   for (const Response& response : study.responses)
-    if (response.kind != ResponseKind::history) head += ',' + response.name;
+    if (response.kind != ResponseKind::history) head += ',' + csv_cell(response.name);
   sink(head + ",diagnosis\n");
   for_each(
       [&](const RunResult& result) { sink(row_of(study, sampling.values(result.run), result)); });
@@ -72,7 +68,7 @@ void write_runs_csv(const Study& study, const Sampling& sampling, const ForEachR
 void write_histories_csv(const Study& study, const ForEachRun& for_each, const Sink& sink) {
   std::string head = "run,t";
   for (const Response& response : study.responses)
-    if (response.kind == ResponseKind::history) head += ',' + response.name;
+    if (response.kind == ResponseKind::history) head += ',' + csv_cell(response.name);
   sink(head + '\n');
   for_each([&](const RunResult& result) { sink(rows_of(result)); });
 }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/output_file.h"
 #include "engine/study/hdf5_library.h"
 #include "models/error.h"
 
@@ -222,6 +223,7 @@ void write_hdf5(const std::string& file, const Study& study, const Sampling& sam
                 const ForEachRun& for_each) {
   h5().H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // faults are told here
   const std::string temporary = file + ".tmp";
+  const UnfinishedFile unfinished(temporary);
   const auto refuse = [&](const std::string& reason) {
     unlink(temporary.c_str());
     throw InputError(file + ": cannot be written: " + reason);

@@ -261,7 +261,7 @@ std::optional<JournalState> find_journal(const std::string& file) {
   if (reader.descriptor() < 0) return {};
   const std::optional<Head> head = take_head(reader.descriptor(), place);
   if (!head) return {};
-  JournalState state{0, head->runs};
+  JournalState state{0, head->runs, head->instructions};
   while (take_record(reader.descriptor(), place)) ++state.runs;
   return state;
 }

@@ -54,10 +54,11 @@ class Journal {
   std::int64_t count_ = 0;
 };
 
-/// How far a journal is that somebody left in a file: the runs that it has, of how many; nothing if
+/// What a journal is that somebody left in a file: the runs that it has, of how many; nothing if
 /// there is none.
 struct JournalState {
   std::int64_t runs = 0, planned = 0;
+  std::string instructions;  ///< that it was begun with
 };
 std::optional<JournalState> find_journal(const std::string& file);
 

@@ -128,8 +128,14 @@ Parameter read_parameter(const TomlSection& section, DesignKind design) {
 void require_new_name(const TomlSection& section, const std::vector<Parameter>& before,
                       const Parameter& parameter) {
   const std::string_view key = section.has("name") ? "name" : "key";
-  if (parameter.name.find_first_of(",\"\n\r") != std::string::npos)
-    section.fail(key, "has a comma, quote or line end, expected a name of a column");
+  if (!is_column_name(parameter.name))
+    section.fail(key, "has a comma, quote or control character, expected a name of a column");
+  std::size_t bytes = parameter.name.size() + 1;
+  for (const Parameter& other : before) bytes += other.name.size() + 1;
+  if (bytes > kMostNameBytes)
+    section.fail(key, "makes the names of parameters " + std::to_string(bytes) +
+                          " bytes long together, expected at most " +
+                          std::to_string(kMostNameBytes));
   for (const Parameter& other : before) {
     if (other.name == parameter.name)
       section.fail(key, "is \"" + parameter.name + "\" a second time, expected different ones");

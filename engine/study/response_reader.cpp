@@ -106,14 +106,22 @@ Response read_response(const TomlSection& section) {
 
 std::vector<Response> read_responses(const TomlSection& root) {
   std::vector<Response> responses;
+  std::size_t bytes = 0;  // of all names
   for (const TomlSection& section :
        root.sections("response", {"sensor", "kind", "name", "from", "to", "time", "level",
                                   "direction", "every", "mode", "of", "speed"})) {
     Response response = read_response(section);
     const std::string_view key = section.has("name") ? "name" : "";
-    if (response.name.empty() || response.name.find_first_of(",\"\n\r/") != std::string::npos)
+    if (!is_column_name(response.name) || response.name.find('/') != std::string::npos ||
+        response.name == ".")
       section.fail(key, "is named \"" + response.name +
-                            "\", expected a name without comma, quote, slash or line end");
+                            "\", expected a name without comma, quote, slash or control character, "
+                            "and other than \".\"");
+    bytes += response.name.size() + 1;
+    if (bytes > kMostNameBytes)
+      section.fail(key, "makes the names of responses " + std::to_string(bytes) +
+                            " bytes long together, expected at most " +
+                            std::to_string(kMostNameBytes));
     for (const Response& other : responses)
       if (other.name == response.name)
         section.fail(key, "is named \"" + response.name +

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "engine/modes.h"
@@ -21,6 +22,9 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kNamedModes = 10;  // among which a mode is looked for by its name
+// How many runs check_study() looks at before it takes none of them to be possible: read, and of
+// those that can be read built, which takes longer.
+constexpr std::int64_t kMostTried = 1000, kMostBuilt = 50;
 
 SimulationOptions on_one_thread() {
   SimulationOptions options;
@@ -164,13 +168,14 @@ bool has_same_model(const Study& study, const std::vector<double>& a,
   return true;
 }
 
-/// A complaint about an override, as one about the parameter that made it.
-InputError locate(const Study& study, const std::string& message) {
+/// A complaint about an override of a run, as one about the parameter that made it.
+InputError locate(const Study& study, std::int64_t run, const std::string& message) {
   for (const Parameter& parameter : study.parameters) {
     const std::string begin = "--set " + parameter.key + '=';
     if (parameter.key.empty() || !message.starts_with(begin)) continue;
     const std::size_t end = message.find(": ", begin.size());
-    return InputError(parameter.place + ": in run 1: " + message.substr(end + 2));
+    return InputError(parameter.place + ": in run " + std::to_string(run + 1) + ": " +
+                      message.substr(end + 2));
   }
   for (const std::string& file : {study.file, study.scenario_file})
     if (message.starts_with(file + ':')) return InputError(message);
@@ -201,6 +206,24 @@ void check_sensors(const Simulation& simulation, Study& study) {
   }
 }
 
+/// Whether a run can be made, with the sensors and modes that are asked for.
+void check_run(const Scenario& scenario, Study& study) {
+  RunResult result;
+  result.responses.assign(study.responses.size(), kNone);
+  if (study.simulates()) check_sensors(Simulation(scenario, on_one_thread()), study);
+  if (std::any_of(study.responses.begin(), study.responses.end(),
+                  [](const Response& r) { return r.kind == ResponseKind::frequency; }))
+    find_frequencies(study, scenario, result);
+}
+
+/// The run that is tried in place `k`, each once: run 0 first, then such as are spread over all, in
+/// strides of a golden section, which no parameter's period divides.
+std::int64_t run_to_try(std::int64_t k, std::int64_t runs) {
+  auto stride = static_cast<std::int64_t>(0.6180339887498949 * static_cast<double>(runs)) + 1;
+  while (std::gcd(stride, runs) != 1) ++stride;
+  return k * stride % runs;
+}
+
 }  // namespace
 
 std::string_view name_of(RunStatus status) {
@@ -211,19 +234,24 @@ std::string_view name_of(RunStatus status) {
 void check_study(Study& study) {
   parse_scenario(study.scenario_text, study.scenario_file);
   const Sampling sampling(study);
-  try {
-    const Scenario scenario = make_scenario(study, sampling.values(0));
-    RunResult result;
-    result.responses.assign(study.responses.size(), kNone);
-    if (study.simulates()) check_sensors(Simulation(scenario, on_one_thread()), study);
-    if (std::any_of(study.responses.begin(), study.responses.end(),
-                    [](const Response& r) { return r.kind == ResponseKind::frequency; }))
-      find_frequencies(study, scenario, result);
-  } catch (const InputError& error) {
-    throw locate(study, error.what());
-  } catch (const DivergenceError&) {
-    // A row of its own.
+  std::optional<InputError> first;  // what is said against run 1
+  bool diverges = false;
+  std::int64_t built = 0;
+  const std::int64_t tries = std::min(study.design.runs, kMostTried);
+  for (std::int64_t k = 0; k < tries && built < kMostBuilt; ++k) {
+    const std::int64_t run = run_to_try(k, study.design.runs);
+    try {
+      const Scenario scenario = make_scenario(study, sampling.values(run));
+      ++built;
+      check_run(scenario, study);
+      return;
+    } catch (const InputError& error) {
+      if (!first) first = locate(study, run, error.what());
+    } catch (const DivergenceError&) {
+      diverges = true;  // a row of its own
+    }
   }
+  if (!diverges) throw *first;
 }
 
 /// A simulation, and where it began.

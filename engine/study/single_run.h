@@ -41,9 +41,10 @@ struct RunResult {
   bool has_responses() const { return status <= RunStatus::doubtful; }
 };
 
-/// Finds out on the first run whether its scenario can be simulated and has the sensors and modes
-/// that are asked for, and fills in their units. Throws InputError, naming the place in the study
-/// file.
+/// Finds a run whose scenario can be simulated and has the sensors and modes that are asked for,
+/// and fills in their units. Throws InputError if all runs are refused, or so many of them, spread
+/// evenly, that it is the study which is wrong: what is said against run 1, with its place in the
+/// study file. So it does not matter which run comes first.
 void check_study(Study& study);
 
 /// Makes runs, one after the other, on one thread; each has the bits that it would have alone. What

@@ -17,6 +17,12 @@ bool Study::has_histories() const {
                      [](const Response& r) { return r.kind == ResponseKind::history; });
 }
 
+bool is_column_name(std::string_view text) {
+  return !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) {
+    return c == ',' || c == '"' || c < 0x20 || c == 0x7F;
+  });
+}
+
 std::string quote_as_toml(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {

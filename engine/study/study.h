@@ -119,6 +119,12 @@ struct Study {
   bool has_histories() const;
 };
 
+/// The most bytes of the names of all parameters, or of all responses, with a line end each, and of
+/// a title: an attribute of HDF5 holds 64 kB.
+inline constexpr std::size_t kMostNameBytes = 60'000;
+/// Whether a text may head a column: it has no comma, quote or control character, and is not empty.
+bool is_column_name(std::string_view text);
+
 /// The text in quotes, as TOML reads it.
 std::string quote_as_toml(std::string_view text);
 

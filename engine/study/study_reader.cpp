@@ -123,6 +123,9 @@ Study read_study(const std::string& file) {
   const TomlDocument document(study.text, file);
   const TomlSection root(document, {"title", "scenario", "design", "parameter", "response"});
   study.title = root.text("title", study.name);
+  if (study.title.size() > kMostNameBytes)
+    root.fail("title", "is " + std::to_string(study.title.size()) +
+                           " bytes long, expected at most " + std::to_string(kMostNameBytes));
   const std::string scenario = root.text("scenario", "");
   if (scenario.empty())
     root.fail("scenario", "is missing, expected the name of a scenario file (TOML)");

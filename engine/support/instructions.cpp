@@ -38,7 +38,8 @@ Kernels kernels = choose_kernels();
 }
 
 Kernels use_kernels(Kernels kernels) noexcept {
-  return std::exchange(detail::kernels, std::min(kernels, last_possible()));
+  // What the environment forbids stays so: the C library keeps to it, too.
+  return std::exchange(detail::kernels, std::min(kernels, choose_kernels()));
 }
 
 std::string_view name_of(Kernels kernels) {

@@ -12,6 +12,7 @@
 #include "engine/steady/steady_speed.h"
 #include "graph/executor.h"
 #include "models/error.h"
+#include "models/reader/scenario_fields.h"
 
 namespace spoke {
 namespace {
@@ -24,10 +25,12 @@ constexpr double kLeastLikeness = 0.3;
 void check(const CampbellOptions& options) {
   if (options.speeds.size() < 2)
     throw InputError(std::to_string(options.speeds.size()) + " speeds, expected 2 or more");
-  for (std::size_t k = 0; k < options.speeds.size(); ++k)
-    if (!std::isfinite(options.speeds[k]) ||
-        (k > 0 && !(options.speeds[k] > options.speeds[k - 1])))
-      throw InputError("speeds must ascend and be finite");
+  for (std::size_t k = 0; k < options.speeds.size(); ++k) {
+    const double speed = options.speeds[k];
+    if (const std::string expected = kSpeed.expectation_instead_of(speed); !expected.empty())
+      throw InputError("a speed is " + spoke::describe(speed) + ", expected " + expected);
+    if (k > 0 && !(speed > options.speeds[k - 1])) throw InputError("speeds must ascend");
+  }
   if (options.harmonics < 0)
     throw InputError(std::to_string(options.harmonics) + " harmonics, expected 0 or more");
 }

@@ -166,6 +166,10 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
     add_shape(i, shape, all.model, mode);
   }
   normalise(mode);
+  if (shapes.empty()) {  // a hub alone
+    mode.kind = "hub";
+    return mode;
+  }
   const Eigen::VectorXcd hub = root.x.head(h);
   const double of_hub =
       hub.real().dot(all.linear.M * hub.real()) + hub.imag().dot(all.linear.M * hub.imag());

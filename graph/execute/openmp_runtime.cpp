@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -26,10 +27,41 @@ bool may_bind() {
          is_set("KMP_AFFINITY");
 }
 
+/// Whether LLVM's runtime survives this value of OMP_NUM_THREADS: whole numbers, joined by commas.
+/// Of others it ends the process, or takes memory for as many threads as an int can count.
+bool is_harmless(std::string_view text) {
+  constexpr int most = 65536;
+  while (true) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    std::string_view part = text.substr(0, comma);
+    part.remove_prefix(std::min(part.find_first_not_of(" \t"), part.size()));
+    part = part.substr(0, part.find_last_not_of(" \t") + 1);
+    int number = 0;
+    const auto [end, fault] = std::from_chars(part.data(), part.data() + part.size(), number);
+    if (fault != std::errc{} || end != part.data() + part.size() || number < 1 || number > most)
+      return false;
+    if (comma == text.size()) return true;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+/// Whether the runtime may be asked at all: at the first question LLVM's reads its environment.
+bool may_be_asked() {
+  const char* const text = std::getenv("OMP_NUM_THREADS");
+  return text == nullptr || is_harmless(text);
+}
+
 }  // namespace
 
+void check_openmp_environment() {
+  if (may_be_asked()) return;
+  throw InputError("OMP_NUM_THREADS is \"" + std::string(std::getenv("OMP_NUM_THREADS")) +
+                   "\", which the OpenMP runtime may not survive, expected numbers from 1 to 65536 "
+                   "joined by commas, or none");
+}
+
 std::optional<OpenMpBinding> openmp_binding() {
-  if (!may_bind() || omp_get_proc_bind() == omp_proc_bind_false) return {};
+  if (!may_bind() || !may_be_asked() || omp_get_proc_bind() == omp_proc_bind_false) return {};
   OpenMpBinding binding;
   // The runtime begins by counting the processors, then makes places, then binds.
   binding.processors = omp_get_num_procs();
@@ -68,6 +100,7 @@ std::size_t openmp_stack() {
 }
 
 void check_openmp_limit(ExecutorKind kind, const Threads& threads) {
+  check_openmp_environment();
   const int limit = omp_get_thread_limit();
   if (threads.total() <= limit) return;
   throw InputError(std::string(name_of(kind)) + " on " + name_of(threads) +

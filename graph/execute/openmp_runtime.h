@@ -29,6 +29,10 @@ int processors_for_openmp();
 /// says none.
 std::size_t openmp_stack();
 
+/// Throws InputError unless OMP_NUM_THREADS is one that the runtime survives. To be called before
+/// anything asks the runtime, which reads its environment then. Spoke itself does not use it.
+void check_openmp_environment();
+
 /// As check_thread_limit(), for a kind of OpenMP.
 void check_openmp_limit(ExecutorKind kind, const Threads& threads);
 

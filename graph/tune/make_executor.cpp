@@ -43,6 +43,9 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
     threads.outer = available_threads();
     check_threads(kind, threads);
   }
+#ifdef SPOKE_HAS_OPENMP
+  if (is_openmp(kind)) check_openmp_environment();
+#endif
   switch (kind) {
     case ExecutorKind::automatic:
       return make_auto_executor(graph, threads.outer);

@@ -84,8 +84,8 @@ void check_blade(const std::string& path, const Blade& blade) {
   }
 }
 
-void check_blades(const std::vector<Blade>& blades) {
-  if (blades.empty()) fail("blades", "there are none, expected one or more");
+void check_blades(const std::vector<Blade>& blades, const Hub& hub) {
+  if (blades.empty() && !moves_alone(hub)) fail("blades", "there are none, expected one or more");
   std::size_t number = 0, stations = 0;
   for (const Blade& blade : blades) {
     check_blade("blades." + std::to_string(++number), blade);
@@ -148,6 +148,7 @@ template <class Load, class Visit>
 void check_loads(const char* table, const std::vector<Load>& loads,
                  const std::vector<Blade>& blades, const Visit& visit) {
   std::size_t number = 0;
+  if (!std::is_same_v<Load, HubLoad> && !loads.empty() && blades.empty()) fail(table, kNoBlades);
   for (const Load& load : loads) {
     const std::string path = table + ('.' + std::to_string(++number));
     check_load(path, load, blades);
@@ -177,7 +178,7 @@ void check_all_loads(const Rotor& rotor) {
 void check_rotor(const Rotor& rotor) {
   check_fields("hub", rotor.hub);
   check_drive(rotor.hub.drive);
-  check_blades(rotor.blades);
+  check_blades(rotor.blades, rotor.hub);
   check_numbers("gravity.acceleration", rotor.gravity, kGravity);
   check("gravity.ramp", rotor.gravity_ramp, kRamp);
   check_fields("damping", rotor.damping);

@@ -18,6 +18,16 @@ namespace spoke {
 /// Whether a file must give a value; code always does.
 enum class Presence { required, optional };
 
+/// Whether the motion of a hub, of the plane or of space, is one to be found, so that the hub may
+/// carry nothing.
+template <class H>
+bool moves_alone(const H& hub) {
+  return hub.support == HubSupport::free || !prescribes_motion(hub.drive);
+}
+
+/// What is wrong with what is on blades where there are none.
+inline constexpr const char* kNoBlades = "is on blades, of which there are none";
+
 template <class T, class Of>
 concept PerhapsConst = std::same_as<std::remove_const_t<T>, Of>;
 

@@ -164,6 +164,8 @@ HubLoad read_hub_load(const TomlSection& section) {
 
 void read_loads(const TomlSection& root, Rotor& rotor) {
   const Blades& blades = rotor.blades;
+  for (const char* key : {"load", "distributed_load", "drag"})
+    if (blades.empty() && root.has(key)) root.fail(key, kNoBlades);
   PointCount count(blades);
   for (const TomlSection& section :
        root.sections("load", with_common_keys({"position", "frame", "force", "moment"}))) {

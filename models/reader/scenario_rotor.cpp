@@ -131,7 +131,7 @@ void check_elements(const TomlSection& root, const std::vector<Blade>& blades) {
   if (!fault.empty()) root.fail(root.has("blades") ? "blades" : "blade", fault);
 }
 
-std::vector<Blade> read_blades(const TomlSection& root) {
+std::vector<Blade> read_blades(const TomlSection& root, const Hub& hub) {
   const TomlSection::Keys keys = {"length",
                                   "bodies",
                                   "elements",
@@ -151,6 +151,7 @@ std::vector<Blade> read_blades(const TomlSection& root) {
   const double first = common.number("azimuth", Quantity::any("rad"), 0.0);
   std::vector<Blade> blades;
   if (one_by_one.empty()) {
+    if (!root.has("blade") && moves_alone(hub)) return blades;
     if (!root.has("blade")) root.fail("blade", "is missing, expected [blade] or [[blades]]");
     const int count = common.integer("count", {1, kMostOfAKind});
     const Blade blade = read_blade(common, common, first);
@@ -180,7 +181,7 @@ std::vector<Blade> read_blades(const TomlSection& root) {
 Rotor read_rotor(const TomlSection& root) {
   Rotor rotor;
   rotor.hub = read_hub(root);
-  rotor.blades = read_blades(root);
+  rotor.blades = read_blades(root, rotor.hub);
   const TomlSection gravity = root.section("gravity", {"acceleration", "ramp"});
   if (gravity.has("acceleration")) {
     const std::vector<double> acceleration = gravity.numbers("acceleration", kGravity, kPosition);

@@ -53,6 +53,7 @@ Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades)
   require_fitting_keys(section, quantity);
   sensor.name = section.text("name", std::string(name_of(quantity)));
   if (!is_name(sensor.name)) section.fail_expected("name", kNameExpected);
+  if (is_of_blade(quantity) && blades.empty()) section.fail("", kNoBlades);
   sensor.blade = read_blade(section, blades.size());
   sensor.frame = read_sensor_frame(section, quantity);
   if (quantity == SensorQuantity::joint_reaction)
@@ -63,31 +64,34 @@ Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades)
   return sensor;
 }
 
-[[noreturn]] void fail(const std::string& key, const std::string& what) {
+[[noreturn]] void refuse_sensor(const std::string& key, const std::string& what) {
   throw InputError(key + ": " + what, {.key = key});
 }
 
 void check_sensor(const std::string& path, const Sensor& sensor, const std::vector<Blade>& blades) {
+  if (is_of_blade(sensor.quantity) && blades.empty()) refuse_sensor(path, kNoBlades);
   const auto last = static_cast<int>(blades.size());
   const int number = sensor.blade.number();
   if (!sensor.blade.is_all() && (number < 1 || number > last))
-    fail(path + ".blade", "is " + std::to_string(number) + ", expected a whole number from 1 to " +
-                              std::to_string(last));
+    refuse_sensor(path + ".blade", "is " + std::to_string(number) +
+                                       ", expected a whole number from 1 to " +
+                                       std::to_string(last));
   if (!sensor.name.empty() && !is_name(sensor.name))
-    fail(path + ".name", "is \"" + sensor.name + "\", expected " + kNameExpected);
+    refuse_sensor(path + ".name", "is \"" + sensor.name + "\", expected " + kNameExpected);
   if (const std::string fault = find_frame_fault(sensor); !fault.empty())
-    fail(path + ".frame", fault);
+    refuse_sensor(path + ".frame", fault);
   if (sensor.quantity == SensorQuantity::joint_reaction) {
     const int joints = least_of(sensor, blades, &Blade::bodies);
     const std::string expected = "expected a whole number from 1 to " + std::to_string(joints);
-    if (!sensor.joint) fail(path + ".joint", "is missing, " + expected);
+    if (!sensor.joint) refuse_sensor(path + ".joint", "is missing, " + expected);
     if (const int joint = sensor.joint->number(); joint < 1 || joint > joints)
-      fail(path + ".joint", "is " + std::to_string(joint) + ", " + expected);
+      refuse_sensor(path + ".joint", "is " + std::to_string(joint) + ", " + expected);
   }
   if (!sensor.position) return;
   const std::string expected = place_of(sensor, blades).expectation_instead_of(*sensor.position);
   if (!expected.empty())
-    fail(path + ".position", "is " + describe(*sensor.position) + ", expected " + expected);
+    refuse_sensor(path + ".position",
+                  "is " + describe(*sensor.position) + ", expected " + expected);
 }
 
 }  // namespace
@@ -111,7 +115,7 @@ void check_sensors(const std::vector<Sensor>& sensors, const std::vector<Blade>&
     const std::string path = "sensor." + std::to_string(++number);
     check_sensor(path, sensor, blades);
     const std::string fault = columns.add(columns_of(sensor, blades.size()));
-    if (!fault.empty()) fail(path, fault);
+    if (!fault.empty()) refuse_sensor(path, fault);
   }
 }
 

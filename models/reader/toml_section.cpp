@@ -28,7 +28,7 @@ std::string join_names(const TomlSection::Keys& names) {
 }
 
 TomlSection::TomlSection(const TomlDocument& document, const Keys& known)
-    : TomlSection(document, document.root(), "", {}, known) {}
+    : TomlSection(document, document.root(), "", {1, 1}, known) {}
 
 TomlSection::TomlSection(const TomlDocument& document, const toml::table& table, std::string path,
                          const toml::source_position& position, const Keys& known)

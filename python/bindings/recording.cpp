@@ -150,7 +150,7 @@ std::string Recording::at_last_step(Make&& make) {
   const Use use(*simulation_);
   const py::gil_scoped_release unlocked;
   if (!last_) {
-    if (simulation_->steps() != last_step_)
+    if (!is_at_hand())
       throw StateError("the simulation that diverged was restored since: ask before it is");
     return make();
   }
@@ -193,6 +193,8 @@ void bind_recording(py::module_& module) {
       .def_property_readonly("units",
                              [](const Recording& r) { return r.simulation().sensor_units(); })
       .def_property_readonly("wall_time", &Recording::wall_time)
+      .def_property_readonly("has_page", &Recording::has_page)
+      .def_property_readonly("is_at_hand", &Recording::is_at_hand)
       .def("make_summary", &Recording::make_summary)
       .def("make_page", &Recording::make_page);
 }

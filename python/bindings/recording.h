@@ -38,6 +38,11 @@ class Recording {
   const Simulation& simulation() const { return *simulation_; }
   double wall_time() const { return outcome_.wall_time; }  ///< of the steps [s]
 
+  bool has_page() const { return recorder_.has_value(); }
+  /// Whether the simulation can still be put where the run ended, as summary and page need it: not
+  /// if it diverged and was restored since.
+  bool is_at_hand() const { return last_ || simulation_->steps() == last_step_; }
+
   /// summary.json of the run. Throws StateError if the run diverged and the simulation was restored
   /// since.
   std::string make_summary();

@@ -5,17 +5,24 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "engine/campbell.h"
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
+#include "engine/steady_report/mode_files.h"
 #include "engine/steady_report/modes_page.h"
 #include "engine/steady_report/static_files.h"
+#include "models/count_text.h"
+#include "models/error.h"
 #include "python/bindings/bindings.h"
 
 namespace spoke::python {
@@ -25,8 +32,27 @@ namespace py = pybind11;
 using namespace py::literals;
 using Complex = std::complex<double>;
 
+/// Modes, and what their page needs besides.
+struct Modes {
+  Modes(ModesResult found, const Scenario& of) : result(std::move(found)), scenario(of) {}
+
+  ModesResult result;
+  Scenario scenario;
+};
+
+/// One of them, of whose picture the others' equilibrium is a part.
+struct OneMode {
+  std::shared_ptr<const Modes> modes;
+  std::size_t index = 0;
+
+  const Mode& mode() const { return modes->result.modes[index]; }
+};
+
 /// A diagram, and what its page needs besides.
 struct Campbell {
+  Campbell(CampbellResult found, int lines, const Scenario& of)
+      : result(std::move(found)), harmonics(lines), scenario(of) {}
+
   CampbellResult result;
   int harmonics = 0;
   Scenario scenario;
@@ -60,22 +86,94 @@ py::array_t<Number> array_of(const std::vector<Item>& items, Function&& function
   return numbers;
 }
 
-py::array_t<double> frequencies_of(const ModesResult& result) {
-  return array_of<double>(result.modes, [](const Mode& mode) { return mode.frequency; });
+/// "3 blades", "1 mode".
+std::string counted_text(std::size_t count, const char* what) {
+  return counted(static_cast<std::int64_t>(count), what);
+}
+
+std::string six_digits(double value) { return py::str("{:.6g}").format(value); }
+
+std::string vector_text(const Eigen::Vector3d& v) {
+  return py::str("[{:.6g}, {:.6g}, {:.6g}]").format(v.x(), v.y(), v.z());
+}
+
+std::string describe(const EquilibriumResult& result) {
+  std::string text = "<spoke.Equilibrium at " + six_digits(result.speed) + " rad/s, " +
+                     counted_text(result.blades.size(), "subsystem");
+  const auto largest =
+      std::max_element(result.blades.begin(), result.blades.end(),
+                       [](const BladeEquilibrium& a, const BladeEquilibrium& b) {
+                         return a.tip_displacement.norm() < b.tip_displacement.norm();
+                       });
+  if (largest != result.blades.end())
+    text += ", largest tip displacement " + six_digits(largest->tip_displacement.norm()) + " m (" +
+            largest->name + ")";
+  return text + ">";
+}
+
+std::string describe(const Mode& mode) {
+  std::string text = mode.name + " of " + mode.of + ", " + six_digits(mode.frequency) + " rad/s";
+  if (const double damping = steady_report::damping_of(mode); damping != 0.0)
+    text += ", damping ratio " + six_digits(damping);
+  return mode.grows() ? text + ", grows" : text;
+}
+
+std::string describe(const ModesResult& result) {
+  constexpr std::size_t most = 4;
+  std::string text = "<spoke.Modes " + counted_text(result.modes.size(), "mode") + " at " +
+                     six_digits(result.equilibrium.speed) + " rad/s";
+  for (std::size_t k = 0; k < std::min(most, result.modes.size()); ++k)
+    text += (k == 0 ? ": " : "; ") + describe(result.modes[k]);
+  return text + (result.modes.size() > most ? "; ...>" : ">");
+}
+
+std::string describe(const CampbellResult& result) {
+  return "<spoke.Campbell " + counted_text(result.states.size(), "speed") + " from " +
+         six_digits(result.states.front().equilibrium.speed) + " to " +
+         six_digits(result.states.back().equilibrium.speed) + " rad/s, " +
+         counted_text(result.branches.size(), "mode") + " followed, " +
+         counted_text(result.crossings.size(), "crossing") + ">";
+}
+
+/// The page of these modes, of all or of some.
+std::string make_modes_page(const ModesResult& result, const Scenario& scenario) {
+  if (result.equilibrium.blades.empty())
+    throw StateError("no page: there are no blades, or no equilibrium was found at this speed");
+  return steady_report::make_html(result, scenario, title_of(scenario));
+}
+
+std::string make_modes_page(const OneMode& one) {
+  const ModesResult& all = one.modes->result;
+  return make_modes_page({all.equilibrium, all.are_blades_coupled, {one.mode()}},
+                         one.modes->scenario);
+}
+
+std::vector<OneMode> list_modes(const std::shared_ptr<const Modes>& modes) {
+  std::vector<OneMode> list;
+  for (std::size_t k = 0; k < modes->result.modes.size(); ++k) list.push_back({modes, k});
+  return list;
 }
 
 void bind_equilibrium(py::module_& module) {
   py::class_<JointPosition>(module, "JointPosition", "A coordinate of a joint in equilibrium.")
       .def_readonly("name", &JointPosition::name)
       .def_readonly("value", &JointPosition::value, "[rad], or [m] if it slides")
-      .def_readonly("turns", &JointPosition::turns, "Whether it is an angle.");
+      .def_readonly("turns", &JointPosition::turns, "Whether it is an angle.")
+      .def("__repr__", [](const JointPosition& joint) {
+        return "<spoke.JointPosition " + joint.name + ", " + six_digits(joint.value) +
+               (joint.turns ? " rad>" : " m>");
+      });
   py::class_<SectionLoad>(module, "SectionLoad",
                           "What the inner part of a blade exerts on the outer one where a body "
                           "begins, in axes of that body.")
       .def_readonly("body", &SectionLoad::body, "That begins there.")
       .def_readonly("station", &SectionLoad::station, "Undeformed distance from the root [m].")
       .def_readonly("force", &SectionLoad::force, "(3,) [N]")
-      .def_readonly("moment", &SectionLoad::moment, "(3,) [N m]");
+      .def_readonly("moment", &SectionLoad::moment, "(3,) [N m]")
+      .def("__repr__", [](const SectionLoad& load) {
+        return "<spoke.SectionLoad at " + six_digits(load.station) + " m, force " +
+               vector_text(load.force) + " N, moment " + vector_text(load.moment) + " N m>";
+      });
   py::class_<BladeEquilibrium>(module, "BladeEquilibrium",
                                "A blade, or another subsystem, in equilibrium; hub frame.")
       .def_readonly("name", &BladeEquilibrium::name)
@@ -89,7 +187,11 @@ void bind_equilibrium(py::module_& module) {
           "the first of the next [m]")
       .def_property_readonly(
           "undeformed", [](const BladeEquilibrium& blade) { return rows_of(blade.undeformed); },
-          "(nodes, 3): of the same nodes [m]");
+          "(nodes, 3): of the same nodes [m]")
+      .def("__repr__", [](const BladeEquilibrium& blade) {
+        return "<spoke.BladeEquilibrium " + blade.name + ", tip displacement " +
+               vector_text(blade.tip_displacement) + " m>";
+      });
   const auto get = [](auto EquilibriumResult::*member) {
     return [member](const Equilibrium& equilibrium) { return equilibrium.result.*member; };
   };
@@ -109,7 +211,8 @@ void bind_equilibrium(py::module_& module) {
           [](const Equilibrium& e) {
             return steady_report::make_html(e.result, e.scenario, title_of(e.scenario));
           },
-          "static.html: one page without network.");
+          "static.html: one page without network.")
+      .def("__repr__", [](const Equilibrium& e) { return describe(e.result); });
   module.def(
       "_solve_equilibrium",
       [](const Scenario& scenario, std::optional<double> speed) {
@@ -124,58 +227,85 @@ py::list shape_of(const Mode& mode) {
   return shape;
 }
 
+/// What a property of a mode is, of one of them.
+template <class Value>
+auto of_mode(Value Mode::*member) {
+  return [member](const OneMode& one) { return one.mode().*member; };
+}
+
+void bind_mode(py::module_& module) {
+  py::class_<OneMode>(module, "Mode",
+                      "A vibration: motion Re(shape exp(eigenvalue t)) about the equilibrium, in "
+                      "the frame that turns with the hub.")
+      .def_property_readonly("name", of_mode(&Mode::name), "By what moves most: \"flap 1\".")
+      .def_property_readonly("kind", of_mode(&Mode::kind),
+                             "\"flap\", \"lag\", \"axial\", \"torsion\", ...")
+      .def_property_readonly("of", of_mode(&Mode::of),
+                             "Whose: \"blade 1\", \"blades 1 to 3\", \"all\".")
+      .def_property_readonly("eigenvalue", of_mode(&Mode::eigenvalue), "Complex [rad/s].")
+      .def_property_readonly("frequency", of_mode(&Mode::frequency), "Of the motion [rad/s].")
+      .def_property_readonly("damping_ratio", of_mode(&Mode::damping_ratio), "Negative: it grows.")
+      .def_property_readonly(
+          "grows", [](const OneMode& one) { return one.mode().grows(); },
+          "Whether the equilibrium is unstable in it.")
+      .def_property_readonly(
+          "shape", [](const OneMode& one) { return shape_of(one.mode()); },
+          "By blade, then other subsystems: (nodes, 3) complex displacements in "
+          "the hub's frame, the largest of all being 1; (0, 3) of a blade that "
+          "is not in it.")
+      .def(
+          "page", [](const OneMode& one) { return make_modes_page(one); },
+          "modes.html of this mode alone: one page without network.")
+      .def("__repr__",
+           [](const OneMode& one) { return "<spoke.Mode " + describe(one.mode()) + ">"; });
+}
+
 void bind_modes(py::module_& module) {
-  py::class_<Mode>(module, "Mode",
-                   "A vibration: motion Re(shape exp(eigenvalue t)) about the equilibrium, in the "
-                   "frame that turns with the hub.")
-      .def_readonly("name", &Mode::name, "By what moves most: \"flap 1\".")
-      .def_readonly("kind", &Mode::kind, "\"flap\", \"lag\", \"axial\", \"torsion\", ...")
-      .def_readonly("of", &Mode::of, "Whose: \"blade 1\", \"blades 1 to 3\", \"all\".")
-      .def_readonly("eigenvalue", &Mode::eigenvalue, "Complex [rad/s].")
-      .def_readonly("frequency", &Mode::frequency, "Of the motion [rad/s].")
-      .def_readonly("damping_ratio", &Mode::damping_ratio, "Negative: it grows.")
-      .def_property_readonly("grows", &Mode::grows)
-      .def_property_readonly("shape", &shape_of,
-                             "By blade, then other subsystems: (nodes, 3) complex displacements in "
-                             "the hub's frame, the largest of all being 1; (0, 3) of a blade that "
-                             "is not in it.")
-      .def("__repr__", [](const Mode& mode) {
-        return py::str("<spoke.Mode {!r} of {}, {:.6g} rad/s>")
-            .format(mode.name, mode.of, mode.frequency);
-      });
-  py::class_<ModesResult>(module, "Modes", "Vibration modes of a model about its steady motion.")
+  using Self = std::shared_ptr<Modes>;
+  const auto numbers = [](auto Mode::*member) {
+    return [member](const Modes& modes) {
+      using Number = std::decay_t<decltype(std::declval<Mode>().*member)>;
+      return array_of<Number>(modes.result.modes,
+                              [member](const Mode& mode) { return mode.*member; });
+    };
+  };
+  bind_mode(module);
+  py::class_<Modes, Self>(module, "Modes", "Vibration modes of a model about its steady motion.")
       .def_property_readonly(
-          "modes", [](const ModesResult& result) { return result.modes; },
+          "modes", [](const Self& modes) { return list_modes(modes); },
           "By ascending magnitude of the eigenvalue; where blades do not couple, blade by blade.")
-      .def_property_readonly("frequencies", &frequencies_of, "(modes,) [rad/s]")
+      .def_property_readonly("frequencies", numbers(&Mode::frequency), "(modes,) [rad/s]")
+      .def_property_readonly("damping_ratios", numbers(&Mode::damping_ratio), "(modes,)")
+      .def_property_readonly("eigenvalues", numbers(&Mode::eigenvalue), "(modes,) complex [rad/s]")
       .def_property_readonly(
-          "damping_ratios",
-          [](const ModesResult& result) {
-            return array_of<double>(result.modes, [](const Mode& m) { return m.damping_ratio; });
-          },
-          "(modes,)")
+          "are_blades_coupled", [](const Modes& modes) { return modes.result.are_blades_coupled; },
+          "Whether blades move each other through the hub.")
       .def_property_readonly(
-          "eigenvalues",
-          [](const ModesResult& result) {
-            return array_of<Complex>(result.modes, [](const Mode& m) { return m.eigenvalue; });
-          },
-          "(modes,) complex [rad/s]")
-      .def_readonly("are_blades_coupled", &ModesResult::are_blades_coupled)
-      .def_property_readonly(
-          "speed", [](const ModesResult& result) { return result.equilibrium.speed; },
+          "speed", [](const Modes& modes) { return modes.result.equilibrium.speed; },
           "Of the hub [rad/s].")
-      .def("__len__", [](const ModesResult& result) { return result.modes.size(); })
-      .def("__getitem__", [](const ModesResult& result, std::ptrdiff_t k) {
-        const auto n = static_cast<std::ptrdiff_t>(result.modes.size());
+      .def(
+          "page", [](const Modes& modes) { return make_modes_page(modes.result, modes.scenario); },
+          "modes.html: one page without network.")
+      .def("__repr__", [](const Modes& modes) { return describe(modes.result); })
+      .def("__len__", [](const Modes& modes) { return modes.result.modes.size(); })
+      .def("__getitem__", [](const Self& modes, std::ptrdiff_t k) {
+        const auto n = static_cast<std::ptrdiff_t>(modes->result.modes.size());
         if (k < -n || k >= n) throw py::index_error();
-        return result.modes[static_cast<std::size_t>(k < 0 ? k + n : k)];
+        return OneMode{modes, static_cast<std::size_t>(k < 0 ? k + n : k)};
       });
   module.def(
       "_solve_modes",
       [](const Scenario& scenario, std::optional<double> speed, int count) {
-        return solve_modes(scenario, {{speed}, count});
+        return std::make_shared<Modes>(solve_modes(scenario, {{speed}, count}), scenario);
       },
       py::call_guard<py::gil_scoped_release>());
+}
+
+std::vector<std::shared_ptr<Modes>> states_of(const Campbell& campbell) {
+  std::vector<std::shared_ptr<Modes>> states;
+  for (const ModesResult& state : campbell.result.states)
+    states.push_back(std::make_shared<Modes>(state, campbell.scenario));
+  return states;
 }
 
 /// By speed the frequency of a branch; not a number where it was not found.
@@ -237,16 +367,15 @@ void bind_campbell(py::module_& module) {
                              "Where a mode has a multiple of the speed as frequency: dictionaries "
                              "with branch, harmonic, speed and frequency [rad/s], and margin, the "
                              "distance from the scenario's speed by the latter, or None.")
-      .def_property_readonly(
-          "states", [](const Campbell& campbell) { return campbell.result.states; },
-          "By speed its Modes.")
+      .def_property_readonly("states", &states_of, "By speed its Modes.")
       .def(
           "page",
           [](const Campbell& c) {
             return steady_report::make_html(c.result, c.harmonics, c.scenario,
                                             title_of(c.scenario));
           },
-          "campbell.html: one page without network.");
+          "campbell.html: one page without network.")
+      .def("__repr__", [](const Campbell& campbell) { return describe(campbell.result); });
   module.def("_solve_campbell", &solve_diagram, py::call_guard<py::gil_scoped_release>());
 }
 

@@ -71,7 +71,7 @@ def _finish():
     for name in __all__:
         if isinstance(globals()[name], type):
             globals()[name].__module__ = __name__
-    for shown in (Campbell, Equilibrium, Result, Scenario, Trace):
+    for shown in (Campbell, Equilibrium, Mode, Modes, Result, Scenario, Trace):
         shown._repr_html_ = frame
     Simulation._repr_html_ = lambda self: frame(self.scenario)
 

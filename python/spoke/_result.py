@@ -3,6 +3,36 @@
 import json
 from collections.abc import Mapping
 
+import numpy as np
+
+from ._spoke import StateError
+
+
+class _Kept:
+    """What a Result needs of its run, in a process that did not make it."""
+
+    def __init__(self, recording):
+        self.names = recording.names
+        self.units = recording.units
+        self.wall_time = recording.wall_time
+        self.numbers = np.array(recording.numbers)
+        self._texts = {}
+        if recording.is_at_hand:
+            self._texts["summary"] = recording.make_summary()
+            if recording.has_page:
+                self._texts["page"] = recording.make_page()
+
+    def _text(self, name):
+        if name in self._texts:
+            return self._texts[name]
+        raise StateError(f"no {name}: when the result was pickled, the run had none")
+
+    def make_summary(self):
+        return self._text("summary")
+
+    def make_page(self):
+        return self._text("page")
+
 
 class Result(Mapping):
     """The sensors of a run over time: a mapping from names to NumPy arrays.
@@ -10,6 +40,8 @@ class Result(Mapping):
         result = sim.run(every=0.01)
         result["hub.torque"]            # (rows,) [N m], a view of the run's own numbers
         result.t                        # (rows,) [s]
+
+    It can be pickled and copied, with its summary and page; run(report=False) leaves the page out.
 
     Attributes:
         t: times of the rows, (rows,) [s].
@@ -21,10 +53,18 @@ class Result(Mapping):
     def __init__(self, recording):
         self._recording = recording
         self.numbers = recording.numbers
+        self.numbers.flags.writeable = False
         self.t = self.numbers[:, 0]
         self.units = dict(zip(recording.names, recording.units))
         self.wall_time = recording.wall_time
         self._columns = {name: k + 1 for k, name in enumerate(recording.names)}
+
+    def __reduce__(self):
+        kept = isinstance(self._recording, _Kept)
+        return Result, (self._recording if kept else _Kept(self._recording),)
+
+    def __copy__(self):
+        return Result(self._recording)
 
     def __getitem__(self, name):
         return self.numbers[:, self._columns[name]]

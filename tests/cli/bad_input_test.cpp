@@ -46,6 +46,9 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
   for (const std::string window : {"0", "-1", "1001", "ten", "2.5", "99999999999"})
     check_refused({"run", scenario, "--window", window},
                   "--window: Value " + window + " not in range");
+  for (const std::string latency : {"nan", "-1", "inf", "2", "1e400", "5us", ""})
+    check_refused({"predict", scenario, "--ranks", "2", "--latency", latency},
+                  "--latency: expected a number from 0 to 1 [s], got " + latency);
   check_refused({"run", scenario, "--window"}, "--window: 1 required STEPS");
   check_refused({"run", scenario, "--out"}, "--out: 1 required DIR missing");
   check_refused({"run", scenario, "--set"}, "--set: 1 required KEY=VALUE missing");

@@ -110,6 +110,19 @@ TEST_CASE("an azimuth beyond a turn is asked for in space, too") {
   }
 }
 
+TEST_CASE("a precone in degrees is asked for by all that find out about a model") {
+  for (const std::string command : {"check", "run", "static", "modes", "linearize"}) {
+    CAPTURE(command);
+    const Ended ended = run_spoke({command, shipped("spatial_wu_haug"), "--set",
+                                   "blade.precone=-2.5", "integration.duration=0.05"},
+                                  WorkFolder());
+    CHECK(ended.status == 0);
+    CHECK(ended.err == "warning: " + shipped("spatial_wu_haug") +
+                           ": the precone of blade 1 is -2.5 rad, beyond a right angle, pi/2: "
+                           "degrees?\n");
+  }
+}
+
 TEST_CASE("check draws no page in the place of the scenario") {
   const WorkFolder folder;
   const std::string scenario = folder.write("s.toml", file_text(shipped("wu_haug_rotor"))).string();

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -245,4 +246,26 @@ TEST_CASE("a place that cannot be written to is refused before the run") {
     CHECK(lines_of(ended.err).size() == 1);
     CHECK(ended.err.find(message) == 0);
   }
+}
+
+TEST_CASE("SIGINT while files are written leaves all of them, and no other") {
+  const WorkFolder folder;
+  const fs::path results = folder.path() / "o";
+  fs::create_directory(results);
+  const fs::path pipe = results / "section_forces.csv";  // the second of three files
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  Child child({"static", shipped("wu_haug_rotor"), "--out", "o"}, folder);
+  // It waits for somebody who reads the pipe.
+  REQUIRE(wait_until([&] { return fs::exists(results / "static.json"); }));
+  child.send(SIGINT);
+  sleep_seconds(0.2);
+  const int reader = open(pipe.c_str(), O_RDONLY);
+  REQUIRE(reader >= 0);
+  std::array<char, 4096> piece{};
+  while (read(reader, piece.data(), piece.size()) > 0) {
+  }
+  close(reader);
+  CHECK(child.wait().signal == SIGINT);
+  CHECK(file_text(results / "static.html").ends_with("</html>\n"));
+  CHECK(folder.entries() == 4);
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -192,10 +193,60 @@ TEST_CASE("a damaged checkpoint, and rows that are not its own, are refused") {
 
 TEST_CASE("--checkpoint-every wants a time") {
   const WorkFolder folder;
-  for (const char* seconds : {"0", "-1", "nan"}) {
+  for (const char* seconds : {"0", "-1", "nan", "inf", "1e400", "soon", ""}) {
     const Ended ended = run_spoke(run_of("1", {"--checkpoint-every", seconds}), folder);
     CHECK(ended.status == 2);
     CHECK(ended.err.find("--checkpoint-every: expected a number above 0") != std::string::npos);
   }
   CHECK(run_spoke(run_of("0.1", {"--checkpoint-every", "1e300"}), folder).status == 0);
+}
+
+TEST_CASE("a column whose name begins as a formula does is none, and goes on when resumed") {
+  const WorkFolder folder;
+  const Words sensor = {"--set", "sensor.1={quantity=\"hub_reaction\", name=\"-a\"}"};
+  const auto with = [&](Words more) {
+    more.insert(more.end(), sensor.begin(), sensor.end());
+    return more;
+  };
+  REQUIRE(run_spoke(run_of("1", with({"--out", "o", "--checkpoint-every", "9"})), folder).status ==
+          0);
+  const std::string head = lines_of(file_text(folder.path() / "o" / "sensors.csv")).front();
+  CHECK(head.ends_with(",'-a.x,'-a.y,'-a.moment"));
+  CHECK(json::parse(file_text(folder.path() / "o" / "summary.json"))["sensors"].contains("-a.x"));
+  const Ended ended =
+      run_spoke(run_of("2", with({"--out", "o", "--resume", "o/checkpoint.spoke"})), folder);
+  CAPTURE(ended.err);
+  CHECK(ended.status == 0);
+}
+
+namespace {
+
+/// The bytes of a checkpoint with another version of Spoke, and a checksum that fits.
+std::string with_other_version(std::string bytes) {
+  constexpr std::size_t text = 8 + 4 + 8 + 8;  // behind magic, format, length and its own length
+  bytes[text] = bytes[text] == '9' ? '8' : '9';
+  std::uint32_t crc = 0xFFFFFFFF;  // CRC-32, bit by bit
+  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
+    crc ^= static_cast<unsigned char>(bytes[k]);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc % 2 != 0 ? 0xEDB88320 : 0);
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    bytes[bytes.size() - 4 + k] = static_cast<char>(~crc >> (8 * k) & 0xFF);
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("a checkpoint of another version is taken with a warning, which --quiet does not hide") {
+  const WorkFolder folder;
+  run_a_second(folder);
+  const fs::path file = folder.path() / "o" / "checkpoint.spoke";
+  const std::string bytes = with_other_version(file_text(file));
+  std::ofstream(file, std::ios::binary) << bytes;
+  const Ended ended =
+      run_spoke(run_of("2", {"--executor", "serial", "--resume", "o/checkpoint.spoke"}), folder);
+  CHECK(ended.status == 0);
+  REQUIRE(lines_of(ended.err).size() == 1);
+  CHECK(ended.err.starts_with("warning: o/checkpoint.spoke: written by Spoke "));
+  CHECK(ended.err.ends_with(" the last bits may differ\n"));
 }

@@ -64,6 +64,58 @@ TEST_CASE("runs that diverge or are refused are rows that say why") {
   CHECK(rows[3].find("expected a whole number from") != std::string::npos);
 }
 
+TEST_CASE("a value that is refused is a row, whichever run it comes in") {
+  const StudyFolder folder;
+  const auto rows_of = [&](const std::string& parameter, const std::string& responses) {
+    folder.write_study("scenario = \"rotor.toml\"\ndesign = { kind = \"grid\" }\n[[parameter]]\n" +
+                       parameter + responses);
+    return lines_of(folder.run({"--out", "o"}).at("runs.csv"));
+  };
+  const std::string tip = "[[response]]\nsensor = \"blade2.tip.y\"\nkind = \"max\"\n";
+  for (const std::string values : {"[-1, 2, 3]", "[2, -1, 3]", "[2, 3, -1]"}) {
+    CAPTURE(values);
+    const auto rows = rows_of("key = \"blade.length\"\nvalues = " + values + "\n", tip);
+    REQUIRE(rows.size() == 4);
+    for (std::size_t k = 1; k < rows.size(); ++k)
+      CHECK((rows[k].find(",refused,-1,,") != std::string::npos) !=
+            (rows[k].find(",done,") != std::string::npos));
+  }
+  // So is a run that has not the sensor, or the mode, that others have.
+  for (const std::string counts : {"[1, 2]", "[2, 1]"}) {
+    const auto rows = rows_of("key = \"blade.count\"\nvalues = " + counts + "\n", tip);
+    CHECK(rows.at(counts == "[1, 2]" ? 1 : 2).find(",refused,1,,") != std::string::npos);
+    CHECK(rows.at(counts == "[1, 2]" ? 2 : 1).find(",done,2,") != std::string::npos);
+  }
+}
+
+TEST_CASE("a study that no run of which can be made is refused for what is said against run 1") {
+  const StudyFolder folder;
+  const auto refused = [&](const std::string& values, const std::string& message) {
+    folder.write_study(
+        "scenario = \"rotor.toml\"\ndesign = { kind = \"grid\" }\n[[parameter]]\n"
+        "key = \"blade.length\"\nvalues = " +
+        values + "\n[[response]]\nsensor = \"blade9.tip.y\"\nkind = \"max\"\n");
+    check_refused({"study", "study.toml", "--out", "o"}, message, folder.work());
+  };
+  refused("[-1, -2]", "study.toml:4:7: parameter.1.key: in run 1: blade.length: is -1");
+  refused("[1, 2]", "study.toml:7:10: response.1.sensor: \"blade9.tip.y\" is no sensor");
+}
+
+TEST_CASE("texts that begin as formulas do are no formulas in CSV files") {
+  const StudyFolder folder;
+  folder.write_study(
+      "scenario = \"rotor.toml\"\ndesign = { kind = \"grid\" }\n"
+      "[[parameter]]\nkey = \"title\"\nname = \"=A1\"\nvalues = [\"=1+1\", \"plain\"]\n"
+      "[[parameter]]\nkey = \"blade.length\"\nvalues = [2, -1]\n"
+      "[[response]]\nsensor = \"blade1.tip.y\"\nkind = \"max\"\nname = \"+tip\"\n");
+  const std::vector<std::string> rows = lines_of(folder.run({"--out", "o"}).at("runs.csv"));
+  CHECK(rows.at(0) == "run,status,'=A1,blade.length,'+tip,diagnosis");
+  CHECK(rows.at(1).starts_with("1,done,'=1+1,2,"));
+  CHECK(rows.at(2).starts_with("2,refused,'=1+1,-1,,"));
+  CHECK(rows.at(2).find(",\"'--set ") != std::string::npos);
+  CHECK(rows.at(3).starts_with("3,done,plain,2,"));
+}
+
 TEST_CASE("an unfinished study is not thrown away, and resumed to the bytes of an unbroken one") {
   const StudyFolder folder;
   folder.write_study(kSmallStudy);
@@ -139,11 +191,14 @@ std::vector<Wrong> wrong_studies() {
       {"scenaro = \"rotor.toml\"\n",
        "study.toml:1:1: scenaro: unknown key, did you mean \"scenario\"?"},
       {"design = { kind = \"grid\" }\n",
-       "study.toml: scenario: is missing, expected the name of a"},
+       "study.toml:1:1: scenario: is missing, expected the name of a"},
       {"scenario = \"none.toml\"\ndesign = { kind = \"grid\" }\n", "none.toml: no such file"},
-      {"scenario = \"rotor.toml\"\n", "study.toml: design: is missing, expected a table such as"},
-      {kTop + kResponse, "study.toml: parameter: is missing, expected tables headed [[parameter]]"},
-      {kTop + kParameter, "study.toml: response: is missing, expected tables headed [[response]]"},
+      {"scenario = \"rotor.toml\"\n",
+       "study.toml:1:1: design: is missing, expected a table such as"},
+      {kTop + kResponse,
+       "study.toml:1:1: parameter: is missing, expected tables headed [[parameter]]"},
+      {kTop + kParameter,
+       "study.toml:1:1: response: is missing, expected tables headed [[response]]"},
       {with_design("3"), "study.toml:2:10: design: is 3, expected a table [design]"},
       {with_design("{ kind = \"sobl\" }"),
        "study.toml:2:19: design.kind: is \"sobl\", expected \"grid\""},
@@ -234,6 +289,19 @@ std::vector<Wrong> wrong_studies() {
        "response.1.mode: is 0, expected a whole number from 1"},
       {with_response("kind = \"frequency\"\nmode = \"lug 1\""),
        "study.toml:8:8: response.1.mode: there is no such mode, did you mean \"lag 1\"?"},
+      {with_response("sensor = \"hub.speed\"\nkind = \"history\"\nname = \".\""),
+       "study.toml:9:8: response.1.name: is named \".\", expected a name without comma"},
+      {with_response("sensor = \"hub.speed\"\nkind = \"history\"\nname = \"a\\u0000b\""),
+       "study.toml:9:8: response.1.name: is named \"a b\", expected a name without comma"},
+      {with_response("sensor = \"hub.speed\"\nkind = \"max\"\nname = \"" +
+                     std::string(70'000, 'x') + "\""),
+       "response.1.name: makes the names of responses 70001 bytes long together, expected at most "
+       "60000"},
+      {"title = \"" + std::string(70'000, 'x') + "\"\n" + kTop + kParameter + kResponse,
+       "study.toml:1:9: title: is 70000 bytes long, expected at most 60000"},
+      {with_parameter("key = \"blade.length\"\nuniform = [2, 4]\nname = \"" +
+                      std::string(70'000, 'x') + "\""),
+       "parameter.1.name: makes the names of parameters 70001 bytes long together, expected"},
       {kTop + kParameter + kResponse + kResponse,
        "response.2: is named \"hub.speed.max\" as another"},
   };

@@ -123,6 +123,18 @@ TEST_CASE("stacks that the system refuses are told before anything is written") 
               .status == 0);
 }
 
+TEST_CASE("a run is the same whatever OMP_NUM_THREADS says, also what OpenMP's runtime dies of") {
+  const auto levels = run_rotor("0.01", {"--executor", "openmp_levels", "--threads", "2"});
+  const json expected = summary_of(levels, "");
+  for (const std::string value : {"junk", "", "0", "2,junk", "99999999999", "7"}) {
+    const json summary = summary_of(levels, "env OMP_NUM_THREADS='" + value + "'");
+    CHECK(summary["state_hash"] == expected["state_hash"]);
+    CHECK(summary["threads"] == expected["threads"]);
+  }
+  // Where threads are to be bound, the runtime is asked for the executor auto, too.
+  summary_of(run_rotor("0.01", {}), "env OMP_PROC_BIND=true OMP_NUM_THREADS=junk");
+}
+
 TEST_CASE("who asks for nested teams is told who takes them") {
   check_refused(run_rotor("0.01", {"--threads", "3x4"}),
                 "--threads: auto has one layer of threads, expected a number, got 3x4 "

@@ -1,6 +1,9 @@
 """Errors: one sentence, and fields that say the same."""
 
+import os
 import pickle
+import subprocess
+import sys
 
 import pytest
 from conftest import ROTOR, SHORT
@@ -109,3 +112,23 @@ def test_what_a_load_must_not_return(returned):
     error = raised(spoke.LoadError, lambda: spoke.Simulation(
         ROTOR, set=SHORT, loads=[failing_load(lambda t, motions: returned)]))
     assert "gust" in str(error)
+
+
+@pytest.mark.parametrize("value", ["junk", "", "2,junk", "99999999"])
+def test_openmp_is_refused_where_its_runtime_would_end_the_process(value):
+    """Another process: the runtime of this one has read its environment."""
+    program = f"""
+import spoke
+try:
+    spoke.Simulation({str(ROTOR)!r}, executor="openmp_levels", threads=1)
+except spoke.InputError as error:
+    print("refused:", error)
+print(spoke.Simulation({str(ROTOR)!r}, executor="serial").run(until=0.01).t[-1])
+"""
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                           env={**os.environ, "OMP_NUM_THREADS": value, "OMP_PROC_BIND": "true"})
+    assert ended.returncode == 0, ended.stderr
+    refusal, time = ended.stdout.splitlines()
+    assert refusal.startswith("refused: ") and ("OMP_NUM_THREADS" in refusal
+                                                or "no executor" in refusal)
+    assert float(time) == 0.01

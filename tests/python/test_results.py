@@ -1,7 +1,11 @@
 """Results: those of the program to the last bit, in memory of the run's own."""
 
+import concurrent.futures
+import copy
 import gc
 import json
+import multiprocessing
+import pickle
 
 import numpy as np
 import pytest
@@ -130,3 +134,66 @@ def test_pandas(rotor):
     assert list(frame.columns) == list(result)
     assert np.array_equal(frame.index, result.t)
     assert np.array_equal(frame["hub.angle"], result["hub.angle"])
+
+
+def assert_equal_results(found, expected):
+    assert np.array_equal(found.numbers, expected.numbers)
+    assert np.array_equal(found.t, expected.t)
+    assert list(found) == list(expected)
+    assert found.units == expected.units
+    assert found.wall_time == expected.wall_time
+    assert found.summary() == expected.summary()
+    assert repr(found) == repr(expected)
+    with pytest.raises(ValueError):
+        found["hub.angle"][0] = 1.0
+
+
+def test_a_result_pickles_and_copies(rotor):
+    result = rotor.run(until=0.3)
+    state = rotor.state_hash
+    again = pickle.loads(pickle.dumps(result))
+    assert rotor.state_hash == state
+    rotor.run()
+    for found in (again, pickle.loads(pickle.dumps(again)), copy.deepcopy(result)):
+        assert_equal_results(found, result)
+        assert found.page() == result.page()
+    assert_equal_results(copy.copy(result), result)
+    del rotor, result
+    gc.collect()
+    assert again["blade1.tip.y"].shape == again.t.shape
+
+
+def test_a_result_without_a_page_pickles_without_one(rotor):
+    result = rotor.run(until=0.1, report=False)
+    again = pickle.loads(pickle.dumps(result))
+    assert_equal_results(again, result)
+    with pytest.raises(spoke.StateError):
+        again.page()
+    assert "Result" in again._repr_html_()
+
+
+def run_for(until):
+    return spoke.Simulation(ROTOR, set=SHORT, executor="serial").run(until=until, report=False)
+
+
+def test_a_pool_of_processes_hands_results_back():
+    until = [0.1, 0.2]
+    with concurrent.futures.ProcessPoolExecutor(
+            2, mp_context=multiprocessing.get_context("spawn")) as pool:
+        for found, time in zip(pool.map(run_for, until), until):
+            assert np.array_equal(found.numbers, run_for(time).numbers)
+
+
+def test_a_result_of_a_run_that_diverged_pickles():
+    sim = spoke.Simulation(ROTOR, set={"blade.bodies": 1, "blade.geometric_stiffening": False,
+                                       "output.interval": 0.0}, executor="serial")
+    start = sim.save()
+    with pytest.raises(spoke.DivergenceError) as caught:
+        sim.run()
+    result = caught.value.result
+    assert_equal_results(pickle.loads(pickle.dumps(result)), result)
+    sim.restore(start)
+    again = pickle.loads(pickle.dumps(result))
+    assert np.array_equal(again.numbers, result.numbers)
+    with pytest.raises(spoke.StateError):
+        again.summary()

@@ -66,3 +66,41 @@ def test_an_interrupt_ends_a_campbell_diagram():
 def test_an_equilibrium_that_is_not_found_says_where():
     with pytest.raises(spoke.InputError):
         spoke.equilibrium(MODELS / "free_hub_satellite.toml")
+
+
+def test_what_is_found_says_what_it_holds():
+    steady = spoke.equilibrium(ROTOR, speed=3.0)
+    tip = np.linalg.norm(steady.blades[0].tip_displacement)
+    assert repr(steady).startswith("<spoke.Equilibrium at 3 rad/s, 3 subsystems, largest tip ")
+    assert f"{tip:.6g} m" in repr(steady)
+    assert repr(steady.blades[0]).startswith("<spoke.BladeEquilibrium blade 1, tip displacement [")
+    assert repr(steady.blades[0].loads[0]).startswith("<spoke.SectionLoad at 0 m, force [")
+    modes = spoke.modes(ROTOR, speed=3.0, count=2)
+    assert repr(modes[0]) == (f"<spoke.Mode {modes[0].name} of {modes[0].of}, "
+                              f"{modes[0].frequency:.6g} rad/s>")
+    assert repr(modes) == (f"<spoke.Modes 2 modes at 3 rad/s: {repr(modes[0])[12:-1]}; "
+                           f"{repr(modes[1])[12:-1]}>")
+    assert repr(spoke.modes(ROTOR, count=6)).endswith("; ...>")
+    damped = spoke.modes(ROTOR, count=1, set={"damping.stiffness_factor": 0.02})[0]
+    assert f", damping ratio {damped.damping_ratio:.6g}>" in repr(damped)
+    diagram = spoke.campbell(ROTOR, [0.0, 4.0], count=2)
+    assert repr(diagram).startswith("<spoke.Campbell 2 speeds from 0 to 4 rad/s, 2 modes followed")
+    assert len(diagram.states[1]) == len(diagram.states[1].modes) > 0
+
+
+def test_notebooks_show_what_is_found():
+    modes = spoke.modes(ROTOR, speed=3.0, count=3)
+    shown = (spoke.equilibrium(ROTOR, speed=3.0), modes, modes[0], modes.modes[2],
+             spoke.campbell(ROTOR, [0.0, 4.0], count=2).states[0])
+    for one in shown:
+        assert one._repr_html_().startswith('<iframe srcdoc="&lt;!')
+    assert modes[1].name in modes.page()
+    assert modes[0].name in modes[0].page() and modes[1].name not in modes[0].page()
+
+
+def test_a_mode_outlives_its_modes():
+    modes = spoke.modes(ROTOR, speed=3.0, count=2)
+    one, frequency = modes[1], modes.frequencies[1]
+    del modes
+    assert one.frequency == frequency
+    assert one.page().startswith("<!")

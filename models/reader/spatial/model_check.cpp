@@ -33,7 +33,7 @@ void check_model(const Model& model) {
       return {"name", "is \"" + subsystem.name + "\" as another subsystem's, expected its own"};
     return find_fault(subsystem);
   });
-  if (model.blades.empty() && model.subsystems.empty())
+  if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     require({"blades", "there are none, and no subsystem; expected one or more"});
   require({"blades", find_size_fault(model)});
   const FirstFault first;

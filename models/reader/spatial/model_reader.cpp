@@ -21,7 +21,7 @@ Hub read_hub(const TomlSection& root) {
   const bool is_free = hub.support == HubSupport::free;
   visit_fields(hub, VectorReader{section});
   if (is_free || section.has("inertia"))
-    hub.inertia = read_inertia(section, "inertia", is_free ? Isotropy::refused : Isotropy::allowed);
+    hub.inertia = read_inertia(section, "inertia", MayBeZero::no);
   if (!is_free || section.has("drive")) hub.drive = read_drive(section);
   if (section.has("mount")) {
     const TomlSection mount = section.section("mount", {"translation", "rotation"});
@@ -115,7 +115,7 @@ Model read_model(const TomlSection& root) {
   model.hub = read_hub(root);
   model.blades = read_blades(root);
   model.subsystems = read_subsystems(root);
-  if (model.blades.empty() && model.subsystems.empty())
+  if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);
   if (!size_fault.empty()) root.fail(root.has("blade") ? "blade" : "", size_fault);

@@ -135,7 +135,7 @@ std::vector<PointMass> read_point_masses(const TomlSection& beam) {
        beam.sections("point_mass", {"position", "mass", "offset", "inertia"})) {
     PointMass point;
     visit_fields(point, VectorReader{table});
-    if (table.has("inertia")) point.inertia = read_inertia(table, "inertia", Isotropy::refused);
+    if (table.has("inertia")) point.inertia = read_inertia(table, "inertia", MayBeZero::yes);
     points.push_back(point);
   }
   return points;

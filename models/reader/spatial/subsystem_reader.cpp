@@ -37,7 +37,7 @@ RigidBody read_rigid_body(const TomlSection& section) {
   check_kind_keys(section, beam_keys(), "rigid");
   RigidBody body;
   visit_fields(body, VectorReader{section});
-  body.inertia = read_inertia(section, "inertia", Isotropy::refused);
+  body.inertia = read_inertia(section, "inertia", MayBeZero::no);
   return body;
 }
 

@@ -17,12 +17,16 @@ Vector read_vector(const TomlSection& section, std::string_view key, const Quant
   return Vector::Map(values.data());
 }
 
-Tensor read_inertia(const TomlSection& section, std::string_view key, Isotropy isotropy) {
-  const std::string expected = "3 moments of inertia, or 6 entries xx, yy, zz, xy, xz, yz (kg m^2)";
+Tensor read_inertia(const TomlSection& section, std::string_view key, MayBeZero may_be_zero) {
+  const std::string expected =
+      "one moment of inertia, about every axis, 3 moments, or 6 entries xx, yy, zz, xy, xz, yz "
+      "(kg m^2)";
   if (!section.has(key)) section.fail(key, "is missing, expected " + expected);
-  if (isotropy == Isotropy::allowed && !section.is_array(key))
-    return section.number(key, Quantity::positive("kg m^2")) * Tensor::Identity();
-  if (!section.is_array(key)) section.fail_expected(key, expected);
+  if (section.is_text(key) || section.is_table(key)) section.fail_expected(key, expected);
+  if (!section.is_array(key))
+    return section.number(key, may_be_zero == MayBeZero::yes ? Quantity::not_negative("kg m^2")
+                                                             : Quantity::positive("kg m^2")) *
+           Tensor::Identity();
   const std::vector<double> v = section.numbers(key, kInertia);
   if (v.size() != 3 && v.size() != 6) section.fail_expected(key, expected);
   Tensor tensor = Vector(v[0], v[1], v[2]).asDiagonal();

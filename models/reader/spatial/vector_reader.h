@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "models/reader/field_reader.h"
+#include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/spatial_fields.h"
 #include "models/reader/toml_section.h"
 
@@ -26,10 +27,9 @@ struct VectorReader {
 /// An array of three numbers.
 Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity);
 
-/// An inertia tensor: three moments, or the six entries xx, yy, zz, xy, xz, yz; where one number is
-/// allowed, that about every axis.
-enum class Isotropy { refused, allowed };
-Tensor read_inertia(const TomlSection& section, std::string_view key, Isotropy isotropy);
+/// An inertia tensor: one number, about every axis; three moments; or the six entries xx, yy, zz,
+/// xy, xz, yz.
+Tensor read_inertia(const TomlSection& section, std::string_view key, MayBeZero may_be_zero);
 
 /// The keys "time" and "factor" of a load; 1 if there are none.
 Curve read_factor(const TomlSection& section);

@@ -68,7 +68,10 @@ TEST_CASE("equilibrium: what has none is refused in a line") {
   CHECK(test::message_of<InputError>([&] { solve_equilibrium(torque); }) ==
         "hub.drive: a torque has no steady speed by itself, expected a speed to be given");
   CHECK(test::message_of<InputError>([&] { solve_equilibrium(make_planar({}), {.speed = NAN}); }) ==
-        "the speed is nan, expected a finite number");
+        "the speed is nan, expected a finite number (rad/s)");
+  CHECK(test::message_of<InputError>([&] {
+          solve_equilibrium(make_planar({}), {.speed = 1e308});
+        }) == "the speed is 1e+308, expected 0 or a magnitude from 1e-40 to 1e+30 (rad/s)");
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include <doctest/doctest.h>
 
 #include <cfenv>
+#include <cstdlib>
 #include <memory>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "graph/execute/executor_kinds.h"
@@ -218,4 +220,47 @@ TEST_CASE("openmp: threads are those available unless given, and levels have one
         Threads(available_threads()));
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_levels, {3, 2}), spoke::InputError);
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_scheme2, {3, 0}), spoke::InputError);
+}
+
+namespace {
+
+/// A value of OMP_NUM_THREADS while it lives. The runtime has read its own long before, or will.
+class NumThreads {
+ public:
+  explicit NumThreads(const std::string& value) : before_(std::getenv("OMP_NUM_THREADS")) {
+    if (before_) saved_ = before_;
+    setenv("OMP_NUM_THREADS", value.c_str(), 1);
+  }
+  ~NumThreads() {
+    if (before_)
+      setenv("OMP_NUM_THREADS", saved_.c_str(), 1);
+    else
+      unsetenv("OMP_NUM_THREADS");
+  }
+  NumThreads(const NumThreads&) = delete;
+  NumThreads& operator=(const NumThreads&) = delete;
+
+ private:
+  const char* before_;
+  std::string saved_;
+};
+
+}  // namespace
+
+TEST_CASE("openmp executors are refused where the runtime would not survive OMP_NUM_THREADS") {
+  GraphPlan plan = make_random_plan(3, 10, 25, 4);
+  const StepGraph step = build_graph(plan);
+  const auto make = [&] { make_executor(step, ExecutorKind::openmp_levels, {1, 1}); };
+  for (const char* value : {"junk", "", "0", "-1", "2,junk", "2,", "4x", "99999999"}) {
+    const NumThreads set(value);
+    CAPTURE(value);
+    CHECK_THROWS_AS(make(), spoke::InputError);
+    CHECK_THROWS_AS(check_thread_limit(ExecutorKind::openmp_levels, {1, 1}), spoke::InputError);
+    CHECK_NOTHROW(check_thread_limit(ExecutorKind::flow_graph, {1, 1}));
+  }
+  for (const char* value : {"1", "4,2", " 4 , 2 ", "1024"}) {
+    const NumThreads set(value);
+    CAPTURE(value);
+    CHECK_NOTHROW(make());
+  }
 }

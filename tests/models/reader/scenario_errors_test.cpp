@@ -199,11 +199,11 @@ TEST_CASE("missing keys are named with what they should be") {
   });
   check_message(
       error_of("# nothing but a comment"),
-      "f.toml: hub.drive.kind: is missing, expected \"spin_up\", "
+      "f.toml:1:1: hub.drive.kind: is missing, expected \"spin_up\", "
       "\"spin_up_hold_spin_down\", \"torque\", \"free\", \"table\", \"fixed\", \"constant\" or "
       "\"torque_by_speed\"");
-  check_message(error_of("hub.drive.kind = 'free'"),
-                "f.toml: blade: is missing, expected [blade] or [[blades]]");
+  check_message(error_of("hub.drive.kind = 'fixed'"),
+                "f.toml:1:1: blade: is missing, expected [blade] or [[blades]]");
 }
 
 TEST_CASE("wrong words and wrong types are refused") {

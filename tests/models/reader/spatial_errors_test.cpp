@@ -70,8 +70,8 @@ TEST_CASE("hubs that cannot be are refused") {
            "f.toml:4:11: hub.inertia: has the principal moments -1, 1 and 3 kg m^2, expected all "
            "of them greater than 0"},
           {"radius = 0.1\n", "inertia = [1, 2]\n",
-           "f.toml:4:11: hub.inertia: is an array (2), expected 3 moments of inertia, or 6 entries "
-           "xx, yy, zz, xy, xz, yz (kg m^2)"},
+           "f.toml:4:11: hub.inertia: is an array (2), expected one moment of inertia, about every "
+           "axis, 3 moments, or 6 entries xx, yy, zz, xy, xz, yz (kg m^2)"},
           {"radius = 0.1\n", "velocity = [1, 0, 0]\n",
            "f.toml:4:12: hub.velocity: belongs to a free hub, expected [hub.mount] to move an "
            "axle"},
@@ -81,11 +81,11 @@ TEST_CASE("hubs that cannot be are refused") {
           {"radius = 0.1\n", "support = \"free\"\n",
            "f.toml:3:1: hub.mass: is missing, expected a number greater than 0 (kg)"},
           {"radius = 0.1\n", "support = \"free\"\nmass = 2\n",
-           "f.toml:3:1: hub.inertia: is missing, expected 3 moments of inertia, or 6 entries xx, "
-           "yy, zz, xy, xz, yz (kg m^2)"},
-          {"radius = 0.1\n", "support = \"free\"\nmass = 2\ninertia = 3\n",
-           "f.toml:6:11: hub.inertia: is 3, expected 3 moments of inertia, or 6 entries xx, yy, "
-           "zz, xy, xz, yz (kg m^2)"},
+           "f.toml:3:1: hub.inertia: is missing, expected one moment of inertia, about every "
+           "axis, 3 moments, or 6 entries xx, yy, zz, xy, xz, yz (kg m^2)"},
+          {"radius = 0.1\n", "support = \"free\"\nmass = 2\ninertia = \"3\"\n",
+           "f.toml:6:11: hub.inertia: is \"3\", expected one moment of inertia, about every axis, "
+           "3 moments, or 6 entries xx, yy, zz, xy, xz, yz (kg m^2)"},
           {"radius = 0.1\n", "support = \"free\"\nmass = 2\ninertia = [1, 1, 1]\n",
            "f.toml:8:8: hub.drive.kind: is \"constant\", which prescribes the rotation about an "
            "axle; expected, of a free hub, \"free\", \"torque\" or \"torque_by_speed\""},

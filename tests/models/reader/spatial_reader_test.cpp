@@ -231,8 +231,12 @@ TEST_CASE("a model filled in code is held to the rules of files") {
         "hub.mass: is -1, expected a number greater than 0 (kg)");
   CHECK(error_after([](Scenario&, Model& m) { m.gravity.y() = 1e31; }) ==
         "gravity.acceleration.2: is 1e+31, expected 0 or a magnitude from 1e-40 to 1e+30 (m/s^2)");
-  CHECK(error_after([](Scenario&, Model& m) { m.subsystems.clear(); }) ==
-        "blades: there are none, and no subsystem; expected one or more");
+  CHECK(error_after([](Scenario&, Model& m) { m.subsystems.clear(); }) == "no error");  // it flies
+  CHECK(error_after([](Scenario&, Model& m) {
+          m.subsystems.clear();
+          m.hub.support = HubSupport::axle;
+          m.hub.drive = ConstantSpeed{1.0};
+        }) == "blades: there are none, and no subsystem; expected one or more");
   CHECK(error_after([](Scenario&, Model& m) { m.subsystems[0].joints[1].child = "boom"; }) ==
         "subsystem.1.joint.2.child: is \"boom\", the parent; expected another body");
   CHECK(error_after([](Scenario&, Model& m) {
@@ -256,4 +260,24 @@ TEST_CASE("a model filled in code is held to the rules of files") {
         "blades: there are some of the plane in a model in space, expected none");
   CHECK(error_after([](Scenario& s, Model&) { s.integration.step = 0.0; }) ==
         "integration.step: is 0, expected a number greater than 0 (s)");
+}
+
+TEST_CASE("one number is an inertia about every axis, of all bodies that have one") {
+  const spatial::Tensor three = 3.0 * spatial::Tensor::Identity();
+  const spatial::Model tree =
+      read(edited(edited(kTreeText, "inertia = [20.0, 20.0, 30.0]", "inertia = 3"),
+                  "inertia = [1.0, 2.0, 3.0]", "inertia = 3.0"));
+  CHECK(tree.hub.inertia == three);
+  CHECK(std::get<spatial::RigidBody>(tree.subsystems.at(0).bodies.at(1).shape).inertia == three);
+  CHECK(read(edited(kBladeText, "radius = 0.1", "inertia = 3")).hub.inertia == three);
+  const auto with_point = [](const std::string& inertia) {
+    return read(edited(kBladeText, "[[blade.joint]]",
+                       "[[blade.point_mass]]\nposition = 8.0\nmass = 1.0\ninertia = " + inertia +
+                           "\n[[blade.joint]]"))
+        .blades.at(0)
+        .beam.point_masses.at(0)
+        .inertia;
+  };
+  CHECK(with_point("3") == three);
+  CHECK(with_point("0") == spatial::Tensor(spatial::Tensor::Zero()));
 }

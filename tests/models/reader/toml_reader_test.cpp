@@ -59,7 +59,7 @@ TEST_CASE("a missing table is read as an empty one and missing tables as none") 
   CHECK(root.section("b", {"x"}).number("x", Quantity::any(""), 4.0) == 4.0);
   CHECK(root.sections("c", {"x"}).empty());
   CHECK(message_of([&] { root.section("b", {"x"}).number("x", Quantity::any("")); }) ==
-        "f.toml: b.x: is missing, expected a number");
+        "f.toml:1:1: b.x: is missing, expected a number");
 }
 
 TEST_CASE("overrides set values in tables and arrays and make what is missing") {

@@ -1,0 +1,18 @@
+#pragma once
+
+// Texts as cells of CSV files.
+
+#include <string>
+#include <string_view>
+
+namespace spoke {
+
+/// A text as a cell: in quotes if it holds a comma, quote or line end, line ends as spaces. One
+/// that a spreadsheet would take for a formula, as it begins with =, +, -, @ or a tab, gets an
+/// apostrophe before it, which keeps it a text.
+std::string csv_cell(std::string_view text);
+
+/// The same, in quotes in any case.
+std::string quoted_csv_cell(std::string_view text);
+
+}  // namespace spoke
