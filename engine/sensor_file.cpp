@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/support/plain_zero.h"
 #include "models/count_text.h"
 #include "models/error.h"
 
@@ -29,7 +30,8 @@ std::uint32_t add_to_checksum(std::uint32_t checksum, std::string_view bytes) {
 
 void append_number(std::string& text, double number) {
   std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), plain_zero(number)).ptr;
   text.append(buffer.data(), end);
 }
 

@@ -3,6 +3,7 @@
 #include "engine/cli/steady_task.h"
 
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/output_file.h"
 
 namespace spoke::cli {
@@ -23,6 +24,10 @@ void SteadyTask::write(const std::vector<File>& files) const {
   const ResultsFolder taken(folder_);
   for (const File& file : files) require_no_folder(path(file.name));
   for (const File& file : files) replace_file(path(file.name), file.text);
+}
+
+void SteadyTask::warn(const EquilibriumResult& result) {
+  for (const Warning& warning : result.warnings) print_error("warning: " + warning.text);
 }
 
 }  // namespace spoke::cli

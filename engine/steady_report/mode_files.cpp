@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/support/json.h"
+#include "engine/support/plain_zero.h"
 
 namespace spoke::steady_report {
 namespace {
@@ -98,9 +99,9 @@ std::string make_csv(const ModesResult& result) {
   std::string text =
       "of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,eigenvalue_real_per_s,grows\n";
   for (const Mode& mode : result.modes)
-    text +=
-        fmt::format("\"{}\",{},{},{},{},{},{}\n", mode.of, mode.name, hertz(mode.frequency),
-                    mode.frequency, damping_of(mode), mode.eigenvalue.real(), mode.grows() ? 1 : 0);
+    text += fmt::format("\"{}\",{},{},{},{},{},{}\n", mode.of, mode.name, hertz(mode.frequency),
+                        mode.frequency, damping_of(mode), plain_zero(mode.eigenvalue.real()),
+                        mode.grows() ? 1 : 0);
   return text;
 }
 

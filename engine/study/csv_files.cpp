@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/study/files.h"
+#include "engine/support/plain_zero.h"
 
 namespace spoke::study {
 namespace {
@@ -23,7 +24,7 @@ std::string cell(const std::string& text) {
 }
 
 std::string number_cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
+  return std::isfinite(value) ? fmt::format("{}", plain_zero(value)) : "";
 }
 
 std::string row_of(const Study& study, const std::vector<double>& values, const RunResult& result) {

@@ -8,6 +8,7 @@
 #include "engine/steady/describe_equilibrium.h"
 #include "engine/steady/linear_model.h"
 #include "engine/steady/steady_speed.h"
+#include "engine/steady/steady_warnings.h"
 #include "engine/vibration/coupled_roots.h"
 #include "engine/vibration/mode_shapes.h"
 #include "models/error.h"
@@ -56,7 +57,7 @@ Mode make_mode(const Root& root) {
   mode.eigenvalue = root.s;
   mode.frequency = std::abs(root.s.imag());
   const double size = std::abs(root.s);
-  mode.damping_ratio = size > 0.0 ? -root.s.real() / size : 0.0;
+  mode.damping_ratio = size > 0.0 ? 0.0 - root.s.real() / size : 0.0;
   mode.coordinates = root.x;
   return mode;
 }
@@ -206,6 +207,7 @@ ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options) {
   steady::require_steady_hub(*model, equilibrium);
   ModesResult result;
   result.equilibrium = steady::describe(equilibrium, *model);
+  steady::add_warnings(scenario, result.equilibrium);
   const LinearModel linear = steady::linearize(equilibrium, *model);
   result.are_blades_coupled = linear.is_coupled();
   const Linearised all{*model, equilibrium, linear};
