@@ -63,7 +63,8 @@ void warn(const CampbellResult& result) {
 
 int find_campbell(const Arguments& arguments) {
   const SteadyTask task(arguments, "campbell");
-  const CampbellOptions options{.speeds = arguments.steady.speeds, .count = arguments.steady.count};
+  const CampbellOptions options{
+      .speeds = arguments.steady.speeds, .count = arguments.steady.count, .most = 10};
   const CampbellResult result = solve(options, task);
   task.write({{"campbell.csv", steady_report::make_csv(result)},
               {"campbell.json", steady_report::make_json(result)},

@@ -84,15 +84,25 @@ ChosenRoots choose_roots(const Pencil& pencil, const Spectrum& spectrum, const M
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return std::abs(values[a]) < std::abs(values[b]); });
   ChosenRoots chosen;
+  std::vector<VectorXcd> spare;
   for (Index k = 0; k < std::min(count, rigid.cols()); ++k)
     chosen.roots.push_back({0.0, rigid.col(k).cast<Complex>()});
   for (const Index k : order) {
     if (std::ssize(chosen.roots) == count) break;
     if (values[k].imag() < -1e-9 * std::abs(values[k])) continue;
     const Judged root = judge(pencil, spectrum, k);
-    if (is_rigid(root, pencil, rigid)) continue;
+    if (is_rigid(root, pencil, rigid)) {
+      spare.push_back(root.x);
+      continue;
+    }
     chosen.checked.push_back({k, root.slope < kNear * std::abs(root.s)});
     chosen.roots.push_back({clear(root), root.x});
+  }
+  // Where forces are in no balance, more than two roots zero may belong to a motion.
+  const bool is_all = values.size() == 2 * pencil.size();
+  while (is_all && !spare.empty() && std::ssize(chosen.roots) < std::min(count, pencil.size())) {
+    chosen.roots.insert(chosen.roots.begin() + rigid.cols(), {0.0, spare.back()});
+    spare.pop_back();
   }
   return chosen;
 }

@@ -182,7 +182,7 @@ void bind_modes(py::module_& module) {
       });
   module.def(
       "_solve_modes",
-      [](const Scenario& scenario, std::optional<double> speed, int count) {
+      [](const Scenario& scenario, std::optional<double> speed, std::optional<int> count) {
         return solve_modes(scenario, {{speed}, count});
       },
       py::call_guard<py::gil_scoped_release>());
@@ -217,8 +217,8 @@ py::list crossings_of(const Campbell& campbell) {
   return crossings;
 }
 
-Campbell solve_diagram(const Scenario& scenario, std::vector<double> speeds, int count,
-                       int harmonics, int threads) {
+Campbell solve_diagram(const Scenario& scenario, std::vector<double> speeds,
+                       std::optional<int> count, int harmonics, int threads) {
   CampbellOptions options{.speeds = std::move(speeds),
                           .count = count,
                           .harmonics = harmonics,

@@ -69,6 +69,17 @@ TEST_CASE("modes prints a table and writes its files") {
   CHECK(lines_of(file_text(folder.path() / "x" / "modes.csv")).size() == 4);
 }
 
+TEST_CASE("modes and campbell without --count take what there is") {
+  const WorkFolder folder;
+  const Ended modes = run_spoke({"modes", shipped("heavy_top"), "--out", "x"}, folder);
+  CHECK(modes.status == 0);
+  CHECK(lines_of(file_text(folder.path() / "x" / "modes.csv")).size() == 1 + 3);
+  const Ended campbell =
+      run_spoke({"campbell", shipped("heavy_top"), "--speeds", "1:3:1", "--out", "y"}, folder);
+  CHECK(campbell.status == 0);
+  CHECK(campbell.err.empty());
+}
+
 TEST_CASE("campbell follows modes and writes its files") {
   const WorkFolder folder;
   const Ended ended = run_spoke(
