@@ -2,19 +2,12 @@
 
 // The lowest eigenvalues of a pencil, and their vectors.
 
-#include <complex>
 #include <vector>
 
 #include "engine/vibration/pencil.h"
+#include "engine/vibration/root.h"
 
 namespace spoke::vibration {
-
-/// A root s of the pencil with its vector x, in coordinates of the model, of unit mass:
-/// x^H M x = 1. Of a pair of conjugate ones that with the positive imaginary part.
-struct Root {
-  std::complex<double> s;  ///< [rad/s]
-  Eigen::VectorXcd x;
-};
 
 /// The `count` roots of least magnitude, in ascending order, or all if there are fewer. Rigid
 /// motions (find_rigid_motions()) are roots zero, one for each. Without damping and gyroscopic

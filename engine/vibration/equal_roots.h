@@ -6,7 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "engine/vibration/eigenvalues.h"
+#include "engine/vibration/pencil.h"
+#include "engine/vibration/root.h"
 
 namespace spoke::vibration {
 
