@@ -30,6 +30,7 @@ void separate(const std::vector<MatrixXcd>& features, std::size_t kind,
   }
   columns = (columns * solver.eigenvectors().rowwise().reverse()).eval();
   for (Index begin = 0, end = 0; begin < columns.cols(); begin = end) {
+    ++end;
     while (end < columns.cols() && sizes[begin] - sizes[end] <= same) ++end;
     separate(features, kind + 1, columns.middleCols(begin, end - begin));
   }
@@ -78,6 +79,7 @@ void separate_equal_roots(const Pencil& pencil,
                           const std::function<Features(const Eigen::VectorXcd&)>& features_of,
                           std::vector<Root>& roots) {
   for (std::size_t first = 0, end = 0; first < roots.size(); first = end) {
+    ++end;
     while (end < roots.size() &&
            std::abs(roots[end].s - roots[first].s) <= kEqual * std::abs(roots[first].s))
       ++end;
