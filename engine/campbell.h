@@ -16,9 +16,11 @@ namespace spoke {
 /// Over which speeds.
 struct CampbellOptions {
   std::vector<double> speeds{};  ///< ascending, two or more [rad/s]
-  int count = 6;                 ///< modes to follow, as in ModeOptions
-  int harmonics = 6;             ///< excitation lines, from once per revolution on
-  int threads = 0;               ///< on which speeds are shared out; 0: all that are available
+  /// Modes to follow, as in ModeOptions; none: as many as there are, up to `most`.
+  std::optional<int> count = std::nullopt;
+  int most = 6;
+  int harmonics = 6;  ///< excitation lines, from once per revolution on
+  int threads = 0;    ///< on which speeds are shared out; 0: all that are available
   /// Told, on the calling thread, how many speeds are done; what it throws ends the search.
   std::function<void(std::size_t)> progress{};
 };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/warnings.h"
 #include "models/scenario.h"
 #include "spoke/export.h"
 
@@ -27,7 +28,9 @@ struct JointPosition {
   bool turns = true;   ///< an angle [rad], else a way [m]
 };
 
-/// What the inner part of a blade exerts on the outer one where a body begins, axes of that body.
+/// What the outer part of a blade exerts on the inner one where a body begins, in the axes of the
+/// section there: as the sensor `section_force` has it, tension being positive. Of a rigid body in
+/// its own axes.
 struct SectionLoad {
   std::string body;                       ///< that begins there
   double station = 0.0;                   ///< undeformed distance from the root [m]
@@ -47,6 +50,8 @@ struct BladeEquilibrium {
   std::vector<Eigen::Matrix3d> undeformed_axes;     ///< there, of their bodies: columns
   std::vector<Eigen::Vector3d> rotations;           ///< of the nodes from there, rotation vectors
   std::vector<int> bodies;                          ///< to which they belong, from 0
+  /// By body, its largest deflection across its axis by its length; of rigid ones 0.
+  std::vector<double> bending;
 };
 
 /// A model in equilibrium.
@@ -59,6 +64,8 @@ struct EquilibriumResult {
   int iterations = 0;                         ///< of Newton's method, over all blades
   int load_steps = 1;                         ///< in which loads were applied
   double last_change = 0.0;  ///< of a coordinate in the last iteration [rad, or by length]
+  /// What makes it doubtful: a body that bends beyond `limits.deflection`.
+  std::vector<Warning> warnings{};
 };
 
 /// Finds the equilibrium of a scenario's model in steady rotation or at rest, by Newton's method

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ namespace spoke {
 struct ModeOptions {
   SteadyState state{};  ///< about which
   /// How many, from the lowest frequency on: of each blade where blades do not couple, because the
-  /// hub's motion is prescribed, else of the whole model. 1 or more.
-  int count = 10;
+  /// hub's motion is prescribed, else of the whole model. 1 or more; none: 10, or as many as there
+  /// are.
+  std::optional<int> count = std::nullopt;
 };
 
 /// A vibration mode: motion Re(shape exp(eigenvalue t)) about the equilibrium, in the frame that

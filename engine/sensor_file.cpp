@@ -29,7 +29,7 @@ std::uint32_t add_to_checksum(std::uint32_t checksum, std::string_view bytes) {
 
 void append_number(std::string& text, double number) {
   std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number + 0.0).ptr;
   text.append(buffer.data(), end);
 }
 

@@ -6,7 +6,9 @@
 
 #include "engine/cli/progress_line.h"
 #include "engine/cli/report.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/cli/steady_task.h"
+#include "engine/steady/steady_warnings.h"
 #include "engine/steady_report/campbell_files.h"
 #include "engine/steady_report/modes_page.h"
 
@@ -43,17 +45,33 @@ void print(const CampbellResult& result, const SteadyTask& task) {
   print_line("written", task.path("campbell.html") + ", campbell.csv, campbell.json");
 }
 
+/// Of the speed at which bodies bend most.
+void warn(const CampbellResult& result) {
+  const EquilibriumResult* most = nullptr;
+  double largest = 0.0;
+  for (const ModesResult& state : result.states) {
+    const double ratio = steady::find_largest_bending(state.equilibrium).ratio;
+    if (state.equilibrium.warnings.empty() || ratio <= largest) continue;
+    largest = ratio;
+    most = &state.equilibrium;
+  }
+  if (most == nullptr) return;
+  print_error(fmt::format("warning: at {:.6g} rad/s {}", most->speed, most->warnings[0].text));
+}
+
 }  // namespace
 
 int find_campbell(const Arguments& arguments) {
   const SteadyTask task(arguments, "campbell");
-  const CampbellOptions options{.speeds = arguments.steady.speeds, .count = arguments.steady.count};
+  const CampbellOptions options{
+      .speeds = arguments.steady.speeds, .count = arguments.steady.count, .most = 10};
   const CampbellResult result = solve(options, task);
   task.write({{"campbell.csv", steady_report::make_csv(result)},
               {"campbell.json", steady_report::make_json(result)},
               {"campbell.html", steady_report::make_html(result, options.harmonics, task.scenario(),
                                                          task.title())}});
   print(result, task);
+  warn(result);
   return 0;
 }
 

@@ -35,6 +35,7 @@ int linearize(const Arguments& arguments) {
               {"D.mtx", steady_report::make_matrix_market(system.D)},
               {"linear.json", steady_report::make_json(system)}});
   print(system, task);
+  SteadyTask::warn(system.equilibrium);
   return 0;
 }
 

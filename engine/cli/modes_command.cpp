@@ -33,6 +33,7 @@ int find_modes(const Arguments& arguments) {
               {"modes.csv", steady_report::make_csv(result)},
               {"modes.html", steady_report::make_html(result, task.scenario(), task.title())}});
   print(result, task);
+  SteadyTask::warn(result.equilibrium);
   return 0;
 }
 

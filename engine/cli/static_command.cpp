@@ -29,6 +29,7 @@ int find_static(const Arguments& arguments) {
               {"section_forces.csv", steady_report::make_section_csv(result)},
               {"static.html", steady_report::make_html(result, task.scenario(), task.title())}});
   print(result, task);
+  SteadyTask::warn(result);
   return 0;
 }
 

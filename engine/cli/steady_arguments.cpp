@@ -73,9 +73,8 @@ void add_count(CLI::App& command, SteadyArguments& arguments) {
   command
       .add_option("--count", arguments.count,
                   "Modes, from the lowest on: of each blade, or of all\n"
-                  "where blades couple")
+                  "where blades couple [10, or as many as there are]")
       ->check(CLI::Range(1, 1000000))
-      ->capture_default_str()
       ->type_name("N");
 }
 

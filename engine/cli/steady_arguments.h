@@ -14,7 +14,7 @@ namespace spoke::cli {
 /// What they ask for besides scenario and folder.
 struct SteadyArguments {
   std::optional<double> speed;  ///< [rad/s]; none: that of the drive
-  int count = 10;               ///< of modes
+  std::optional<int> count;     ///< of modes; none: 10, or as many as there are
   std::vector<double> speeds;   ///< of campbell [rad/s]
 };
 

@@ -5,6 +5,7 @@
 #include "engine/cli/interruption.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
+#include "engine/cli/standard_streams.h"
 #include "engine/output_file.h"
 
 namespace spoke::cli {
@@ -28,6 +29,10 @@ void SteadyTask::write(const std::vector<File>& files) const {
   write_together([&] {
     for (const File& file : files) replace_file(path(file.name), file.text);
   });
+}
+
+void SteadyTask::warn(const EquilibriumResult& result) {
+  for (const Warning& warning : result.warnings) print_error("warning: " + warning.text);
 }
 
 }  // namespace spoke::cli

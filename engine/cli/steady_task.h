@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/cli/arguments.h"
+#include "engine/equilibrium.h"
 #include "models/error.h"
 
 namespace spoke::cli {
@@ -38,6 +39,8 @@ class SteadyTask {
   };
   /// Writes them, while no other command writes to the folder.
   void write(const std::vector<File>& files) const;
+  /// On stderr, of what makes an equilibrium doubtful.
+  static void warn(const EquilibriumResult& result);
 
  private:
   std::string file_;

@@ -11,6 +11,7 @@
 #include "engine/kernels/body_energies.h"
 #include "engine/kernels/deformation_limits.h"
 #include "engine/kernels/natural_frequencies.h"
+#include "engine/kernels/suggested_bodies.h"
 #include "models/count_text.h"
 
 namespace spoke {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <sstream>
 
+#include "engine/kernels/suggested_bodies.h"
 #include "models/start.h"
 #include "models/system/beam_properties.h"
 
@@ -208,15 +209,6 @@ bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit
   if (limit.share == 0.0 || balance.residual <= accepted) return false;
   growth = {step, balance.residual, energy.largest, balance.residual, step};
   return true;
-}
-
-int suggest_bodies(int bodies, double ratio, double limit) {
-  constexpr int kMost = 100000;
-  // Deflection of the first of n bodies under a curvature that falls as (1 - x/L)^2, by its length.
-  const auto share = [](double n) { return (1.0 - (2.0 / 3.0 - 1.0 / (6.0 * n)) / n) / n; };
-  int n = bodies;
-  while (n < kMost && ratio * share(n) > limit * share(bodies)) ++n;
-  return n;
 }
 
 std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,

@@ -84,12 +84,6 @@ double calc_energy_resolution(const Scenario& scenario);
 bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit& limit,
                     Observations& seen);
 
-/// Bodies into which a blade of `bodies` bodies is to be cut for a deflection of `ratio` of the
-/// length of a body to come down to `limit`. Under a given curvature the ratio goes with the length
-/// of the bodies, and a little slower at the root, where it is largest: a uniform transverse force
-/// is assumed.
-int suggest_bodies(int bodies, double ratio, double limit);
-
 /// What the simulation of a scenario, in steps of `step_size` [s], is to be warned of, at most one
 /// of each kind.
 std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,

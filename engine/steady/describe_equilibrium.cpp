@@ -2,6 +2,7 @@
 
 #include "engine/steady/describe_equilibrium.h"
 
+#include "engine/support/plain_zero.h"
 #include "models/space/rotation_vector.h"
 
 namespace spoke::steady {
@@ -42,7 +43,8 @@ BladeEquilibrium describe_tree(std::size_t tree, const Eigen::VectorXd& q, Stead
   const TipMotion tip = model.tip(tree);
   blade.tip_displacement = tip.displacement;
   blade.tip_rotation = tip.rotation;
-  for (const JointLoad& load : model.joint_loads(tree))
+  blade.bending = model.bending(tree);
+  for (const RootLoad& load : model.root_loads(tree))
     blade.loads.push_back({load.body, load.station, load.force, load.moment});
   return blade;
 }
@@ -51,7 +53,7 @@ BladeEquilibrium describe_tree(std::size_t tree, const Eigen::VectorXd& q, Stead
 
 EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
   EquilibriumResult result;
-  result.speed = model.speed();
+  result.speed = plain_zero(model.speed());
   result.iterations = found.iterations;
   result.load_steps = found.load_steps;
   result.last_change = found.last_change;

@@ -2,10 +2,13 @@
 
 #include "engine/steady/linear_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/steady/alike_trees.h"
 #include "engine/steady/derivatives.h"
+#include "engine/steady/differences.h"
 
 namespace spoke::steady {
 namespace {
@@ -28,7 +31,32 @@ struct Shared {
   HubColumns by_hub;                      ///< of the tree's coordinates
   MatrixXd M_on_hub, C_on_hub, K_on_hub;  ///< by the tree's coordinates
   HubColumns hub;                         ///< its share in the matrices of the hub
+  double effort = 0.0;                    ///< see calc_effort()
 };
+
+/// How large forces in a tree are: a force on a coordinate is made up of terms up to this times the
+/// root of its mass [sqrt(kg) m/s^2]. So large are inertia forces m w^2 r by the inequality of
+/// Cauchy and Schwarz, and others as far as they reach the hub.
+double calc_effort(const MatrixXd& mass_of_hub, const HubVector& hub_force,
+                   const SteadyModel& model) {
+  const int r = model.first_rotation();
+  const double spin = model.speed() * model.speed();
+  const double mass = mass_of_hub(0, 0), inertia = mass_of_hub.diagonal().tail(1)[0];
+  const double largest = mass_of_hub.diagonal().tail(mass_of_hub.rows() - r).maxCoeff();
+  double effort = spin * std::sqrt(inertia);
+  if (mass > 0.0) effort += hub_force.head(r).norm() / std::sqrt(mass);
+  if (largest > 0.0) effort += hub_force.tail(hub_force.size() - r).norm() / std::sqrt(largest);
+  return effort;
+}
+
+/// Of a tree's coordinates.
+RoundOff find_round_off(std::size_t i, const MatrixXd& mass, double effort,
+                        const SteadyModel& model) {
+  RoundOff found{effort * mass.diagonal().cwiseSqrt(), Eigen::VectorXd(mass.rows())};
+  for (Eigen::Index k = 0; k < mass.rows(); ++k)
+    found.step[k] = kStep * model.coordinates(i)[static_cast<std::size_t>(k)].scale;
+  return found;
+}
 
 Shared linearize_tree(std::size_t i, const Equilibrium& equilibrium,
                       const HubKinematics& kinematics, SteadyModel& model) {
@@ -41,6 +69,10 @@ Shared linearize_tree(std::size_t i, const Equilibrium& equilibrium,
   all.tree.M = matrices.mass.bottomRightCorner(n, n);
   all.tree.C = matrices.damping - by.by_v.topRows(n);
   all.tree.K = model.stiffness(i) - by.by_q.topRows(n);
+  TreeResponse response;
+  model.evaluate(i, make_state(equilibrium.q[i]), model.no_offset(), response);
+  all.effort = calc_effort(matrices.mass.topLeftCorner(d, d), response.hub_force, model);
+  all.tree.round_off = find_round_off(i, all.tree.M, all.effort, model);
   if (!is_coupled) return all;
   const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
   all.by_hub = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), kinematics);
@@ -109,6 +141,9 @@ LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
   result.trees.resize(model.trees());
   result.alike = equilibrium.alike;
   if (!free.empty()) result.alike = find_alike_about_hub(equilibrium.alike, equilibrium.q, model);
+  result.rate = std::max(1.0, std::abs(model.speed()));
+  const double of_hub = calc_effort(model.hub_mass(), model.hub_force(model.no_offset()), model);
+  double squares = of_hub * of_hub;
   std::vector<Shared> shared(model.trees());
   for (std::size_t i = 0; i < model.trees(); ++i) {
     const std::size_t first = result.alike[i];
@@ -119,10 +154,13 @@ LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
     if (free.empty()) continue;
     const MatrixXd turn = turn_hub(model.azimuth(first) - model.azimuth(i), model);
     result.couplings.push_back(couple(shared[first], turn, free, hub));
+    squares += shared[first].effort * shared[first].effort;
   }
   result.M = hub.M(free, free);
   result.C = hub.C(free, free);
   result.K = hub.K(free, free);
+  result.round_off = {std::sqrt(squares) * result.M.diagonal().cwiseSqrt(),
+                      Eigen::VectorXd::Constant(result.M.rows(), kStep)};
   return result;
 }
 

@@ -17,9 +17,17 @@ struct HubKinematics {
 };
 HubKinematics make_hub_kinematics(const SteadyModel& model);
 
+/// What round-off leaves of C and K, which are differences of forces: by coordinate how large the
+/// terms are that make up the force on it (they may cancel), and the step by which it was moved.
+struct RoundOff {
+  Eigen::VectorXd force;  ///< [N, N m]
+  Eigen::VectorXd step;   ///< [m, rad]
+};
+
 /// Matrices of one tree by itself, the hub held.
 struct LinearTree {
   Eigen::MatrixXd M, C, K;
+  RoundOff round_off;
 };
 
 /// What a tree has to do with the hub's free coordinates. `bh`: rows of the tree, columns of the
@@ -38,6 +46,8 @@ struct LinearModel {
   /// By tree, the tree that stands for it: those that are alike are linearised once, and the others
   /// are empty.
   std::vector<std::size_t> alike;
+  RoundOff round_off = {};  ///< of the hub's free coordinates
+  double rate = 1.0;        ///< velocities were moved by `rate` times the steps [1/s]
 
   bool is_coupled() const { return M.rows() > 0; }
   const LinearTree& tree(std::size_t i) const { return trees[alike[i]]; }

@@ -9,6 +9,7 @@
 #include "engine/steady/load_effects.h"
 #include "engine/steady/output_derivatives.h"
 #include "engine/steady/steady_speed.h"
+#include "engine/steady/steady_warnings.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 
@@ -275,6 +276,7 @@ LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& st
   steady::require_steady_hub(*model, equilibrium);
   LinearSystem system = Assembly(scenario, equilibrium, *model).make();
   system.equilibrium = describe(equilibrium, *model);
+  steady::add_warnings(scenario, system.equilibrium);
   return system;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/equilibrium.h"
 #include "engine/steady/describe_equilibrium.h"
 #include "engine/steady/steady_speed.h"
+#include "engine/steady/steady_warnings.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 
@@ -16,7 +17,9 @@ EquilibriumResult solve_equilibrium(const Scenario& scenario, const SteadyState&
     throw InputError("hub.support: the hub is free, expected an axle: nothing holds the model");
   const steady::Equilibrium found = steady::find_equilibrium(*model);
   steady::require_held(found);
-  return steady::describe(found, *model);
+  EquilibriumResult result = steady::describe(found, *model);
+  steady::add_warnings(scenario, result);
+  return result;
 }
 
 }  // namespace spoke

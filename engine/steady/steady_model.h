@@ -81,8 +81,9 @@ struct TipMotion {
   Eigen::Vector3d rotation;      ///< rotation vector [rad]
 };
 
-/// The wrench of a joint on the inboard end of the body that it carries, in the body's frame.
-struct JointLoad {
+/// What a body does to what carries it: the load of the section where it begins, like that of the
+/// sensors section_force, in that section's axes; of a rigid body in its frame's.
+struct RootLoad {
   std::string body;
   double station = 0.0;    ///< undeformed distance of that end from the tree's root [m]
   Eigen::Vector3d force;   ///< [N]
@@ -153,7 +154,7 @@ class SteadyModel {
   /// K of the deformations, without joints; constant.
   virtual const Eigen::MatrixXd& stiffness(std::size_t tree) const = 0;
   // At the state that was evaluated last.
-  /// The accelerations that the step graph finds, and so the wrenches of the joints.
+  /// The accelerations that the step graph finds, and so what bodies do to those that carry them.
   virtual Eigen::VectorXd accelerations(std::size_t tree) = 0;
   virtual TreeMatrices matrices(std::size_t tree) = 0;
 
@@ -166,7 +167,9 @@ class SteadyModel {
   virtual std::vector<NodePlace> places(std::size_t tree) = 0;
   virtual TipMotion tip(std::size_t tree) = 0;
   /// After accelerations().
-  virtual std::vector<JointLoad> joint_loads(std::size_t tree) const = 0;
+  virtual std::vector<RootLoad> root_loads(std::size_t tree) const = 0;
+  /// By body, its largest deflection across its axis by its length; of rigid ones 0.
+  virtual std::vector<double> bending(std::size_t tree) const = 0;
   /// What a free joint's coordinates are; spherical ones as the rotation vector from parent to
   /// child.
   virtual Eigen::VectorXd absolute(std::size_t tree, const Eigen::VectorXd& q) const = 0;

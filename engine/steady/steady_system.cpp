@@ -75,6 +75,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker, std::vector<T
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
   context_.integrator = {Rk4{1.0}, {}};
+  context_.linear_range = 0.0;  // find_large_deflection() tells all
   allocate(context_);
   if (options.has_outputs) set_outputs(maker.place_sensors(context_.system, context_.data));
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
@@ -412,15 +413,24 @@ TipMotion SteadySystem<World>::tip(std::size_t tree) {
 }
 
 template <class World>
-std::vector<JointLoad> SteadySystem<World>::joint_loads(std::size_t tree) const {
-  std::vector<JointLoad> loads;
+std::vector<RootLoad> SteadySystem<World>::root_loads(std::size_t tree) const {
+  std::vector<RootLoad> loads;
   const SubsystemData<World>& subsystem = data(tree);
   for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
-    const Twist& wrench = subsystem.wrenches[j].inboard;
+    const TwistOf<World>& wrench = subsystem.wrenches[j].inboard;
+    const Eigen::Matrix3d to_section = inboard_axes(subsystem.bodies[j]).transpose();
     loads.push_back({names_[tree].bodies[j], station_of(context_.system.subsystems[tree], j),
-                     force_of(wrench), moment_of(wrench)});
+                     -to_section * force_of(wrench), -to_section * moment_of(wrench)});
   }
   return loads;
+}
+
+template <class World>
+std::vector<double> SteadySystem<World>::bending(std::size_t tree) const {
+  std::vector<double> bending;
+  for (const BodyData<World>& body : data(tree).bodies)
+    bending.push_back(find_large_deflection(body));
+  return bending;
 }
 
 template class SteadySystem<Plane>;

@@ -63,7 +63,8 @@ class SteadySystem final : public SteadyModel {
   Eigen::MatrixXd hub_mass() const override;
   std::vector<NodePlace> places(std::size_t tree) override;
   TipMotion tip(std::size_t tree) override;
-  std::vector<JointLoad> joint_loads(std::size_t tree) const override;
+  std::vector<RootLoad> root_loads(std::size_t tree) const override;
+  std::vector<double> bending(std::size_t tree) const override;
   Eigen::VectorXd absolute(std::size_t tree, const Eigen::VectorXd& q) const override;
   const std::vector<LinearSignal>& outputs(std::size_t tree) const override {
     return outputs_[tree];

@@ -213,6 +213,18 @@ Eigen::Vector3d force_of(const space::Twist& wrench) { return wrench.head<3>(); 
 Eigen::Vector3d moment_of(const Twist& wrench) { return {0.0, 0.0, wrench[2]}; }
 Eigen::Vector3d moment_of(const space::Twist& wrench) { return wrench.tail<3>(); }
 
+Eigen::Matrix3d inboard_axes(const BodyData<Plane>& body) {
+  const int at = body.model->body->coordinate(0, kRotation);
+  return axes_of(Rotation::from_angle(at < 0 ? 0.0 : body.coordinates.q[body.layout.offset(at)]));
+}
+Eigen::Matrix3d inboard_axes(const BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return Eigen::Matrix3d::Identity();
+  const space::Section section =
+      make_section(*body.model->body->beam, *flexible, flexible->stations.front());
+  return (motion_at(body, section).turn.R * section.axes).axes;
+}
+
 Eigen::Matrix3d axes_of(const Rotation& R) {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   axes.topLeftCorner<2, 2>() << R.cosine, -R.sine, R.sine, R.cosine;

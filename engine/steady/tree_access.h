@@ -61,6 +61,11 @@ Eigen::Vector3d force_of(const Twist& wrench);
 Eigen::Vector3d force_of(const space::Twist& wrench);
 Eigen::Vector3d moment_of(const Twist& wrench);
 Eigen::Vector3d moment_of(const space::Twist& wrench);
+/// Axes of the deformed section at the body's inboard end, in the body's frame; of a rigid body
+/// those of its frame.
+Eigen::Matrix3d inboard_axes(const BodyData<Plane>& body);
+Eigen::Matrix3d inboard_axes(const BodyData<Space>& body);
+
 Eigen::Matrix3d axes_of(const Rotation& R);
 Eigen::Matrix3d axes_of(const space::Rotation& R);
 

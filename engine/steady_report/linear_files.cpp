@@ -5,6 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "engine/support/json.h"
+#include "engine/support/plain_zero.h"
 
 namespace spoke::steady_report {
 namespace {
@@ -23,7 +24,8 @@ std::string make_matrix_market(const Eigen::SparseMatrix<double>& matrix) {
                                  matrix.rows(), matrix.cols(), matrix.nonZeros());
   for (Eigen::Index k = 0; k < matrix.outerSize(); ++k)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, k); entry; ++entry)
-      text += fmt::format("{} {} {}\n", entry.row() + 1, entry.col() + 1, entry.value());
+      text +=
+          fmt::format("{} {} {}\n", entry.row() + 1, entry.col() + 1, plain_zero(entry.value()));
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "engine/support/csv_cell.h"
 #include "engine/support/json.h"
+#include "engine/support/plain_zero.h"
 
 namespace spoke::steady_report {
 namespace {
@@ -101,7 +102,7 @@ std::string make_csv(const ModesResult& result) {
   for (const Mode& mode : result.modes)
     text += fmt::format("{},{},{},{},{},{},{}\n", quoted_csv_cell(mode.of), csv_cell(mode.name),
                         hertz(mode.frequency), mode.frequency, damping_of(mode),
-                        mode.eigenvalue.real(), mode.grows() ? 1 : 0);
+                        plain_zero(mode.eigenvalue.real()), mode.grows() ? 1 : 0);
   return text;
 }
 

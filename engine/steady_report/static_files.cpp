@@ -11,9 +11,11 @@
 #include "engine/report/chart.h"
 #include "engine/report/scene_markup.h"
 #include "engine/report/static_script.h"
+#include "engine/steady/steady_warnings.h"
 #include "engine/steady_report/steady_scene.h"
 #include "engine/support/csv_cell.h"
 #include "engine/support/json.h"
+#include "engine/support/plain_zero.h"
 
 namespace spoke::steady_report {
 namespace {
@@ -44,7 +46,7 @@ Json vector_json(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()});
 /// Beside `scale`, what may make up a value, round-off is none.
 std::string number_text(double value, double scale) {
   constexpr double kRoundOff = 1e-10;
-  return fmt::format("{:.6g}", std::abs(value) <= kRoundOff * scale ? 0.0 : value);
+  return fmt::format("{:.6g}", std::abs(value) <= kRoundOff * scale ? 0.0 : plain_zero(value));
 }
 
 std::string vector_text(const Vector3d& v, double scale) {
@@ -57,6 +59,14 @@ double reach_of(const BladeEquilibrium& blade) {
   double reach = 0.0;
   for (const Vector3d& p : blade.nodes) reach = std::max(reach, p.norm());
   return reach;
+}
+
+/// "blade 1 / body 2 by 12.3 % of its length".
+std::string bending_text(const EquilibriumResult& result) {
+  const steady::LargestBending largest = steady::find_largest_bending(result);
+  if (largest.ratio == 0.0) return "none";
+  return fmt::format("{} by {:.3g} % of its length", steady::name_body(result, largest),
+                     100.0 * largest.ratio);
 }
 
 /// How large forces at the roots of the blades are [N], and moments about the hub [N m].
@@ -96,6 +106,7 @@ Json blade_json(const BladeEquilibrium& blade) {
           {"tip_rotation_rad", vector_json(blade.tip_rotation)},
           {"joints", joints},
           {"section_forces", loads},
+          {"bending", blade.bending},
           {"nodes_m", nodes_json(blade.nodes)},
           {"undeformed_nodes_m", nodes_json(blade.undeformed)}};
 }
@@ -164,6 +175,7 @@ std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
   return {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
           {"hub force", vector_text(result.hub_force, scale.force) + " N, of support and drive"},
           {"hub moment", vector_text(result.hub_moment, scale.moment) + " N m"},
+          {"largest bending", bending_text(result)},
           {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
                                    "{:.1e}",
                                    result.iterations, result.load_steps,
@@ -173,12 +185,15 @@ std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
 std::string make_json(const EquilibriumResult& result) {
   Json blades = Json::array();
   for (const BladeEquilibrium& blade : result.blades) blades.push_back(blade_json(blade));
+  Json warnings = Json::array();
+  for (const Warning& warning : result.warnings) warnings.push_back(warning.text);
   const Json json = {{"speed_rad_per_s", result.speed},
                      {"hub_force_N", vector_json(result.hub_force)},
                      {"hub_moment_N_m", vector_json(result.hub_moment)},
                      {"iterations", result.iterations},
                      {"load_steps", result.load_steps},
                      {"last_change", result.last_change},
+                     {"warnings", warnings},
                      {"blades", blades}};
   return json.dump_lines();
 }
@@ -186,10 +201,13 @@ std::string make_json(const EquilibriumResult& result) {
 std::string make_section_csv(const EquilibriumResult& result) {
   std::string text = "blade,body,station_m,Fx_N,Fy_N,Fz_N,Mx_N_m,My_N_m,Mz_N_m\n";
   for (const BladeEquilibrium& blade : result.blades)
-    for (const SectionLoad& load : blade.loads)
-      text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_cell(blade.name), csv_cell(load.body),
-                          load.station, load.force.x(), load.force.y(), load.force.z(),
-                          load.moment.x(), load.moment.y(), load.moment.z());
+    for (const SectionLoad& load : blade.loads) {
+      text += fmt::format("{},{},{}", csv_cell(blade.name), csv_cell(load.body),
+                          plain_zero(load.station));
+      for (const Vector3d* v : {&load.force, &load.moment})
+        for (const double value : *v) text += fmt::format(",{}", plain_zero(value));
+      text += '\n';
+    }
   return text;
 }
 
@@ -198,6 +216,8 @@ std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
   report::Page page(title, fmt::format("Equilibrium at {:.6g} rad/s", result.speed));
   page.widen();
   page.add_markup(make_markup());
+  for (const Warning& warning : result.warnings)
+    page.add_note(warning.text + ".", report::Tone::warning);
   page.add_facts(make_facts(result));
   add_chart(result, Direction::flap, "Deflection along the axis of rotation", page);
   add_chart(result, Direction::lag, "Deflection in the plane of rotation", page);

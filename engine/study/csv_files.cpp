@@ -8,12 +8,13 @@
 
 #include "engine/study/files.h"
 #include "engine/support/csv_cell.h"
+#include "engine/support/plain_zero.h"
 
 namespace spoke::study {
 namespace {
 
 std::string number_cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
+  return std::isfinite(value) ? fmt::format("{}", plain_zero(value)) : "";
 }
 
 /// A number as it is, its sign included; a text as a cell.

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "engine/support/plain_zero.h"
+
 namespace spoke {
 namespace {
 
@@ -59,12 +61,14 @@ std::unique_ptr<Json::Value> Json::make(Source&& source) {
 
 Json::Json() : value_(make(nullptr)) {}
 Json::Json(bool value) : value_(make(value)) {}
-Json::Json(double value) : value_(make(value)) {}
-Json::Json(float value) : value_(make(value)) {}
+Json::Json(double value) : value_(make(plain_zero(value))) {}
+Json::Json(float value) : value_(make(value + 0.0F)) {}
 Json::Json(Signed number) : value_(make(number.value)) {}
 Json::Json(Unsigned number) : value_(make(number.value)) {}
 Json::Json(std::string_view text) : value_(make(text)) {}
-Json::Json(const std::vector<double>& numbers) : value_(make(numbers)) {}
+Json::Json(const std::vector<double>& numbers) : value_(make(ordered_json::array())) {
+  for (const double number : numbers) value_->json.push_back(plain_zero(number));
+}
 Json::Json(const std::vector<int>& numbers) : value_(make(numbers)) {}
 Json::Json(const std::vector<std::string>& texts) : value_(make(texts)) {}
 

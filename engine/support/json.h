@@ -16,7 +16,7 @@
 namespace spoke {
 
 /// Null, a bool, a number, a text, an array or an object. Numbers that are not finite are written
-/// as null, bytes that are not UTF-8 as replacement characters.
+/// as null, zeros without a sign, bytes that are not UTF-8 as replacement characters.
 class Json {
  public:
   struct Member;

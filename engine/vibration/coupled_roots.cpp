@@ -82,7 +82,7 @@ HubCoupling combine(const LinearModel& model, const Family& family, Index patter
 
 /// A model of the hub with a tree for each pattern that meets there.
 LinearModel reduce(const LinearModel& model, const std::vector<Family>& families) {
-  LinearModel reduced{model.M, model.C, model.K, {}, {}, {}};
+  LinearModel reduced{model.M, model.C, model.K, {}, {}, {}, model.round_off, model.rate};
   for (const Family& family : families) {
     const std::size_t first = reduced.trees.size();
     for (Index pattern = 0; pattern < family.meeting; ++pattern) {
@@ -136,7 +136,7 @@ void add_meeting(const LinearModel& model, const std::vector<Family>& families,
 
 /// A tree of a family by itself, the hub held.
 LinearModel hold_hub(const LinearModel& model, const Family& family) {
-  return {{}, {}, {}, {model.tree(family.trees[0])}, {}, {0}};
+  return {{}, {}, {}, {model.tree(family.trees[0])}, {}, {0}, {}, model.rate};
 }
 
 /// Of patterns that leave the hub where it is.

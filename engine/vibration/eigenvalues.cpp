@@ -7,10 +7,13 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <utility>
+
+#include "engine/vibration/choose_roots.h"
+#include "engine/vibration/rigid_motions.h"
 
 namespace spoke::vibration {
 namespace {
@@ -18,118 +21,149 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
+using Eigen::VectorXcd;
 using Eigen::VectorXd;
+using Complex = std::complex<double>;
 
 /// Sizes of the matrices that are left to Eigen's dense solvers.
 constexpr Index kSmallSymmetric = 400;
 constexpr Index kSmall = 24;
-/// Below this, by the frequency of the stiffest coordinate, an eigenvalue is nothing but round-off.
-constexpr double kZero = 1e-8;
+constexpr double kDigit = std::numeric_limits<double>::epsilon();
+/// Of the frequency of the softest coordinate, where a shift is needed.
+constexpr double kShift = 0.05;
 
-bool is_symmetric(const MatrixXd& m) {
-  return (m - m.transpose()).lpNorm<Eigen::Infinity>() <= 1e-9 * m.lpNorm<Eigen::Infinity>();
+/// Whether a matrix is symmetric but for differences of forces: beside the diagonal, not beside
+/// what is stiffest.
+bool is_symmetric(const MatrixXd& K, double round_off) {
+  const VectorXd size = K.diagonal().cwiseAbs().cwiseSqrt();
+  for (Index i = 0; i < K.rows(); ++i)
+    for (Index k = 0; k < i; ++k)
+      if (std::abs(K(i, k) - K(k, i)) > 1e-9 * size[i] * size[k] + round_off) return false;
+  return true;
+}
+
+/// Where a shift was needed.
+MatrixXd rigid_motions(const Pencil& pencil, double shift) {
+  constexpr double kBelow = 0.02;
+  return shift > 0.0 ? find_rigid_motions(pencil, kBelow * shift) : MatrixXd(pencil.size(), 0);
 }
 
 /// Unit mass, and a first large component that is real and positive.
 void normalise(const Pencil& pencil, Root& root) {
-  const MatrixXd mass_real = pencil.mass(root.x.real()), mass_imag = pencil.mass(root.x.imag());
-  const double mass = root.x.real().dot(mass_real.col(0)) + root.x.imag().dot(mass_imag.col(0));
+  root.x = to_unit_mass(pencil, root.x);
   Index largest = 0;
   root.x.cwiseAbs().maxCoeff(&largest);
-  const std::complex<double> phase = std::abs(root.x[largest]) / root.x[largest];
-  root.x *= phase / std::sqrt(mass);
+  root.x *= std::abs(root.x[largest]) / root.x[largest];
   root.x = pencil.scale().asDiagonal() * root.x;
 }
 
-/// Roots of the symmetric problem K x = w^2 M x. Where K is positive definite by its inverse, which
-/// keeps the digits of the lowest ones.
-std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, double zero, Index count) {
-  std::vector<Root> roots;
-  const auto add = [&](double square, const VectorXd& x) {
-    const std::complex<double> s =
-        std::abs(square) <= zero * zero ? 0.0 : std::sqrt(std::complex<double>(-square));
-    roots.push_back({s, x.cast<std::complex<double>>()});
-  };
-  const Eigen::LLT<MatrixXd> factor(K);
-  if (factor.info() == Eigen::Success && factor.rcond() > 1e-15) {
-    const MatrixXd half = factor.matrixL().solve(M);
-    const MatrixXd flexibility = factor.matrixL().solve(half.transpose());
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 *
-                                                         (flexibility + flexibility.transpose()));
-    for (Index k = K.rows(); k-- > 0 && std::ssize(roots) < count;)
-      add(1.0 / solver.eigenvalues()[k], factor.matrixU().solve(solver.eigenvectors().col(k)));
-    return roots;
-  }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(K, M);
-  for (Index k = 0; k < std::min(count, K.rows()); ++k)
-    add(solver.eigenvalues()[k], solver.eigenvectors().col(k));
-  return roots;
-}
-
-/// An eigenvalue, and the column of its vector.
-struct Choice {
-  std::complex<double> s;
-  Index column;
+/// K + shift^2 M factorised, with the least shift of some that makes it positive definite.
+struct ShiftedFactor {
+  double square = 0.0;
+  Eigen::LLT<MatrixXd> factor;
 };
-
-/// Of eigenvalues those that stand for a root: of conjugate pairs one, of pairs zero one; ascending
-/// by magnitude.
-std::vector<Choice> choose(const Eigen::VectorXcd& values, double zero, Index count) {
-  std::vector<Index> order(static_cast<std::size_t>(values.size()));
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return std::abs(values[a]) < std::abs(values[b]); });
-  std::vector<Choice> choices;
-  int zeros = 0;
-  for (const Index k : order) {
-    std::complex<double> s = values[k];
-    if (std::abs(s) <= zero) {
-      if (++zeros % 2 == 0) continue;  // a motion that goes on has two
-      s = 0.0;
-    } else if (s.imag() < -1e-9 * std::abs(s)) {
-      continue;
-    }
-    if (std::abs(s.imag()) <= 1e-9 * std::abs(s)) s = s.real();
-    choices.push_back({s, k});
-    if (std::ssize(choices) == count) break;
+ShiftedFactor factorise(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil) {
+  const VectorXd diagonal = K.diagonal();
+  if (pencil.is_held() && diagonal.minCoeff() > 0.0) {
+    const VectorXd balance = diagonal.cwiseSqrt().cwiseInverse();
+    const Eigen::LLT<MatrixXd> balanced(balance.asDiagonal() * K * balance.asDiagonal());
+    if (balanced.info() == Eigen::Success && balanced.rcond() > 1e-13)
+      return {0.0, Eigen::LLT<MatrixXd>(K)};
   }
-  return choices;
+  for (double shift = kShift * pencil.softest();; shift *= 4.0) {
+    ShiftedFactor shifted{shift * shift, Eigen::LLT<MatrixXd>(K + shift * shift * M)};
+    if (shifted.factor.info() == Eigen::Success || !std::isfinite(shift)) return shifted;
+  }
 }
 
-/// The inverse of the first-order system less a shift, on blocks of vectors (x, x').
+/// Roots of the symmetric problem K x = w^2 M x, by the inverse of K, shifted where it is not
+/// positive definite: that keeps the digits of the lowest ones.
+std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil,
+                                 Index count) {
+  const ShiftedFactor shifted = factorise(K, M, pencil);
+  const MatrixXd half = shifted.factor.matrixL().solve(M);
+  const MatrixXd flexibility = shifted.factor.matrixL().solve(half.transpose());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 *
+                                                       (flexibility + flexibility.transpose()));
+  const VectorXd& inverse = solver.eigenvalues();
+  const auto& factor = shifted.factor;
+  const double square = shifted.square;
+  // Round-off of the inverse of K, whose trace this is; coordinates by themselves may have little
+  // mass.
+  const double trace = factor.matrixL().solve(MatrixXd::Identity(K.rows(), K.rows())).squaredNorm();
+  const Spectrum spectrum{
+      (square - inverse.array().inverse()).cast<Complex>().sqrt(),
+      [&](Index k) -> VectorXcd {
+        return factor.matrixU().solve(solver.eigenvectors().col(k)).cast<Complex>();
+      },
+      [=](Complex s) {
+        const double distance = std::abs(square - s * s);
+        return 10.0 * kDigit * trace * distance * distance;
+      }};
+  return choose_roots(pencil, spectrum, rigid_motions(pencil, std::sqrt(square)), count).roots;
+}
+
+/// The inverse of the first-order system less a shift, on blocks of vectors (f x, x') with the
+/// frequency f that makes both parts equally large where the inverse is largest.
 class Inverse {
  public:
   Inverse(const Pencil& pencil, double shift)
-      : pencil_(&pencil), shift_(shift), factor_(pencil, shift) {}
+      : pencil_(&pencil), shift_(shift), factor_(pencil, shift) {
+    if (factor_.rcond() > 0.0) find_frequency();
+  }
 
   MatrixXd operator*(const MatrixXd& b) const {
     const Index n = pencil_->size();
     MatrixXd y(b.rows(), b.cols());
-    y.topRows(n) =
-        -factor_.solve(pencil_->mass(b.bottomRows(n)) + pencil_->damping(shift_, b.topRows(n)));
-    y.bottomRows(n) = b.topRows(n) + shift_ * y.topRows(n);
+    const MatrixXd x = b.topRows(n) / frequency_;
+    y.topRows(n) = -factor_.solve(pencil_->mass(b.bottomRows(n)) + pencil_->damping(shift_, x));
+    y.bottomRows(n) = x + shift_ * y.topRows(n);
+    y.topRows(n) *= frequency_;
     return y;
   }
   double rcond() const { return factor_.rcond(); }
   double shift() const { return shift_; }
 
  private:
+  /// By vector iteration: the inverse is as large as the reciprocal of the least root.
+  void find_frequency() {
+    VectorXd x = VectorXd::Ones(pencil_->size());
+    for (int k = 0; k < 4; ++k) {
+      const VectorXd y = factor_.solve(pencil_->mass(x));
+      const double grown = y.norm() / x.norm();
+      if (!(grown > 0.0) || !std::isfinite(grown)) return;
+      frequency_ = 1.0 / std::sqrt(grown);
+      x = y / y.norm();
+    }
+  }
+
   const Pencil* pencil_;
   double shift_;
   PencilFactor factor_;
+  double frequency_ = 1.0;
 };
+
+/// Roots and vectors of the inverse's eigenvalues. What is lost of a root follows from round-off of
+/// the inverse, by its largest eigenvalue.
+Spectrum make_spectrum(const VectorXcd& eigenvalues, double shift,
+                       std::function<VectorXcd(Index)> vector) {
+  constexpr double kRoundOff = 100.0 * kDigit;
+  const double largest = eigenvalues.size() > 0 ? eigenvalues.cwiseAbs().maxCoeff() : 0.0;
+  return {shift + eigenvalues.array().inverse(), std::move(vector), [=](Complex s) {
+            const double distance = std::abs(s - shift);
+            return kRoundOff * largest * distance * distance * distance;
+          }};
+}
 
 /// All roots of a small pencil, from the whole matrix of the inverse: it keeps the digits of the
 /// roots of least magnitude, which stiff coordinates would take away from the matrix itself.
-std::vector<Root> find_small(const Pencil& pencil, const Inverse& inverse, double zero,
-                             Index count) {
+std::vector<Root> find_small(const Pencil& pencil, const Inverse& inverse, Index count) {
   const Index n = pencil.size();
   const Eigen::EigenSolver<MatrixXd> solver(inverse * MatrixXd::Identity(2 * n, 2 * n));
-  const Eigen::VectorXcd values = inverse.shift() + solver.eigenvalues().array().inverse();
-  std::vector<Root> roots;
-  for (const Choice& choice : choose(values, zero, count))
-    roots.push_back({choice.s, solver.eigenvectors().col(choice.column).head(n)});
-  return roots;
+  const Spectrum spectrum = make_spectrum(solver.eigenvalues(), inverse.shift(), [&](Index k) {
+    return VectorXcd(solver.eigenvectors().col(k).head(n));
+  });
+  return choose_roots(pencil, spectrum, rigid_motions(pencil, inverse.shift()), count).roots;
 }
 
 /// Takes out of a block what lies in a basis.
@@ -192,94 +226,87 @@ class BlockSpace {
   MatrixXd block_, basis_, image_;
 };
 
-/// Eigenvalues of the inverse as a space has them, those of the pencil, and their vectors in the
-/// basis.
+/// Eigenvalues of the inverse as a space has them, and their vectors in the basis.
 struct RitzPairs {
-  Eigen::VectorXcd inverse, values;
+  VectorXcd inverse;
   MatrixXcd vectors;
 };
-RitzPairs find_pairs(const BlockSpace& space, double shift) {
+RitzPairs find_pairs(const BlockSpace& space) {
   const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(space.basis().transpose() * space.image()));
-  const Eigen::VectorXcd& inverse = solver.eigenvalues();
-  return {inverse, shift + inverse.array().inverse(), solver.eigenvectors()};
+  return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 /// What is left of the equation of the inverse by a pair, its vector being of length one.
 double find_remainder(const BlockSpace& space, const RitzPairs& pairs, Index k) {
-  const Eigen::VectorXcd x = pairs.vectors.col(k), y = pairs.inverse[k] * x;
+  const VectorXcd x = pairs.vectors.col(k), y = pairs.inverse[k] * x;
   const double real = (space.image() * x.real() - space.basis() * y.real()).squaredNorm();
   const double imag = (space.image() * x.imag() - space.basis() * y.imag()).squaredNorm();
   return std::sqrt(real + imag) / x.norm();
 }
 
-/// Whether all eigenvalues up to the last choice have converged, to round-off of the largest ones
-/// of the inverse.
+/// Whether eigenvalues have converged: to 11 digits, or where two are near one another, of which
+/// they would leave the half, to round-off of the largest ones of the inverse.
 bool have_converged(const BlockSpace& space, const RitzPairs& pairs,
-                    const std::vector<Choice>& choices) {
-  constexpr double kRoundOff = 100.0 * std::numeric_limits<double>::epsilon();
-  const double lost = kRoundOff * space.image().colwise().norm().maxCoeff();
-  const double last = std::abs(choices.back().s) * (1.0 + 1e-9);
-  for (Index k = 0; k < pairs.values.size(); ++k) {
-    if (std::abs(pairs.values[k]) > last || pairs.values[k].imag() < 0.0) continue;
-    if (find_remainder(space, pairs, k) > 1e-11 * std::abs(pairs.inverse[k]) + lost) return false;
-  }
-  return true;
-}
-
-std::vector<Root> make_roots(const BlockSpace& space, const RitzPairs& pairs,
-                             const std::vector<Choice>& choices, Index size) {
-  std::vector<Root> roots;
-  for (const Choice& choice : choices) {
-    const Eigen::VectorXcd x = pairs.vectors.col(choice.column);
-    Root root{choice.s, Eigen::VectorXcd(size)};
-    root.x.real() = space.basis().topRows(size) * x.real();
-    root.x.imag() = space.basis().topRows(size) * x.imag();
-    roots.push_back(std::move(root));
-  }
-  return roots;
+                    const std::vector<Checked>& checked) {
+  const double lost = 100.0 * kDigit * space.image().colwise().norm().maxCoeff();
+  return std::all_of(checked.begin(), checked.end(), [&](const Checked& pair) {
+    const double digits = pair.is_double ? 0.0 : 1e-11 * std::abs(pairs.inverse[pair.column]);
+    return find_remainder(space, pairs, pair.column) <= digits + lost;
+  });
 }
 
 /// Ritz values of the inverse in a space that grows by blocks, until those that are wanted have
 /// converged or the space is all.
-std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, double zero, Index count) {
-  const Index size = 2 * pencil.size();
+std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, Index count) {
+  const Index n = pencil.size(), size = 2 * n;
   const Index width = std::min(size, std::ssize(pencil.trees()) + 1);
+  const MatrixXd rigid = rigid_motions(pencil, inverse.shift());
   BlockSpace space(size, width);
   Index wanted = 2 * count + 2 * width + 8;
   while (true) {
     while (!space.is_all() && space.size() < wanted) space.grow(inverse);
-    const RitzPairs pairs = find_pairs(space, inverse.shift());
-    const std::vector<Choice> choices = choose(pairs.values, zero, count);
-    if (space.is_all() || (std::ssize(choices) == count && have_converged(space, pairs, choices)))
-      return make_roots(space, pairs, choices, pencil.size());
+    const RitzPairs pairs = find_pairs(space);
+    const auto vector = [&](Index k) {
+      VectorXcd x(n);
+      x.real() = space.basis().topRows(n) * pairs.vectors.col(k).real();
+      x.imag() = space.basis().topRows(n) * pairs.vectors.col(k).imag();
+      return x;
+    };
+    ChosenRoots chosen =
+        choose_roots(pencil, make_spectrum(pairs.inverse, inverse.shift(), vector), rigid, count);
+    if (space.is_all() ||
+        (std::ssize(chosen.roots) == count && have_converged(space, pairs, chosen.checked)))
+      return std::move(chosen.roots);
     wanted = space.size() + std::max<Index>(count, 2 * width);
   }
 }
 
-/// A hub that can turn makes the stiffness singular: the shift leaves something to divide by.
+/// What nothing holds makes the stiffness singular: the shift leaves something to divide by.
 Inverse make_inverse(const Pencil& pencil) {
-  Inverse plain(pencil, 0.0);
-  if (!pencil.has_hub() && plain.rcond() > 1e-15) return plain;
-  return Inverse(pencil, 0.05 * pencil.softest());
+  if (!pencil.has_hub() && pencil.is_held()) {
+    Inverse plain(pencil, 0.0);
+    if (plain.rcond() > 1e-13) return plain;
+  }
+  return Inverse(pencil, kShift * pencil.softest());
 }
 
 }  // namespace
 
 std::vector<Root> find_roots(const Pencil& pencil, Index count) {
-  const double zero = kZero * pencil.stiffest();
   const Index n = pencil.size();
   std::vector<Root> roots;
+  if (n == 0) return roots;
   if (n <= kSmallSymmetric) {
     const MatrixXd M = pencil.dense_mass(), C = pencil.dense_damping();
     const MatrixXd K = pencil.dense_stiffness();
     // M is of unit diagonal: C is a rate, to be compared with the frequencies.
-    if (is_symmetric(K) && C.lpNorm<Eigen::Infinity>() <= 1e-9 * pencil.softest())
-      roots = find_symmetric(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()), zero, count);
+    if (C.lpNorm<Eigen::Infinity>() <= 1e-9 * pencil.softest() &&
+        is_symmetric(K, pencil.largest_round_off()))
+      roots = find_symmetric(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()), pencil, count);
   }
   if (roots.empty()) {
     const Inverse inverse = make_inverse(pencil);
-    roots = n <= kSmall ? find_small(pencil, inverse, zero, count)
-                        : iterate(pencil, inverse, zero, count);
+    roots = n <= kSmall ? find_small(pencil, inverse, count) : iterate(pencil, inverse, count);
   }
   for (Root& root : roots) normalise(pencil, root);
   return roots;

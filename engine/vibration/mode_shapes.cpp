@@ -80,22 +80,37 @@ TreeShape calc_tree_shape(std::size_t tree, const VectorXd& q, const VectorXcd& 
   const std::vector<NodePlace> places = places_at(tree, q, model);
   constexpr std::complex<double> kI(0.0, 1.0);
   TreeShape shape;
+  for (VectorXcd& motion : shape.motions) motion.resize(std::ssize(places));
   for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
     shape.nodes.push_back(real[k].p + kI * imag[k].p);
     shape.rotations.push_back(real[k].rotation + kI * imag[k].rotation);
     const Eigen::Matrix3d to_root = model.root_axes(tree, places[k].body).transpose();
-    for (const std::vector<NodeMotion>* part : {&real, &imag}) {
-      const Vector3d p = to_root * (*part)[k].centre, rotation = to_root * (*part)[k].rotation;
-      for (int c = 0; c < 3; ++c)
-        shape.energies[static_cast<std::size_t>(c)] += places[k].mass * p[c] * p[c];
-      shape.energies[3] += places[k].inertia * rotation.x() * rotation.x();
-    }
+    const Eigen::Vector3cd centre =
+        to_root.cast<std::complex<double>>() * (real[k].centre + kI * imag[k].centre);
+    const std::complex<double> twist =
+        to_root.row(0).cast<std::complex<double>>() * shape.rotations.back();
+    for (std::size_t c = 0; c < 3; ++c)
+      shape.motions[c][at] = std::sqrt(places[k].mass) * centre[static_cast<Eigen::Index>(c)];
+    shape.motions[3][at] = std::sqrt(places[k].inertia) * twist;
   }
+  for (std::size_t c = 0; c < 4; ++c) shape.energies[c] = shape.motions[c].squaredNorm();
   return shape;
 }
 
-std::string name_kind(std::size_t tree, const VectorXcd& x, const Eigen::MatrixXd& mass,
-                      const TreeShape& shape, const SteadyModel& model) {
+std::string KindNames::find_direction(const std::array<double, 4>& energies) {
+  constexpr double kAlike = 1e-4;
+  static constexpr const char* kKinds[] = {"axial", "lag", "flap", "torsion"};
+  const auto most = std::max_element(energies.begin(), energies.end()) - energies.begin();
+  const double lag = energies[1], flap = energies[2];
+  const bool is_whirl = (most == 1 || most == 2) && std::abs(lag - flap) <= kAlike * (lag + flap);
+  if (!is_whirl) return kKinds[most];
+  is_second_ = !is_second_;
+  return is_second_ ? "flap" : "lag";
+}
+
+std::string KindNames::name(std::size_t tree, const VectorXcd& x, const Eigen::MatrixXd& mass,
+                            const TreeShape& shape, const SteadyModel& model) {
   const auto energy = [&mass](const VectorXcd& y) {
     return y.real().dot(mass * y.real()) + y.imag().dot(mass * y.imag());
   };
@@ -110,9 +125,7 @@ std::string name_kind(std::size_t tree, const VectorXcd& x, const Eigen::MatrixX
     only[k] = x[k];
     names.try_emplace(coordinate.body, coordinate.joint);
   }
-  static constexpr const char* kKinds[] = {"axial", "lag", "flap", "torsion"};
-  const auto most = std::max_element(shape.energies.begin(), shape.energies.end());
-  const std::string kind = kKinds[most - shape.energies.begin()];
+  const std::string kind = find_direction(shape.energies);
   for (const auto& [body, only] : by_joint)
     if (energy(only) > 0.5 * energy(x))
       return names[body].find(kind) == std::string::npos ? names[body] + ' ' + kind : names[body];

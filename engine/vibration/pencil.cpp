@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace spoke::vibration {
@@ -15,14 +16,19 @@ using Eigen::VectorXd;
 using steady::HubCoupling;
 using steady::LinearModel;
 using steady::LinearTree;
+using steady::RoundOff;
 
-/// The estimate passes by a pivot of zero, that of what nothing holds. A tree without coordinates
-/// loses nothing.
-double find_rcond(const Eigen::PartialPivLU<MatrixXd>& factor) {
-  if (factor.rows() == 0) return 1.0;
-  const VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
-  const double least = pivots.minCoeff() / pivots.maxCoeff();
-  return least > 0.0 ? std::min(least, factor.rcond()) : 0.0;
+constexpr double kRounding = std::numeric_limits<double>::epsilon();
+/// Forces are sums of many terms, each of which was rounded.
+constexpr double kTerms = 30.0;
+
+/// Factors that make a diagonal of ones, where it is none of zeros.
+VectorXd find_balance(const MatrixXd& matrix) {
+  VectorXd balance = matrix.diagonal().cwiseAbs();
+  const double most = balance.size() > 0 ? balance.maxCoeff() : 0.0;
+  for (double& value : balance)
+    value = value > kRounding * kRounding * most ? 1.0 / std::sqrt(value) : 1.0;
+  return balance;
 }
 
 std::vector<std::size_t> all_trees(const LinearModel& model) {
@@ -44,21 +50,71 @@ Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> trees)
   }
   scale_.resize(size);
   std::vector<double> squares;
-  const auto add = [&](const MatrixXd& M, const MatrixXd& K, Index at) {
+  // What is nothing but round-off is no stiffness.
+  const auto add = [&](const MatrixXd& M, const MatrixXd& K, const RoundOff& lost, Index at) {
     for (Index k = 0; k < M.rows(); ++k) {
       scale_[at + k] = 1.0 / std::sqrt(M(k, k));
-      squares.push_back(std::abs(K(k, k)) / M(k, k));
+      const double stiffness = std::abs(K(k, k));
+      const double round_off = kTerms * kRounding * lost.force[k] / lost.step[k];
+      largest_round_off_ = std::max(largest_round_off_, round_off / M(k, k));
+      if (stiffness > round_off)
+        squares.push_back(stiffness / M(k, k));
+      else
+        is_held_ = false;
     }
   };
-  add(model.M, model.K, 0);
-  for (std::size_t place = 0; place < trees_.size(); ++place)
-    add(model.tree(trees_[place]).M, model.tree(trees_[place]).K, starts_[place]);
+  add(model.M, model.K, model.round_off, 0);
+  for (std::size_t place = 0; place < trees_.size(); ++place) {
+    const LinearTree& t = model.tree(trees_[place]);
+    add(t.M, t.K, t.round_off, starts_[place]);
+  }
   const double most = squares.empty() ? 0.0 : *std::max_element(squares.begin(), squares.end());
   if (most == 0.0) return;
   stiffest_ = softest_ = std::sqrt(most);
-  // What is nothing but round-off is no stiffness.
   for (const double square : squares)
-    if (square > 1e-14 * most) softest_ = std::min(softest_, std::sqrt(square));
+    if (square > 1e-30 * most) softest_ = std::min(softest_, std::sqrt(square));
+}
+
+/// |x|^T |A| |x| of a matrix of all.
+double Pencil::sum_terms(MatrixXd LinearTree::*tree, MatrixXd HubCoupling::*tree_hub,
+                         MatrixXd HubCoupling::*hub_tree, MatrixXd LinearModel::*hub,
+                         const VectorXd& x) const {
+  const auto form = [](const auto& left, const MatrixXd& A, const auto& right) {
+    return A.size() == 0 ? 0.0 : left.dot(A.cwiseAbs() * right);
+  };
+  const VectorXd of_hub = x.head(model_.M.rows());
+  double sum = form(of_hub, model_.*hub, of_hub);
+  for (std::size_t place = 0; place < trees_.size(); ++place) {
+    const LinearTree& t = model_.tree(trees_[place]);
+    const VectorXd of_tree = x.segment(starts_[place], t.M.rows());
+    sum += form(of_tree, t.*tree, of_tree);
+    if (!has_hub()) continue;
+    const HubCoupling& both = model_.couplings[trees_[place]];
+    sum += form(of_tree, both.*tree_hub, of_hub) + form(of_hub, both.*hub_tree, of_tree);
+  }
+  return sum;
+}
+
+double Pencil::calc_round_off(const Eigen::VectorXcd& x, double magnitude_of_s) const {
+  const VectorXd size = scale_.cwiseProduct(x.cwiseAbs());
+  const double s = magnitude_of_s;
+  double force = model_.round_off.force.dot(size.head(model_.M.rows()));
+  double steps = size.head(model_.M.rows()).cwiseQuotient(model_.round_off.step).sum();
+  for (std::size_t place = 0; place < trees_.size(); ++place) {
+    const RoundOff& lost = model_.tree(trees_[place]).round_off;
+    const VectorXd of_tree = size.segment(starts_[place], lost.step.size());
+    force += lost.force.dot(of_tree);
+    steps += of_tree.cwiseQuotient(lost.step).sum();
+  }
+  const auto sum = [&](auto tree, auto tree_hub, auto hub_tree, auto hub) {
+    return sum_terms(tree, tree_hub, hub_tree, hub, size);
+  };
+  const double terms =
+      s * s * sum(&LinearTree::M, &HubCoupling::M_bh, &HubCoupling::M_hb, &LinearModel::M) +
+      s * sum(&LinearTree::C, &HubCoupling::C_bh, &HubCoupling::C_hb, &LinearModel::C) +
+      sum(&LinearTree::K, &HubCoupling::K_bh, &HubCoupling::K_hb, &LinearModel::K) +
+      force * steps * (1.0 + s / model_.rate);
+  return kTerms * kRounding * terms;
 }
 
 MatrixXd Pencil::apply(MatrixXd LinearTree::*tree, MatrixXd HubCoupling::*tree_hub,
@@ -98,6 +154,23 @@ MatrixXd Pencil::dense_mass() const { return mass(MatrixXd::Identity(size(), siz
 MatrixXd Pencil::dense_damping() const { return damping(0.0, MatrixXd::Identity(size(), size())); }
 MatrixXd Pencil::dense_stiffness() const { return stiffness(MatrixXd::Identity(size(), size())); }
 
+BalancedFactor::BalancedFactor(const MatrixXd& matrix) : balance_(find_balance(matrix)) {
+  if (rows() > 0) factor_.compute(balance_.asDiagonal() * matrix * balance_.asDiagonal());
+}
+
+MatrixXd BalancedFactor::solve(const MatrixXd& right) const {
+  if (rows() == 0) return right;
+  return balance_.asDiagonal() * factor_.solve(balance_.asDiagonal() * right);
+}
+
+double BalancedFactor::rcond() const {
+  if (rows() == 0) return 1.0;
+  // The estimate passes by a pivot of zero, that of what nothing holds.
+  const VectorXd pivots = factor_.matrixLU().diagonal().cwiseAbs();
+  const double least = pivots.minCoeff() / pivots.maxCoeff();
+  return least > 0.0 ? std::min(least, factor_.rcond()) : 0.0;
+}
+
 PencilFactor::PencilFactor(const Pencil& pencil, const PencilWeights& weights) : pencil_(pencil) {
   const LinearModel& model = pencil.model_;
   const Index h = model.M.rows();
@@ -115,7 +188,7 @@ PencilFactor::PencilFactor(const Pencil& pencil, const PencilWeights& weights) :
       factor_of[first] = factors_.size();
       factors_.emplace_back(
           MatrixXd(scale.asDiagonal() * evaluate(t.M, t.C, t.K) * scale.asDiagonal()));
-      rcond_ = std::min(rcond_, find_rcond(factors_.back()));
+      rcond_ = std::min(rcond_, factors_.back().rcond());
     }
     factor_of_.push_back(factor_of[first]);
     if (h == 0) continue;
@@ -126,8 +199,8 @@ PencilFactor::PencilFactor(const Pencil& pencil, const PencilWeights& weights) :
     hub -= on_hub_.back() * by_hub_.back();
   }
   if (h == 0) return;
-  hub_.compute(hub);
-  rcond_ = std::min(rcond_, find_rcond(hub_));
+  hub_.emplace(hub);
+  rcond_ = std::min(rcond_, hub_->rcond());
 }
 
 MatrixXd PencilFactor::solve(const MatrixXd& right) const {
@@ -140,7 +213,7 @@ MatrixXd PencilFactor::solve(const MatrixXd& right) const {
     if (h > 0) of_hub -= on_hub_[place] * rows;
   }
   if (h == 0) return x;
-  x.topRows(h) = hub_.solve(of_hub);
+  x.topRows(h) = hub_->solve(of_hub);
   for (std::size_t place = 0; place < factor_of_.size(); ++place)
     x.middleRows(pencil_.starts_[place], tree(place).rows()) -= by_hub_[place] * x.topRows(h);
   return x;

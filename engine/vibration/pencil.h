@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <optional>
 #include <vector>
 
 #include "engine/steady/linear_model.h"
@@ -30,6 +31,14 @@ class Pencil {
   /// Frequencies of the softest and of the stiffest coordinate by itself [rad/s].
   double softest() const { return softest_; }
   double stiffest() const { return stiffest_; }
+  /// Whether each coordinate by itself is held, by more than round-off.
+  bool is_held() const { return is_held_; }
+  /// The largest round-off of an entry of K that is a difference of forces [1/s^2].
+  double largest_round_off() const { return largest_round_off_; }
+
+  /// Up to what round-off of M, C and K leaves x^H (s^2 M + s C + K) x [1/s^2]: that of the terms
+  /// which make up the forces of this very shape, and no others. x in scaled coordinates.
+  double calc_round_off(const Eigen::VectorXcd& x, double magnitude_of_s) const;
 
   /// M x, K x, and C x + s M x, in scaled coordinates.
   Eigen::MatrixXd mass(const Eigen::MatrixXd& x) const;
@@ -46,6 +55,10 @@ class Pencil {
                         Eigen::MatrixXd steady::HubCoupling::*tree_hub,
                         Eigen::MatrixXd steady::HubCoupling::*hub_tree,
                         Eigen::MatrixXd steady::LinearModel::*hub, const Eigen::MatrixXd& x) const;
+  double sum_terms(Eigen::MatrixXd steady::LinearTree::*tree,
+                   Eigen::MatrixXd steady::HubCoupling::*tree_hub,
+                   Eigen::MatrixXd steady::HubCoupling::*hub_tree,
+                   Eigen::MatrixXd steady::LinearModel::*hub, const Eigen::VectorXd& x) const;
 
   const steady::LinearModel& model_;
   std::vector<std::size_t> trees_;
@@ -53,6 +66,23 @@ class Pencil {
   Eigen::VectorXd scale_;
   double softest_ = 1.0;
   double stiffest_ = 1.0;
+  bool is_held_ = true;
+  double largest_round_off_ = 0.0;
+};
+
+/// A matrix factorised after it was scaled to a diagonal of ones, so that coordinates of unlike
+/// stiffness cost no digits. Zeros stay.
+class BalancedFactor {
+ public:
+  explicit BalancedFactor(const Eigen::MatrixXd& matrix);
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+  Eigen::Index rows() const { return balance_.size(); }
+  /// About the reciprocal condition of what was factorised; 0 if it is singular.
+  double rcond() const;
+
+ private:
+  Eigen::VectorXd balance_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
 };
 
 /// What M, C and K count in a sum of them.
@@ -75,15 +105,13 @@ class PencilFactor {
  private:
   const Pencil& pencil_;
   double rcond_ = 1.0;
-  const Eigen::PartialPivLU<Eigen::MatrixXd>& tree(std::size_t place) const {
-    return factors_[factor_of_[place]];
-  }
+  const BalancedFactor& tree(std::size_t place) const { return factors_[factor_of_[place]]; }
 
-  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> factors_;
+  std::vector<BalancedFactor> factors_;
   std::vector<std::size_t> factor_of_;   ///< by place in the pencil's trees()
   std::vector<Eigen::MatrixXd> by_hub_;  ///< what a motion of the hub does to each tree
   std::vector<Eigen::MatrixXd> on_hub_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> hub_;
+  std::optional<BalancedFactor> hub_;
 };
 
 }  // namespace spoke::vibration

@@ -10,6 +10,7 @@
 
 #include "engine/campbell.h"
 #include "engine/steady/steady_speed.h"
+#include "engine/vibration/solve_modes.h"
 #include "graph/executor.h"
 #include "models/error.h"
 #include "models/reader/scenario_fields.h"
@@ -33,16 +34,16 @@ void check(const CampbellOptions& options) {
   }
   if (options.harmonics < 0)
     throw InputError(std::to_string(options.harmonics) + " harmonics, expected 0 or more");
+  const int count = options.count.value_or(options.most);
+  if (count < 1) throw InputError(std::to_string(count) + " modes, expected 1 or more");
 }
 
-/// The modes at one speed; as many more as there are, up to the spare ones.
-ModesResult solve_with_spares(const Scenario& scenario, double speed, int count) {
-  for (int spare = kSpare; spare > 0; --spare) try {
-      return solve_modes(scenario, {.state = {.speed = speed}, .count = count + spare});
-    } catch (const InputError&) {
-      // Fewer modes than that, or what the last attempt will say.
-    }
-  return solve_modes(scenario, {.state = {.speed = speed}, .count = count});
+/// At one speed, with as many more as there are, up to the spare ones.
+ModesResult solve_with_spares(const Scenario& scenario, double speed,
+                              const CampbellOptions& options) {
+  return vibration::solve_modes(
+      scenario, {.speed = speed},
+      {options.count.value_or(0), options.count.value_or(options.most) + kSpare});
 }
 
 /// What became of a speed that has no modes.
@@ -84,7 +85,7 @@ void solve_all(const Scenario& scenario, const CampbellOptions& options, Campbel
   const auto work = [&](bool tells) {
     for (std::size_t k = next++; k < count; k = next++) {
       try {
-        states[k] = solve_with_spares(scenario, options.speeds[k], options.count);
+        states[k] = solve_with_spares(scenario, options.speeds[k], options);
       } catch (const DivergenceError& error) {
         failures[k] = {std::current_exception(), error.what()};
       } catch (...) {
@@ -178,6 +179,7 @@ void follow_all(const std::vector<ModesResult>& states, int count,
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < states.size(); ++k)
     if (!states[k].modes.empty()) found.push_back(k);
+  if (found.size() < 2) return;  // nothing vibrates
   branches = begin_branches(found[0], states, count);
   for (std::size_t i = 1; i < found.size(); ++i) follow(found[i - 1], found[i], states, branches);
   // Blades that gravity parts at rest are alike again as soon as the hub turns.
@@ -221,7 +223,7 @@ CampbellResult solve_campbell(const Scenario& scenario, const CampbellOptions& o
   check(options);
   CampbellResult result;
   solve_all(scenario, options, result);
-  follow_all(result.states, options.count, result.branches);
+  follow_all(result.states, options.count.value_or(options.most), result.branches);
   find_crossings(options, find_operating_speed(scenario), result);
   return result;
 }

@@ -1,14 +1,20 @@
 // From a scenario to its modes: equilibrium, linearisation, roots, names.
 
+#include "engine/vibration/solve_modes.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "engine/modes.h"
 #include "engine/steady/describe_equilibrium.h"
 #include "engine/steady/linear_model.h"
 #include "engine/steady/steady_speed.h"
+#include "engine/steady/steady_warnings.h"
 #include "engine/vibration/coupled_roots.h"
+#include "engine/vibration/equal_roots.h"
 #include "engine/vibration/mode_shapes.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
@@ -19,6 +25,8 @@ namespace {
 using steady::Equilibrium;
 using steady::LinearModel;
 using steady::SteadyModel;
+using vibration::Features;
+using vibration::ModeCount;
 using vibration::Pencil;
 using vibration::Root;
 using vibration::TreeShape;
@@ -56,7 +64,7 @@ Mode make_mode(const Root& root) {
   mode.eigenvalue = root.s;
   mode.frequency = std::abs(root.s.imag());
   const double size = std::abs(root.s);
-  mode.damping_ratio = size > 0.0 ? -root.s.real() / size : 0.0;
+  mode.damping_ratio = size > 0.0 ? 0.0 - root.s.real() / size : 0.0;
   mode.coordinates = root.x;
   return mode;
 }
@@ -87,25 +95,52 @@ class Numbering {
   std::map<std::string, int> counts_;
 };
 
+/// Of so many that there are.
+Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::string& why = "") {
+  if (count.least > size)
+    throw InputError(std::to_string(count.least) + " modes, expected at most " +
+                     std::to_string(size) + why);
+  return std::min<Eigen::Index>(count.most, size);
+}
+
 bool is_rigid(const Mode& mode) { return mode.eigenvalue == 0.0; }
 
-void add_modes_of_tree(std::size_t i, int count, const Linearised& all, ModesResult& result) {
+/// Flap, lag, torsion and the rest of a shape, by which modes of equal roots are told apart.
+Features list_features(const TreeShape& shape) {
+  return {shape.motions[2], shape.motions[1], shape.motions[3], shape.motions[0]};
+}
+
+/// Some more than are asked for: of equal roots all are needed to tell them apart, of a pair or of
+/// as many blades.
+Eigen::Index count_with_partners(Eigen::Index count, const Pencil& pencil) {
+  constexpr Eigen::Index kMost = 8;
+  return std::min(count + std::min(kMost, std::ssize(pencil.trees())), pencil.size());
+}
+
+void add_modes_of_tree(std::size_t i, const ModeCount& count, const Linearised& all,
+                       ModesResult& result) {
   const Pencil pencil(all.linear, {i});
   const std::string of = name_trees(find_like(i, all.linear.alike), all.model);
-  if (count > pencil.size())
-    throw InputError(std::to_string(count) + " modes, expected at most " +
-                     std::to_string(pencil.size()) + ": there are no more of " + of);
+  const Eigen::Index wanted = find_count(count, pencil.size(), ": there are no more of " + of);
+  const auto shape_of = [&](const Eigen::VectorXcd& x) {
+    return vibration::calc_tree_shape(i, all.equilibrium.q[i], x, all.model);
+  };
+  std::vector<Root> roots = vibration::find_roots(pencil, count_with_partners(wanted, pencil));
+  separate_equal_roots(
+      pencil, [&](const Eigen::VectorXcd& x) { return list_features(shape_of(x)); }, roots);
+  if (std::ssize(roots) > wanted) roots.resize(static_cast<std::size_t>(wanted));
   Numbering numbering;
-  for (const Root& root : vibration::find_roots(pencil, count)) {
+  vibration::KindNames kinds;
+  for (const Root& root : roots) {
     Mode mode = make_mode(root);
     mode.of = of;
-    const TreeShape shape = vibration::calc_tree_shape(i, all.equilibrium.q[i], root.x, all.model);
+    const TreeShape shape = shape_of(root.x);
     mode.shape.resize(all.model.trees());
     mode.rotations.resize(all.model.trees());
     mode.shape[i] = shape.nodes;
     mode.rotations[i] = shape.rotations;
     normalise(mode);
-    mode.kind = vibration::name_kind(i, root.x, all.linear.tree(i).M, shape, all.model);
+    mode.kind = kinds.name(i, root.x, all.linear.tree(i).M, shape, all.model);
     numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
     result.modes.push_back(std::move(mode));
   }
@@ -147,19 +182,54 @@ std::string find_pattern(std::size_t i, const Pencil& pencil, const Eigen::Vecto
   return vibration::name_pattern(blades, azimuths);
 }
 
-Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised& all) {
+/// Kinds of all trees together, then cosine and sine parts of multiples of the azimuth of those
+/// that are alike.
+Features list_coupled_features(const Eigen::VectorXcd& x, const Pencil& pencil,
+                               const Linearised& all) {
+  const std::size_t trees = all.model.trees();
+  std::vector<Features> shapes;
+  std::vector<Eigen::Index> starts;
+  Eigen::Index size = 0;
+  for (std::size_t i = 0; i < trees; ++i) {
+    const Eigen::VectorXcd own = x.segment(pencil.start(i), all.linear.tree(i).M.rows());
+    shapes.push_back(
+        list_features(vibration::calc_tree_shape(i, all.equilibrium.q[i], own, all.model)));
+    starts.push_back(size);
+    size += shapes[i][0].size();
+  }
+  Features features(4, Eigen::VectorXcd(size));
+  for (std::size_t kind = 0; kind < 4; ++kind)
+    for (std::size_t i = 0; i < trees; ++i)
+      features[kind].segment(starts[i], shapes[i][kind].size()) = shapes[i][kind];
+  for (std::size_t n = 0; 2 * n <= trees; ++n)
+    for (const double phase : {0.0, 0.5 * std::numbers::pi}) {
+      Eigen::VectorXcd& sum = features.emplace_back(Eigen::VectorXcd::Zero(4 * size));
+      for (std::size_t i = 0; i < trees; ++i) {
+        const std::size_t first = all.equilibrium.alike[i];
+        const double share = std::cos(static_cast<double>(n) * all.model.azimuth(i) - phase);
+        const Eigen::Index own = shapes[i][0].size(), at = 4 * starts[first];
+        for (std::size_t kind = 0; kind < 4; ++kind)
+          sum.segment(at + static_cast<Eigen::Index>(kind) * own, own) += share * shapes[i][kind];
+      }
+    }
+  return features;
+}
+
+Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised& all,
+                       vibration::KindNames& kinds) {
   Mode mode = make_mode(root);
   mode.of = "all";
   const Eigen::Index h = all.linear.M.rows();
   set_hub_motion(root.x.head(h), all.model, mode);
+  constexpr double kAlike = 1e-6;  // of blades that move as much the first one counts
   std::size_t most = 0;
-  double largest = -1.0;
+  double largest = 0.0;
   std::vector<TreeShape> shapes;
   for (std::size_t i = 0; i < all.model.trees(); ++i) {
     const Eigen::VectorXcd x = root.x.segment(pencil.start(i), all.linear.tree(i).M.rows());
     TreeShape& shape =
         shapes.emplace_back(vibration::calc_tree_shape(i, all.equilibrium.q[i], x, all.model));
-    if (shape.total() > largest) {
+    if (shape.total() > largest * (1.0 + kAlike)) {
       largest = shape.total();
       most = i;
     }
@@ -176,19 +246,24 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   const Eigen::VectorXcd x = root.x.segment(pencil.start(most), all.linear.tree(most).M.rows());
   mode.kind = of_hub > 0.5 && largest < 0.25
                   ? "hub"
-                  : vibration::name_kind(most, x, all.linear.tree(most).M, shapes[most], all.model);
+                  : kinds.name(most, x, all.linear.tree(most).M, shapes[most], all.model);
   mode.name = find_pattern(most, pencil, root.x, all);
   return mode;
 }
 
-void add_coupled_modes(int count, const Linearised& all, ModesResult& result) {
+void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
   const Pencil pencil(all.linear);
-  if (count > pencil.size())
-    throw InputError(std::to_string(count) + " modes, expected at most " +
-                     std::to_string(pencil.size()));
+  const Eigen::Index wanted = find_count(count, pencil.size());
+  std::vector<Root> roots = vibration::find_coupled_roots(all.linear, all.model.azimuths(),
+                                                          count_with_partners(wanted, pencil));
+  separate_equal_roots(
+      pencil, [&](const Eigen::VectorXcd& x) { return list_coupled_features(x, pencil, all); },
+      roots);
+  if (std::ssize(roots) > wanted) roots.resize(static_cast<std::size_t>(wanted));
   Numbering numbering;
-  for (const Root& root : vibration::find_coupled_roots(all.linear, all.model.azimuths(), count)) {
-    Mode mode = make_coupled_mode(root, pencil, all);
+  vibration::KindNames kinds;
+  for (const Root& root : roots) {
+    Mode mode = make_coupled_mode(root, pencil, all, kinds);
     const bool has_pattern = !mode.name.empty() && mode.kind != "hub";
     if (is_rigid(mode))
       numbering.name("rigid motion", mode);
@@ -200,30 +275,37 @@ void add_coupled_modes(int count, const Linearised& all, ModesResult& result) {
 
 }  // namespace
 
-ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options) {
+ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
+                                   const ModeCount& count) {
   check_scenario(scenario);
-  if (options.count < 1)
-    throw InputError(std::to_string(options.count) + " modes, expected 1 or more");
-  const double speed = steady::find_steady_speed(scenario, options.state.speed);
+  const double speed = steady::find_steady_speed(scenario, state.speed);
   const std::unique_ptr<SteadyModel> model = steady::make_steady_model(scenario, {speed});
   const Equilibrium equilibrium = steady::find_equilibrium(*model);
   steady::require_steady_hub(*model, equilibrium);
   ModesResult result;
   result.equilibrium = steady::describe(equilibrium, *model);
+  steady::add_warnings(scenario, result.equilibrium);
   const LinearModel linear = steady::linearize(equilibrium, *model);
   result.are_blades_coupled = linear.is_coupled();
   const Linearised all{*model, equilibrium, linear};
   if (linear.is_coupled()) {
-    add_coupled_modes(options.count, all, result);
+    add_coupled_modes(count, all, result);
     return result;
   }
   // What has no coordinates has no modes.
   for (std::size_t i = 0; i < model->trees(); ++i)
     if (linear.alike[i] == i && linear.tree(i).M.rows() > 0)
-      add_modes_of_tree(i, options.count, all, result);
+      add_modes_of_tree(i, count, all, result);
   if (result.modes.empty())
     throw InputError("nothing of the model moves, expected a body or a joint that does");
   return result;
+}
+
+ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options) {
+  if (!options.count) return vibration::solve_modes(scenario, options.state, {});
+  const int count = *options.count;
+  if (count < 1) throw InputError(std::to_string(count) + " modes, expected 1 or more");
+  return vibration::solve_modes(scenario, options.state, {count, count});
 }
 
 }  // namespace spoke

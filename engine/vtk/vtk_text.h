@@ -7,6 +7,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "models/vectors.h"
@@ -21,6 +22,7 @@ class VtkText {
   template <class Number>
   void add(Number number) {
     std::array<char, 32> buffer;
+    if constexpr (std::is_floating_point_v<Number>) number += Number{0};  // no "-0"
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
     text_.append(buffer.data(), static_cast<std::size_t>(end - buffer.data())).append(" ");
   }

@@ -164,8 +164,8 @@ void bind_equilibrium(py::module_& module) {
                (joint.turns ? " rad>" : " m>");
       });
   py::class_<SectionLoad>(module, "SectionLoad",
-                          "What the inner part of a blade exerts on the outer one where a body "
-                          "begins, in axes of that body.")
+                          "What the outer part of a blade exerts on the inner one where a body "
+                          "begins, in axes of the section there: as the sensor section_force.")
       .def_readonly("body", &SectionLoad::body, "That begins there.")
       .def_readonly("station", &SectionLoad::station, "Undeformed distance from the root [m].")
       .def_readonly("force", &SectionLoad::force, "(3,) [N]")
@@ -181,6 +181,8 @@ void bind_equilibrium(py::module_& module) {
       .def_readonly("tip_rotation", &BladeEquilibrium::tip_rotation, "(3,) rotation vector [rad]")
       .def_readonly("joints", &BladeEquilibrium::joints, "That are free.")
       .def_readonly("loads", &BladeEquilibrium::loads, "From the root on.")
+      .def_readonly("bending", &BladeEquilibrium::bending,
+                    "By body: its largest deflection across its axis by its length.")
       .def_property_readonly(
           "nodes", [](const BladeEquilibrium& blade) { return rows_of(blade.nodes); },
           "(nodes, 3): places from root to tip, body after body: the last node of a body is "
@@ -206,6 +208,14 @@ void bind_equilibrium(py::module_& module) {
                              "Of Newton's method, over all blades.")
       .def_property_readonly("load_steps", get(&EquilibriumResult::load_steps),
                              "In which loads were applied.")
+      .def_property_readonly(
+          "warnings",
+          [](const Equilibrium& e) {
+            std::vector<std::string> texts;
+            for (const Warning& warning : e.result.warnings) texts.push_back(warning.text);
+            return texts;
+          },
+          "What makes it doubtful, as of a run.")
       .def(
           "page",
           [](const Equilibrium& e) {
@@ -295,7 +305,7 @@ void bind_modes(py::module_& module) {
       });
   module.def(
       "_solve_modes",
-      [](const Scenario& scenario, std::optional<double> speed, int count) {
+      [](const Scenario& scenario, std::optional<double> speed, std::optional<int> count) {
         return std::make_shared<Modes>(solve_modes(scenario, {{speed}, count}), scenario);
       },
       py::call_guard<py::gil_scoped_release>());
@@ -337,8 +347,8 @@ py::list crossings_of(const Campbell& campbell) {
   return crossings;
 }
 
-Campbell solve_diagram(const Scenario& scenario, std::vector<double> speeds, int count,
-                       int harmonics, int threads) {
+Campbell solve_diagram(const Scenario& scenario, std::vector<double> speeds,
+                       std::optional<int> count, int harmonics, int threads) {
   CampbellOptions options{.speeds = std::move(speeds),
                           .count = count,
                           .harmonics = harmonics,

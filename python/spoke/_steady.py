@@ -16,23 +16,24 @@ def equilibrium(scenario, *, set=None, speed=None):
     return _spoke._solve_equilibrium(read_scenario(scenario, set), speed)
 
 
-def modes(scenario, *, set=None, speed=None, count=10):
+def modes(scenario, *, set=None, speed=None, count=None):
     """Finds the lowest Modes of a model about its equilibrium, in the hub's turning frame.
 
     scenario, set, speed: as of equilibrium().
-    count: how many, of each blade where blades do not couple, else of the whole model.
+    count: how many, of each blade where blades do not couple, else of the whole model; None: 10, or
+        as many as there are.
 
     Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero.
     """
     return _spoke._solve_modes(read_scenario(scenario, set), speed, count)
 
 
-def campbell(scenario, speeds, *, set=None, count=6, harmonics=6, threads=None):
+def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=None):
     """Follows modes over speeds of rotation: a Campbell diagram.
 
     scenario, set: as of read_scenario().
     speeds: ascending, two or more [rad/s].
-    count: modes to follow, as of modes().
+    count: modes to follow, as of modes(); None: 6, or as many as there are.
     harmonics: excitation lines, from once per revolution on.
     threads: on which speeds are shared out; None: all that are available.
 

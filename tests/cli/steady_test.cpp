@@ -29,6 +29,32 @@ TEST_CASE("static prints an equilibrium and writes its files") {
   CHECK(file_text(results / "static.html").find("Equilibrium at 30 rad/s") != std::string::npos);
 }
 
+TEST_CASE("static says how far bodies bend, warns of it, and writes no -0") {
+  const WorkFolder folder;
+  const std::vector<std::string> arguments = {
+      "static", shipped("spin_up_hold_spin_down"),        "--speed", "-0", "--out", "x",
+      "--set",  "load=[{moment=300.0,frame=\"section\"}]"};
+  const Ended ended = run_spoke(arguments, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("largest bending blade 1 / body 1 by ") != std::string::npos);
+  CHECK(ended.err.starts_with("warning: blade 1 / body 1 bends by "));
+  CHECK(ended.err.find("up to which its linear elasticity holds: cut the blade into about ") !=
+        std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "x" / "static.json"));
+  CHECK(all["blades"][0]["bending"].size() == all["blades"][0]["section_forces"].size());
+  CHECK("warning: " + all["warnings"][0].get<std::string>() + '\n' == ended.err);
+  for (const char* file : {"static.json", "section_forces.csv"}) {
+    CAPTURE(file);
+    const std::string text = ' ' + file_text(folder.path() / "x" / file);
+    for (std::size_t at = text.find("-0"); at != std::string::npos; at = text.find("-0", at + 1)) {
+      const bool is_alone = std::string(" ,\n").find(text[at - 1]) != std::string::npos;
+      const std::size_t end = text.find_first_of(",\n]", at);
+      if (is_alone) CHECK(std::stod(text.substr(at, end - at)) != 0.0);
+    }
+  }
+  CHECK(ended.out.find("-0 ") == std::string::npos);
+}
+
 TEST_CASE("modes prints a table and writes its files") {
   const WorkFolder folder;
   const Ended ended = run_spoke(
@@ -41,6 +67,17 @@ TEST_CASE("modes prints a table and writes its files") {
   CHECK(all["blades_couple"] == false);
   CHECK(all["modes"][0]["shape"][0]["real"].size() == all["equilibrium"][0]["nodes_m"].size());
   CHECK(lines_of(file_text(folder.path() / "x" / "modes.csv")).size() == 4);
+}
+
+TEST_CASE("modes and campbell without --count take what there is") {
+  const WorkFolder folder;
+  const Ended modes = run_spoke({"modes", shipped("heavy_top"), "--out", "x"}, folder);
+  CHECK(modes.status == 0);
+  CHECK(lines_of(file_text(folder.path() / "x" / "modes.csv")).size() == 1 + 3);
+  const Ended campbell =
+      run_spoke({"campbell", shipped("heavy_top"), "--speeds", "1:3:1", "--out", "y"}, folder);
+  CHECK(campbell.status == 0);
+  CHECK(campbell.err.empty());
 }
 
 TEST_CASE("campbell follows modes and writes its files") {

@@ -20,9 +20,9 @@ def test_an_equilibrium_is_that_of_the_program(program):
     assert len(found.blades) == 3
     assert json.dumps(list(found.blades[0].tip_displacement)) in json.dumps(written)
     assert found.blades[0].nodes.shape == found.blades[0].undeformed.shape == (4 * 5, 3)
-    # The root holds the blade against the centrifugal force, m w^2 r.
+    # The blade pulls at its root with the centrifugal force, m w^2 r.
     mass = 2766.67 * 7.299e-5 * 8.0
-    assert found.blades[0].loads[0].force[0] == pytest.approx(-mass * 9.0 * 4.0, rel=1e-3)
+    assert found.blades[0].loads[0].force[0] == pytest.approx(mass * 9.0 * 4.0, rel=1e-3)
     assert found.page().startswith("<!")
 
 

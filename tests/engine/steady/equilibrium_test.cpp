@@ -38,7 +38,7 @@ TEST_CASE("equilibrium: a cantilever under a dead force at its tip is an elastic
     CHECK(blade.tip_displacement.y() == doctest::Approx(known.deflection).epsilon(1e-3));
     CHECK(-blade.tip_displacement.x() == doctest::Approx(known.shortening).epsilon(2e-3));
     // Clamped: the force, and its moment about the deformed root.
-    CHECK(blade.loads.front().force.y() == doctest::Approx(-known.load).epsilon(1e-9));
+    CHECK(blade.loads.front().force.y() == doctest::Approx(known.load).epsilon(1e-9));
     CHECK(result.hub_force.y() == doctest::Approx(-known.load).epsilon(1e-9));
     // The force acts at the foreshortened tip.
     CHECK(result.hub_moment.z() ==

@@ -1,0 +1,50 @@
+// Words as those of engine/simulation/observations.cpp, of one state in place of many.
+
+#include "engine/steady/steady_warnings.h"
+
+#include <sstream>
+
+#include "engine/kernels/suggested_bodies.h"
+
+namespace spoke::steady {
+
+LargestBending find_largest_bending(const EquilibriumResult& result) {
+  LargestBending largest;
+  for (std::size_t i = 0; i < result.blades.size(); ++i)
+    for (std::size_t j = 0; j < result.blades[i].bending.size(); ++j)
+      // Blades that are alike differ by round-off: the first one is named.
+      if (result.blades[i].bending[j] > largest.ratio * (1.0 + 1e-9))
+        largest = {i, j, result.blades[i].bending[j]};
+  return largest;
+}
+
+std::string name_body(const EquilibriumResult& result, const LargestBending& bending) {
+  const BladeEquilibrium& blade = result.blades.at(bending.blade);
+  const std::string body = blade.loads.size() > bending.body
+                               ? blade.loads[bending.body].body
+                               : "body " + std::to_string(bending.body + 1);
+  return blade.name + " / " + body;
+}
+
+void add_warnings(const Scenario& scenario, EquilibriumResult& result) {
+  const double limit = scenario.limits.deflection;
+  const LargestBending largest = find_largest_bending(result);
+  if (limit <= 0.0 || largest.ratio <= limit) return;
+  std::ostringstream text;
+  text << name_body(result, largest) << " bends by ";
+  if (scenario.space) {
+    text << 100.0 * largest.ratio << " % of its length, more than " << 100.0 * limit
+         << " %, up to which its linear elasticity holds: cut the beam into more bodies";
+  } else {
+    const Blade& blade = scenario.rotor.blades.at(largest.blade);
+    const double length = blade.length / blade.bodies;
+    text << largest.ratio * length << " m, " << 100.0 * largest.ratio << " %, more than "
+         << 100.0 * limit << " % of its length of " << length
+         << " m, up to which its linear elasticity holds: cut the blade into about "
+         << suggest_bodies(blade.bodies, largest.ratio, limit) << " bodies instead of "
+         << blade.bodies;
+  }
+  result.warnings.push_back({WarningKind::linear_range, 0.0, text.str()});
+}
+
+}  // namespace spoke::steady

@@ -1,0 +1,10 @@
+#pragma once
+
+// Numbers as files and the terminal show them.
+
+namespace spoke {
+
+/// The number, but no zero with a sign: "-0" says nothing.
+inline double plain_zero(double number) { return number + 0.0; }
+
+}  // namespace spoke
