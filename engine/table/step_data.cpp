@@ -141,8 +141,8 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
   for (int k = 0; k < options.history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
   data.hub = {PositionOf<World>::Zero(), {}, TwistOf<World>::Zero()};
   data.hub_attitude = {};
-  data.hub_solution = {TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(),
-                       0.0};
+  data.hub_solution = {
+      TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(), 0.0, {}};
   data.is_coupled = options.is_coupled;
   data.window = {};
   data.progress.assign(options.is_coupled ? 1 : system.subsystems.size(), StepProgress{});
