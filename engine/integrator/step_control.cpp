@@ -54,7 +54,7 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
 void set_tolerance(const IterationLimits& limits, double first_change, StepProgress& progress) {
   // The share is that which the error of the accelerations may have in what the step's own error
   // does to the velocities (docs/formulation.md, section 5). Changes of less are round-off.
-  constexpr double kShare = 0.01, kRoundOff = 1e-14;
+  constexpr double kShare = 0.1, kRoundOff = 1e-14;
   // Where changes happen to be small in a step among others, so is what that step leaves.
   constexpr double kFade = 0.99;
   progress.tolerance = limits.tolerance;

@@ -111,10 +111,11 @@ TEST_CASE("an iteration to the step's own error ends at a share of its first cha
   CHECK(count({0.9e-10, 1e-14}, progress) == 1);
   progress = progress_at_first_step(integrator);
   CHECK(count({0.9e-10, 1e-11, 0.8e-12}, progress) == 3);
-  CHECK(count({0.9e-10, 1e-12, 1e-14}, progress) == 3);
+  CHECK(count({0.9e-10, 1.2e-11, 1e-14}, progress) == 3);
+  CHECK(count({0.9e-10, 5e-12, 1e-14}, progress) == 2);
   // Round-off ends it, and what no longer falls.
   CHECK(count({1e-14}, progress) == 1);
-  CHECK(count({0.9e-10, 2e-12, 1.5e-12, 1e-12}, progress) == 3);
+  CHECK(count({0.9e-10, 3e-11, 2.5e-11, 1e-12}, progress) == 3);
   progress = progress_at_first_step(integrator);
   StepRecord record;
   for (int k = 0; k < 30; ++k)
