@@ -41,6 +41,16 @@ Json describe_sensors(const Simulation& simulation, const SensorStatistics& stat
   return sensors;
 }
 
+/// What is known of the error of a step; nothing of rk4.
+Json describe_accuracy(const Simulation& simulation) {
+  const StepAccuracy accuracy = simulation.step_accuracy();
+  if (accuracy.place.empty()) return nullptr;
+  return {{"largest", accuracy.error},
+          {"t", accuracy.time},
+          {"place", accuracy.place},
+          {"step_for_limit_s", accuracy.step}};
+}
+
 const char* status_of(const RunOutcome& outcome) {
   if (!outcome.divergence.empty()) return "diverged";
   return outcome.interruption.empty() ? "completed" : "interrupted";
@@ -113,6 +123,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"step_size_s", simulation.step_size()},
                   {"steps", simulation.steps()},
                   {"evaluations", simulation.evaluations()},
+                  {"step_error", describe_accuracy(simulation)},
                   {"wall_time_s", outcome.wall_time},
                   {"instructions", instructions_in_use()},
                   {"state_hash", hexadecimal(simulation.state_hash())},

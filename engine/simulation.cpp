@@ -35,7 +35,7 @@ Simulation::Simulation(const Scenario& scenario, const SimulationOptions& option
     : core_(std::make_unique<SimulationCore>(scenario, options, loads)) {
   SimulationLog::log_built(scenario, options.formulation, size(), planned_steps(), step_size(),
                            executor_name(), threads());
-  core_->log.log_warnings(scenario, step_size(), core_->seen);
+  core_->log.log_warnings(scenario, core_->seen, core_->make_warnings());
 }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -123,8 +123,9 @@ double Simulation::sensor(std::string_view name) const {
   return sensor_values()[sensor_index(name)];
 }
 
-std::vector<Warning> Simulation::warnings() const {
-  return make_warnings(core_->scenario, core_->step_size, core_->seen);
+std::vector<Warning> Simulation::warnings() const { return core_->make_warnings(); }
+StepAccuracy Simulation::step_accuracy() const {
+  return make_accuracy(core_->scenario, core_->step_size, core_->seen);
 }
 
 const Drive& Simulation::drive() const { return core_->model->drive(); }
@@ -134,7 +135,7 @@ void Simulation::set_drive(const Drive& drive) {
   check_drive(drive);
   Drive& in_force = core_->model->drive();
   check_continuation(in_force, drive, time());
-  core_->replace(in_force, drive);
+  core_->set_drive(drive);
 }
 
 int Simulation::joint_index(int tree, std::string_view name) const {

@@ -158,6 +158,8 @@ class SPOKE_EXPORT Simulation {
   /// steps that an observer is told of, or at all if limits.on_energy_growth says "stop": then
   /// DivergenceError is thrown, and the simulation stands at the end of that step.
   std::vector<Warning> warnings() const;
+  /// The largest estimated error of a step so far.
+  StepAccuracy step_accuracy() const;
 
   /// The hub's motion at time(). Throws InputError if the model is in space.
   HubMotion hub() const;

@@ -8,6 +8,16 @@ std::string_view name_of(IntegrationMethod method) {
   return method == IntegrationMethod::rk4 ? "rk4" : "generalized_alpha";
 }
 
+std::string_view name_of(IterationGoal goal) {
+  return goal == IterationGoal::tolerance ? "tolerance" : "error";
+}
+
+IterationGoal goal_of(const Integration& integration) {
+  if (integration.iterate_to) return *integration.iterate_to;
+  const bool is_default = integration.tolerance == Integration{}.tolerance;
+  return is_default ? IterationGoal::error : IterationGoal::tolerance;
+}
+
 std::string_view name_of(InitialState state) {
   return state == InitialState::equilibrium ? "equilibrium" : "undeformed";
 }

@@ -21,6 +21,12 @@ enum class IntegrationMethod {
   rk4,                ///< explicit, of fourth order
 };
 
+/// To what the implicit iteration of a step goes on.
+enum class IterationGoal {
+  error,      ///< a small share of the step's own error, or the tolerance if that is less
+  tolerance,  ///< the tolerance
+};
+
 /// How the motion is integrated.
 struct Integration {
   IntegrationMethod method = IntegrationMethod::generalized_alpha;  ///< of a step
@@ -30,7 +36,11 @@ struct Integration {
   double tolerance = 1e-10;  ///< of the implicit iteration: last change of a coordinate [m, rad]
   int iterations = 0;        ///< fixed number of iterations per step; 0: iterate to tolerance
   int max_iterations = 30;   ///< per step, before the step is given up
+  /// None: the error where the tolerance is the default, else the tolerance; see goal_of().
+  std::optional<IterationGoal> iterate_to = std::nullopt;
 };
+/// What is iterated to.
+SPOKE_EXPORT IterationGoal goal_of(const Integration& integration);
 
 /// What becomes of a simulation whose energy grows beyond the work done on it.
 enum class EnergyGrowth {
@@ -43,6 +53,8 @@ struct Limits {
   double deflection = 0.1;      ///< of a body in its frame, by its length; 0: none
   double energy_growth = 0.01;  ///< by the largest energy so far; 0: none
   EnergyGrowth on_energy_growth = EnergyGrowth::warn;  ///< beyond that limit
+  double step_error = 2e-4;  ///< estimated, of a step: by a radian or the length; 0: none
+  double momentum = 0.01;    ///< residual of a free model by its largest momentum; 0: none
 };
 
 /// Where a simulation starts.
@@ -90,6 +102,8 @@ struct SPOKE_EXPORT Scenario {
 
 /// The names that scenario files use: "generalized_alpha", "rk4".
 SPOKE_EXPORT std::string_view name_of(IntegrationMethod method);
+/// "error", "tolerance".
+SPOKE_EXPORT std::string_view name_of(IterationGoal goal);
 /// "warn", "stop".
 SPOKE_EXPORT std::string_view name_of(EnergyGrowth growth);
 /// "undeformed", "equilibrium".

@@ -239,6 +239,25 @@ std::string describe_energy(const Simulation& simulation, const SensorStatistics
   return text;
 }
 
+/// "4.1e-07 in the deformation of blade 1 / body 4 at 6.2 s; 0.05 s would make it 0.001".
+std::string describe_accuracy(const Simulation& simulation, const StepAccuracy& accuracy) {
+  std::string text = fmt::format("largest error of a step {:.2g}, in {} at {:.6g} s",
+                                 accuracy.error, accuracy.place, accuracy.time);
+  const double limit = simulation.scenario().limits.step_error;
+  if (limit > 0.0) text += fmt::format("; up to {:g} with {:.2g} s", limit, accuracy.step);
+  return text;
+}
+
+/// Of a free model on which nothing acts; empty of others.
+std::string describe_momentum(const Simulation& simulation, const SensorStatistics& statistics) {
+  const std::vector<std::string>& names = simulation.sensor_names();
+  const auto first = std::find(names.begin(), names.end(), "momentum.residual.linear");
+  if (first == names.end()) return {};
+  const auto k = static_cast<std::size_t>(first - names.begin());
+  return fmt::format("largest residual {:.3g} kg m/s, angular {:.3g} kg m^2/s",
+                     statistics.ranges()[k].max, statistics.ranges()[k + 1].max);
+}
+
 void print_result(const Simulation& simulation, const Recording& recording,
                   const RunOutcome& outcome, const std::string& written) {
   print_line("took", fmt::format("{:.3g} s, {:.3g} s simulated a second, {}", outcome.wall_time,
@@ -256,6 +275,10 @@ void print_result(const Simulation& simulation, const Recording& recording,
                        ": see summary.json");
   }
   print_line("energy", describe_energy(simulation, recording.statistics));
+  const std::string momentum = describe_momentum(simulation, recording.statistics);
+  if (!momentum.empty()) print_line("momentum", momentum);
+  const StepAccuracy accuracy = simulation.step_accuracy();
+  if (!accuracy.place.empty()) print_line("step", describe_accuracy(simulation, accuracy));
   print_line("written", written);
 }
 

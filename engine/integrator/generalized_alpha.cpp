@@ -75,6 +75,7 @@ GeneralizedAlpha make_generalized_alpha(double radius, double step) {
   method.am_share = am / (1.0 - am);
   method.position_gain = method.beta * method.k * step * step;
   method.velocity_gain = method.gamma * method.k * step;
+  method.error_share = (method.beta - 0.5 * (af - am) - 1.0 / 6.0) / (method.beta * method.k);
   return method;
 }
 

@@ -22,6 +22,7 @@ struct GeneralizedAlpha {
   double velocity_gain = 0.0;  ///< gamma' h [s]
   double beta = 0.0;
   double gamma = 0.0;
+  double error_share = 0.0;  ///< error of a step by beta' h^2 (A_{n+1} - A_n), see step_error.h
 
   /// Names for the history vectors of a CoordinateBlock.
   enum History { predicted_q, predicted_v, carry_over, count };

@@ -3,6 +3,8 @@
 
 #include "engine/integrator/step_control.h"
 
+#include <algorithm>
+
 #include "engine/integrator/relaxation.h"
 
 namespace spoke {
@@ -40,6 +42,7 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
   record.work = progress.work;
   record.dissipated = progress.dissipated;
   record.deflection = report.deflection;
+  record.error = progress.error;
   // A restart shows nothing: its accelerations are those of the method.
   if (progress.control.stage != PassControl::kRestart) progress.completed = progress.step;
   progress.power = report.power;
@@ -47,15 +50,43 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
   progress.is_halted = progress.step > window.last;
 }
 
+/// Takes the first change of a step, and sets the tolerance of its changes.
+void set_tolerance(const IterationLimits& limits, double first_change, StepProgress& progress) {
+  // The share is that which the error of the accelerations may have in what the step's own error
+  // does to the velocities (docs/formulation.md, section 5). Changes of less are round-off.
+  constexpr double kShare = 0.1, kRoundOff = 1e-14;
+  // Where changes happen to be small in a step among others, so is what that step leaves.
+  constexpr double kFade = 0.99;
+  progress.tolerance = limits.tolerance;
+  if (!limits.follows_error) return;
+  progress.usual_change = std::max(first_change, kFade * progress.usual_change);
+  progress.tolerance =
+      std::min(limits.tolerance, std::max(kRoundOff, kShare * progress.usual_change));
+}
+
+/// Whether the iteration has done what it can: by its tolerance, or since changes that the limits
+/// allow hardly fall any more.
+bool has_converged(const IterationLimits& limits, double change, const StepProgress& progress) {
+  if (change <= progress.tolerance) return true;
+  if (change > limits.tolerance) return false;
+  const bool has_stalled = progress.passes > 1 && change > 0.5 * progress.change;
+  return has_stalled || progress.passes >= limits.most;
+}
+
 /// Whether the pass completes the step; else sets the next one.
 bool end_iteration(const Integrator& integrator, const PassReport& report, StepProgress& progress) {
   const IterationLimits& limits = integrator.limits;
   const int done = progress.passes;
   double relaxation = 1.0;
+  if (done == 1) {
+    progress.error = report.error;
+    set_tolerance(limits, report.change, progress);
+  }
   if (limits.relaxes && limits.fixed == 0)
-    relaxation = choose_relaxation(report.change, limits.tolerance, progress);
+    relaxation = choose_relaxation(report.change, progress.tolerance, progress);
+  const bool is_last =
+      limits.fixed > 0 ? done == limits.fixed : has_converged(limits, report.change, progress);
   progress.change = report.change;
-  const bool is_last = limits.fixed > 0 ? done == limits.fixed : report.change <= limits.tolerance;
   if (is_last) {
     // The trapezoidal rule: second order, as the method.
     add_work(0.5 * step_size(integrator), progress.power, progress);
@@ -101,6 +132,7 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
   progress.passes = 0;
   progress.work = progress.dissipated = 0.0;
   progress.contraction = 0.0;
+  progress.error = {};
   progress.control.relaxation = 1.0;
   set_stage(integrator, as_rk4(integrator) ? 1 : 0, progress);
 }

@@ -14,6 +14,9 @@ struct IterationLimits {
   int fixed = 0;             ///< number of iterations; 0: to the tolerance
   int most = 30;
   bool relaxes = false;  ///< see relaxation.h; with a tolerance
+  /// To a share of the first change of a step, which is that of the step's own error; the tolerance
+  /// is the most that is left.
+  bool follows_error = false;
 };
 
 /// A method, with its coefficients and step, and what it iterates to.

@@ -85,8 +85,11 @@ bool TimeStepper::is_implicit() const {
 StepOutcome TimeStepper::run_between_steps(int stage) {
   StepTable& data = context_.table();
   data.window = {steps_, steps_, false};
-  std::fill(data.progress.begin(), data.progress.end(),
-            make_progress_between_steps(context_.integrator, steps_, stage));
+  for (StepProgress& progress : data.progress) {
+    const double usual_change = progress.usual_change;
+    progress = make_progress_between_steps(context_.integrator, steps_, stage);
+    progress.usual_change = usual_change;
+  }
   run_serially();
   return data.is_any_load_failed() ? StepOutcome::load_failed : first_failure(data);
 }
@@ -120,8 +123,10 @@ StepOutcome TimeStepper::start() {
 void TimeStepper::continue_from(std::int64_t steps) {
   for (StepProgress& progress : context_.table().progress) {
     const Power power = progress.power;
+    const double usual_change = progress.usual_change;
     progress = StepProgress{};
     progress.power = power;
+    progress.usual_change = usual_change;
     progress.completed = steps;
     progress.is_halted = true;
     begin_step(context_.integrator, steps + 1, progress);

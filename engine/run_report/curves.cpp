@@ -9,6 +9,20 @@
 namespace spoke::run_report {
 namespace {
 
+constexpr const char* kMomentumResidual = "momentum.residual.";
+
+/// Of a free model on which nothing acts.
+void add_plots_of_momentum(const Simulation& simulation, std::vector<Plot>& plots) {
+  const std::vector<std::string>& names = simulation.sensor_names();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k].starts_with(kMomentumResidual)) {
+      const bool is_angular = names[k].ends_with(".angular");
+      plots.push_back({is_angular ? "Angular momentum residual" : "Momentum residual",
+                       simulation.sensor_units()[k],
+                       {{"residual", k}}});
+    }
+}
+
 /// Displacements of the tips in the direction that is turned by `turn` from the blade's.
 Plot plot_of_tips(const Simulation& simulation, std::string title, bool is_across) {
   Plot plot{std::move(title), "m", {}};
@@ -69,6 +83,7 @@ void add_plots_of_trees(const Simulation& simulation, std::vector<Plot>& plots) 
     const std::size_t dot = names[k].find('.');
     const std::string tree = names[k].substr(0, dot), sensor = names[k].substr(dot + 1);
     if (tree == "energy" || names[k] == "hub.speed" || names[k] == "hub.torque") continue;
+    if (names[k].starts_with(kMomentumResidual)) continue;
     const std::string title = tree == "hub" ? "Hub: " + sensor : sensor;
     const auto same = std::find_if(plots.begin() + static_cast<std::ptrdiff_t>(first), plots.end(),
                                    [&](const Plot& plot) { return plot.title == title; });
@@ -100,6 +115,7 @@ std::vector<Plot> make_plots(const Simulation& simulation) {
                    {one("kinetic", "energy.kinetic"), one("strain", "energy.strain"),
                     one("work", "energy.work"), one("dissipated", "energy.dissipated")}});
   plots.push_back({"Energy residual", "J", {one("residual", "energy.residual")}});
+  add_plots_of_momentum(simulation, plots);
   if (is_in_space) {
     add_plots_of_trees(simulation, plots);
     return plots;

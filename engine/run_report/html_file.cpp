@@ -149,14 +149,24 @@ report::FactGroup model_facts(const Simulation& simulation) {
        {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
 }
 
+/// Of generalized_alpha in a step.
+std::string describe_iterations(const Integration& integration) {
+  if (integration.iterations > 0) return std::to_string(integration.iterations);
+  if (goal_of(integration) == IterationGoal::error) return "to a share of the step's error";
+  return "to " + report::figure(integration.tolerance);
+}
+
 report::FactGroup setting_facts(const Simulation& simulation) {
   const Integration& integration = simulation.scenario().integration;
   std::vector<report::Fact> facts = {{"integrator", std::string(name_of(integration.method))}};
   if (integration.method == IntegrationMethod::generalized_alpha) {
     facts.emplace_back("spectral radius", report::figure(integration.spectral_radius));
-    facts.emplace_back("iterations", integration.iterations > 0
-                                         ? std::to_string(integration.iterations)
-                                         : "to " + report::figure(integration.tolerance));
+    facts.emplace_back("iterations", describe_iterations(integration));
+    const StepAccuracy accuracy = simulation.step_accuracy();
+    if (!accuracy.place.empty())
+      facts.emplace_back("largest error of a step",
+                         fmt::format("{} in {} at {} s", report::figure(accuracy.error),
+                                     accuracy.place, number(accuracy.time)));
   }
   facts.insert(facts.end(),
                {{"step", number(simulation.step_size()) + " s"},

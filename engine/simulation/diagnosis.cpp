@@ -302,14 +302,14 @@ std::string blame_deflection(const Scenario& scenario, const FailedStep& failed,
 
 std::string find_cause(const Scenario& scenario, const SystemContext<Plane>& context,
                        const FailedStep& failed, const FailureSite& site) {
+  const double h = step_size(context.integrator);
   for (const std::string& cause :
-       {blame_input(context, site), blame_rk4(scenario, context),
-        blame_stiffening(scenario, context, site), blame_drag(scenario, context, failed),
-        blame_iteration(context, failed),
-        blame_deflection(scenario, failed, step_size(context.integrator))})
+       {blame_input(context, site), blame_jump(find_jumps(scenario, h), failed.time, h),
+        blame_rk4(scenario, context), blame_stiffening(scenario, context, site),
+        blame_drag(scenario, context, failed), blame_iteration(context, failed),
+        blame_deflection(scenario, failed, h)})
     if (!cause.empty()) return cause;
-  if (failed.outcome == StepOutcome::energy_grew)
-    return advise_on_growth(scenario, step_size(context.integrator), failed.seen);
+  if (failed.outcome == StepOutcome::energy_grew) return advise_on_growth(scenario, h, failed.seen);
   return "take a smaller integration.step, more bodies per blade, or smaller loads";
 }
 

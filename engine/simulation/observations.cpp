@@ -6,11 +6,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <sstream>
 
 #include "engine/kernels/suggested_bodies.h"
-#include "models/start.h"
 #include "models/system/beam_properties.h"
 
 namespace spoke {
@@ -62,76 +60,83 @@ Warning warn_of_deflection(const Scenario& scenario, double step_size, const Obs
   return {WarningKind::linear_range, time, text.str()};
 }
 
-/// A change of the prescribed speed.
-struct SpeedChange {
-  double time = 0.0;      ///< at which it begins [s]
-  double duration = 0.0;  ///< [s]
-  double change = 0.0;    ///< [rad/s]
-};
-
-std::vector<SpeedChange> find_speed_changes(const Drive& drive) {
-  if (const auto* spin = std::get_if<SpinUp>(&drive)) return {{0.0, spin->ramp, spin->speed}};
-  if (const auto* spin = std::get_if<SpinUpHoldSpinDown>(&drive)) {
-    const SpeedChange down{spin->ramp + spin->hold, spin->ramp_down, -spin->speed};
-    if (spin->ramp == 0.0) return {down};  // it has begun at its speed
-    return {{0.0, spin->ramp, spin->speed}, down};
-  }
-  std::vector<SpeedChange> changes;
-  if (const auto* table = std::get_if<SpeedTable>(&drive)) {
-    const std::vector<double>&times = table->speed.times(), &values = table->speed.values();
-    for (std::size_t k = 1; k < times.size(); ++k)
-      changes.push_back({times[k - 1], times[k] - times[k - 1], values[k] - values[k - 1]});
-  }
-  return changes;
-}
-
-constexpr double kLeastSteps = 4.0;  ///< of a change of the speed
-
-/// The changes within so few steps that they see next to nothing of the drive's work.
-std::vector<SpeedChange> find_short_changes(const Scenario& scenario, double step_size) {
-  constexpr double kNotable = 0.01;  // by the largest change
-  const std::vector<SpeedChange> changes = find_speed_changes(drive_of(scenario));
-  double largest = 0.0;
-  for (const SpeedChange& change : changes) largest = std::max(largest, std::abs(change.change));
-  std::vector<SpeedChange> found;
-  for (const SpeedChange& change : changes)
-    if (change.duration < kLeastSteps * step_size && change.time < scenario.integration.duration &&
-        std::abs(change.change) > kNotable * largest)
-      found.push_back(change);
-  return found;
-}
-
-/// The first one.
-std::optional<SpeedChange> find_speed_jump(const Scenario& scenario, double step_size) {
-  const std::vector<SpeedChange> changes = find_short_changes(scenario, step_size);
-  return changes.empty() ? std::nullopt : std::optional(changes.front());
-}
-
-std::string advise_on_jump(const SpeedChange& change, double step_size) {
+Warning warn_of_jump(const Jump& jump, double step_size) {
   std::ostringstream text;
-  text << "let the change take " << kLeastSteps * step_size << " s or more";
-  // Of a ramp shorter than a step, steps short enough for it are hardly meant.
-  if (change.duration > step_size)
-    text << ", or take an integration.step of " << change.duration / kLeastSteps << " s or less";
-  return text.str();
+  text << "at t = " << jump.time << " s " << jump.text;
+  if (jump.duration > 0.0)
+    text << " within " << jump.duration << " s, less than " << kLeastSteps << " steps";
+  else
+    text << " at once";
+  text << ": the energy of that comes from nowhere; " << advise_on_jump(jump, step_size);
+  return {WarningKind::speed_jump, jump.time, text.str()};
 }
 
-Warning warn_of_speed_jump(const SpeedChange& change, double step_size) {
+/// Of a tree in words.
+std::string name_tree(const Scenario& scenario, double index) {
+  const auto i = static_cast<std::size_t>(index);
+  if (!scenario.space || i < scenario.space->blades.size()) return "blade " + std::to_string(i + 1);
+  return scenario.space->subsystems.at(i - scenario.space->blades.size()).name;
+}
+
+std::string name_place(const Scenario& scenario, const Observations::Error& error) {
+  switch (static_cast<CoordinatePlace>(static_cast<std::int64_t>(error.place))) {
+    case CoordinatePlace::hub_position:
+      return "the hub's place";
+    case CoordinatePlace::hub_rotation:
+      return "the hub's rotation";
+    default:
+      break;
+  }
+  const std::string body = name_tree(scenario, error.blade) + " / body " +
+                           std::to_string(static_cast<std::int64_t>(error.body) + 1);
+  const bool is_joint = error.place == static_cast<double>(CoordinatePlace::joint);
+  return is_joint ? "the joint of " + body : "the deformation of " + body;
+}
+
+/// To so many digits, not more than the value [s].
+double round_down(double value) {
+  if (!(value > 0.0) || !std::isfinite(value)) return value;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit) * unit;
+}
+
+Warning warn_of_error(const Scenario& scenario, double step_size, const Observations& seen) {
+  const StepAccuracy accuracy = make_accuracy(scenario, step_size, seen);
   std::ostringstream text;
-  text << "at t = " << change.time << " s the drive changes the speed by " << change.change
-       << " rad/s within " << change.duration << " s, less than " << kLeastSteps
-       << " steps: the energy of that comes from nowhere; " << advise_on_jump(change, step_size);
-  return {WarningKind::speed_jump, change.time, text.str()};
+  text.precision(2);
+  text << "the step is too large for the motion: its estimated error is " << 100.0 * accuracy.error
+       << " % ";
+  const bool is_angle = seen.error.place == static_cast<double>(CoordinatePlace::hub_rotation);
+  text << (is_angle ? "of a radian" : "of a radian or the length") << " a step in "
+       << accuracy.place << " at t = ";
+  text.precision(6);
+  text << accuracy.time << " s, more than " << 100.0 * scenario.limits.step_error
+       << " %: take an integration.step of " << accuracy.step << " s or less";
+  return {WarningKind::step_error, seen.error.first_step * step_size, text.str()};
 }
 
-Warning warn_of_growth(const Scenario& scenario, double step_size, const Observations& seen) {
+Warning warn_of_momentum(const Scenario& scenario, double step_size, const Observations& seen) {
+  const Observations::Momentum& momentum = seen.momentum;
+  const bool is_angular = momentum.is_angular != 0.0;
+  std::ostringstream text;
+  text << "the " << (is_angular ? "angular momentum" : "momentum")
+       << " of the free model, on which nothing acts, has changed by " << momentum.residual
+       << (is_angular ? " kg m^2/s" : " kg m/s") << " at t = " << momentum.step * step_size
+       << " s, " << 100.0 * momentum.share
+       << " % of the largest that its parts have had, more than "
+       << 100.0 * scenario.limits.momentum << " %: take a smaller integration.step";
+  return {WarningKind::momentum, momentum.first_step * step_size, text.str()};
+}
+
+Warning warn_of_growth(const Scenario& scenario, double step_size, const std::vector<Jump>& jumps,
+                       const Observations& seen) {
   const double time = seen.growth.step * step_size;
   std::ostringstream text;
   text << "at t = " << time << " s " << describe_growth(scenario, seen);
   if (seen.growth.largest_step > seen.growth.step)
     text << ", and by " << seen.growth.largest_residual
          << " J at t = " << seen.growth.largest_step * step_size << " s";
-  text << ": " << advise_on_growth(scenario, step_size, seen);
+  text << ": " << advise_on_growth(jumps, step_size, seen);
   return {WarningKind::energy_growth, time, text.str()};
 }
 
@@ -147,10 +152,28 @@ bool is_possible(const Observations& seen,
            has_body(static_cast<std::int64_t>(at.blade), static_cast<std::int64_t>(at.body));
   };
   const bool is_none = seen.first_deflection.step == -1.0 && seen.largest_deflection.step == -1.0;
+  const Observations::Error& error = seen.error;
+  const auto place = static_cast<double>(CoordinatePlace::joint);
+  const bool is_of_hub = error.place == 0.0 || error.place == 1.0;
+  const bool is_of_body =
+      (error.place == place || error.place == place + 1.0) && is_index(error.blade) &&
+      is_index(error.body) &&
+      has_body(static_cast<std::int64_t>(error.blade), static_cast<std::int64_t>(error.body));
+  if (!is_of_hub && !is_of_body) return false;
   return is_none || (names_body(seen.first_deflection) && names_body(seen.largest_deflection));
 }
 
-void observe_step(double step, const StepRecord& record, Observations& seen) {
+void observe_step(double step, const StepRecord& record, double error_limit, Observations& seen) {
+  const StepError& error = record.error;
+  if (error.size > seen.error.size)
+    seen.error = {seen.error.first_step,
+                  step,
+                  error.size,
+                  static_cast<double>(error.blade),
+                  static_cast<double>(error.body),
+                  static_cast<double>(error.place)};
+  if (seen.error.first_step < 0.0 && error_limit > 0.0 && error.size > error_limit)
+    seen.error.first_step = step;
   const LargeDeflection& largest = record.deflection;
   if (largest.ratio == 0.0) return;
   const Observations::Deflection at{step, largest.ratio, static_cast<double>(largest.blade),
@@ -178,11 +201,27 @@ double calc_energy_resolution(const Scenario& scenario) {
   return stiffness * tolerance * tolerance;
 }
 
-std::vector<SpeedJump> find_speed_jumps(const Scenario& scenario, double step_size) {
-  std::vector<SpeedJump> jumps;
-  for (const SpeedChange& change : find_short_changes(scenario, step_size))
-    jumps.push_back({change.time, change.time + change.duration});
-  return jumps;
+bool observe_momentum(double step, const MomentumBalance& balance, double limit,
+                      Observations& seen) {
+  Observations::Momentum& momentum = seen.momentum;
+  momentum.size = std::max(momentum.size, balance.size);
+  momentum.angular_size = std::max(momentum.angular_size, balance.angular_size);
+  const auto share_of = [](double residual, double size) {
+    return size > 0.0 ? residual / size : 0.0;
+  };
+  const double share = share_of(balance.residual, momentum.size);
+  const double angular_share = share_of(balance.angular_residual, momentum.angular_size);
+  const bool is_angular = angular_share > share;
+  const double larger = std::max(share, angular_share);
+  if (larger > momentum.share) {
+    momentum.step = step;
+    momentum.share = larger;
+    momentum.residual = is_angular ? balance.angular_residual : balance.residual;
+    momentum.is_angular = is_angular ? 1.0 : 0.0;
+  }
+  if (momentum.first_step >= 0.0 || limit == 0.0 || larger <= limit) return false;
+  momentum.first_step = step;
+  return true;
 }
 
 bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit& limit,
@@ -211,16 +250,30 @@ bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit
   return true;
 }
 
+StepAccuracy make_accuracy(const Scenario& scenario, double step_size, const Observations& seen) {
+  const Observations::Error& error = seen.error;
+  if (error.step < 0.0) return {};
+  StepAccuracy accuracy{error.size, error.step * step_size, name_place(scenario, error), step_size};
+  // The error of a step goes with its third power where the step follows the motion.
+  constexpr double kMargin = 0.9;
+  const double limit = scenario.limits.step_error;
+  if (limit > 0.0) accuracy.step = round_down(kMargin * step_size * std::cbrt(limit / error.size));
+  return accuracy;
+}
+
 std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,
-                                   const Observations& seen) {
+                                   const std::vector<Jump>& jumps, const Observations& seen) {
+  const Limits& limits = scenario.limits;
   std::vector<Warning> warnings;
-  if (seen.first_deflection.step >= 0.0 && scenario.limits.deflection > 0.0)
+  if (seen.first_deflection.step >= 0.0 && limits.deflection > 0.0)
     warnings.push_back(warn_of_deflection(scenario, step_size, seen));
-  const bool warns_of_growth = scenario.limits.on_energy_growth == EnergyGrowth::warn;
-  if (seen.growth.step >= 0.0 && warns_of_growth)
-    warnings.push_back(warn_of_growth(scenario, step_size, seen));
-  if (const auto jump = find_speed_jump(scenario, step_size))
-    warnings.push_back(warn_of_speed_jump(*jump, step_size));
+  if (seen.growth.step >= 0.0 && limits.on_energy_growth == EnergyGrowth::warn)
+    warnings.push_back(warn_of_growth(scenario, step_size, jumps, seen));
+  if (!jumps.empty()) warnings.push_back(warn_of_jump(jumps.front(), step_size));
+  if (seen.error.first_step >= 0.0 && limits.step_error > 0.0)
+    warnings.push_back(warn_of_error(scenario, step_size, seen));
+  if (seen.momentum.first_step >= 0.0 && limits.momentum > 0.0)
+    warnings.push_back(warn_of_momentum(scenario, step_size, seen));
   return warnings;
 }
 
@@ -234,14 +287,13 @@ std::string describe_growth(const Scenario& scenario, const Observations& seen) 
 }
 
 std::string advise_on_growth(const Scenario& scenario, double step_size, const Observations& seen) {
-  const std::optional<SpeedChange> jump = find_speed_jump(scenario, step_size);
-  const double since = jump ? seen.growth.step * step_size - jump->time : -1.0;
-  if (since < 0.0 || since > 2.0 * kLeastSteps * step_size)
-    return "take a smaller integration.step";
-  std::ostringstream text;
-  text << "the drive's speed jumps at t = " << jump->time << " s, "
-       << advise_on_jump(*jump, step_size);
-  return text.str();
+  return advise_on_growth(find_jumps(scenario, step_size), step_size, seen);
+}
+
+std::string advise_on_growth(const std::vector<Jump>& jumps, double step_size,
+                             const Observations& seen) {
+  const std::string blamed = blame_jump(jumps, seen.growth.step * step_size, step_size);
+  return blamed.empty() ? "take a smaller integration.step" : blamed;
 }
 
 }  // namespace spoke

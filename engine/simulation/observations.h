@@ -1,13 +1,15 @@
 #pragma once
 
-// What the complete steps of a simulation have shown so far: the farthest that a body has bent, and
-// whether the energy has grown beyond the work done. A function of the steps alone, whatever runs
+// What the complete steps of a simulation have shown so far: the farthest that a body has bent,
+// whether the energy has grown beyond the work done, the error of a step, and whether a free model
+// keeps its momentum. A function of the steps alone, whatever runs
 // them. Doubles only, for saved states carry it.
 
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "engine/simulation/jumps.h"
 #include "engine/table/step_progress.h"
 #include "engine/warnings.h"
 #include "models/scenario.h"
@@ -18,6 +20,14 @@ namespace spoke {
 struct EnergyBalance {
   double energy = 0.0;    ///< kinetic and strain energy [J]
   double residual = 0.0;  ///< energy that neither the start nor work explains [J]
+};
+
+/// Momentum at the end of a step of a free model on which nothing acts.
+struct MomentumBalance {
+  double residual = 0.0;          ///< size of its change since the start [kg m/s]
+  double size = 0.0;              ///< what the motion could carry at most [kg m/s]
+  double angular_residual = 0.0;  ///< likewise, about the place of the hub [kg m^2/s]
+  double angular_size = 0.0;      ///< [kg m^2/s]
 };
 
 struct Observations {
@@ -45,6 +55,25 @@ struct Observations {
     double largest_residual = 0.0, largest_step = -1.0;
   };
   Growth growth;
+
+  /// The largest estimated error of a step.
+  struct Error {
+    double first_step = -1.0;  ///< beyond the limit; -1: there is none
+    double step = -1.0;        ///< -1: none is known
+    double size = 0.0;
+    double blade = -1.0, body = -1.0, place = 0.0;  ///< as of StepError
+  };
+  Error error;
+  /// The largest residuals of momentum by the largest sizes so far.
+  struct Momentum {
+    double first_step = -1.0;               ///< beyond the limit; -1: there is none
+    double step = -1.0;                     ///< of the largest share; -1: none is known
+    double share = 0.0;                     ///< [-]
+    double residual = 0.0;                  ///< there [kg m/s, kg m^2/s]
+    double is_angular = 0.0;                ///< 1: that of the angular momentum
+    double size = 0.0, angular_size = 0.0;  ///< the largest so far [kg m/s, kg m^2/s]
+  };
+  Momentum momentum;
 };
 
 /// Whether these may be observations of a model: the bodies that they name, by the indices of blade
@@ -52,8 +81,14 @@ struct Observations {
 bool is_possible(const Observations& seen,
                  const std::function<bool(std::int64_t, std::int64_t)>& has_body);
 
-/// Takes the record of a step, in order of steps.
-void observe_step(double step, const StepRecord& record, Observations& seen);
+/// Takes the record of a step, in order of steps. `error_limit`: beyond which an error of a step is
+/// warned of; 0: none.
+void observe_step(double step, const StepRecord& record, double error_limit, Observations& seen);
+
+/// Takes the momentum at the end of a step; `limit`: of its share, 0: none. Whether it is beyond it
+/// for the first time.
+bool observe_momentum(double step, const MomentumBalance& balance, double limit,
+                      Observations& seen);
 
 /// Takes the energy at the start [J].
 void observe_start(double energy, Observations& seen);
@@ -65,13 +100,6 @@ struct GrowthLimit {
   /// Whether the drive jumps within the step: what the hub takes then excuses nothing.
   bool has_jump = false;
 };
-
-/// When the drive changes the speed within less than four steps.
-struct SpeedJump {
-  double begin = 0.0, end = 0.0;  ///< [s]
-};
-/// All of them, in order of time, in steps of `step_size` [s].
-std::vector<SpeedJump> find_speed_jumps(const Scenario& scenario, double step_size);
 
 /// Strain energy that a scenario's tolerance leaves open: of a change of every coordinate by so
 /// much [J].
@@ -85,13 +113,19 @@ bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit
                     Observations& seen);
 
 /// What the simulation of a scenario, in steps of `step_size` [s], is to be warned of, at most one
-/// of each kind.
+/// of each kind. `jumps`: of what is prescribed, in order of time.
 std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,
-                                   const Observations& seen);
+                                   const std::vector<Jump>& jumps, const Observations& seen);
+
+/// The largest error of a step so far.
+StepAccuracy make_accuracy(const Scenario& scenario, double step_size, const Observations& seen);
 
 /// One sentence about growth of the energy, without advice. Precondition: it has grown.
 std::string describe_growth(const Scenario& scenario, const Observations& seen);
-/// What to do about it: if the drive has jumped just before, let it jump less.
+/// What to do about it: if the drive, or another prescribed motion, has jumped just before, let it
+/// jump less.
+std::string advise_on_growth(const std::vector<Jump>& jumps, double step_size,
+                             const Observations& seen);
 std::string advise_on_growth(const Scenario& scenario, double step_size, const Observations& seen);
 
 }  // namespace spoke

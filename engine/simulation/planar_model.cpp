@@ -29,20 +29,24 @@ class PlanarModel final : public SimulatedModel {
     context_.integrator = integrator;
     context_.loads_tie_blades = ties_blades(loads_);
     require_memory(context_.system, formulation);
+    keeps_momentum_ = loads.empty() && keeps_momentum(scenario);
   }
 
   StepContext& context() override { return context_; }
   SystemContext<Plane>* plane() override { return &context_; }
 
   double ring_bytes() const override {
-    return spoke::ring_bytes(context_.system,
-                             count_readings(scenario_.sensors, scenario_.rotor.blades.size()));
+    return spoke::ring_bytes(
+        context_.system,
+        count_readings(with_momentum(scenario_, keeps_momentum_), scenario_.rotor.blades.size()));
   }
   void allocate(int records) override {
     spoke::allocate(context_, records);
     place_loads(loads_, context_.data);
-    sensors_.emplace(context_.system,
-                     place_sensors(scenario_.sensors, scenario_.rotor, context_.data));
+    std::vector<SensorColumn> asked =
+        place_sensors(with_momentum(scenario_, keeps_momentum_), scenario_.rotor, context_.data);
+    std::vector<SensorColumn> momentum = take_momentum(scenario_, keeps_momentum_, asked);
+    sensors_.emplace(context_.system, std::move(asked), std::move(momentum));
   }
 
   void share_out(Exchange& exchange) override { spoke::share_out(exchange, context_); }
@@ -110,6 +114,7 @@ class PlanarModel final : public SimulatedModel {
     return sensors_->measure(context_.system, work, step, context_.data);
   }
   const EnergyBalance& balance() const override { return sensors_->balance(); }
+  const MomentumBalance* momentum() const override { return sensors_->momentum(); }
   const StepRecord& record(std::int64_t step) const override {
     return of_step(context_.data.records, step).step;
   }
@@ -146,6 +151,7 @@ class PlanarModel final : public SimulatedModel {
   const Scenario& scenario_;
   SystemContext<Plane> context_;
   std::vector<AskedLoad> loads_;
+  bool keeps_momentum_ = false;     ///< free, and nothing acts on it
   std::optional<Sensors> sensors_;  // once there is a table
 };
 

@@ -27,6 +27,15 @@ void SensorValues::add_hub_columns() {
   add("energy.residual", "J");
 }
 
+void SensorValues::add_momentum_columns() {
+  add("momentum.residual.linear", "kg m/s");
+  add("momentum.residual.angular", "kg m^2/s");
+}
+
+void SensorValues::append_momentum(const MomentumBalance& balance) {
+  values_.insert(values_.end(), {balance.residual, balance.angular_residual});
+}
+
 void SensorValues::start_balance(const Energies& energies) {
   initial_energy_ = energies.kinetic + energies.strain;
   initial_gravity_ = energies.gravity;

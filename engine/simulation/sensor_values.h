@@ -58,6 +58,9 @@ class SensorValues {
   /// Takes the energies at the start as reference.
   void start_balance(const Energies& energies);
   void append_energies(const Energies& energies, const WorkDone& work);
+  /// Residuals of the momentum of a free model, whose values append_momentum() yields.
+  void add_momentum_columns();
+  void append_momentum(const MomentumBalance& balance);
 
   std::vector<double> values_;
 

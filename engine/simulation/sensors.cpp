@@ -39,8 +39,9 @@ Energies calc_energies(const System<Plane>& system, StepData<Plane>& data) {
   return energies;
 }
 
-Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked)
-    : asked_(std::move(asked)) {
+Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked,
+                 std::vector<SensorColumn> momentum)
+    : asked_(std::move(asked)), momentum_(system, std::move(momentum)) {
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
     const std::string blade = "blade" + std::to_string(i + 1);
     add(blade + ".tip.x", "m");
@@ -59,12 +60,14 @@ Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked)
     add(blade + ".root.y", "N");
     add(blade + ".root.moment", "N m");
   }
+  if (momentum_.are_there()) add_momentum_columns();
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
 void Sensors::start(const System<Plane>& system, StepData<Plane>& data) {
   sample(system, 0, 0.0, data);
   start_balance(sum_energies(calc_hub_energies(system, of_step(data.records, 0)), 0, data));
+  momentum_.start(system, data);
 }
 
 void Sensors::sample(const System<Plane>& system, std::int64_t step, double t,
@@ -99,8 +102,13 @@ const std::vector<double>& Sensors::measure(const System<Plane>& system, const W
     values_.insert(values_.end(), {record.position[0], record.position[1]});
   const double torque = record.reaction[kRotation] + record.applied_torque;
   values_.insert(values_.end(), {record.position[kRotation], record.velocity[kRotation], torque});
-  append_energies(sum_energies(calc_hub_energies(system, record), step, data), work);
+  const Energies energies = sum_energies(calc_hub_energies(system, record), step, data);
+  append_energies(energies, work);
   add_blade_values(system, step, data);
+  if (momentum_.are_there()) {
+    momentum_.measure(system, energies.kinetic, step, data);
+    append_momentum(momentum_.balance());
+  }
   for (const SensorColumn& column : asked_)
     values_.push_back(value_of(column, system.hub, step, data));
   return values_;

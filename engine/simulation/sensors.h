@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/columns/sensor_columns.h"
+#include "engine/simulation/momentum_sensors.h"
 #include "engine/simulation/sensor_values.h"
 #include "engine/table/step_data.h"
 
@@ -18,9 +19,15 @@ Energies calc_energies(const System<Plane>& system, StepData<Plane>& data);
 /// Names, units and values of the sensors of a system.
 class Sensors : public SensorValues {
  public:
-  /// `asked`: of the scenario, behind those that every simulation has.
-  Sensors(const System<Plane>& system, std::vector<SensorColumn> asked);
+  /// `asked`: of the scenario, behind those that every simulation has. `momentum`: of a free model,
+  /// see MomentumSensors.
+  Sensors(const System<Plane>& system, std::vector<SensorColumn> asked,
+          std::vector<SensorColumn> momentum = {});
 
+  /// Of a free model on which nothing acts, at the step measured last; else null.
+  const MomentumBalance* momentum() const {
+    return momentum_.are_there() ? &momentum_.balance() : nullptr;
+  }
   /// Takes the state at the start as reference of energy.
   void start(const System<Plane>& system, StepData<Plane>& data);
   /// Fills the samples and readings of step `step`, time t [s], from the state in the table, which
@@ -37,6 +44,7 @@ class Sensors : public SensorValues {
                         const StepData<Plane>& data);
 
   std::vector<SensorColumn> asked_;
+  MomentumSensors<Plane> momentum_;
 };
 
 }  // namespace spoke

@@ -87,6 +87,8 @@ class SimulatedModel {
   virtual void sample(std::int64_t step, double t) = 0;
   virtual const std::vector<double>& measure(const WorkDone& work, std::int64_t step) = 0;
   virtual const EnergyBalance& balance() const = 0;
+  /// Of a free model on which nothing acts, at the step measured last; else null.
+  virtual const MomentumBalance* momentum() const = 0;
   /// Of a complete step.
   virtual const StepRecord& record(std::int64_t step) const = 0;
 

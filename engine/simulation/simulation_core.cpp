@@ -79,14 +79,15 @@ void SimulationCore::begin() {
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
   observe_start(model->start_sensors(), seen);
   energy_resolution = model->energy_resolution();
-  speed_jumps = find_speed_jumps(scenario, step_size);
+  jumps = find_jumps(scenario, step_size);
   complete_step(0, {});
 }
 
 void SimulationCore::prepare(const Loads& loads) {
   const Integrator integrator{make_method(scenario.integration, step_size),
                               {scenario.integration.tolerance, scenario.integration.iterations,
-                               scenario.integration.max_iterations, scenario.space.has_value()}};
+                               scenario.integration.max_iterations, scenario.space.has_value(),
+                               goal_of(scenario.integration) == IterationGoal::error}};
   model = make_model(scenario, options.formulation, integrator, loads);
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
                           options.threads,
@@ -218,29 +219,6 @@ void SimulationCore::renew() {
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
 }
 
-SpatialJoints& SimulationCore::joints(const char* what) const {
-  SpatialJoints* joints = model->joints();
-  if (!joints)
-    throw InputError(std::string(what) + ": the model is in the plane, expected one in space");
-  return *joints;
-}
-
-void SimulationCore::set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
-                                      const space::DrivenMotion& course) {
-  SpatialJoints& all = joints("the motion of a joint");
-  require_state("go on from with another motion of a joint");
-  space::DrivenMotion& in_force = all.said_motion(place);
-  all.check_continuation(place, begin, static_cast<double>(runner->steps()) * step_size);
-  replace(in_force, course);
-}
-
-SystemContext<Plane>& SimulationCore::plane(const char* what) const {
-  SystemContext<Plane>* context = model->plane();
-  if (!context)
-    throw InputError(std::string(what) + ": the model is in space, expected a rotor in the plane");
-  return *context;
-}
-
 /// Long to write for a simulation of milliseconds, and seldom needed.
 const std::shared_ptr<const std::string>& SimulationCore::identity() {
   if (!identity_)
@@ -350,14 +328,15 @@ void SimulationCore::count_step(std::int64_t step) {
   const StepRecord& record = model->record(step);
   evaluations += record.passes;
   work.add(record);
-  observe_step(static_cast<double>(step), record, seen);
+  observe_step(static_cast<double>(step), record, scenario.limits.step_error, seen);
 }
 
-/// Whether the drive jumps within the step.
+/// Whether anything that is prescribed jumps within the step.
 bool SimulationCore::has_jump(std::int64_t step) const {
   const double end = static_cast<double>(step) * step_size, begin = end - step_size;
-  return std::any_of(speed_jumps.begin(), speed_jumps.end(),
-                     [&](const SpeedJump& jump) { return jump.end > begin && jump.begin < end; });
+  return std::any_of(jumps.begin(), jumps.end(), [&](const Jump& jump) {
+    return jump.time + jump.duration > begin && jump.time < end;
+  });
 }
 
 /// The samples of the step must be in the table if it is observed, or growth of the energy stops.
@@ -368,15 +347,22 @@ void SimulationCore::complete_step(std::int64_t step, const StepObserver& observ
   const std::vector<double>& values = model->measure(work, step);
   const GrowthLimit limit{scenario.limits.energy_growth, energy_resolution, has_jump(step)};
   const bool has_grown = observe_energy(static_cast<double>(step), model->balance(), limit, seen);
-  if (has_grown) log_news();
+  const MomentumBalance* momentum = model->momentum();
+  const bool is_lost = momentum && observe_momentum(static_cast<double>(step), *momentum,
+                                                    scenario.limits.momentum, seen);
+  if (has_grown || is_lost) log_news();
   if (observe) observe(static_cast<double>(step) * step_size, values);
   if (has_grown && stops_on_growth()) throw EnergyHasGrown();
+}
+
+std::vector<Warning> SimulationCore::make_warnings() const {
+  return spoke::make_warnings(scenario, step_size, jumps, seen);
 }
 
 /// Logs what a complete step has brought. No more than some comparisons if there is
 /// nothing.
 void SimulationCore::log_news() {
-  if (log.has_warnings(seen)) log.log_warnings(scenario, step_size, seen);
+  if (log.has_warnings(seen)) log.log_warnings(scenario, seen, make_warnings());
   if (runner->choices() > log.logged_choices() && runner->steps() > 0)
     log.log_choice(scenario, runner->choices(), runner->describe());
 }

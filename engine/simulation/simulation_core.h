@@ -65,9 +65,13 @@ class SimulationCore {
       throw;
     }
   }
+  /// What makes the results doubtful so far.
+  std::vector<Warning> make_warnings() const;
   /// Replaces the course of a coordinate that the program prescribes, which begins like this.
   void set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
                         const space::DrivenMotion& course);
+  /// Replaces the drive.
+  void set_drive(const Drive& next);
   /// Of a model in space. Throws InputError if it is in the plane: `what` is then refused.
   SpatialJoints& joints(const char* what) const;
   /// Whether other processes have subsystems of the model, too.
@@ -85,8 +89,8 @@ class SimulationCore {
   std::int64_t evaluations = 0;
   WorkDone work;
   Observations seen;
-  std::vector<SpeedJump> speed_jumps;  ///< of the scenario's drive
-  double energy_resolution = 0.0;      ///< [J]
+  std::vector<Jump> jumps;  ///< of what the scenario and the program prescribe, in order of time
+  double energy_resolution = 0.0;  ///< [J]
   SimulationLog log;
   /// Sensors are measured when first read after a step.
   std::vector<double> sensor_values;
@@ -103,6 +107,7 @@ class SimulationCore {
   void put(std::span<const double> values, std::int64_t steps);
   void require_shareable(const Loads& loads) const;
   void sample(std::int64_t step);
+  void set_jumps(const std::string& source, std::vector<Jump> next);
   void evaluate_again();
   void require_kept_declarations();
   const std::shared_ptr<const std::string>& identity();

@@ -50,16 +50,18 @@ void SimulationLog::log_choice(const Scenario& scenario, int choices,
     log(LogLevel::info, begin(scenario) + "executor auto: " + description);
 }
 
-void SimulationLog::log_warnings(const Scenario& scenario, double step_size,
-                                 const Observations& seen) {
+void SimulationLog::log_warnings(const Scenario& scenario, const Observations& seen,
+                                 const std::vector<Warning>& warnings) {
   const auto was_logged = is_logged_;
   is_logged(WarningKind::linear_range) |= seen.first_deflection.step >= 0.0;
   is_logged(WarningKind::energy_growth) |= seen.growth.step >= 0.0;
-  is_logged(WarningKind::speed_jump) = true;  // known from the start
-  if (!is_heard(LogLevel::warning)) return;
-  for (const Warning& warning : make_warnings(scenario, step_size, seen))
-    if (!was_logged[static_cast<std::size_t>(warning.kind)])
+  is_logged(WarningKind::step_error) |= seen.error.first_step >= 0.0;
+  is_logged(WarningKind::momentum) |= seen.momentum.first_step >= 0.0;
+  for (const Warning& warning : warnings) {
+    is_logged(warning.kind) = true;
+    if (is_heard(LogLevel::warning) && !was_logged[static_cast<std::size_t>(warning.kind)])
       log(LogLevel::warning, begin(scenario) + warning.text);
+  }
 }
 
 }  // namespace spoke

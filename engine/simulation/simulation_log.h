@@ -34,17 +34,20 @@ class SimulationLog {
   /// Whether there is something to warn of that has not been logged.
   bool has_warnings(const Observations& seen) const {
     return (seen.first_deflection.step >= 0.0 && !is_logged(WarningKind::linear_range)) ||
-           (seen.growth.step >= 0.0 && !is_logged(WarningKind::energy_growth));
+           (seen.growth.step >= 0.0 && !is_logged(WarningKind::energy_growth)) ||
+           (seen.error.first_step >= 0.0 && !is_logged(WarningKind::step_error)) ||
+           (seen.momentum.first_step >= 0.0 && !is_logged(WarningKind::momentum));
   }
-  /// Logs it, in the words of Simulation::warnings().
-  void log_warnings(const Scenario& scenario, double step_size, const Observations& seen);
+  /// Logs those of the warnings, see Simulation::warnings(), that have not been logged.
+  void log_warnings(const Scenario& scenario, const Observations& seen,
+                    const std::vector<Warning>& warnings);
 
  private:
   bool is_logged(WarningKind kind) const { return is_logged_[static_cast<std::size_t>(kind)]; }
   bool& is_logged(WarningKind kind) { return is_logged_[static_cast<std::size_t>(kind)]; }
 
   int logged_choices_ = 0;
-  std::array<bool, 3> is_logged_{};  ///< by kind of warning
+  std::array<bool, 5> is_logged_{};  ///< by kind of warning
 };
 
 }  // namespace spoke

@@ -34,6 +34,18 @@ const spatial::Tree& SpatialJoints::tree(int number) const {
   return trees_[static_cast<std::size_t>(number)];
 }
 
+std::string SpatialJoints::describe(const JointPlace& place) const {
+  return name_of(place, tree(place.tree));
+}
+
+std::string SpatialJoints::unit(const JointPlace& place) const {
+  const spatial::JointKind kind =
+      tree(place.tree).bodies[static_cast<std::size_t>(place.joint)].joint.kind;
+  const bool slides = kind == spatial::JointKind::prismatic ||
+                      (kind == spatial::JointKind::cylindrical && place.coordinate == 1);
+  return slides ? "m" : "rad";
+}
+
 int SpatialJoints::find(int number, std::string_view name) const {
   const spatial::Tree& found = tree(number);
   std::vector<std::string_view> names;

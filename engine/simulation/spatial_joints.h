@@ -3,6 +3,7 @@
 // Joints of a model in space by number, and the motions that the embedding program prescribes.
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,10 @@ class SpatialJoints {
   SpatialJoints(const std::vector<spatial::Tree>& trees, SystemContext<Space>& context)
       : trees_(trees), context_(context) {}
 
+  /// "coordinate 0 of joint 2 ("pitch") of blade 1".
+  std::string describe(const JointPlace& place) const;
+  /// Of the coordinate: "rad", "m".
+  std::string unit(const JointPlace& place) const;
   /// The joint of that name.
   int find(int tree, std::string_view name) const;
   /// Of a coordinate whose motion is prescribed, at time t [s].

@@ -48,6 +48,7 @@ class SpatialModel final : public SimulatedModel {
     require_azimuth_motion();
     context_.loads_tie_blades = ties_blades(loads_);
     require_memory(context_.system, formulation);
+    keeps_momentum_ = loads.empty() && keeps_momentum(scenario);
   }
 
   StepContext& context() override { return context_; }
@@ -58,7 +59,8 @@ class SpatialModel final : public SimulatedModel {
     std::size_t values = 0;
     for (const Subsystem<Space>& subsystem : context_.system.subsystems)
       values += static_cast<std::size_t>(count_joint_values(subsystem));
-    values += count_readings(scenario_.sensors, scenario_.space->blades.size(), trees_);
+    values += count_readings(with_momentum(scenario_, keeps_momentum_),
+                             scenario_.space->blades.size(), trees_);
     return spoke::ring_bytes(context_.system, values);
   }
   void allocate(int records) override {
@@ -68,10 +70,12 @@ class SpatialModel final : public SimulatedModel {
     for (std::size_t i = 0; i < subsystems.size(); ++i)
       subsystems[i].reading_count =
           static_cast<std::size_t>(count_joint_values(context_.system.subsystems[i]));
-    std::vector<SensorColumn> asked = place_sensors(
-        scenario_.sensors, scenario_.space->blades.size(), trees_, context_.system, context_.data);
+    std::vector<SensorColumn> asked =
+        place_sensors(with_momentum(scenario_, keeps_momentum_), scenario_.space->blades.size(),
+                      trees_, context_.system, context_.data);
     make_reading_rings(context_.data);
-    sensors_.emplace(context_.system, trees_, std::move(asked));
+    std::vector<SensorColumn> momentum = take_momentum(scenario_, keeps_momentum_, asked);
+    sensors_.emplace(context_.system, trees_, std::move(asked), std::move(momentum));
   }
 
   void share_out(Exchange& exchange) override { spoke::share_out(exchange, context_); }
@@ -159,6 +163,7 @@ class SpatialModel final : public SimulatedModel {
     return sensors_->measure(context_.system, work, step, context_.data);
   }
   const EnergyBalance& balance() const override { return sensors_->balance(); }
+  const MomentumBalance* momentum() const override { return sensors_->momentum(); }
   const StepRecord& record(std::int64_t step) const override {
     return of_step(context_.data.records, step).step;
   }
@@ -183,10 +188,12 @@ class SpatialModel final : public SimulatedModel {
     std::ostringstream text;
     text << "diverged at t = " << failed.time << " s, step " << failed.step << ": " << finding
          << "; ";
-    if (const std::string cause = blame_rk4(); !cause.empty())
+    const double h = step_size(context_.integrator);
+    const std::string jump = blame_jump(find_jumps(scenario_, h), failed.time, h);
+    if (const std::string cause = jump.empty() ? blame_rk4() : jump; !cause.empty())
       text << cause;
     else if (failed.outcome == StepOutcome::energy_grew)
-      text << advise_on_growth(scenario_, step_size(context_.integrator), failed.seen);
+      text << advise_on_growth(scenario_, h, failed.seen);
     else
       text << "take a smaller integration.step, more bodies per beam, "
            << "geometric_stiffening where a body turns fast, or smaller loads";
@@ -285,6 +292,7 @@ class SpatialModel final : public SimulatedModel {
   const Scenario& scenario_;
   std::vector<spatial::Tree> trees_;
   std::vector<AskedLoad> loads_;
+  bool keeps_momentum_ = false;  ///< free, and nothing acts on it
   SystemContext<Space> context_;
   SpatialJoints joints_{trees_, context_};
   std::optional<SpatialSensors> sensors_;  // once there is a table

@@ -30,8 +30,8 @@ Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space
 }  // namespace
 
 SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees,
-                               std::vector<SensorColumn> asked)
-    : asked_(std::move(asked)) {
+                               std::vector<SensorColumn> asked, std::vector<SensorColumn> momentum)
+    : asked_(std::move(asked)), momentum_(system, std::move(momentum)) {
   for (const spatial::Tree& tree : trees)
     for (const char* axis : {"x", "y", "z"}) add(sensor_name_of(tree) + ".tip." + axis, "m");
   if (system.hub.support == HubSupport::free) {
@@ -46,6 +46,7 @@ SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<sp
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.moment." + axis, "N m");
     add_joints(tree);
   }
+  if (momentum_.are_there()) add_momentum_columns();
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
@@ -63,6 +64,7 @@ void SpatialSensors::add_joints(const spatial::Tree& tree) {
 
 void SpatialSensors::start(const System<Space>& system, const StepData<Space>& data) {
   start_balance(sum_energies(calc_hub_energies(system, of_step(data.records, 0)), 0, data));
+  momentum_.start(system, data);
 }
 
 const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
@@ -85,11 +87,16 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
   }
   const double torque = record.reaction[Space::kAxial] + record.applied_torque;
   values_.push_back(torque);
-  append_energies(sum_energies(calc_hub_energies(system, record), step, data), work);
+  const Energies energies = sum_energies(calc_hub_energies(system, record), step, data);
+  append_energies(energies, work);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     append(of_step(data.subsystems[i].samples, step).root);
     const double* joints = readings_of(data.subsystems[i], step);
     values_.insert(values_.end(), joints, joints + joint_values_[i]);
+  }
+  if (momentum_.are_there()) {
+    momentum_.measure(system, energies.kinetic, step, data);
+    append_momentum(momentum_.balance());
   }
   for (const SensorColumn& column : asked_)
     values_.push_back(value_of(column, system.hub, step, data));

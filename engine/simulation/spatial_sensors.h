@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/columns/sensor_columns.h"
+#include "engine/simulation/momentum_sensors.h"
 #include "engine/simulation/sensor_values.h"
 #include "engine/table/step_data.h"
 #include "models/tree/tree.h"
@@ -15,10 +16,15 @@ namespace spoke {
 /// Names, units and values of the sensors of a system in space (docs/results.md).
 class SpatialSensors : public SensorValues {
  public:
-  /// `asked`: of the scenario, behind those that every simulation has.
+  /// `asked`: of the scenario, behind those that every simulation has. `momentum`: of a free model,
+  /// see MomentumSensors.
   SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees,
-                 std::vector<SensorColumn> asked);
+                 std::vector<SensorColumn> asked, std::vector<SensorColumn> momentum = {});
 
+  /// Of a free model on which nothing acts, at the step measured last; else null.
+  const MomentumBalance* momentum() const {
+    return momentum_.are_there() ? &momentum_.balance() : nullptr;
+  }
   /// Takes the state at the start, of which the samples must be in the table, as reference of
   /// energy.
   void start(const System<Space>& system, const StepData<Space>& data);
@@ -31,6 +37,7 @@ class SpatialSensors : public SensorValues {
   void add_joints(const spatial::Tree& tree);
 
   std::vector<SensorColumn> asked_;
+  MomentumSensors<Space> momentum_;
   std::vector<std::size_t> joint_values_;  ///< of the joints, by tree
 };
 

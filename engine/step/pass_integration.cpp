@@ -1,4 +1,4 @@
-// Begins blocks of coordinates, hands accelerations to the integrator, and sums the reports of
+// Hands accelerations to the integrator, and sums the reports of
 // bodies.
 
 #include "engine/step/pass_integration.h"
@@ -12,7 +12,7 @@
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
-#include "engine/space/integrator/rotation.h"
+#include "engine/step/step_errors.h"
 
 namespace spoke {
 namespace {
@@ -75,12 +75,15 @@ void add_reports(const SubsystemData<World>& subsystem, PassReport& sum) {
   }
 }
 
-/// Adds the deflections of subsystem `i`.
+/// Adds the deflections and errors of subsystem `i`.
 template <class World>
-void add_deflections(const SubsystemData<World>& subsystem, int i, LargeDeflection& largest) {
+void add_largest(const SubsystemData<World>& subsystem, int i, PassReport& sum) {
   for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
-    const double ratio = subsystem.bodies[j].report.deflection;
-    if (ratio > largest.ratio) largest = {ratio, i, static_cast<int>(j)};
+    const BodyReport& report = subsystem.bodies[j].report;
+    const int body = static_cast<int>(j);
+    if (report.deflection > sum.deflection.ratio) sum.deflection = {report.deflection, i, body};
+    if (report.error.size > sum.error.size)
+      sum.error = {report.error.size, i, body, report.error.place};
   }
 }
 
@@ -95,6 +98,8 @@ void add_record(const ReactionRecord<World>& record, int blade, SystemRecord<Wor
   const LargeDeflection& deflection = record.step.deflection;
   if (deflection.ratio > step.deflection.ratio)
     step.deflection = {deflection.ratio, blade, deflection.body};
+  const StepError& error = record.step.error;
+  if (error.size > step.error.size) step.error = {error.size, blade, error.body, error.place};
 }
 
 /// On the hub's own inertia, which turns faster [J].
@@ -141,33 +146,7 @@ void record_hub(const StepData<World>& data, SystemRecord<World>& record) {
     record.hub_rotation = {calc_hub_state(data).R, data.hub_attitude.mount_spin};
 }
 
-/// Begins a block with or without an orientation in it.
-void begin_coordinates(const Method& method, const PassControl& control,
-                       const space::RotationBlock& rotation) {
-  const bool has_rotation = rotation.at >= 0;
-  if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage != 0) return;
-    has_rotation ? predict(*alpha, rotation) : predict(*alpha, *rotation.block);
-  } else {
-    const Rk4& rk4 = std::get<Rk4>(method);
-    has_rotation ? advance(rk4, control.stage, rotation)
-                 : advance(rk4, control.stage, *rotation.block);
-  }
-}
-
-/// A joint's coordinates with the orientation of its spherical primitive, if it has one.
-space::RotationBlock rotation_block(BodyData<Space>& body) {
-  const space::Joint& joint = body.model->joint.joint;
-  return {&body.joint.coordinates, joint.spherical_at, body.joint.rotation, joint.spherical_frame};
-}
-
 // Of the joints that carry the bodies; those of the plane have no coordinates.
-
-void begin_joint(const Method&, const PassControl&, BodyData<Plane>&) {}
-void begin_joint(const Method& method, const PassControl& control, BodyData<Space>& body) {
-  if (control.is_between_steps() || body.joint.coordinates.size == 0) return;
-  begin_coordinates(method, control, rotation_block(body));
-}
 
 double complete_joint(const Method&, const PassControl&, BodyData<Plane>&) { return 0.0; }
 double complete_joint(const Method& method, const PassControl& control, BodyData<Space>& body) {
@@ -176,68 +155,21 @@ double complete_joint(const Method& method, const PassControl& control, BodyData
   return take_accelerations(method, control, body.joint.a_found, block).change;
 }
 
-// The hub's free coordinates; those that are prescribed follow.
-
-void begin_hub_coordinates(const System<Plane>&, const Method& method, const PassControl& control,
-                           StepData<Plane>& data) {
-  if (control.is_between_steps()) return;
-  if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage == 0) predict(*alpha, data.hub_coordinates);
-  } else {
-    advance(std::get<Rk4>(method), control.stage, data.hub_coordinates);
-  }
-}
-
-/// A free hub has an orientation; the angle about an axle is a plain coordinate.
-void begin_hub_coordinates(const System<Space>& system, const Method& method,
-                           const PassControl& control, StepData<Space>& data) {
-  if (control.is_between_steps()) return;
-  const int at = system.hub.support == HubSupport::free ? space::kPosition : -1;
-  begin_coordinates(method, control, {&data.hub_coordinates, at, &data.hub_attitude});
-}
-
 }  // namespace
-
-template <class World>
-void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcept {
-  const PassControl& control = subsystem.progress->control;
-  if (control.is_between_steps()) return;
-  if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage != 0) return;
-    for (BodyData<World>& body : subsystem.bodies) {
-      begin_joint(method, control, body);
-      predict(*alpha, body.coordinates);
-    }
-    return;
-  }
-  for (BodyData<World>& body : subsystem.bodies) {
-    begin_joint(method, control, body);
-    advance(std::get<Rk4>(method), control.stage, body.coordinates);
-  }
-}
-
-bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
-  if (control.is_between_steps()) return true;
-  if (!std::holds_alternative<Rk4>(method)) return control.stage == 0;
-  const auto stage = static_cast<std::size_t>(control.stage);
-  // Stage 0 stands where stage 3 stood, at the end of the step.
-  return stage != 0 && Rk4::nodes[stage] != Rk4::nodes[stage - 1];
-}
-
-template <class World>
-void begin_hub(const System<World>& system, const Method& method, StepData<World>& data) noexcept {
-  const PassControl& control = data.progress[0].control;
-  begin_hub_coordinates(system, method, control, data);
-  impose_hub_motion(system, control.time, data.hub_coordinates);
-  place_axle(system, control.time, data.hub_attitude);
-  data.hub = calc_hub_state(data);
-}
 
 template <class World>
 void complete_body(const Method& method, const PassControl& control,
                    BodyData<World>& body) noexcept {
+  const auto* alpha = control.stage == 0 ? std::get_if<GeneralizedAlpha>(&method) : nullptr;
+  StepError error{};
+  if (alpha) error = estimate_joint_error(*alpha, body);
   const Correction correction = take_accelerations(method, control, body.a_found, body.coordinates);
   body.report.change = std::max(correction.change, complete_joint(method, control, body));
+  if (alpha) {
+    const StepError own = estimate_deformation_error(*alpha, correction.change, body);
+    if (own.size > error.size) error = own;
+  }
+  body.report.error = error;
   const bool is_rk4_step = std::holds_alternative<Rk4>(method) && control.stage == 0;
   const double squares = is_rk4_step ? sum_squares(body.coordinates) : correction.squares;
   // Whatever is wrong with the deformation's accelerations is wrong with the frame's, too. Limits
@@ -256,6 +188,9 @@ void complete_hub(const System<World>& system, const Method& method,
   double change = 0.0;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const PassControl& control = data.progress[0].control;
+  data.hub_solution.error = {};
+  if (alpha && control.stage == 0)
+    data.hub_solution.error = estimate_hub_error(system, *alpha, found, data);
   for (int c = 0; c < World::kTwist; ++c) {
     if (is_prescribed(system.hub, c)) continue;
     CoordinateBlock component = hub.component(c);
@@ -279,7 +214,7 @@ void finish_subsystem(const typename World::Hub& hub, const Integrator& integrat
   report.power.applied = reaction[World::kAxial] * subsystem.hub->twist[World::kAxial];
   report.power.applied += mount_power(hub, reaction, subsystem.hub->twist);
   add_reports(subsystem, report);
-  add_deflections(subsystem, -1, report.deflection);
+  add_largest(subsystem, -1, report);
   ReactionRecord<World>& record = of_step(subsystem.records, progress.step);
   record.reaction = reaction;
   end_pass(integrator, window, report, progress, record.step);
@@ -305,10 +240,11 @@ void finish_system(const System<World>& system, const Integrator& integrator,
     report.power.applied += gravity_power(system.hub, gravity, data.hub.twist);
   }
   report.change = hub.change;
+  report.error = hub.error;
   report.failed = !is_finite(hub.acceleration);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     add_reports(data.subsystems[i], report);
-    add_deflections(data.subsystems[i], static_cast<int>(i), report.deflection);
+    add_largest(data.subsystems[i], static_cast<int>(i), report);
   }
   SystemRecord<World>& record = of_step(data.records, progress.step);
   end_pass(integrator, data.window, report, progress, record.step);
@@ -384,16 +320,12 @@ std::int64_t last_complete_step(const StepTable& data) noexcept {
   return first_open - 1;
 }
 
-template void begin_bodies(const Method&, SubsystemData<Plane>&) noexcept;
-template void begin_hub(const System<Plane>&, const Method&, StepData<Plane>&) noexcept;
 template void complete_body(const Method&, const PassControl&, BodyData<Plane>&) noexcept;
 template void complete_hub(const System<Plane>&, const Method&, StepData<Plane>&) noexcept;
 template void finish_subsystem(const Hub&, const Integrator&, const Window&,
                                SubsystemData<Plane>&) noexcept;
 template void finish_system(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
 template void record_reactions(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
-template void begin_bodies(const Method&, SubsystemData<Space>&) noexcept;
-template void begin_hub(const System<Space>&, const Method&, StepData<Space>&) noexcept;
 template void complete_body(const Method&, const PassControl&, BodyData<Space>&) noexcept;
 template void complete_hub(const System<Space>&, const Method&, StepData<Space>&) noexcept;
 template void finish_subsystem(const space::Hub&, const Integrator&, const Window&,

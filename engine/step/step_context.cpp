@@ -7,6 +7,7 @@
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/space/put_joint.h"
+#include "engine/step/step_errors.h"
 
 namespace spoke {
 namespace {
@@ -61,6 +62,7 @@ void allocate(SystemContext<World>& context, int window_steps) {
   const bool is_coupled = context.formulation == Formulation::augmented ||
                           !is_prescribed(context.system) || context.loads_tie_blades;
   allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
+  set_lengths(data);
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (BodyData<World>& body : subsystem.bodies) {
       CoordinateBlock& block = body.coordinates;

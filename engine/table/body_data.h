@@ -20,6 +20,7 @@ namespace spoke {
 struct BodyReport {
   double change;       ///< largest change of a coordinate in this iteration [m, rad]
   double deflection;   ///< by the body's length, if beyond the linear range; else 0
+  StepError error;     ///< of the first iteration of a step; else 0
   double drive_power;  ///< of what drives the joint that carries it [W]; in the plane 0
   Flag failed;         ///< a coordinate is not finite or beyond its limit
 };
@@ -41,6 +42,7 @@ struct BodyData : BodyTypes<World>::Fields {
   std::array<const typename Types::Block*, 2> blocks{};  ///< explicit, implicit
   typename Types::Layout layout;
   double linear_range = std::numeric_limits<double>::infinity();  ///< of deflections [m]
+  double length = 1.0;  ///< by which errors of its coordinates are measured [m]
   /// No deflection is beyond the linear range if the sum of the squares of all coordinates is not
   /// greater than this.
   double surely_linear = std::numeric_limits<double>::infinity();

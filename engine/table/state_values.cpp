@@ -92,7 +92,10 @@ void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& a
   apply(doubles(data.hub));
   if constexpr (has_attitude<World>) apply(doubles(data.hub_attitude));
   apply_to_record();
-  for (StepProgress& progress : data.progress) apply(doubles(progress.power));
+  for (StepProgress& progress : data.progress) {
+    apply(doubles(progress.power));
+    apply(doubles(progress.usual_change));
+  }
   for (SubsystemData<World>& subsystem : data.subsystems) for_each_state_part(subsystem, apply);
 }
 

@@ -146,8 +146,8 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
   for (int k = 0; k < options.history; ++k) hub.history[k] = data.hub_storage[3 + k].data();
   data.hub = {PositionOf<World>::Zero(), {}, TwistOf<World>::Zero()};
   data.hub_attitude = {};
-  data.hub_solution = {TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(),
-                       0.0};
+  data.hub_solution = {
+      TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(), 0.0, {}};
   data.is_coupled = options.is_coupled;
   data.flies = !is_prescribed(system.hub, 0);
   data.mass = system.hub.mass;

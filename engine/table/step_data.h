@@ -48,6 +48,7 @@ struct HubSolution {
   double applied_torque;  ///< of a torque drive [N m]
   TwistOf<World> load;    ///< of the loads on the hub, about its axis, hub frame [N, N m]
   double change;          ///< of a free coordinate in this iteration [m, rad]
+  StepError error;        ///< of the first iteration of a step; else 0
 };
 
 /// What the sensors show of a subsystem at the end of a step.
@@ -147,6 +148,7 @@ class StepData final : public StepTable {
   typename BodyTypes<World>::Attitude hub_attitude;
   std::vector<std::unique_ptr<Arena>> arenas;  ///< by subsystem; they outlive what lies in them
   std::vector<SubsystemData<World>> subsystems;
+  double length = 1.0;  ///< of the model, by which errors of places are measured [m]
   std::vector<SystemRecord<World>> records;  ///< ring by step
   SystemRecord<World> evaluated;             ///< see take_evaluated_record()
   bool flies = false;                        ///< whether the hub's translation is free

@@ -60,12 +60,24 @@ struct LargeDeflection {
   int body = -1;       ///< index from 0
 };
 
+/// Which coordinates of the model.
+enum class CoordinatePlace : std::int64_t { hub_position, hub_rotation, joint, deformation };
+
+/// The estimated error of a step in a coordinate (see integrator/step_error.h).
+struct StepError {
+  double size = 0.0;  ///< [rad], or by a length of the model [-]; 0: none, or not known
+  int blade = -1;     ///< index from 0; of the hub, and where a subsystem reports, -1
+  int body = -1;      ///< index from 0; of the hub -1
+  CoordinatePlace place = CoordinatePlace::hub_position;
+};
+
 /// What a pass found, summed in fixed order over the bodies that report together.
 struct PassReport {
   double change = 0.0;  ///< largest change of a coordinate in this iteration [m, rad]
   Power power;
   bool failed = false;         ///< a body or the hub
   LargeDeflection deflection;  ///< the largest, the first of equal ones
+  StepError error;             ///< the same, of the first iteration of a step
 };
 
 /// Where a subsystem, or a coupled system, stands, and what it needs to turn the end of a pass into
@@ -78,12 +90,15 @@ struct alignas(kInterferenceSize) StepProgress {
   std::int64_t completed = kNone;  ///< the step that the last pass completed
   int passes = 0;                  ///< within the step
   StepOutcome outcome = StepOutcome::done;
-  Flag is_halted;            ///< nothing to do, at the end of the window or after a failure
-  double change = 0.0;       ///< of the last iteration [m, rad]
-  double contraction = 0.0;  ///< of changes by plain iterations, within the step; 0: not known
-  Power power;               ///< at the end of the last step
-  double work = 0.0;         ///< by drive and loads, within the step so far [J]
-  double dissipated = 0.0;   ///< within the step so far [J]
+  Flag is_halted;             ///< nothing to do, at the end of the window or after a failure
+  double change = 0.0;        ///< of the last iteration [m, rad]
+  double tolerance = 0.0;     ///< of the step's changes [m, rad]
+  double usual_change = 0.0;  ///< largest first change of the last steps, fading [m, rad]
+  double contraction = 0.0;   ///< of changes by plain iterations, within the step; 0: not known
+  Power power;                ///< at the end of the last step
+  double work = 0.0;          ///< by drive and loads, within the step so far [J]
+  double dissipated = 0.0;    ///< within the step so far [J]
+  StepError error;            ///< of the step
 };
 
 /// What a step did, as far as one progress counts.
@@ -92,9 +107,12 @@ struct StepRecord {
   double work = 0.0;           ///< by drive and loads during the step [J]
   double dissipated = 0.0;     ///< during the step [J]
   LargeDeflection deflection;  ///< the largest at its end
+  StepError error;             ///< the largest
 };
 // Nodes assign whole records: bytes that belong to no member would differ from run to run.
-static_assert(sizeof(StepRecord) == 3 * sizeof(double) + sizeof(LargeDeflection));
+static_assert(sizeof(StepRecord) ==
+              3 * sizeof(double) + sizeof(LargeDeflection) + sizeof(StepError));
+static_assert(sizeof(StepError) == 3 * sizeof(double));
 
 /// What one run over the step graph may do; set before it, constant during it.
 struct Window {

@@ -176,6 +176,8 @@ template <PerhapsConst<Limits> L, class Visit>
 void visit_fields(L& limits, const Visit& visit) {
   visit("deflection", limits.deflection, Quantity::not_negative(""), Presence::optional);
   visit("energy_growth", limits.energy_growth, Quantity::not_negative(""), Presence::optional);
+  visit("step_error", limits.step_error, Quantity::not_negative(""), Presence::optional);
+  visit("momentum", limits.momentum, Quantity::not_negative(""), Presence::optional);
 }
 
 template <PerhapsConst<Output> O, class Visit>

@@ -153,19 +153,18 @@ void add_initial(const Initial& initial, Json& json) {
 }
 
 Json to_json(const Integration& integration) {
-  return {{"method", name_of(integration.method)},
-          {"step", integration.step},
-          {"duration", integration.duration},
-          {"spectral_radius", integration.spectral_radius},
-          {"tolerance", integration.tolerance},
-          {"iterations", integration.iterations},
-          {"max_iterations", integration.max_iterations}};
+  return {{"method", name_of(integration.method)}, {"step", integration.step},
+          {"duration", integration.duration},      {"spectral_radius", integration.spectral_radius},
+          {"tolerance", integration.tolerance},    {"iterate_to", name_of(goal_of(integration))},
+          {"iterations", integration.iterations},  {"max_iterations", integration.max_iterations}};
 }
 
 Json to_json(const Limits& limits) {
   return {{"deflection", limits.deflection},
           {"energy_growth", limits.energy_growth},
-          {"on_energy_growth", name_of(limits.on_energy_growth)}};
+          {"on_energy_growth", name_of(limits.on_energy_growth)},
+          {"step_error", limits.step_error},
+          {"momentum", limits.momentum}};
 }
 
 /// The tables of a rotor in the plane.

@@ -18,19 +18,22 @@ namespace {
 Integration read_integration(const TomlSection& root) {
   const TomlSection section =
       root.section("integration", {"method", "step", "duration", "spectral_radius", "tolerance",
-                                   "iterations", "max_iterations"});
+                                   "iterate_to", "iterations", "max_iterations"});
   Integration integration;
   integration.method = section.choice(
       "method", {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}, integration.method);
   visit_fields(integration, FieldReader{section});
+  if (section.has("iterate_to") || section.has("tolerance"))
+    integration.iterate_to = section.choice(
+        "iterate_to", {IterationGoal::error, IterationGoal::tolerance}, IterationGoal::tolerance);
   const std::string fault = find_step_fault(integration);
   if (!fault.empty()) section.fail(section.has("step") ? "step" : "duration", fault);
   return integration;
 }
 
 Limits read_limits(const TomlSection& root) {
-  const TomlSection section =
-      root.section("limits", {"deflection", "energy_growth", "on_energy_growth"});
+  const TomlSection section = root.section(
+      "limits", {"deflection", "energy_growth", "on_energy_growth", "step_error", "momentum"});
   Limits limits;
   visit_fields(limits, FieldReader{section});
   limits.on_energy_growth = section.choice(

@@ -210,26 +210,31 @@ def hub_load(*, force=None, position=None, frame=None, torque=None, ramp=None, t
 
 
 def integration(*, duration, step=None, method=None, spectral_radius=None, tolerance=None,
-                iterations=None, max_iterations=None):
+                iterate_to=None, iterations=None, max_iterations=None):
     """How the motion is integrated.
 
     duration: simulated time [s].
     step: [s].
     method: "generalized_alpha" or "rk4".
     spectral_radius: of generalized_alpha at infinite frequency, 0 to 1.
-    tolerance: last change of a coordinate in a step's iteration [m, rad].
+    tolerance: last change of a coordinate in a step's iteration, at most [m, rad].
+    iterate_to: "error", a share of the step's own error, or "tolerance", which is the default
+        where a tolerance is given.
     iterations: of each step; 0: as many as the tolerance needs.
     max_iterations: of a step, beyond which the simulation has diverged.
     """
     return _given(locals())
 
 
-def limits(*, deflection=None, energy_growth=None, on_energy_growth=None):
+def limits(*, deflection=None, energy_growth=None, on_energy_growth=None, step_error=None,
+           momentum=None):
     """Beyond which results are doubted.
 
     deflection: of a body in its frame, by its length; 0: none.
     energy_growth: by the largest energy so far; 0: none.
     on_energy_growth: "warn" or "stop".
+    step_error: estimated error of a step, by a radian or the length of a body; 0: none.
+    momentum: residual of a free model, by its largest momentum; 0: none.
     """
     return _given(locals())
 

@@ -110,7 +110,8 @@ class Repetition {
     context->formulation = formulation;
     context->integrator = {
         make_generalized_alpha(integration.spectral_radius, integration.step),
-        {integration.tolerance, integration.iterations, integration.max_iterations}};
+        {integration.tolerance, integration.iterations, integration.max_iterations, false,
+         goal_of(integration) == IterationGoal::error}};
     allocate(*context, window > 1 ? 2 * window : 1);
     return context;
   }

@@ -51,12 +51,34 @@ TEST_CASE("a minimal scenario gets the documented defaults") {
   CHECK(integration.step == 0.005);
   CHECK(integration.spectral_radius == 0.8);
   CHECK(integration.tolerance == 1e-10);
+  CHECK(goal_of(integration) == IterationGoal::error);
   CHECK(integration.iterations == 0);
   CHECK(integration.max_iterations == 30);
   CHECK(scenario.limits.deflection == 0.1);
   CHECK(scenario.limits.energy_growth == 0.01);
   CHECK(scenario.limits.on_energy_growth == EnergyGrowth::warn);
+  CHECK(scenario.limits.step_error == 2e-4);
+  CHECK(scenario.limits.momentum == 0.01);
   CHECK(scenario.output.interval == 0.05);
+}
+
+TEST_CASE("a tolerance that is given is iterated to") {
+  const auto goal = [](const std::string& keys) {
+    const Scenario scenario = parse(kHub + kBlade + kIntegration + keys);
+    const Scenario again = parse_scenario(
+        kHub + kBlade + kIntegration, "again.toml",
+        {"integration.tolerance=1e-10",
+         "integration.iterate_to=" + std::string(name_of(goal_of(scenario.integration)))});
+    CHECK(goal_of(again.integration) == goal_of(scenario.integration));
+    return goal_of(scenario.integration);
+  };
+  CHECK(goal("") == IterationGoal::error);
+  CHECK(goal("tolerance = 1e-10\n") == IterationGoal::tolerance);
+  CHECK(goal("tolerance = 1e-12\niterate_to = 'error'\n") == IterationGoal::error);
+  CHECK(goal("iterate_to = 'tolerance'\n") == IterationGoal::tolerance);
+  Integration in_code;
+  in_code.tolerance = 1e-13;
+  CHECK(goal_of(in_code) == IterationGoal::tolerance);
 }
 
 TEST_CASE("counted blades are alike and spaced evenly from the first azimuth") {
@@ -127,6 +149,7 @@ TEST_CASE("hub and gravity and damping and integration and limits and output are
             "stiffness_factor = 0.002\n[integration]\nmethod = 'rk4'\nstep = 1e-4\nduration = 2\n"
             "spectral_radius = 1\ntolerance = 1e-8\niterations = 2\nmax_iterations = 9\n"
             "[limits]\ndeflection = 0\nenergy_growth = 2\non_energy_growth = 'stop'\n"
+            "step_error = 0\nmomentum = 0.5\n"
             "[output]\ninterval = 0\n");
   CHECK(scenario.title == "T");
   CHECK(scenario.rotor.hub.support == HubSupport::free);
@@ -145,6 +168,8 @@ TEST_CASE("hub and gravity and damping and integration and limits and output are
   CHECK(scenario.limits.deflection == 0.0);
   CHECK(scenario.limits.energy_growth == 2.0);
   CHECK(scenario.limits.on_energy_growth == EnergyGrowth::stop);
+  CHECK(scenario.limits.step_error == 0.0);
+  CHECK(scenario.limits.momentum == 0.5);
   CHECK(scenario.output.interval == 0.0);
 }
 

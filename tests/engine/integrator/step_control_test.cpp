@@ -91,6 +91,54 @@ TEST_CASE("an iteration ends when the last change is within the tolerance") {
   CHECK(record.work == approx(0.5 * kStep * (2.0 + 4.0)));
 }
 
+TEST_CASE("an iteration to the step's own error ends at a share of its first change") {
+  IterationLimits limits{1e-10, 0, 30};
+  limits.follows_error = true;
+  const Integrator integrator = implicit_integrator(limits);
+  /// Passes of a step with these changes, of a progress that has seen others.
+  const auto count = [&](const std::vector<double>& changes, StepProgress& progress) {
+    StepRecord record;
+    for (const double change : changes) {
+      end_pass(integrator, {1, 100, false}, report_of(change), progress, record);
+      if (progress.completed >= 0) return static_cast<int>(record.passes);
+    }
+    return 0;
+  };
+  StepProgress progress = progress_at_first_step(integrator);
+  // Far above the tolerance the tolerance counts.
+  CHECK(count({1e-3, 1e-6, 0.9e-10, 1e-14}, progress) == 3);
+  // A small change among large ones is left, and steps that have become small are not.
+  CHECK(count({0.9e-10, 1e-14}, progress) == 1);
+  progress = progress_at_first_step(integrator);
+  CHECK(count({0.9e-10, 1e-11, 0.8e-12}, progress) == 3);
+  CHECK(count({0.9e-10, 1.2e-11, 1e-14}, progress) == 3);
+  CHECK(count({0.9e-10, 5e-12, 1e-14}, progress) == 2);
+  // Round-off ends it, and what no longer falls.
+  CHECK(count({1e-14}, progress) == 1);
+  CHECK(count({0.9e-10, 3e-11, 2.5e-11, 1e-12}, progress) == 3);
+  progress = progress_at_first_step(integrator);
+  StepRecord record;
+  for (int k = 0; k < 30; ++k)
+    end_pass(integrator, {1, 100, false}, report_of(1.1e-10), progress, record);
+  CHECK(progress.outcome == StepOutcome::not_converged);
+}
+
+TEST_CASE("the error of a step is that of its first iteration") {
+  const Integrator integrator = implicit_integrator({1e-6, 0, 30});
+  StepProgress progress = progress_at_first_step(integrator);
+  StepRecord record;
+  PassReport report = report_of(1.0);
+  report.error = {0.5, 1, 2, CoordinatePlace::joint};
+  end_pass(integrator, {1, 100, false}, report, progress, record);
+  end_pass(integrator, {1, 100, false}, report_of(1e-7), progress, record);
+  CHECK(progress.completed == 1);
+  CHECK(record.error.size == 0.5);
+  CHECK(record.error.body == 2);
+  CHECK(record.error.place == CoordinatePlace::joint);
+  end_pass(integrator, {2, 100, false}, report_of(1e-7), progress, record);
+  CHECK(record.error.size == 0.0);
+}
+
 TEST_CASE("a fixed number of iterations is kept, whatever the change") {
   const Integrator integrator = implicit_integrator({1e-6, 2, 30});
   StepProgress progress = progress_at_first_step(integrator);

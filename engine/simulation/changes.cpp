@@ -1,0 +1,54 @@
+// What is changed between steps of a simulation: the drive, the motion of a joint.
+
+#include <utility>
+
+#include "engine/simulation/jumps.h"
+#include "engine/simulation/simulation_core.h"
+#include "models/error.h"
+
+namespace spoke {
+
+SpatialJoints& SimulationCore::joints(const char* what) const {
+  SpatialJoints* joints = model->joints();
+  if (!joints)
+    throw InputError(std::string(what) + ": the model is in the plane, expected one in space");
+  return *joints;
+}
+
+void SimulationCore::set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
+                                      const space::DrivenMotion& course) {
+  SpatialJoints& all = joints("the motion of a joint");
+  require_state("go on from with another motion of a joint");
+  space::DrivenMotion& in_force = all.said_motion(place);
+  const double t = static_cast<double>(runner->steps()) * step_size;
+  all.check_continuation(place, begin, t);
+  replace(in_force, course);
+  const std::string name = all.describe(place);
+  std::vector<Jump> next;
+  if (const auto* table = std::get_if<spatial::MotionTable>(&course)) {
+    const double end = scenario.integration.duration;
+    next = find_course_jumps(table->value, name, all.unit(place), t, end, step_size);
+  }
+  set_jumps(name, std::move(next));
+}
+
+void SimulationCore::set_drive(const Drive& next) {
+  const double t = static_cast<double>(runner->steps()) * step_size;
+  replace(model->drive(), next);
+  set_jumps(kDriveSource, find_drive_jumps(next, t, scenario.integration.duration, step_size));
+}
+
+void SimulationCore::set_jumps(const std::string& source, std::vector<Jump> next) {
+  const double t = static_cast<double>(runner->steps()) * step_size;
+  replace_jumps(source, t, std::move(next), jumps);
+  if (!jumps.empty()) log.log_warnings(scenario, seen, make_warnings());
+}
+
+SystemContext<Plane>& SimulationCore::plane(const char* what) const {
+  SystemContext<Plane>* context = model->plane();
+  if (!context)
+    throw InputError(std::string(what) + ": the model is in space, expected a rotor in the plane");
+  return *context;
+}
+
+}  // namespace spoke

@@ -1,0 +1,43 @@
+#pragma once
+
+// What generalized_alpha leaves out of a step, estimated from its first iteration: of a coordinate
+//   q:  c h^2 (A_{n+1} - A_n),  c = beta - (af - am)/2 - 1/6 = 1/12 + (af - am)^2/4,
+// the first term that the step's quadrature of A has wrong, with A_{n+1} as the first iteration
+// finds it. Of an orientation, whose D' = w leaves out +-D x w/2 besides:
+//   D:  c h^2 (w'_{n+1} - w'_n) -+ h^3/12 w x w',  - in the child's frame, + in the parent's.
+// Angles are measured in rad, places by a length of the model. rk4 has no such estimate.
+
+#include "engine/integrator/generalized_alpha.h"
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// Of the joint that carries a body. Before the integrator takes the joint's accelerations.
+StepError estimate_joint_error(const GeneralizedAlpha& method,
+                               const BodyData<Space>& body) noexcept;
+inline StepError estimate_joint_error(const GeneralizedAlpha&, const BodyData<Plane>&) noexcept {
+  return {};
+}
+
+/// Of the deformation of a body of which the first iteration changed a coordinate by `change`
+/// [m, rad] at most.
+template <class World>
+StepError estimate_deformation_error(const GeneralizedAlpha& method, double change,
+                                     const BodyData<World>& body) noexcept {
+  // Of a beam longer than 1 m displacements are the largest coordinates, else rotations are.
+  const double size = method.error_share * change / std::max(1.0, body.length);
+  return {size, -1, -1, CoordinatePlace::deformation};
+}
+
+/// Of a free hub, or of the angle about its axle, whose acceleration is `found`. Before the
+/// integrator takes it.
+template <class World>
+StepError estimate_hub_error(const System<World>& system, const GeneralizedAlpha& method,
+                             const TwistOf<World>& found, const StepData<World>& data) noexcept;
+
+/// Lengths of a model by which errors of places are measured: of each flexible body its own; the
+/// greatest of these, or where there is none of what the rigid ones reach, for all else.
+template <class World>
+void set_lengths(StepData<World>& data);
+
+}  // namespace spoke
