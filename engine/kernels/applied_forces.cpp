@@ -26,7 +26,7 @@ bool find_sources(SubsystemData<World>& data) {
     BodyData<World>& body = data.bodies[j];
     body.forces.applied = !body.loads.empty() || !body.drags.empty() || !body.applied.empty();
     any |= body.forces.applied;
-    if (body.forces && body.model->parent >= 0)
+    if ((body.forces || has_slide(*body.model)) && body.model->parent >= 0)
       data.bodies[static_cast<std::size_t>(body.model->parent)].forces.carried = true;
   }
   return any;
@@ -68,18 +68,6 @@ void place_applied_forces(StepData<World>& data) {
   for (SubsystemData<World>& subsystem : data.subsystems) place_element_forces(subsystem);
 }
 
-template <class World>
-void sum_up_forces(SubsystemData<World>& data) noexcept {
-  ArenaVector<PositionOf<World>>& sums = data.applied_forces;
-  PositionOf<World> whole = PositionOf<World>::Zero();
-  for (std::size_t j = data.bodies.size(); j-- > 0;) {
-    const TreeBody<World>& model = *data.bodies[j].model;
-    for (const int child : model.children) sums[j] += sums[static_cast<std::size_t>(child)];
-    if (model.parent < 0) whole += sums[j];
-  }
-  sums.back() = whole;
-}
-
 void calc_applied_forces(const System<Plane>&, std::size_t i, double t,
                          StepData<Plane>& table) noexcept {
   SubsystemData<Plane>& data = table.subsystems[i];
@@ -89,7 +77,9 @@ void calc_applied_forces(const System<Plane>&, std::size_t i, double t,
     visit_forces(t, static_cast<int>(j), data,
                  [&sum](const Section&, const Position& force) { sum += force; });
   }
-  sum_up_forces(data);
+  for (std::size_t j = data.bodies.size() - 1; j > 0; --j)
+    data.applied_forces[j - 1] += data.applied_forces[j];
+  data.applied_forces.back() = data.applied_forces.front();
 }
 
 template <class World>
@@ -101,8 +91,6 @@ void calc_flight_acceleration(const System<World>& system, double t,
   data.flight_acceleration = sum / data.mass;
 }
 
-template void sum_up_forces(SubsystemData<Plane>&) noexcept;
-template void sum_up_forces(SubsystemData<Space>&) noexcept;
 template void place_applied_forces(StepData<Plane>&);
 template void place_applied_forces(StepData<Space>&);
 template void calc_flight_acceleration(const System<Plane>&, double, StepData<Plane>&) noexcept;

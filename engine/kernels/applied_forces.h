@@ -12,16 +12,15 @@ namespace spoke {
 template <class World>
 void place_applied_forces(StepData<World>& data);
 
+/// Whether a joint hands a force of its own on to the bodies that carry it: see JointSlide.
+inline bool has_slide(const TreeBody<Plane>&) { return false; }
+inline bool has_slide(const TreeBody<Space>& body) { return body.joint.slide.has_value(); }
+
 /// Sets the sums of subsystem `i` at the state in the table and time t [s].
 void calc_applied_forces(const System<Plane>& system, std::size_t i, double t,
                          StepData<Plane>& data) noexcept;
 void calc_applied_forces(const System<Space>& system, std::size_t i, double t,
                          StepData<Space>& data) noexcept;
-
-/// Adds to the sums by body those of what each carries, and sets the one of the whole. Children
-/// stand behind their parents.
-template <class World>
-void sum_up_forces(SubsystemData<World>& data) noexcept;
 
 /// Of a hub that flies: sets data.flight_acceleration, from the sums of the subsystems and the
 /// loads on the hub.

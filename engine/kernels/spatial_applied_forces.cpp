@@ -1,22 +1,57 @@
-// What is applied to the bodies of a tree in space.
+// What is applied to the bodies of a tree in space, and what joints that slide hand on.
 
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/spatial_terms.h"
 
 namespace spoke {
+namespace {
+
+/// Where the slide of the joint that carries body `j` truly is, and the force on it.
+void find_slide(double t, std::size_t j, SubsystemData<Space>& data) {
+  BodyData<Space>& body = data.bodies[j];
+  const space::TreeJoint& model = body.model->joint;
+  const auto c = static_cast<std::size_t>(model.slide->coordinate);
+  const std::array<double, space::Joint::kMost> motor = calc_motors(model, t);
+  body.slide = calc_slide_shift(data, j);
+  const ShiftedJoint shifted(body, body.slide);
+  space::JointForces there, here;
+  calc_joint_forces(model.joint, shifted.state, {}, nullptr, motor.data(), there);
+  calc_joint_forces(model.joint, joint_state_of(body), {}, nullptr, motor.data(), here);
+  body.slide.force = there.tau[c];
+  body.slide.change = there.tau[c] - here.tau[c];
+}
+
+/// What a body hands on to the one that carries it: along a slide the opposite of its force alone.
+space::Position pass_inward(const BodyData<Space>& body, const space::Position& sum) {
+  const auto& slide = body.model->joint.slide;
+  if (!slide) return sum;
+  return sum - (slide->axis.dot(sum) + body.slide.force) * slide->axis;
+}
+
+}  // namespace
 
 void calc_applied_forces(const System<Space>& system, std::size_t i, double t,
                          StepData<Space>& table) noexcept {
   const Subsystem<Space>& subsystem = system.subsystems[i];
   SubsystemData<Space>& data = table.subsystems[i];
+  ArenaVector<space::Position>& sums = data.applied_forces;
+  space::Position whole = space::Position::Zero();
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    space::Position& sum = data.applied_forces[j];
+    space::Position& sum = sums[j];
     sum.setZero();
     visit_forces(t, subsystem, data, j,
                  [&sum](const space::Section&, const space::Position& force) { sum += force; });
+    whole += sum;
+    if (has_slide(*data.bodies[j].model)) find_slide(t, j, data);
   }
-  sum_up_forces(data);
+  for (std::size_t j = data.bodies.size(); j-- > 0;)
+    for (const int child : data.bodies[j].model->children) {
+      const auto c = static_cast<std::size_t>(child);
+      sums[c] = pass_inward(data.bodies[c], sums[c]);
+      sums[j] += sums[c];
+    }
+  sums.back() = whole;
 }
 
 }  // namespace spoke

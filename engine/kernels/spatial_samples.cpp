@@ -55,6 +55,14 @@ space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemDa
   return calc_body_energies(body_model_of(body), body_state_of(body), twist, motion, body.work);
 }
 
+/// Energy of the springs and stops of the joint that carries a body [J].
+double calc_springs(const SubsystemData<Space>& data, std::size_t j) {
+  const BodyData<Space>& body = data.bodies[j];
+  const space::TreeJoint& joint = body.model->joint;
+  if (!joint.slide) return calc_spring_energy(joint.joint, joint_state_of(body));
+  return calc_spring_energy(joint.joint, ShiftedJoint(body, calc_slide_shift(data, j)).state);
+}
+
 double mass_of(const space::Body& body) {
   return body.flexible() ? body.flexible()->mass : body.rigid()->mass;
 }
@@ -73,8 +81,7 @@ SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
     const BodyData<Space>& body = data.bodies[j];
     const space::BodyEnergies energies = calc_energies(system, data, j);
     sample.kinetic += energies.kinetic;
-    sample.strain += energies.strain + energies.tension +
-                     calc_spring_energy(body.model->joint.joint, joint_state_of(body));
+    sample.strain += energies.strain + energies.tension + calc_springs(data, j);
     if (system.gravity_ramp > 0.0) continue;
     const double mass = mass_of(*body.model->body);
     const space::Position moment = mass * data.poses[j].p + data.poses[j].R * energies.S;

@@ -30,15 +30,23 @@ void add_joint_forces(double t, const space::ImplicitShares& shares, BodyData<Sp
   const space::TreeJoint& model = body.model->joint;
   const int n = model.joint.coordinates;
   if (n == 0) return;
-  std::array<double, space::Joint::kMost> motor{};
-  for (std::size_t c = 0; c < model.course.efforts.size(); ++c)
-    motor[c] = model.course.efforts[c].value(t);
+  const std::array<double, space::Joint::kMost> motor = calc_motors(model, t);
   const space::JointState state = joint_state_of(body);
   calc_joint_forces(model.joint, state, shares, body.joint.coordinates.a, motor.data(),
                     *body.joint.forces);
   for (int c = 0; c < n; ++c)
     body.terms.load_power += motor[static_cast<std::size_t>(c)] * state.v[c];
-  body.terms.dissipation += calc_dissipation(model.joint, state);
+  if (!model.slide) {
+    body.terms.dissipation += calc_dissipation(model.joint, state);
+    return;
+  }
+  const space::SlideState& slide = body.slide;
+  const auto c = static_cast<std::size_t>(model.slide->coordinate);
+  body.joint.forces->tau[c] += slide.change;
+  // The whole force does work on the bodies inboard by the shift; only the motor's is that of a
+  // load.
+  body.terms.load_power += (motor[c] - slide.force) * slide.rate;
+  body.terms.dissipation += calc_dissipation(model.joint, ShiftedJoint(body, slide).state);
 }
 
 /// From the frame in which a load is resolved to B.
@@ -183,6 +191,45 @@ bool depend_on_pose(const BodyData<Space>& body) noexcept {
            return load.frame == spatial::LoadFrame::body ||
                   load.frame == spatial::LoadFrame::section;
          });
+}
+
+std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& joint,
+                                                    double t) noexcept {
+  std::array<double, space::Joint::kMost> motor{};
+  for (std::size_t c = 0; c < joint.course.efforts.size(); ++c)
+    motor[c] = joint.course.efforts[c].value(t);
+  return motor;
+}
+
+space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t j) noexcept {
+  space::SlideState slide;
+  const TreeBody<Space>* outer = data.bodies[j].model;
+  const space::Position& axis = outer->joint.slide->axis;
+  while (outer->parent >= 0) {
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(outer->parent)];
+    const space::FlexibleBody* flexible = body.model->body->flexible();
+    if (flexible && body.model->stiffening) {
+      const int node = flexible->handles[static_cast<std::size_t>(outer->handle)];
+      const space::DrawnInward drawn =
+          calc_drawn_inward(*flexible, body.coordinates.q, body.coordinates.v, node - 1, 1.0);
+      const space::Rotation& R_HB = body.model->stiffening->R_HB;
+      slide.shift -= axis.dot(R_HB * drawn.place);
+      slide.rate -= axis.dot(R_HB * drawn.rate);
+    }
+    outer = body.model;
+  }
+  return slide;
+}
+
+ShiftedJoint::ShiftedJoint(const BodyData<Space>& body, const space::SlideState& slide) noexcept
+    : state(joint_state_of(body)) {
+  const space::TreeJoint& joint = body.model->joint;
+  std::copy_n(state.q, joint.joint.coordinates, q.begin());
+  std::copy_n(state.v, joint.joint.coordinates, v.begin());
+  q[static_cast<std::size_t>(joint.slide->coordinate)] += slide.shift;
+  v[static_cast<std::size_t>(joint.slide->coordinate)] += slide.rate;
+  state.q = q.data();
+  state.v = v.data();
 }
 
 space::JointState joint_state_of(const BodyData<Space>& body) {

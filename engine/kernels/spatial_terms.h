@@ -2,6 +2,8 @@
 
 // The terms of a body of a tree in space, and of the joint that carries it.
 
+#include <array>
+
 #include "engine/kernels/kinematics.h"
 #include "engine/table/step_data.h"
 
@@ -62,6 +64,24 @@ void visit_forces(double t, const Subsystem<Space>& subsystem, const SubsystemDa
 /// plane; on an axle whose mount moves gravity less its acceleration.
 space::Position calc_tension_field(const System<Space>& system, double t,
                                    const SubsystemData<Space>& data) noexcept;
+
+/// Shift and rate of the coordinate by which the joint that carries body `j` slides, from the
+/// deformation of the bodies inboard. Precondition: it does.
+space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t j) noexcept;
+
+/// A joint's state with its slide where it truly is; stays in place.
+struct ShiftedJoint {
+  std::array<double, space::Joint::kMost> q{}, v{};
+  space::JointState state;
+
+  ShiftedJoint(const BodyData<Space>& body, const space::SlideState& slide) noexcept;
+  ShiftedJoint(const ShiftedJoint&) = delete;
+  ShiftedJoint& operator=(const ShiftedJoint&) = delete;
+};
+
+/// Forces of the motors on a joint's coordinates at time t [s].
+std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& joint,
+                                                    double t) noexcept;
 
 /// Calculates the terms of body `j` at the state in the table, (P 3) in space, and the forces of
 /// its joint at time t [s]. `shares`: those of stiffness and damping that an implicit pass leaves

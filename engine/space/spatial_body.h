@@ -56,10 +56,19 @@ struct JointData {
   RotationState* rotation = nullptr;  ///< of the spherical primitive
 };
 
+/// Where a coordinate that slides truly is: bodies inboard are drawn inward, their child is not.
+struct SlideState {
+  double shift = 0.0;   ///< beyond what the coordinate says [m]
+  double rate = 0.0;    ///< [m/s]
+  double force = 0.0;   ///< of springs, dampers, stops and motors there [N]
+  double change = 0.0;  ///< of it, by the shift [N]
+};
+
 /// A spatial body's own in the table.
 struct BodyFields {
   BodyWork work;
   JointData joint;
+  SlideState slide;  ///< of the joint that carries it, if it slides
 };
 
 /// Doubles that the fields of a body and of the joint that carries it take; `history`: flex

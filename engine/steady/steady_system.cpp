@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "engine/columns/spatial_columns.h"
@@ -422,6 +423,9 @@ std::vector<RootLoad> SteadySystem<World>::root_loads(std::size_t tree) const {
     loads.push_back({names_[tree].bodies[j], station_of(context_.system.subsystems[tree], j),
                      -to_section * force_of(wrench), -to_section * moment_of(wrench)});
   }
+  // As of the sensor: in the plane the root has the moment of the tension on the hub.
+  if constexpr (std::is_same_v<World, Plane>)
+    loads.front().moment.z() += sum_stiffening<World>(subsystem.bodies).moment;
   return loads;
 }
 

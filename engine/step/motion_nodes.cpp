@@ -165,6 +165,11 @@ PartList force_inputs(const Assembly<World>& g, int i) {
       add(blade.hub_state);
     const PartList loads = loads_on(g, i, static_cast<int>(j));
     inputs.insert(inputs.end(), loads.begin(), loads.end());
+    if (!has_slide(model)) continue;
+    add(blade.bodies[j].coordinates);
+    for (int k = model.parent; k >= 0; k = data.bodies[static_cast<std::size_t>(k)].model->parent)
+      if (data.bodies[static_cast<std::size_t>(k)].model->stiffening)
+        add(blade.bodies[static_cast<std::size_t>(k)].coordinates);
   }
   return inputs;
 }

@@ -85,12 +85,13 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   bool needs_rotations = has_rising_gravity;
   if (member.stiffening) {
     const BodyData<World>& body = data.bodies[j];
-    if (body.forces.carried) inputs.push_back(blade.applied_forces);
+    if (body.forces.carried && !has_slide(member)) inputs.push_back(blade.applied_forces);
     const bool has_pose = !member.drags.empty() && !data.drag_poses.empty();
     if (has_pose) inputs.push_back(blade.drag_poses);
     needs_rotations |= depend_on_pose(body) && !has_pose;
   }
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
+  if (has_slide(member)) inputs.push_back(blade.applied_forces);
   if (flies) inputs.push_back(g.parts.flight_acceleration);
   for (const BodyLoad<World>& load : member.loads) {
     using Frame = decltype(load.frame);

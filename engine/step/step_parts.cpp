@@ -67,6 +67,14 @@ Memory memory_of_motions(SubsystemData<Space>& data) {
   return memory;
 }
 
+Memory memory_of_slides(SubsystemData<Plane>&) { return {}; }
+Memory memory_of_slides(SubsystemData<Space>& data) {
+  Memory memory;
+  for (BodyData<Space>& body : data.bodies)
+    if (body.model->joint.slide) memory.push_back(bytes_of(body.slide));
+  return memory;
+}
+
 Memory memory_of_wrenches(SubsystemData<Plane>& data) {
   return {bytes_of(data.wrenches[0], data.wrenches.size())};
 }
@@ -235,9 +243,11 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   if (!data.drag_poses.empty())
     parts.drag_poses =
         builder.add_part(name + "poses for drag", {bytes_of(data.drag_poses[0], count)});
-  if (!data.applied_forces.empty())
-    parts.applied_forces = builder.add_part(
-        name + "applied forces", {bytes_of(data.applied_forces[0], data.applied_forces.size())});
+  if (!data.applied_forces.empty()) {
+    Memory sums = memory_of_slides(data);
+    sums.push_back(bytes_of(data.applied_forces[0], data.applied_forces.size()));
+    parts.applied_forces = builder.add_part(name + "applied forces", sums);
+  }
   parts.wrenches = builder.add_part(name + "wrenches", memory_of_wrenches(data));
   parts.samples = add_ring(name + "samples", data.samples, builder);
   parts.joint_loads = builder.add_part(

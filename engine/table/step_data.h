@@ -98,8 +98,9 @@ struct alignas(kInterferenceSize) SubsystemData {
       drag_poses;                      ///< the same during a step; none unless drag depends on them
   ArenaVector<double> storage;         ///< of all flex vectors
   std::vector<LoadData<World>> loads;  ///< of the user's, whose first blade this is
-  /// By body, the sum of the forces that are applied to it and to all that it carries, hub frame
-  /// [N], and at the end that of the whole; empty unless a tension depends on them.
+  /// By body, the sum of the forces that are applied to it and to all that it carries, as the joint
+  /// that carries it hands it on, hub frame [N], and at the end that of all that is applied; empty
+  /// unless a tension depends on them.
   ArenaVector<PositionOf<World>> applied_forces;
   /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
   const PositionOf<World>* flight_acceleration = nullptr;

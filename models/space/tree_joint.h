@@ -2,6 +2,7 @@
 
 // A joint of a tree in space, with what moves and loads it over time.
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -31,10 +32,18 @@ struct JointCourse {
   std::vector<double> initial_speed;  ///< [rad/s, m/s]
 };
 
+/// A coordinate that slides along bodies which carry the joint. The child does not follow where
+/// bending draws them inward, but slides: along them they feel the force on the coordinate alone.
+struct JointSlide {
+  int coordinate = 0;
+  Position axis = Position::UnitX();  ///< in H, undeformed and with joint coordinates zero
+};
+
 /// A joint of a tree.
 struct TreeJoint {
   Joint joint;
   JointCourse course;
+  std::optional<JointSlide> slide;  ///< if it has such a coordinate
 };
 
 }  // namespace spoke::space

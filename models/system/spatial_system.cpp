@@ -110,6 +110,8 @@ class SubsystemMaker {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
+      made_.bodies[j].joint.slide = find_slide(j);
     add_tension();
     for (std::size_t j = 0; j < loads.size(); ++j) add_loads(j, std::move(loads[j]));
     made_.root = {to_axis_ * pose_of(placements_[0]).p, to_axis_ * pose_of(placements_[0]).R};
@@ -215,15 +217,80 @@ class SubsystemMaker {
     return course;
   }
 
-  /// Of each body: mass and first moment about the hub, in the description's frame of the hub, with
-  /// all that it carries.
-  std::vector<spatial::MassProperties> calc_branches() const {
-    std::vector<spatial::MassProperties> branches(tree_.bodies.size());
-    for (std::size_t j = tree_.bodies.size(); j-- > 0;) {
-      branches[j] = calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]);
+  bool is_stiffened(std::size_t j) const {
+    const spatial::FlexibleBody* part = flexible(j);
+    return part && tree_.beams[part->beam].geometric_stiffening;
+  }
+
+  /// The coordinate of a joint that slides, and its axis in the parent's frame. It must not turn
+  /// with other coordinates.
+  std::optional<space::JointSlide> find_free_slide(const space::Joint& joint) const {
+    using Kind = space::JointPrimitive::Kind;
+    std::optional<space::JointSlide> slide;
+    int coordinate = 0;
+    for (const space::JointPrimitive& primitive : joint.sequence()) {
+      if (primitive.kind == Kind::prismatic && !primitive.is_driven) {
+        if (slide) return {};
+        slide = {coordinate, joint.offset.R * primitive.axis};
+      }
+      if (!primitive.is_driven) coordinate += primitive.components();
+    }
+    if (!slide) return {};
+    for (const space::JointPrimitive& primitive : joint.sequence()) {
+      if (primitive.kind == Kind::prismatic) break;
+      const space::Position axis = joint.offset.R * primitive.axis;
+      if (primitive.kind == Kind::spherical || std::abs(axis.dot(slide->axis)) < 1.0 - 1e-9)
+        return {};
+    }
+    return slide;
+  }
+
+  /// Whether the joint that carries a body slides along bodies inboard; none of them may lie askew
+  /// to it, or be bent.
+  std::optional<space::JointSlide> find_slide(std::size_t j) const {
+    const TreeBody<Space>& body = made_.bodies[j];
+    if (body.parent < 0) return {};
+    std::optional<space::JointSlide> slide = find_free_slide(body.joint.joint);
+    if (!slide) return {};
+    slide->axis = place_of(static_cast<std::size_t>(body.parent)).pose.R * slide->axis;
+    bool is_along = false;
+    for (int i = body.parent; i >= 0; i = made_.bodies[static_cast<std::size_t>(i)].parent) {
+      const auto k = static_cast<std::size_t>(i);
+      if (!is_stiffened(k)) continue;
+      const double along = std::abs(place_of(k).pose.R.axes.col(0).dot(slide->axis));
+      if (!made_.bodies[k].body->flexible()->is_straight || (along > 1e-9 && along < 1.0 - 1e-9))
+        return {};
+      is_along |= along > 0.5;
+    }
+    return is_along ? slide : std::nullopt;
+  }
+
+  /// Mass and first moment of all that a joint hands on to a body along an axis.
+  spatial::MassProperties calc_branch_along(
+      std::size_t c, const space::Position& axis,
+      const std::vector<spatial::MassProperties>& bodies) const {
+    const std::optional<space::JointSlide>& slide = made_.bodies[c].joint.slide;
+    if (slide && std::abs(slide->axis.dot(axis)) > 0.5) return {};
+    spatial::MassProperties branch = bodies[c];
+    for (const int child : made_.bodies[c].children)
+      branch += calc_branch_along(static_cast<std::size_t>(child), axis, bodies);
+    return branch;
+  }
+
+  /// Of each body: mass and first moment about the hub, in the description's frame of the hub.
+  std::vector<spatial::MassProperties> calc_masses() const {
+    std::vector<spatial::MassProperties> masses;
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
+      masses.push_back(calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]));
+    return masses;
+  }
+
+  /// The same with all that each carries.
+  std::vector<spatial::MassProperties> sum_branches(
+      std::vector<spatial::MassProperties> branches) const {
+    for (std::size_t j = branches.size(); j-- > 0;)
       for (const int c : made_.bodies[j].children)
         branches[j] += branches[static_cast<std::size_t>(c)];
-    }
     return branches;
   }
 
@@ -253,14 +320,23 @@ class SubsystemMaker {
   }
 
   void add_tension() {
-    const std::vector<spatial::MassProperties> branches = calc_branches();
+    const std::vector<spatial::MassProperties> masses = calc_masses();
+    const std::vector<spatial::MassProperties> branches = sum_branches(masses);
+    const bool slides =
+        std::any_of(made_.bodies.begin(), made_.bodies.end(),
+                    [](const TreeBody<Space>& body) { return body.joint.slide.has_value(); });
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
-      const spatial::FlexibleBody* part = flexible(j);
-      if (!part || !tree_.beams[part->beam].geometric_stiffening) continue;
+      if (!is_stiffened(j)) continue;
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
-      made_.bodies[j].stiffening = space::TensionPlace{
-          pose.R, to_body * space::Position(pose.p - centre_), find_carried(j, to_body, branches)};
+      std::vector<spatial::MassProperties> carried;
+      if (slides) carried.resize(branches.size());
+      if (slides)
+        for (std::size_t c = 0; c < carried.size(); ++c)
+          carried[c] = calc_branch_along(c, pose.R.axes.col(0), masses);
+      made_.bodies[j].stiffening =
+          space::TensionPlace{pose.R, to_body * space::Position(pose.p - centre_),
+                              find_carried(j, to_body, slides ? carried : branches)};
     }
   }
 

@@ -110,7 +110,10 @@ Position find_mass_centre(const Rotor& rotor, const System<Plane>& system) {
     double along = 0.0;
     for (int j = 0; j < blade.bodies; ++j) {
       const BeamProperties beam = make_beam_properties(blade, j);
-      along += first_moment(beam, rotor.hub.radius + j * beam.length);
+      const double distance = rotor.hub.radius + j * beam.length;
+      along += first_moment(beam, distance);
+      for (const BodyMass& point : beam.masses)  // at the inboard end, where it pulls at nothing
+        if (point.x < 0.5 * beam.pieces.front().end) along += point.mass * distance;
       mass += system.subsystems[i].bodies[static_cast<std::size_t>(j)].body->mass;
     }
     moment += system.subsystems[i].root.R * Position{along, 0.0};

@@ -117,9 +117,11 @@ TEST_CASE("a precone in degrees is asked for by all that find out about a model"
                                    "blade.precone=-2.5", "integration.duration=0.05"},
                                   WorkFolder());
     CHECK(ended.status == 0);
-    CHECK(ended.err == "warning: " + shipped("spatial_wu_haug") +
-                           ": the precone of blade 1 is -2.5 rad, beyond a right angle, pi/2: "
-                           "degrees?\n");
+    const std::string warning = "warning: " + shipped("spatial_wu_haug") +
+                                ": the precone of blade 1 is -2.5 rad, beyond a right angle, pi/2: "
+                                "degrees?\n";
+    // Where an equilibrium is found, a second warning says how far the blades bend.
+    CHECK(ended.err.substr(0, warning.size()) == warning);
   }
 }
 

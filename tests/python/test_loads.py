@@ -31,13 +31,15 @@ def run(loads=(), **arguments):
 
 
 def test_a_function_is_a_load_of_the_scenario():
+    # Without stiffening: else the velocities of markers include foreshortening, that of drag does not.
+    linear = {"blade.geometric_stiffening": False}
     markers = tips(spoke.read_scenario(ROTOR))
     _, expected = run(values={
         "load": [{"force": FORCE[:2], "frame": "inertial"}],
-        "drag": [{"linear": 0.1}]})
+        "drag": [{"linear": 0.1}], **linear})
     for load in (spoke.Load("tips", markers, by_marker),
                  spoke.Load("tips", markers, at_once, vectorized=True)):
-        _, found = run([load])
+        _, found = run([load], values=dict(linear))
         assert found["blade2.tip.y"] == pytest.approx(expected["blade2.tip.y"], abs=1e-9)
 
 
