@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "engine/kernels/kinematics.h"
 #include "engine/space/applied_tension.h"
@@ -75,41 +76,45 @@ void add_wrench(const space::Section& section, const space::HandleMotion& motion
   body.terms.load_power += wrench.dot(motion.carry(twist) + motion.twist());
 }
 
-/// Adds the loads of the scenario.
-void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
-               const space::Twist& twist, BodyData<Space>& body) {
-  visit_wrenches(
-      t, R_HB, R_0, body,
-      [&](const space::Section& section, const space::HandleMotion& motion,
-          const space::Twist& wrench) { add_wrench(section, motion, wrench, twist, body); });
+/// What is applied to the bodies that a body carries; `turn`: from the hub's frame.
+void add_carried_forces(const TreeBody<Space>& model, const SubsystemData<Space>& data,
+                        const space::Rotation& turn, space::AppliedTension& tension) {
+  const space::FlexibleBody& flexible = *model.body->flexible();
+  for (std::size_t h = 1; h <= model.children.size(); ++h)
+    tension.add_at_node(
+        flexible.handles[h],
+        turn * data.applied_forces[static_cast<std::size_t>(model.children[h - 1])]);
 }
 
-/// What loads of the user's exert.
-void add_applied(const space::Twist& twist, BodyData<Space>& body) {
-  for (const auto& [section, wrench] : body.applied)
-    add_wrench(*section, motion_at(body, *section), make_wrench(wrench->force, wrench->moment),
-               twist, body);
-}
-
-/// The tension of what is applied to body `j` and beyond it, in the undeformed tree.
-void add_applied_tension(double t, const Subsystem<Space>& subsystem, std::size_t j,
-                         SubsystemData<Space>& data) {
+/// Adds all that is applied to body `j`: loads of the user's, then those of the scenario; and the
+/// tension that it and what is applied beyond the body put on it.
+void add_applied(double t, const Subsystem<Space>& subsystem, std::size_t j,
+                 SubsystemData<Space>& data) {
   BodyData<Space>& body = data.bodies[j];
   const TreeBody<Space>& model = *body.model;
-  const space::FlexibleBody& flexible = *model.body->flexible();
-  const space::Rotation& R_HB = model.stiffening->R_HB;
-  const space::Rotation to_body = R_HB.inverse();
-  space::AppliedTension tension(body_model_of(body), body_state_of(body), body.work);
-  if (body.forces.carried)
-    for (std::size_t h = 1; h <= model.children.size(); ++h)
-      tension.add_at_node(
-          flexible.handles[h],
-          to_body * data.applied_forces[static_cast<std::size_t>(model.children[h - 1])]);
-  visit_forces(t, subsystem, data, j,
-               [&](const space::Section& section, const space::Position& force) {
-                 tension.add_at(section, to_body * force);
-               });
-  const space::Angular on_hub = R_HB * tension.add_to(body.terms);
+  const space::Twist& twist = data.twists[j];
+  const bool has_tension = model.stiffening && body.forces;
+  const bool is_resolved = !body.loads.empty() || (has_tension && !body.applied.empty());
+  const space::Rotation R_HB =
+      is_resolved ? calc_rotation_to_hub(subsystem, data, static_cast<int>(j)) : space::Rotation{};
+  std::optional<space::AppliedTension> tension;
+  space::Rotation to_undeformed;
+  if (has_tension) {
+    to_undeformed = model.stiffening->R_HB.inverse();
+    tension.emplace(body_model_of(body), body_state_of(body), body.work);
+    if (body.forces.carried) add_carried_forces(model, data, to_undeformed, *tension);
+  }
+  const space::Rotation turn = to_undeformed * R_HB;
+  const auto add = [&](const space::Section& section, const space::HandleMotion& motion,
+                       const space::Twist& wrench) {
+    add_wrench(section, motion, wrench, twist, body);
+    if (tension) tension->add_at(section, turn * space::Position(linear(wrench)));
+  };
+  for (const auto& [section, wrench] : body.applied)
+    add(*section, motion_at(body, *section), make_wrench(wrench->force, wrench->moment));
+  visit_wrenches(t, R_HB, data.hub->R, body, add);
+  if (!tension) return;
+  const space::Angular on_hub = model.stiffening->R_HB * tension->add_to(body.terms);
   body.terms.stiffening.moment += on_hub;
   body.terms.load_power += on_hub.dot(space::Angular(angular(data.hub->twist)));
 }
@@ -256,17 +261,13 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
           {angular(twist), angular(hub.twist), calc_working_field(system, t, data)}, body.work);
   }
   add_joint_forces(t, shares, body);
-  add_applied(twist, body);
-  if (body.model->stiffening && body.forces) add_applied_tension(t, subsystem, index, data);
-  if (body.loads.empty() && system.gravity_ramp == 0.0) return;
+  add_applied(t, subsystem, index, data);
+  if (system.gravity_ramp == 0.0) return;
   const space::Rotation R_HB = calc_rotation_to_hub(subsystem, data, j);
-  add_loads(t, R_HB, data.hub->R, twist, body);
-  if (system.gravity_ramp > 0.0) {
-    const space::Position gravity = data.hub->R.inverse() * space::Position(system.gravity_at(t));
-    const bool falls = system.hub.support == HubSupport::free;
-    add_gravity_power(gravity, falls ? space::Position(space::Position::Zero()) : gravity, R_HB,
-                      *data.hub, twist, body);
-  }
+  const space::Position gravity = data.hub->R.inverse() * space::Position(system.gravity_at(t));
+  const bool falls = system.hub.support == HubSupport::free;
+  add_gravity_power(gravity, falls ? space::Position(space::Position::Zero()) : gravity, R_HB,
+                    *data.hub, twist, body);
 }
 
 }  // namespace spoke

@@ -52,7 +52,9 @@ void visit_forces(double t, const Subsystem<Space>& subsystem, const SubsystemDa
     for (std::size_t k = 0; k < sections.size(); ++k) {
       space::Rotation section;
       if (load->frame == spatial::LoadFrame::section)
-        section = motion_at(body, sections[k]).turn.R * sections[k].axes;
+        section =
+            calc_section_turn(*body.model->body->flexible(), sections[k], body.coordinates.q) *
+            sections[k].axes;
       const space::Twist wrench = calc_load_wrench(*load, k, t, R_HB, data.hub->R, section);
       visit(sections[k], space::Position(R_HB * space::Position(linear(wrench))));
     }

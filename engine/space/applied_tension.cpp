@@ -1,4 +1,4 @@
-// Whole elements by their tension matrices, the element of a force by Gauss's rule up to it.
+// Whole elements by their tension matrices, the element of a force by that up to it.
 
 #include "engine/space/applied_tension.h"
 
@@ -88,49 +88,41 @@ void AppliedTension::add_at_node(int node, const Position& force) noexcept {
 
 void AppliedTension::add_at(const Section& section, const Position& force) noexcept {
   add_at_node(section.element, force);
-  add_stretch(section.element, place_in_element(body_, section), force);
-}
-
-void AppliedTension::add_stretch(int e, double xi, const Position& force) noexcept {
-  const BeamElement& element = element_of(body_, e);
-  const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
-  const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
-  const double tension = element.axes.col(0).dot(force);
-  PlaneCoordinates f{};
-  double form = 0.0, rate = 0.0;
-  for (int k = 0; k < GaussRule::kPoints; ++k) {
-    const auto point = static_cast<std::size_t>(k);
-    const SlopeShape shape(xi * GaussRule::places[point], element.length);
-    const double weight = GaussRule::weights[point] * xi * element.length;
-    const Double2 slope = shape.times(q);
-    shape.add((weight * tension) * slope, f);
-    form += weight * total(slope * slope);
-    rate += weight * total(slope * shape.times(v));
-  }
-  const double trapeze = xi * element.stiffening.torsion[0] * twist_of(q);
-  f.torsion[0] = -tension * trapeze;
-  f.torsion[1] = tension * trapeze;
-  form += trapeze * twist_of(q);
-  rate += trapeze * twist_of(v);
-  subtract_forces<false>(element, f, work_.force + kTwist * e);
-  moment_ -= 0.5 * form * cross(Position(element.axes.col(0)), force);
-  power_ -= tension * rate;
+  const auto& K = section.slopes;
+  const auto multiply = [&K](const PlaneCoordinates& x) {
+    const Double2 r = x.rise, a = x.slope[0], b = x.slope[1];
+    return PlaneCoordinates{K[0] * r + K[1] * a + K[2] * b,
+                            {K[1] * r + K[3] * a + K[4] * b, K[2] * r + K[4] * a + K[5] * b},
+                            {}};
+  };
+  add_product(section.element, section.xi, multiply, force);
 }
 
 void AppliedTension::add_element(int e, const Position& force) noexcept {
+  const Matrix4& K = element_of(body_, e).stiffening.bending[0];
+  add_product(
+      e, 1.0, [&K](const PlaneCoordinates& x) { return multiply_planes(K, x); }, force);
+}
+
+template <class Multiply>
+void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
+                                 const Position& force) noexcept {
   const BeamElement& element = element_of(body_, e);
   const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
   const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
   const double tension = element.axes.col(0).dot(force);
-  PlaneCoordinates f = multiply_planes(element.stiffening.bending[0], q);
-  const double trapeze = element.stiffening.torsion[0] * twist_of(q);
+  PlaneCoordinates f = multiply(q);
+  const double trapeze = xi * element.stiffening.torsion[0] * twist_of(q);
   const double form = total(sum_products(f, q)) + trapeze * twist_of(q);
   const double rate = total(sum_products(f, v)) + trapeze * twist_of(v);
   f.rise *= tension;
   for (Double2& slope : f.slope) slope *= tension;
   f.torsion[0] = -tension * trapeze;
   f.torsion[1] = tension * trapeze;
-  subtract_forces<false>(element, f, work_.force + kTwist * e);
+  if (body_.is_straight)
+    subtract_forces<true>(element, f, work_.force + kTwist * e);
+  else
+    subtract_forces<false>(element, f, work_.force + kTwist * e);
   moment_ -= 0.5 * form * cross(Position(element.axes.col(0)), force);
   power_ -= tension * rate;
 }

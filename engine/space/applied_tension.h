@@ -37,8 +37,11 @@ class AppliedTension {
   Angular add_to(BodyTerms& terms) noexcept;
 
  private:
-  void add_stretch(int element, double xi, const Position& force) noexcept;
   void add_element(int element, const Position& force) noexcept;
+  /// Of an element up to xi; `multiply`: by its matrix.
+  template <class Multiply>
+  void add_product(int element, double xi, const Multiply& multiply,
+                   const Position& force) noexcept;
 
   const FlexibleBody& body_;
   const BodyWork& work_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "engine/space/element_products.h"
+#include "models/space/gauss_rule.h"
+#include "models/space/rotation_vector.h"
 
 namespace spoke::space {
 namespace {
@@ -30,6 +32,20 @@ ElementShape displacement_shape(double xi, double l, const Position& o) {
     N(2, th) += linear * o.y();
   }
   return N;
+}
+
+/// See Section::slopes.
+std::array<double, 6> integrate_slopes(double xi, double length) {
+  std::array<double, 6> sums{};
+  for (std::size_t k = 0; k < GaussRule::places.size(); ++k) {
+    const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], length);
+    const double shape[] = {h[2], h[1], h[3]};
+    const double weight = GaussRule::weights[k] * xi * length;
+    std::size_t at = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) sums[at++] += weight * shape[i] * shape[j];
+  }
+  return sums;
 }
 
 /// Coordinates of both nodes of an element, in B.
@@ -67,6 +83,8 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
   const Position offset = element.axes.transpose() * (along - xi * element.chord);
   section.N = to_body(element, displacement_shape(xi, element.length, offset));
   section.N_th = section_rotation(element, xi);
+  section.xi = xi;
+  section.slopes = integrate_slopes(xi, element.length);
   const Matrix3 turn = section.axes.axes.transpose();
   section.W.topLeftCorner<3, 3>() = section.W.bottomRightCorner<3, 3>() = turn;
   section.W.bottomLeftCorner<3, 3>() = turn * skew(body.nodes[e + 1] - section.s0);
@@ -83,6 +101,11 @@ Section make_rigid_section(const Position& place) {
   Section section;
   section.s0 = place;
   return section;
+}
+
+Rotation calc_section_turn(const FlexibleBody& body, const Section& section,
+                           const double* q) noexcept {
+  return exponential(ElementCoordinates(body, section.element, q).times(section.N_th));
 }
 
 HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,

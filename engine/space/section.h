@@ -2,6 +2,8 @@
 
 // A cross section anywhere on a spatial body: its motion, loads on it, and what it bears.
 
+#include <array>
+
 #include "engine/space/body_data.h"
 
 namespace spoke::space {
@@ -18,6 +20,10 @@ struct Section {
   /// Resultants in the section's axes by the wrench on the element's outer node, in B.
   TwistMatrix W = TwistMatrix::Zero();
   TwistMatrix compliance = TwistMatrix::Zero();  ///< strains by resultants, section axes
+  double xi = 0.0;  ///< 0 at the inner node of the element, 1 at the outer
+  /// int N'^T N' ds of the element up to the section, of the rise of the outer node above the inner
+  /// and the slopes of both: entries 11, 12, 13, 22, 23, 33.
+  std::array<double, 6> slopes{};
 };
 
 /// The section of a body at a station of its beam [m]. Between two elements, that of the inner one.
@@ -25,6 +31,10 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
 
 /// Where a section is within its element: 0 at the inner node, 1 at the outer one.
 double place_in_element(const FlexibleBody& body, const Section& section) noexcept;
+
+/// How a section has turned in its body at the flex vector q.
+Rotation calc_section_turn(const FlexibleBody& body, const Section& section,
+                           const double* q) noexcept;
 
 /// A place in the frame of a rigid body [m], which moves with it.
 Section make_rigid_section(const Position& place);
