@@ -32,11 +32,11 @@ bool find_sources(SubsystemData<World>& data) {
   return any;
 }
 
-/// Whether the tension of a body depends on what is applied to it and to what it carries.
+/// Whether the tension of a body depends on what is applied to bodies that it carries.
 template <class World>
 bool any_body_feels(const SubsystemData<World>& data) {
   return std::any_of(data.bodies.begin(), data.bodies.end(), [](const BodyData<World>& body) {
-    return body.forces && body.model->stiffening;
+    return body.forces.carried && body.model->stiffening;
   });
 }
 

@@ -1,43 +1,13 @@
-// Whole bodies by band matrices, forces by Gauss's rule up to where they act.
+// Whole bodies by band matrices, forces by the integrals of their element's slope.
 
 #include "engine/kernels/axial_tension.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/kernels/band_products.h"
-#include "engine/kernels/blade_loads.h"
-#include "models/system/gauss_rule.h"
 
 namespace spoke {
-namespace {
-
-/// What tension does: a moment on the hub, and power on the deformation.
-struct TensionSums {
-  double moment = 0.0;  ///< [N m]
-  double power = 0.0;   ///< [W]
-};
-
-/// Adds the tension of a force along and across the blade over an element up to `s`, 0 to 1. The
-/// square of a slope is of degree four: three points are exact.
-void add_stretch(int e, double s, const Position& force, BodyData<Plane>& body, TensionSums& sums) {
-  using Rule = GaussRuleOfThree;
-  const FlexibleBody& model = *body.model->body;
-  const double length = s * model.length / model.elements;
-  for (std::size_t k = 0; k < Rule::kPoints; ++k) {
-    const Section at = make_section(model, body.layout, e, s * Rule::places[k]);
-    const double slope = value_at(at.slope, at.bending_at, body.coordinates.q);
-    const double rate = value_at(at.slope, at.bending_at, body.coordinates.v);
-    const double weight = Rule::weights[k] * length;
-    for (std::size_t c = 0; c < at.slope.size(); ++c)
-      if (const int place = at.bending_at[c]; place > 0)
-        body.Q_f[place] -= weight * force.x() * slope * at.slope[c];
-    sums.moment -= 0.5 * weight * slope * slope * force.y();
-    sums.power -= weight * force.x() * slope * rate;
-  }
-}
-
-}  // namespace
-
 Position calc_tension_field(const System<Plane>& system, double t,
                             const SubsystemData<Plane>& data) noexcept {
   if (system.hub.support == HubSupport::axle) return data.hub->R.inverse() * system.gravity_at(t);
@@ -46,52 +16,77 @@ Position calc_tension_field(const System<Plane>& system, double t,
 
 namespace {
 
-/// Collects forces along and across an axis of a body, by element, and adds their tension.
-class AppliedTension {
- public:
-  explicit AppliedTension(BodyData<Plane>& body) : body_(body), model_(*body.model->body) {
-    std::fill(body.element_forces.begin(), body.element_forces.end(), Position::Zero());
-  }
-  void add_at_tip(const Position& force) { body_.element_forces.back() += force; }
-  void add_at(const Section& section, const Position& force) {
-    const double along = section.x / model_.length * model_.elements;
-    const int e = std::min(static_cast<int>(along), model_.elements - 1);
-    add_stretch(e, along - e, force, body_, sums_);
-    body_.element_forces[static_cast<std::size_t>(e)] += force;
-  }
-  /// When all forces are known: their sums on all elements inboard of them.
-  TensionSums add_beyond() {
-    Position beyond = Position::Zero();
-    for (int e = model_.elements - 1; e >= 0; --e) {
-      beyond += body_.element_forces[static_cast<std::size_t>(e) + 1];
-      if (!beyond.isZero(0.0)) add_stretch(e, 1.0, beyond, body_, sums_);
-    }
-    return sums_;
-  }
+/// The slope of an element's cubic is a + b xi + c xi^2.
+struct Slope {
+  double a, b, c;
 
- private:
-  BodyData<Plane>& body_;
-  const FlexibleBody& model_;
-  TensionSums sums_;
+  /// From the rise of the outer node above the inner, and the slopes of both.
+  Slope(double rise, double inner, double outer, double length)
+      : a(inner),
+        b(6.0 * rise / length - 4.0 * inner - 2.0 * outer),
+        c(-6.0 * rise / length + 3.0 * (inner + outer)) {}
+};
+
+/// int (1, xi, xi^2) slope ds up to s, 0 to 1.
+struct SlopeMoments {
+  double zero, one, two;
+
+  SlopeMoments(const Slope& f, double s, double length) {
+    const double l = length * s, s2 = s * s;
+    zero = l * (f.a + s * f.b / 2.0 + s2 * f.c / 3.0);
+    one = l * s * (f.a / 2.0 + s * f.b / 3.0 + s2 * f.c / 4.0);
+    two = l * s2 * (f.a / 3.0 + s * f.b / 4.0 + s2 * f.c / 5.0);
+  }
+  /// int slope (another slope) ds.
+  double times(const Slope& f) const { return zero * f.a + one * f.b + two * f.c; }
 };
 
 }  // namespace
 
-void add_applied_tension(double t, const Rotation& R_HB, int j,
-                         SubsystemData<Plane>& data) noexcept {
-  BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(j)];
-  if (!body.model->stiffening || !body.forces) return;
-  const Rotation to_blade = R_HB.inverse();
-  AppliedTension tension(body);
-  if (body.forces.carried)
-    for (const int child : body.model->children)
-      tension.add_at_tip(to_blade * data.applied_forces[static_cast<std::size_t>(child)]);
-  visit_forces(t, j, data, [&](const Section& section, const Position& force) {
-    tension.add_at(section, to_blade * force);
-  });
-  const TensionSums sums = tension.add_beyond();
-  body.terms.stiffening.moment += sums.moment;
-  body.terms.load_power += sums.power + sums.moment * data.hub->twist[kRotation];
+AppliedTension::AppliedTension(const Rotation& turn, BodyData<Plane>& body) noexcept
+    : body_(body), turn_(turn) {
+  assert(body.model->stiffening && body.forces);
+  std::fill(body.element_forces.begin(), body.element_forces.end(), Position::Zero());
+}
+
+void AppliedTension::add_at(const Section& section, const Position& force) noexcept {
+  const FlexibleBody& model = *body_.model->body;
+  const double along = section.x / model.length * model.elements;
+  const int e = std::min(static_cast<int>(along), model.elements - 1);
+  const Position turned = turn_ * force;
+  add_stretch(e, along - e, turned);
+  body_.element_forces[static_cast<std::size_t>(e)] += turned;
+}
+
+void AppliedTension::add_stretch(int e, double s, const Position& force) noexcept {
+  const FlexibleBody& model = *body_.model->body;
+  const double length = model.length / model.elements;
+  const int at[] = {body_.layout.offset(model.coordinate(e, 1)),
+                    body_.layout.offset(model.coordinate(e, 2)),
+                    body_.layout.offset(model.coordinate(e + 1, 1)),
+                    body_.layout.offset(model.coordinate(e + 1, 2))};
+  const auto slope_of = [&](const double* flex) {
+    return Slope(flex[at[2]] - flex[at[0]], flex[at[1]], flex[at[3]], length);
+  };
+  const Slope slope = slope_of(body_.coordinates.q);
+  const SlopeMoments moments(slope, s, length);
+  const double shear = 6.0 * (moments.one - moments.two) / length;
+  const double forces[] = {-shear, moments.zero - 4.0 * moments.one + 3.0 * moments.two, shear,
+                           3.0 * moments.two - 2.0 * moments.one};
+  for (std::size_t c = 0; c < 4; ++c)
+    if (at[c] > 0) body_.Q_f[at[c]] -= force.x() * forces[c];
+  moment_ -= 0.5 * moments.times(slope) * force.y();
+  power_ -= moments.times(slope_of(body_.coordinates.v)) * force.x();
+}
+
+void AppliedTension::finish(double hub_speed) noexcept {
+  Position beyond = Position::Zero();
+  for (int e = body_.model->body->elements - 1; e >= 0; --e) {
+    beyond += body_.element_forces[static_cast<std::size_t>(e) + 1];
+    if (!beyond.isZero(0.0)) add_stretch(e, 1.0, beyond);
+  }
+  body_.terms.stiffening.moment += moment_;
+  body_.terms.load_power += power_ + moment_ * hub_speed;
 }
 
 double add_field_tension(const Position& field, double hub_speed, BodyData<Plane>& body) noexcept {

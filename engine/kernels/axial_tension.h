@@ -18,10 +18,29 @@ namespace spoke {
 Position calc_tension_field(const System<Plane>& system, double t,
                             const SubsystemData<Plane>& data) noexcept;
 
-/// Adds the tension of the forces that are applied at and beyond sections of body `j`, and its
-/// power, at time `t` [s]. R_HB: of the undeformed blade's axes.
-void add_applied_tension(double t, const Rotation& R_HB, int j,
-                         SubsystemData<Plane>& data) noexcept;
+/// Collects the forces that are applied to a body and beyond it, and adds their tension.
+/// Precondition: the body has geometric stiffening, and forces are applied to it or beyond it.
+class AppliedTension {
+ public:
+  /// `turn`: from the body frame to the axes of the undeformed blade.
+  AppliedTension(const Rotation& turn, BodyData<Plane>& body) noexcept;
+
+  /// What is applied to the bodies that follow [N], along the axes of the undeformed blade.
+  void add_beyond(const Position& force) noexcept { body_.element_forces.back() += force; }
+  /// A force [N] at a section, body frame.
+  void add_at(const Section& section, const Position& force) noexcept;
+  /// When all forces are known: adds the moment on the hub, which turns at `hub_speed` [rad/s], and
+  /// the power of the tension.
+  void finish(double hub_speed) noexcept;
+
+ private:
+  void add_stretch(int element, double s, const Position& force) noexcept;
+
+  BodyData<Plane>& body_;
+  Rotation turn_;
+  double moment_ = 0.0;  ///< [N m]
+  double power_ = 0.0;   ///< on the deformation [W]
+};
 
 /// Adds the tension of a field, along and across the undeformed blade [m/s^2]. Returns its power
 /// [W] at a speed of the hub [rad/s]. Precondition: the body's stiffening has an outboard_mass.

@@ -115,7 +115,7 @@ void add_wrench(const Section& section, const Position& force, double moment, co
 }
 
 void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist& twist,
-               BodyData<Plane>& body) noexcept {
+               BodyData<Plane>& body, AppliedTension* tension) noexcept {
   for (const auto& [load, sections] : body.loads) {
     const double factor = load->course->value(t);
     for (std::size_t k = 0; k < sections.size(); ++k) {
@@ -124,11 +124,12 @@ void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist&
       const double rotation = value_at(section.slope, section.bending_at, body.coordinates.q);
       const Position force = share * resolve_force(*load, rotation, R_HB, R_0);
       add_wrench(section, force, share * load->moment, twist, body);
+      if (tension) tension->add_at(section, force);
     }
   }
 }
 
-void add_drags(double t, int j, SubsystemData<Plane>& data) noexcept {
+void add_drags(double t, int j, SubsystemData<Plane>& data, AppliedTension* tension) noexcept {
   BodyData<Plane>& body = data.bodies[j];
   const Twist& twist = data.twists[j];
   const Pose X_HB = data.drag_poses.empty() ? Pose{} : data.drag_poses[j];
@@ -138,6 +139,7 @@ void add_drags(double t, int j, SubsystemData<Plane>& data) noexcept {
       const double share = drag->points[k].weight * factor;
       const Position force = share * calc_drag(*drag, sections[k], twist, X_HB, *data.hub, body);
       add_wrench(sections[k], force, 0.0, twist, body);
+      if (tension) tension->add_at(sections[k], force);
     }
   }
 }

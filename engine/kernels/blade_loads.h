@@ -4,6 +4,7 @@
 // the work of gravity that rises (docs/formulation.md, section 2). All add to the terms of
 // calc_body_terms().
 
+#include "engine/kernels/axial_tension.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -13,14 +14,16 @@ namespace spoke {
 void add_wrench(const Section& section, const Position& force, double moment, const Twist& twist,
                 BodyData<Plane>& body) noexcept;
 
+// `tension`: what takes their forces, too; or null.
+
 /// Adds the loads of the scenario on a body at time `t` [s]. R_HB: body frame to hub frame; R_0:
 /// hub frame to inertial frame.
 void add_loads(double t, const Rotation& R_HB, const Rotation& R_0, const Twist& twist,
-               BodyData<Plane>& body) noexcept;
+               BodyData<Plane>& body, AppliedTension* tension) noexcept;
 
 /// Adds the drag on body `j` of a subsystem at time `t` [s]. Of drag relative to the hub the poses
 /// for drag must be those of the state.
-void add_drags(double t, int j, SubsystemData<Plane>& data) noexcept;
+void add_drags(double t, int j, SubsystemData<Plane>& data, AppliedTension* tension) noexcept;
 
 /// What resolves the forces that are applied to a body.
 struct ForceFrames {
@@ -48,19 +51,23 @@ void visit_forces(double t, int j, const SubsystemData<Plane>& data, const Visit
   const BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(j)];
   if (!body.forces.applied) return;
   const ForceFrames frames = find_force_frames(data, j);
-  for (const auto& [load, sections] : body.loads)
+  for (const auto& [load, sections] : body.loads) {
+    const double factor = load->course->value(t);
     for (std::size_t k = 0; k < sections.size(); ++k) {
       const double rotation =
           value_at(sections[k].slope, sections[k].bending_at, body.coordinates.q);
-      visit(sections[k], Position(load->points[k].weight * load->course->value(t) *
-                                  calc_load_force(*load, rotation, frames)));
+      visit(sections[k],
+            Position(load->points[k].weight * factor * calc_load_force(*load, rotation, frames)));
     }
+  }
   const Twist& twist = data.twists[static_cast<std::size_t>(j)];
-  for (const auto& [drag, sections] : body.drags)
+  for (const auto& [drag, sections] : body.drags) {
+    const double factor = drag->course->value(t);
     for (std::size_t k = 0; k < sections.size(); ++k)
       visit(sections[k],
-            Position(drag->points[k].weight * drag->course->value(t) *
+            Position(drag->points[k].weight * factor *
                      calc_drag_force(*drag, sections[k], twist, frames, *data.hub, body)));
+  }
   for (const auto& [section, wrench] : body.applied)
     visit(*section, Position(frames.X_HB.R * wrench->force));
 }

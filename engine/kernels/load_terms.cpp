@@ -258,9 +258,11 @@ void evaluate_load(double t, const System<World>& system, const StepData<World>&
   }
 }
 
-void add_applied(const Twist& twist, BodyData<Plane>& body) noexcept {
-  for (const auto& [section, wrench] : body.applied)
+void add_applied(const Twist& twist, BodyData<Plane>& body, AppliedTension* tension) noexcept {
+  for (const auto& [section, wrench] : body.applied) {
     add_wrench(*section, wrench->force, wrench->moment, twist, body);
+    if (tension) tension->add_at(*section, wrench->force);
+  }
 }
 
 template <class World>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/kernels/axial_tension.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -41,8 +42,9 @@ template <class World>
 void evaluate_load(double t, const System<World>& system, const StepData<World>& data,
                    LoadData<World>& load) noexcept;
 
-/// Adds the wrenches on a body to its right-hand side, and their power; `twist`: of its frame.
-void add_applied(const Twist& twist, BodyData<Plane>& body) noexcept;
+/// Adds the wrenches on a body to its right-hand side, and their power; `twist`: of its frame,
+/// `tension`: what takes their forces, too; or null.
+void add_applied(const Twist& twist, BodyData<Plane>& body, AppliedTension* tension) noexcept;
 
 /// "the load NAME of blade 2 failed AT: REASON" of the first load that has thrown since, in the
 /// order of the subsystems; `at` says when, `names` what subsystems are called.

@@ -4,6 +4,7 @@
 #include "engine/step/step_graph_builder.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/applied_forces.h"
@@ -86,9 +87,7 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   if (member.stiffening) {
     const BodyData<World>& body = data.bodies[j];
     if (body.forces.carried && !has_slide(member)) inputs.push_back(blade.applied_forces);
-    const bool has_pose = !member.drags.empty() && !data.drag_poses.empty();
-    if (has_pose) inputs.push_back(blade.drag_poses);
-    needs_rotations |= depend_on_pose(body) && !has_pose;
+    needs_rotations |= body.forces.applied;
   }
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
   if (has_slide(member)) inputs.push_back(blade.applied_forces);
@@ -108,16 +107,36 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   return inputs;
 }
 
+/// Adds all that is applied to body `j`, and the tension of it and of what is applied beyond.
+void add_all_applied(double t, const Rotation& root, int j, SubsystemData<Plane>& blade) noexcept {
+  const Twist& twist = blade.twists[j];
+  BodyData<Plane>& body = blade.bodies[j];
+  if (!body.forces) return;
+  const bool has_tension = body.model->stiffening.centrifugal != nullptr;
+  Rotation R_HB;
+  if (!body.loads.empty() || (has_tension && body.forces.applied))
+    R_HB = calc_rotation_to_hub(blade, j);
+  std::optional<AppliedTension> tension;
+  const Rotation to_blade = root.inverse();
+  if (has_tension) tension.emplace(to_blade * R_HB, body);
+  AppliedTension* const taker = tension ? &*tension : nullptr;
+  if (!body.loads.empty()) add_loads(t, R_HB, blade.hub->R, twist, body, taker);
+  if (!body.drags.empty()) add_drags(t, j, blade, taker);
+  if (!body.applied.empty()) add_applied(twist, body, taker);
+  if (!tension) return;
+  if (body.forces.carried)
+    for (const int child : body.model->children)
+      tension->add_beyond(to_blade * blade.applied_forces[static_cast<std::size_t>(child)]);
+  tension->finish(blade.hub->twist[kRotation]);
+}
+
 /// Adds what acts on body `j` at the state in the table.
 void add_forces(const System<Plane>& system, const Rotation& root, int j,
                 SubsystemData<Plane>& blade) noexcept {
   const double t = blade.progress->control.time;
   const Twist& twist = blade.twists[j];
   BodyData<Plane>& body = blade.bodies[j];
-  if (!body.loads.empty()) add_loads(t, calc_rotation_to_hub(blade, j), blade.hub->R, twist, body);
-  if (!body.drags.empty()) add_drags(t, j, blade);
-  if (!body.applied.empty()) add_applied(twist, body);
-  add_applied_tension(t, root, j, blade);
+  add_all_applied(t, root, j, blade);
   const bool has_rising_gravity = system.gravity_ramp > 0.0;
   if (has_rising_gravity) {
     const auto R = blade.hub->R * calc_rotation_to_hub(blade, j);
