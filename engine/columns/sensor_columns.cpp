@@ -172,10 +172,9 @@ std::size_t count_mass_bytes(const StepData<Plane>& data) {
 
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
                 const StepData<Plane>& data) {
-  const SubsystemData<Plane>& blade = data.subsystems[column.blade];
-  switch (column.quantity) {
+  switch (column.quantity) {  // a hub alone has momentum, but no blade
     case SensorQuantity::kinetic_energy:
-      return of_step(blade.samples, step).kinetic;
+      return of_step(data.subsystems[column.blade].samples, step).kinetic;
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
@@ -183,6 +182,7 @@ double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
     default:
       break;
   }
+  const SubsystemData<Plane>& blade = data.subsystems[column.blade];
   const double value = readings_of(blade, step)[column.places[0] + column.component];
   const bool turns_with_hub = column.quantity == SensorQuantity::displacement &&
                               column.frame == SensorFrame::inertial &&

@@ -173,16 +173,15 @@ std::size_t count_reading_bytes(const StepData<Space>& data) {
 
 double value_of(const SensorColumn& column, const space::Hub& hub, std::int64_t step,
                 const StepData<Space>& data) {
-  const SubsystemData<Space>& tree = data.subsystems[column.blade];
-  switch (column.quantity) {
+  switch (column.quantity) {  // a hub alone has momentum, but no subsystem
     case SensorQuantity::kinetic_energy:
-      return of_step(tree.samples, step).kinetic;
+      return of_step(data.subsystems[column.blade].samples, step).kinetic;
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
       return calc_hub_reaction(column, of_step(data.records, step));
     default:
-      return readings_of(tree, step)[column.places[0] + column.component];
+      return readings_of(data.subsystems[column.blade], step)[column.places[0] + column.component];
   }
 }
 

@@ -49,6 +49,8 @@ void hold_in_plane(LinearModel& model) {
   model.M = MatrixXd(model.M.topLeftCorner(2, 2));
   model.C = MatrixXd(model.C.topLeftCorner(2, 2));
   model.K = MatrixXd(model.K.topLeftCorner(2, 2)) + kSpring * MatrixXd::Identity(2, 2);
+  model.round_off.force.conservativeResize(2);
+  model.round_off.step.conservativeResize(2);
   for (HubCoupling& tree : model.couplings) {
     for (MatrixXd* columns : {&tree.M_bh, &tree.C_bh, &tree.K_bh})
       *columns = MatrixXd(columns->leftCols(2));
