@@ -8,6 +8,7 @@
 #include "engine/kernels/band_products.h"
 
 namespace spoke {
+
 Position calc_tension_field(const System<Plane>& system, double t,
                             const SubsystemData<Plane>& data) noexcept {
   if (system.hub.support == HubSupport::axle) return data.hub->R.inverse() * system.gravity_at(t);

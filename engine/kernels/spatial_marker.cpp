@@ -79,20 +79,23 @@ MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const Subsystem
                               const PlacedMarker<Space>& marker) noexcept {
   MarkerMotion motion = calc_marker_motion(subsystem, data, marker);
   space::Position place = space::Position::Zero(), rate = space::Position::Zero();
+  Eigen::Matrix3d pass = Eigen::Matrix3d::Identity();
   int handle = -1;  // by which the path leaves a body; -1: the marker is on it
   for (int j = marker.body; j >= 0;) {
     const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
     const TreeBody<Space>& model = *body.model;
     const space::FlexibleBody* flexible = model.body->flexible();
     if (flexible && model.stiffening) {
-      const int node = handle < 0 ? 0 : flexible->handles[static_cast<std::size_t>(handle)];
-      const int element = handle < 0 ? marker.section.element : node - 1;
-      const double xi = handle < 0 ? place_in_element(*flexible, marker.section) : 1.0;
+      const double *q = body.coordinates.q, *v = body.coordinates.v;
       const space::DrawnInward drawn =
-          calc_drawn_inward(*flexible, body.coordinates.q, body.coordinates.v, element, xi);
-      place += model.stiffening->R_HB * drawn.place;
-      rate += model.stiffening->R_HB * drawn.rate;
+          handle < 0 ? calc_drawn_inward(*flexible, marker.section, q, v)
+                     : calc_drawn_inward(*flexible,
+                                         flexible->handles[static_cast<std::size_t>(handle)], q, v);
+      place += pass * (model.stiffening->R_HB * drawn.place);
+      rate += pass * (model.stiffening->R_HB * drawn.rate);
     }
+    if (const auto& slide = model.joint.slide)  // along it the body does not follow those inboard
+      pass -= (pass * slide->axis) * slide->axis.transpose();
     handle = model.handle;
     j = model.parent;
   }

@@ -216,7 +216,7 @@ space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t
     if (flexible && body.model->stiffening) {
       const int node = flexible->handles[static_cast<std::size_t>(outer->handle)];
       const space::DrawnInward drawn =
-          calc_drawn_inward(*flexible, body.coordinates.q, body.coordinates.v, node - 1, 1.0);
+          calc_drawn_inward(*flexible, node, body.coordinates.q, body.coordinates.v);
       const space::Rotation& R_HB = body.model->stiffening->R_HB;
       slide.shift -= axis.dot(R_HB * drawn.place);
       slide.rate -= axis.dot(R_HB * drawn.rate);

@@ -5,30 +5,9 @@
 #include <algorithm>
 
 #include "engine/space/plane_coordinates.h"
-#include "models/space/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
-
-/// Slopes of the cubics at a place of an element, both planes side by side.
-struct SlopeShape {
-  double rise, inner, outer;
-
-  SlopeShape(double xi, double length) {
-    const Eigen::Vector4d h = hermite_slope(xi, length);
-    rise = h[2];
-    inner = h[1];
-    outer = h[3];
-  }
-  Double2 times(const PlaneCoordinates& x) const {
-    return rise * x.rise + inner * x.slope[0] + outer * x.slope[1];
-  }
-  void add(Double2 factor, PlaneCoordinates& f) const {
-    f.rise += rise * factor;
-    f.slope[0] += inner * factor;
-    f.slope[1] += outer * factor;
-  }
-};
 
 double twist_of(const PlaneCoordinates& x) { return x.torsion[1] - x.torsion[0]; }
 
@@ -46,29 +25,53 @@ void gather(const FlexibleBody& body, int e, const double* flex, double* nodal) 
 
 }  // namespace
 
-DrawnInward calc_drawn_inward(const FlexibleBody& body, const double* q, const double* v,
-                              int element, double xi) noexcept {
+namespace {
+
+/// K x for the matrix of Section::slopes.
+PlaneCoordinates multiply_slopes(const std::array<double, 6>& K, const PlaneCoordinates& x) {
+  const Double2 r = x.rise, a = x.slope[0], b = x.slope[1];
+  return {K[0] * r + K[1] * a + K[2] * b,
+          {K[1] * r + K[3] * a + K[4] * b, K[2] * r + K[4] * a + K[5] * b},
+          {}};
+}
+
+/// Adds what an element draws inward up to xi; `multiply`: by its matrix up to there.
+template <class Multiply>
+void add_drawn(const FlexibleBody& body, int e, double xi, const Multiply& multiply,
+               const double* q, const double* v, DrawnInward& drawn) {
+  const BeamElement& beam = element_of(body, e);
+  double values[2 * kTwist], rates[2 * kTwist];
+  gather(body, e, q, values);
+  gather(body, e, v, rates);
+  const PlaneCoordinates x = in_axes_of(beam, body.is_straight, values);
+  const PlaneCoordinates y = in_axes_of(beam, body.is_straight, rates);
+  const PlaneCoordinates product = multiply(x);
+  const double trapeze = xi * beam.stiffening.torsion[0] * twist_of(x);
+  drawn.place -= 0.5 * (total(sum_products(product, x)) + trapeze * twist_of(x)) * beam.axes.col(0);
+  drawn.rate -= (total(sum_products(product, y)) + trapeze * twist_of(y)) * beam.axes.col(0);
+}
+
+}  // namespace
+
+DrawnInward calc_drawn_inward(const FlexibleBody& body, int node, const double* q,
+                              const double* v) noexcept {
   DrawnInward drawn;
-  for (int e = 0; e <= element; ++e) {
-    const BeamElement& beam = element_of(body, e);
-    double values[2 * kTwist], rates[2 * kTwist];
-    gather(body, e, q, values);
-    gather(body, e, v, rates);
-    const PlaneCoordinates x = in_axes_of(beam, body.is_straight, values);
-    const PlaneCoordinates y = in_axes_of(beam, body.is_straight, rates);
-    const double share = e < element ? 1.0 : xi;
-    const double trapeze = share * beam.stiffening.torsion[0] * twist_of(x);
-    double form = trapeze * twist_of(x), rate = trapeze * twist_of(y);
-    for (int k = 0; k < GaussRule::kPoints; ++k) {
-      const auto point = static_cast<std::size_t>(k);
-      const SlopeShape shape(share * GaussRule::places[point], beam.length);
-      const Double2 weighted = (GaussRule::weights[point] * share * beam.length) * shape.times(x);
-      form += total(weighted * shape.times(x));
-      rate += total(weighted * shape.times(y));
-    }
-    drawn.place -= 0.5 * form * beam.axes.col(0);
-    drawn.rate -= rate * beam.axes.col(0);
+  for (int e = 0; e < node; ++e) {
+    const Matrix4& K = element_of(body, e).stiffening.bending[0];
+    add_drawn(
+        body, e, 1.0, [&K](const PlaneCoordinates& x) { return multiply_planes(K, x); }, q, v,
+        drawn);
   }
+  return drawn;
+}
+
+DrawnInward calc_drawn_inward(const FlexibleBody& body, const Section& section, const double* q,
+                              const double* v) noexcept {
+  DrawnInward drawn = calc_drawn_inward(body, section.element, q, v);
+  add_drawn(
+      body, section.element, section.xi,
+      [&section](const PlaneCoordinates& x) { return multiply_slopes(section.slopes, x); }, q, v,
+      drawn);
   return drawn;
 }
 
@@ -88,14 +91,9 @@ void AppliedTension::add_at_node(int node, const Position& force) noexcept {
 
 void AppliedTension::add_at(const Section& section, const Position& force) noexcept {
   add_at_node(section.element, force);
-  const auto& K = section.slopes;
-  const auto multiply = [&K](const PlaneCoordinates& x) {
-    const Double2 r = x.rise, a = x.slope[0], b = x.slope[1];
-    return PlaneCoordinates{K[0] * r + K[1] * a + K[2] * b,
-                            {K[1] * r + K[3] * a + K[4] * b, K[2] * r + K[4] * a + K[5] * b},
-                            {}};
-  };
-  add_product(section.element, section.xi, multiply, force);
+  add_product(
+      section.element, section.xi,
+      [&section](const PlaneCoordinates& x) { return multiply_slopes(section.slopes, x); }, force);
 }
 
 void AppliedTension::add_element(int e, const Position& force) noexcept {

@@ -13,13 +13,16 @@
 
 namespace spoke::space {
 
-/// r of a place of an element, 0 <= xi <= 1, and its rate, along the axes of the body.
+/// r and its rate, along the axes of the body.
 struct DrawnInward {
   Position place = Position::Zero();  ///< [m]
   Position rate = Position::Zero();   ///< [m/s]
 };
-DrawnInward calc_drawn_inward(const FlexibleBody& body, const double* q, const double* v,
-                              int element, double xi) noexcept;
+/// Of a node, and of a section, at the flex vectors q and v.
+DrawnInward calc_drawn_inward(const FlexibleBody& body, int node, const double* q,
+                              const double* v) noexcept;
+DrawnInward calc_drawn_inward(const FlexibleBody& body, const Section& section, const double* q,
+                              const double* v) noexcept;
 
 /// Collects the forces beyond the elements of a body, and turns them to terms. It works in
 /// BodyWork::force and three of BodyWork::nodal.

@@ -4,17 +4,15 @@
 #include "engine/step/step_graph_builder.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/applied_forces.h"
-#include "engine/kernels/axial_tension.h"
 #include "engine/kernels/blade_loads.h"
-#include "engine/kernels/body_terms.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/planar_terms.h"
 #include "engine/kernels/spatial_terms.h"
 #include "engine/step/closing_nodes.h"
 #include "engine/step/motion_nodes.h"
@@ -107,55 +105,11 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   return inputs;
 }
 
-/// Adds all that is applied to body `j`, and the tension of it and of what is applied beyond.
-void add_all_applied(double t, const Rotation& root, int j, SubsystemData<Plane>& blade) noexcept {
-  const Twist& twist = blade.twists[j];
-  BodyData<Plane>& body = blade.bodies[j];
-  if (!body.forces) return;
-  const bool has_tension = body.model->stiffening.centrifugal != nullptr;
-  Rotation R_HB;
-  if (!body.loads.empty() || (has_tension && body.forces.applied))
-    R_HB = calc_rotation_to_hub(blade, j);
-  std::optional<AppliedTension> tension;
-  const Rotation to_blade = root.inverse();
-  if (has_tension) tension.emplace(to_blade * R_HB, body);
-  AppliedTension* const taker = tension ? &*tension : nullptr;
-  if (!body.loads.empty()) add_loads(t, R_HB, blade.hub->R, twist, body, taker);
-  if (!body.drags.empty()) add_drags(t, j, blade, taker);
-  if (!body.applied.empty()) add_applied(twist, body, taker);
-  if (!tension) return;
-  if (body.forces.carried)
-    for (const int child : body.model->children)
-      tension->add_beyond(to_blade * blade.applied_forces[static_cast<std::size_t>(child)]);
-  tension->finish(blade.hub->twist[kRotation]);
-}
-
-/// Adds what acts on body `j` at the state in the table.
-void add_forces(const System<Plane>& system, const Rotation& root, int j,
-                SubsystemData<Plane>& blade) noexcept {
-  const double t = blade.progress->control.time;
-  const Twist& twist = blade.twists[j];
-  BodyData<Plane>& body = blade.bodies[j];
-  add_all_applied(t, root, j, blade);
-  const bool has_rising_gravity = system.gravity_ramp > 0.0;
-  if (has_rising_gravity) {
-    const auto R = blade.hub->R * calc_rotation_to_hub(blade, j);
-    add_gravity_power(R.inverse() * system.gravity_at(t), twist, body);
-  }
-  if (!body.model->stiffening.outboard_mass) return;
-  const double power = add_field_tension(root.inverse() * calc_tension_field(system, t, blade),
-                                         blade.hub->twist[kRotation], body);
-  // Of gravity that does not rise it is the rate of a potential, see calc_sample().
-  if (has_rising_gravity || system.hub.support == HubSupport::free) body.terms.load_power += power;
-}
-
 // The terms of a body and of what acts on it, by world.
 
 void calc_mass_terms(const SystemContext<Plane>& c, int i, int j,
                      SubsystemData<Plane>& blade) noexcept {
-  calc_body_terms({angular(blade.twists[j]), angular(blade.hub->twist)}, c.system.damping,
-                  blade.bodies[j]);
-  add_forces(c.system, c.system.subsystems[i].root.R, j, blade);
+  calc_terms(c.system, c.system.subsystems[i], blade.progress->control.time, j, blade);
 }
 
 void calc_mass_terms(const SystemContext<Space>& c, int i, int j,

@@ -329,14 +329,12 @@ class SubsystemMaker {
       if (!is_stiffened(j)) continue;
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
-      std::vector<spatial::MassProperties> carried;
-      if (slides) carried.resize(branches.size());
-      if (slides)
-        for (std::size_t c = 0; c < carried.size(); ++c)
-          carried[c] = calc_branch_along(c, pose.R.axes.col(0), masses);
+      std::vector<spatial::MassProperties> along;  // only where something slides
+      for (std::size_t c = 0; slides && c < branches.size(); ++c)
+        along.push_back(calc_branch_along(c, pose.R.axes.col(0), masses));
       made_.bodies[j].stiffening =
           space::TensionPlace{pose.R, to_body * space::Position(pose.p - centre_),
-                              find_carried(j, to_body, slides ? carried : branches)};
+                              find_carried(j, to_body, slides ? along : branches)};
     }
   }
 

@@ -92,4 +92,27 @@ TEST_CASE("what slides along a flexible boom keeps energy, on every hub") {
   }
 }
 
+TEST_CASE(
+    "a spring of the program's on what slides keeps its energy at the places that it is given") {
+  // A spring from the sliding mass to a point in space; rk4's last evaluation is at the step's end.
+  const Eigen::Vector3d anchor(1.5, 0.4, 0.3);
+  constexpr double kStiffness = 4.0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  const auto pull = [&](double, std::span<const MarkerMotion> in, std::span<Wrench> out) {
+    place = in[0].position;
+    out[0].force = kStiffness * (anchor - place);
+  };
+  const Scenario scenario = make_slider(1, 2, "[hub.drive]\nkind = \"fixed\"\n",
+                                        "stiffness = 20.0\ninitial_speed = 1.0\n");
+  Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1},
+                        {make_load("spring", {Marker{0, 1}}, pull)});
+  const auto energy = [&] {
+    return simulation.sensor("energy.kinetic") + simulation.sensor("energy.strain") +
+           0.5 * kStiffness * (anchor - place).squaredNorm();
+  };
+  const double before = energy();
+  simulation.run_until(scenario.integration.duration);
+  CHECK(energy() == doctest::Approx(before).epsilon(1e-7));
+}
+
 }  // namespace spoke
