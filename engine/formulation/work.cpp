@@ -109,6 +109,19 @@ double estimate_constants(const System<World>& system, Formulation formulation) 
   return bytes;
 }
 
+/// A load or drag with its sections.
+template <class Load>
+double estimate_load(const Load& load) {
+  return static_cast<double>(load.points.size()) * (sizeof(LoadPoint) + sizeof(Section));
+}
+/// In space the sections of a load per length are four at a time.
+double estimate_load(const BodyLoad<Space>& load) {
+  double bytes = 0.0;
+  for (const BodyLoad<Space>::Point& point : load.points)
+    bytes += sizeof(point) + sizeof(space::LoadedSections) / (point.length > 0.0 ? 4.0 : 1.0);
+  return bytes;
+}
+
 }  // namespace
 
 std::string_view name_of(Formulation formulation) {
@@ -157,11 +170,8 @@ double estimate_memory(const System<World>& system, Formulation formulation) {
       const double n = World::kTwist + nf;
       const double rows = World::kTwist * handle_count(*member.body);
       if (formulation == Formulation::subsystem) bytes += kNumber * n * (n + 2.0 * rows + 1.0);
-      constexpr double kPoint = sizeof(LoadPoint) + sizeof(typename BodyTypes<World>::Section);
-      for (const BodyLoad<World>& load : member.loads)
-        bytes += kPoint * static_cast<double>(load.points.size());
-      for (const BodyDrag<World>& drag : member.drags)
-        bytes += kPoint * static_cast<double>(drag.points.size());
+      for (const BodyLoad<World>& load : member.loads) bytes += estimate_load(load);
+      for (const BodyDrag<World>& drag : member.drags) bytes += estimate_load(drag);
     }
     if (formulation == Formulation::subsystem) bytes += kNumber * joints * joints;
   }

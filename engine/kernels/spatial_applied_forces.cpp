@@ -38,11 +38,8 @@ void calc_applied_forces(const System<Space>& system, std::size_t i, double t,
   ArenaVector<space::Position>& sums = data.applied_forces;
   space::Position whole = space::Position::Zero();
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    space::Position& sum = sums[j];
-    sum.setZero();
-    visit_forces(t, subsystem, data, j,
-                 [&sum](const space::Section&, const space::Position& force) { sum += force; });
-    whole += sum;
+    sums[j] = sum_forces(t, subsystem, data, j);
+    whole += sums[j];
     if (has_slide(*data.bodies[j].model)) find_slide(t, j, data);
   }
   for (std::size_t j = data.bodies.size(); j-- > 0;)

@@ -86,6 +86,34 @@ void add_carried_forces(const TreeBody<Space>& model, const SubsystemData<Space>
         turn * data.applied_forces[static_cast<std::size_t>(model.children[h - 1])]);
 }
 
+/// A load of the scenario on a flexible body at time t [s].
+space::LoadInstant find_instant(const BodyLoad<Space>& load, double t, const space::Rotation& R_HB,
+                                const space::Rotation& R_0) {
+  const space::Twist wrench = make_wrench(load.force, load.moment);
+  const double size = load.course->value(t);
+  if (load.frame == spatial::LoadFrame::section) return {true, size * wrench};
+  return {false, size * (resolve(load.frame, R_HB, R_0, {}) * wrench)};
+}
+
+/// Adds the loads of the scenario.
+void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
+               const space::Twist& twist, space::AppliedTension* tension,
+               const space::Rotation& turn, BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  for (const auto& [load, sections] : body.loads) {
+    if (flexible) {
+      add_load(*flexible, sections, find_instant(*load, t, R_HB, R_0), body_state_of(body), twist,
+               tension, turn, body.terms, body.work);
+      continue;
+    }
+    for (std::size_t k = 0; k < load->points.size(); ++k) {
+      const space::Section place = space::make_rigid_section(load->points[k].place);
+      add_wrench(place, motion_at(body, place), calc_load_wrench(*load, k, t, R_HB, R_0, {}), twist,
+                 body);
+    }
+  }
+}
+
 /// Adds all that is applied to body `j`: loads of the user's, then those of the scenario; and the
 /// tension that it and what is applied beyond the body put on it.
 void add_applied(double t, const Subsystem<Space>& subsystem, std::size_t j,
@@ -105,14 +133,12 @@ void add_applied(double t, const Subsystem<Space>& subsystem, std::size_t j,
     if (body.forces.carried) add_carried_forces(model, data, to_undeformed, *tension);
   }
   const space::Rotation turn = to_undeformed * R_HB;
-  const auto add = [&](const space::Section& section, const space::HandleMotion& motion,
-                       const space::Twist& wrench) {
-    add_wrench(section, motion, wrench, twist, body);
-    if (tension) tension->add_at(section, turn * space::Position(linear(wrench)));
-  };
-  for (const auto& [section, wrench] : body.applied)
-    add(*section, motion_at(body, *section), make_wrench(wrench->force, wrench->moment));
-  visit_wrenches(t, R_HB, data.hub->R, body, add);
+  for (const auto& [section, wrench] : body.applied) {
+    add_wrench(*section, motion_at(body, *section), make_wrench(wrench->force, wrench->moment),
+               twist, body);
+    if (tension) tension->add_at(*section, turn * wrench->force);
+  }
+  add_loads(t, R_HB, data.hub->R, twist, tension ? &*tension : nullptr, turn, body);
   if (!tension) return;
   const space::Angular on_hub = model.stiffening->R_HB * tension->add_to(body.terms);
   body.terms.stiffening.moment += on_hub;
@@ -196,6 +222,27 @@ bool depend_on_pose(const BodyData<Space>& body) noexcept {
            return load.frame == spatial::LoadFrame::body ||
                   load.frame == spatial::LoadFrame::section;
          });
+}
+
+space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
+                           const SubsystemData<Space>& data, std::size_t j) noexcept {
+  space::Position sum = space::Position::Zero();
+  const BodyData<Space>& body = data.bodies[j];
+  if (!body.forces.applied) return sum;
+  space::Rotation R_HB;
+  if (depend_on_pose(body)) R_HB = calc_rotation_to_hub(subsystem, data, static_cast<int>(j));
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  for (const auto& [load, sections] : body.loads) {
+    if (flexible) {
+      sum += sum_load_forces(*flexible, sections, find_instant(*load, t, R_HB, data.hub->R),
+                             body.coordinates.q);
+      continue;
+    }
+    for (std::size_t k = 0; k < load->points.size(); ++k)
+      sum += linear(calc_load_wrench(*load, k, t, R_HB, data.hub->R, {}));
+  }
+  for (const auto& [section, wrench] : body.applied) sum += wrench->force;
+  return R_HB * sum;
 }
 
 std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& joint,

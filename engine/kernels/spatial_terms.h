@@ -23,44 +23,13 @@ space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double
                               const space::Rotation& section) noexcept;
 space::JointState joint_state_of(const BodyData<Space>& body);
 
-/// Calls visit(section, motion, wrench) for the loads of the scenario on a body at time t [s], in
-/// its frame. R_HB, R_0: as above.
-template <class Visit>
-void visit_wrenches(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
-                    const BodyData<Space>& body, const Visit& visit) {
-  for (const auto& [load, sections] : body.loads)
-    for (std::size_t k = 0; k < sections.size(); ++k) {
-      const space::HandleMotion motion = motion_at(body, sections[k]);
-      visit(sections[k], motion,
-            calc_load_wrench(*load, k, t, R_HB, R_0, motion.turn.R * sections[k].axes));
-    }
-}
-
 /// Whether forces on a body, in the hub's frame, depend on its pose and deformation.
 bool depend_on_pose(const BodyData<Space>& body) noexcept;
 
-/// Calls visit(section, force) for all that is applied to body `j` at time t [s], force in the
-/// hub's frame [N]; the pose is used only where one depends on it.
-template <class Visit>
-void visit_forces(double t, const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
-                  std::size_t j, const Visit& visit) {
-  const BodyData<Space>& body = data.bodies[j];
-  space::Rotation R_HB;
-  if (!body.forces.applied) return;
-  if (depend_on_pose(body)) R_HB = calc_rotation_to_hub(subsystem, data, static_cast<int>(j));
-  for (const auto& [load, sections] : body.loads)
-    for (std::size_t k = 0; k < sections.size(); ++k) {
-      space::Rotation section;
-      if (load->frame == spatial::LoadFrame::section)
-        section =
-            calc_section_turn(*body.model->body->flexible(), sections[k], body.coordinates.q) *
-            sections[k].axes;
-      const space::Twist wrench = calc_load_wrench(*load, k, t, R_HB, data.hub->R, section);
-      visit(sections[k], space::Position(R_HB * space::Position(linear(wrench))));
-    }
-  for (const auto& [section, wrench] : body.applied)
-    visit(*section, space::Position(R_HB * wrench->force));
-}
+/// The sum of all that is applied to body `j` at time t [s], in the hub's frame [N]; the pose is
+/// used only where forces depend on it.
+space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
+                           const SubsystemData<Space>& data, std::size_t j) noexcept;
 
 /// The field that the masses of a subsystem feel, in H [m/s^2], as in calc_tension_field() of the
 /// plane; on an axle whose mount moves gravity less its acceleration.

@@ -15,12 +15,12 @@ const BeamElement& element_of(const FlexibleBody& body, int e) {
   return body.beam[static_cast<std::size_t>(e)];
 }
 
-/// Coordinates of the nodes of an element, side by side.
-void gather(const FlexibleBody& body, int e, const double* flex, double* nodal) {
-  for (int i = 0; i < 2 * kTwist; ++i) {
-    const int at = body.coordinate(e + i / kTwist, i % kTwist);
-    nodal[i] = at < 0 ? 0.0 : flex[at];
-  }
+/// Subtracts the forces of an element of a body from those by node.
+void subtract_from(const FlexibleBody& body, int e, const PlaneCoordinates& f, double* force) {
+  if (body.is_straight)
+    subtract_forces<true>(element_of(body, e), f, force + kTwist * e);
+  else
+    subtract_forces<false>(element_of(body, e), f, force + kTwist * e);
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ void add_drawn(const FlexibleBody& body, int e, double xi, const Multiply& multi
                const double* q, const double* v, DrawnInward& drawn) {
   const BeamElement& beam = element_of(body, e);
   double values[2 * kTwist], rates[2 * kTwist];
-  gather(body, e, q, values);
-  gather(body, e, v, rates);
+  expand_element(body, e, q, values);
+  expand_element(body, e, v, rates);
   const PlaneCoordinates x = in_axes_of(beam, body.is_straight, values);
   const PlaneCoordinates y = in_axes_of(beam, body.is_straight, rates);
   const PlaneCoordinates product = multiply(x);
@@ -117,12 +117,23 @@ void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
   for (Double2& slope : f.slope) slope *= tension;
   f.torsion[0] = -tension * trapeze;
   f.torsion[1] = tension * trapeze;
-  if (body_.is_straight)
-    subtract_forces<true>(element, f, work_.force + kTwist * e);
-  else
-    subtract_forces<false>(element, f, work_.force + kTwist * e);
+  subtract_from(body_, e, f, work_.force);
   moment_ -= 0.5 * form * cross(Position(element.axes.col(0)), force);
   power_ -= tension * rate;
+}
+
+void AppliedTension::add_at_sections(int e, const SectionForces& forces) noexcept {
+  const BeamElement& element = element_of(body_, e);
+  add_at_node(e, forces.sum);
+  const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
+  const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
+  PlaneCoordinates f = multiply_slopes(forces.slopes, q);
+  const double torque = forces.along * element.stiffening.torsion[0] * twist_of(q);
+  power_ -= total(sum_products(f, v)) + torque * twist_of(v);
+  f.torsion[0] = -torque;
+  f.torsion[1] = torque;
+  subtract_from(body_, e, f, work_.force);
+  moment_ -= 0.5 * cross(Position(element.axes.col(0)), forces.drawn);
 }
 
 Angular AppliedTension::add_to(BodyTerms& terms) noexcept {

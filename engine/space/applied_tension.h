@@ -8,6 +8,8 @@
 // e1 the axis of each element, in the undeformed tree. A force N beyond x does work on it, which is
 //   -(e1.N) K q on the deformation, with the K of that integral, and r x N on the hub's rotation.
 
+#include <array>
+
 #include "engine/space/body_data.h"
 #include "engine/space/section.h"
 
@@ -24,6 +26,15 @@ DrawnInward calc_drawn_inward(const FlexibleBody& body, int node, const double* 
 DrawnInward calc_drawn_inward(const FlexibleBody& body, const Section& section, const double* q,
                               const double* v) noexcept;
 
+/// Forces at sections of one element, along the axes of the body, with the tension of each: its
+/// part along the element [N].
+struct SectionForces {
+  Position sum;                  ///< [N]
+  std::array<double, 6> slopes;  ///< sum of Section::slopes times tension
+  double along;                  ///< sum of the places within the element times tension [N]
+  Position drawn;                ///< sum of the forces times twice what is drawn inward up to each
+};
+
 /// Collects the forces beyond the elements of a body, and turns them to terms. It works in
 /// BodyWork::force and three of BodyWork::nodal.
 class AppliedTension {
@@ -35,6 +46,7 @@ class AppliedTension {
   void add_at_node(int node, const Position& force) noexcept;
   /// A force [N], likewise, at a section.
   void add_at(const Section& section, const Position& force) noexcept;
+  void add_at_sections(int element, const SectionForces& forces) noexcept;
   /// When all forces are known: adds to the right-hand side in the rows, and the power on the
   /// deformation. Returns the moment that belongs to it, along the axes of the forces.
   Angular add_to(BodyTerms& terms) noexcept;

@@ -113,6 +113,23 @@ void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcep
       body, [&](int at, int first, int count) { std::copy_n(flex + first, count, nodal + at); });
 }
 
+void expand_element(const FlexibleBody& body, int element, const double* flex,
+                    double* nodal) noexcept {
+  if (body.reference_frame == ReferenceFrame::clamped) {
+    if (element > 0) {
+      std::copy_n(flex + kTwist * (element - 1), 2 * kTwist, nodal);
+      return;
+    }
+    std::fill_n(nodal, kTwist, 0.0);
+    std::copy_n(flex, kTwist, nodal + kTwist);
+    return;
+  }
+  for (int i = 0; i < 2 * kTwist; ++i) {
+    const int at = body.coordinate(element + i / kTwist, i % kTwist);
+    nodal[i] = at < 0 ? 0.0 : flex[at];
+  }
+}
+
 void compress(const FlexibleBody& body, const double* nodal, double* flex) noexcept {
   visit_stretches(
       body, [&](int at, int first, int count) { std::copy_n(nodal + at, count, flex + first); });

@@ -124,5 +124,8 @@ BodyWork place_work(const RigidBody& body, double* memory);
 /// A flex vector by node, six values each, with zeros where the frame fixes coordinates; and back.
 void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcept;
 void compress(const FlexibleBody& body, const double* nodal, double* flex) noexcept;
+/// The same values of the two nodes of an element only.
+void expand_element(const FlexibleBody& body, int element, const double* flex,
+                    double* nodal) noexcept;
 
 }  // namespace spoke::space

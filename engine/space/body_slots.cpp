@@ -2,23 +2,37 @@
 
 #include "engine/space/body_slots.h"
 
-#include "engine/space/element_products.h"
 #include "engine/support/wide_kernels.h"
+#include "models/support/simd.h"
 #include "models/support/unroll.h"
 
 namespace spoke::space {
 namespace {
 
+/// A slot with its rate, in two registers.
+struct SlotValues {
+  Double4 a{};
+  Double2 b{};
+
+  [[gnu::always_inline]] static SlotValues from(const double* x) { return {load4(x), load(x + 4)}; }
+  [[gnu::always_inline]] void add(double factor, const SlotValues& x) {
+    a += factor * x.a;
+    b += factor * x.b;
+  }
+  [[gnu::always_inline]] void store_to(double* x) const {
+    store(a, x);
+    store(b, x + 4);
+  }
+};
+
 /// Place and axes of a node, each with its rate: r = s + u, and e + th x e for e along x, y, z.
 void set_node(const Position& s, const double* q, const double* v, double* slots) {
-  const double values[kNodeSlots][kSlot] = {
-      {s.x() + q[0], s.y() + q[1], s.z() + q[2], v[0], v[1], v[2]},
-      {1.0, q[5], -q[4], 0.0, v[5], -v[4]},
-      {-q[5], 1.0, q[3], -v[5], 0.0, v[3]},
-      {q[4], -q[3], 1.0, v[4], -v[3], 0.0}};
-  for (int i = 0; i < kNodeSlots; ++i)
-    for (int c = 0; c < kSlot; c += 2)
-      store_aligned(Double2{values[i][c], values[i][c + 1]}, slots + kSlot * i + c);
+  const SlotValues values[kNodeSlots] = {
+      {{s.x() + q[0], s.y() + q[1], s.z() + q[2], v[0]}, {v[1], v[2]}},
+      {{1.0, q[5], -q[4], 0.0}, {v[5], -v[4]}},
+      {{-q[5], 1.0, q[3], -v[5]}, {0.0, v[3]}},
+      {{q[4], -q[3], 1.0, v[4]}, {-v[3], 0.0}}};
+  for (int i = 0; i < kNodeSlots; ++i) values[i].store_to(slots + kSlot * i);
 }
 
 /// sigma = e1 e1.(u_2 - u_1)/l and its rate.
@@ -28,10 +42,9 @@ void set_stretch(const BeamElement& element, const double* q, const double* v, d
     return (e1[0] * (x[6] - x[0]) + e1[1] * (x[7] - x[1]) + e1[2] * (x[8] - x[2])) / element.length;
   };
   const double value = stretch(q), rate = stretch(v);
-  for (int c = 0; c < 3; ++c) {
-    slot[c] = value * e1[c];
-    slot[3 + c] = rate * e1[c];
-  }
+  SlotValues{{value * e1[0], value * e1[1], value * e1[2], rate * e1[0]},
+             {rate * e1[1], rate * e1[2]}}
+      .store_to(slot);
 }
 
 void set_slots(const FlexibleBody& body, const double* q, const double* v, double* slots) {
@@ -58,14 +71,32 @@ constexpr bool slots_meet(int i, int j) {
   return !kIsDecoupled || i == j || (i < 2 && j < 2);
 }
 
-/// Adds row i of a block of masses, whose entries are `stride` apart, times the slots of a node.
-template <bool kIsDecoupled, int i, int stride>
-[[gnu::always_inline]] inline void add_row(const double* m, const double* slots, Double6& sum) {
-  unroll<kNodeSlots>([&](auto slot) {
-    constexpr int j = slot;
-    if constexpr (slots_meet<kIsDecoupled>(i, j)) sum.add(m[stride * j], slots + kSlot * j);
-  });
-}
+/// Momenta of a node's slots, which grow together: a slot is loaded once for all of them.
+template <bool kIsDecoupled>
+struct NodeMomenta {
+  SlotValues sums[kNodeSlots];
+
+  /// Of the slots of a node. Masses of momentum i and slot j are at row * i + column * j.
+  template <int row, int column>
+  [[gnu::always_inline]] void add(const double* m, const double* slots) {
+    unroll<kNodeSlots>([&](auto slot) {
+      constexpr int j = slot;
+      const SlotValues x = SlotValues::from(slots + kSlot * j);
+      unroll<kNodeSlots>([&](auto momentum) {
+        constexpr int i = momentum;
+        if constexpr (slots_meet<kIsDecoupled>(i, j)) sums[i].add(m[row * i + column * j], x);
+      });
+    });
+  }
+  /// Of the stretch of an element at the node, by slot.
+  [[gnu::always_inline]] void add_stretch(const double* m, const double* slot) {
+    const SlotValues x = SlotValues::from(slot);
+    unroll<kNodeSlots>([&](auto momentum) {
+      constexpr int i = momentum;
+      if constexpr (slots_meet<kIsDecoupled>(0, i)) sums[i].add(m[i], x);
+    });
+  }
+};
 
 /// Momenta of the slots of node k.
 template <bool kIsDecoupled>
@@ -74,24 +105,18 @@ void calc_node_momenta(const FlexibleBody& body, int k, const double* slots, dou
   const auto node = static_cast<std::size_t>(k);
   const double* x = slots + kNode * k;
   const SlotMasses& m = body.slots;
-  const bool has_next = k<body.elements, has_before = k> 0;
-  unroll<kNodeSlots>([&](auto slot) {
-    constexpr int i = slot;
-    constexpr bool is_stretched = slots_meet<kIsDecoupled>(0, i);
-    Double6 sum;
-    add_row<kIsDecoupled, i, 1>(m.own[node].data() + kNodeSlots * i, x, sum);
-    if (has_next) {
-      add_row<kIsDecoupled, i, 1>(m.next[node].data() + kNodeSlots * i, x + kNode, sum);
-      if constexpr (is_stretched)
-        sum.add(m.stretch[node].data()[i], slots + stretch_place(body, k));
-    }
-    if (has_before) {
-      add_row<kIsDecoupled, i, kNodeSlots>(m.next[node - 1].data() + i, x - kNode, sum);
-      if constexpr (is_stretched)
-        sum.add(m.stretch[node - 1].data()[kNodeSlots + i], slots + stretch_place(body, k - 1));
-    }
-    sum.store_to(momenta + kNode * k + kSlot * i);
-  });
+  NodeMomenta<kIsDecoupled> mu;
+  mu.template add<kNodeSlots, 1>(m.own[node].data(), x);
+  if (k < body.elements) {
+    mu.template add<kNodeSlots, 1>(m.next[node].data(), x + kNode);
+    mu.add_stretch(m.stretch[node].data(), slots + stretch_place(body, k));
+  }
+  if (k > 0) {
+    mu.template add<1, kNodeSlots>(m.next[node - 1].data(), x - kNode);
+    mu.add_stretch(m.stretch[node - 1].data() + kNodeSlots, slots + stretch_place(body, k - 1));
+  }
+  unroll<kNodeSlots>(
+      [&](auto slot) { mu.sums[slot].store_to(momenta + kNode * k + kSlot * slot); });
 }
 
 template <bool kIsDecoupled>
@@ -99,10 +124,14 @@ void calc_stretch_momentum(const FlexibleBody& body, int e, const double* slots,
   const auto element = static_cast<std::size_t>(e);
   const double* m = body.slots.stretch[element].data();
   const double* x = slots + kNodeSlots * kSlot * e;
-  Double6 sum;
-  add_row<kIsDecoupled, 0, 1>(m, x, sum);
-  add_row<kIsDecoupled, 0, 1>(m + kNodeSlots, x + kNodeSlots * kSlot, sum);
-  sum.add(body.slots.stretch_own[element], slots + stretch_place(body, e));
+  SlotValues sum;
+  for (int node = 0; node < 2; ++node)
+    unroll<kNodeSlots>([&](auto slot) {
+      constexpr int j = slot;
+      if constexpr (slots_meet<kIsDecoupled>(0, j))
+        sum.add(m[kNodeSlots * node + j], SlotValues::from(x + kSlot * (kNodeSlots * node + j)));
+    });
+  sum.add(body.slots.stretch_own[element], SlotValues::from(slots + stretch_place(body, e)));
   sum.store_to(momenta + stretch_place(body, e));
 }
 
@@ -116,14 +145,15 @@ void calc_momenta(const FlexibleBody& body, const double* slots, double* momenta
 
 /// Sums rho (mu, mu')^T over slots that lie one after another: J and G side by side.
 struct OuterProducts {
-  Double6 rows[3];
+  SlotValues rows[3];
 
   void add(const double* rho, const double* mu, int count) {
-    Double6 x = rows[0], y = rows[1], z = rows[2];
+    SlotValues x = rows[0], y = rows[1], z = rows[2];
     for (int i = 0; i < count; ++i, rho += kSlot, mu += kSlot) {
-      x.add(rho[0], mu);
-      y.add(rho[1], mu);
-      z.add(rho[2], mu);
+      const SlotValues momentum = SlotValues::from(mu);
+      x.add(rho[0], momentum);
+      y.add(rho[1], momentum);
+      z.add(rho[2], momentum);
     }
     rows[0] = x;
     rows[1] = y;
@@ -131,9 +161,9 @@ struct OuterProducts {
   }
   void take_apart(Matrix3& J, Matrix3& G) const {
     for (int i = 0; i < 3; ++i) {
-      const Double6& row = rows[i];
-      J.row(i) << row.a[0], row.a[1], row.b[0];
-      G.row(i) << row.b[1], row.c[0], row.c[1];
+      const SlotValues& row = rows[i];
+      J.row(i) << row.a[0], row.a[1], row.a[2];
+      G.row(i) << row.a[3], row.b[0], row.b[1];
     }
   }
 };
@@ -148,11 +178,11 @@ SlotSums calc(const FlexibleBody& body, const double* q, const double* v, const 
   products.add(work.slots, work.momenta, kNodeSlots * body.node_count() + body.elements);
   SlotSums sums;
   products.take_apart(sums.J, sums.G);
-  Double6 places;
+  SlotValues places;
   for (int k = 0; k < body.node_count(); ++k)
-    places.add(1.0, work.momenta + kNodeSlots * kSlot * k);
-  sums.S = Position(places.a[0], places.a[1], places.b[0]);
-  sums.S_rate = Position(places.b[1], places.c[0], places.c[1]);
+    places.add(1.0, SlotValues::from(work.momenta + kNodeSlots * kSlot * k));
+  sums.S = Position(places.a[0], places.a[1], places.a[2]);
+  sums.S_rate = Position(places.a[3], places.b[0], places.b[1]);
   return sums;
 }
 

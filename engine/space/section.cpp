@@ -53,11 +53,7 @@ struct ElementCoordinates {
   double values[2 * kTwist];
 
   ElementCoordinates(const FlexibleBody& body, int element, const double* flex) {
-    for (int node = 0; node < 2; ++node)
-      for (int c = 0; c < kTwist; ++c) {
-        const int at = body.coordinate(element + node, c);
-        values[kTwist * node + c] = at < 0 ? 0.0 : flex[at];
-      }
+    expand_element(body, element, flex, values);
   }
   Position times(const ElementShape& N) const {
     return N.lazyProduct(Eigen::Map<const Eigen::Matrix<double, 2 * kTwist, 1>>(values));
@@ -101,11 +97,6 @@ Section make_rigid_section(const Position& place) {
   Section section;
   section.s0 = place;
   return section;
-}
-
-Rotation calc_section_turn(const FlexibleBody& body, const Section& section,
-                           const double* q) noexcept {
-  return exponential(ElementCoordinates(body, section.element, q).times(section.N_th));
 }
 
 HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,

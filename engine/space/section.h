@@ -32,10 +32,6 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
 /// Where a section is within its element: 0 at the inner node, 1 at the outer one.
 double place_in_element(const FlexibleBody& body, const Section& section) noexcept;
 
-/// How a section has turned in its body at the flex vector q.
-Rotation calc_section_turn(const FlexibleBody& body, const Section& section,
-                           const double* q) noexcept;
-
 /// A place in the frame of a rigid body [m], which moves with it.
 Section make_rigid_section(const Position& place);
 

@@ -8,6 +8,7 @@
 
 #include "engine/body/body_types.h"
 #include "engine/load.h"
+#include "engine/space/section_loads.h"
 #include "engine/support/page_arena.h"
 #include "models/system/system.h"
 
@@ -60,6 +61,13 @@ template <class World, class Load>
 struct PlacedLoad {
   const Load* load = nullptr;
   std::vector<typename BodyTypes<World>::Section> sections;
+};
+
+/// In space; on a rigid body it acts at the places of its points.
+template <>
+struct PlacedLoad<Space, BodyLoad<Space>> {
+  const BodyLoad<Space>* load = nullptr;
+  std::vector<space::LoadedSections> sections;
 };
 
 }  // namespace spoke

@@ -31,11 +31,6 @@ Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
   section.x = point.x;
   return section;
 }
-space::Section make_load_section(const BodyData<Space>& data, const BodyLoad<Space>::Point& point) {
-  if (data.model->body->flexible())
-    return space::make_section(*data.model->body, point.element, point.s);
-  return space::make_rigid_section(point.place);
-}
 space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& point) {
   return space::make_section(*data.model->body, point.element, point.s);
 }
@@ -101,17 +96,31 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
   }
 }
 
-/// The sections at which loads act on a body.
+/// The sections at which a load acts on a body.
 template <class World, class Load>
-std::vector<PlacedLoad<World, Load>> place(const std::vector<Load>& loads,
-                                           const BodyData<World>& data) {
-  std::vector<PlacedLoad<World, Load>> placed;
-  for (const Load& load : loads) {
-    placed.push_back({&load, {}});
-    for (const auto& point : load.points) {
-      placed.back().sections.push_back(make_load_section(data, point));
-    }
+PlacedLoad<World, Load> place(const Load& load, const BodyData<World>& data) {
+  PlacedLoad<World, Load> placed{&load, {}};
+  for (const auto& point : load.points) placed.sections.push_back(make_load_section(data, point));
+  return placed;
+}
+
+PlacedLoad<Space, BodyLoad<Space>> place(const BodyLoad<Space>& load, const BodyData<Space>& data) {
+  const space::Body& body = *data.model->body;
+  if (!body.flexible()) return {&load, {}};
+  std::vector<space::Section> sections;
+  std::vector<double> weights;
+  for (const BodyLoad<Space>::Point& point : load.points) {
+    sections.push_back(space::make_section(body, point.element, point.s));
+    weights.push_back(point.weight);
   }
+  return {&load, make_loaded_sections(*body.flexible(), sections, weights)};
+}
+
+template <class World, class Load>
+std::vector<PlacedLoad<World, Load>> place_all(const std::vector<Load>& loads,
+                                               const BodyData<World>& data) {
+  std::vector<PlacedLoad<World, Load>> placed;
+  for (const Load& load : loads) placed.push_back(place(load, data));
   return placed;
 }
 
@@ -167,8 +176,8 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
     subsystem.arena = data.arenas.emplace_back(std::make_unique<Arena>()).get();
     allocate(system.subsystems[i], options, subsystem);
     for (BodyData<World>& body : subsystem.bodies) {
-      body.loads = place(body.model->loads, body);
-      body.drags = place(body.model->drags, body);
+      body.loads = place_all(body.model->loads, body);
+      body.drags = place_all(body.model->drags, body);
     }
     const std::vector<TreeBody<World>>& bodies = system.subsystems[i].bodies;
     if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub<World>))
