@@ -8,7 +8,6 @@
 
 #include "engine/kernels/kinematics.h"
 #include "engine/space/applied_tension.h"
-#include "engine/space/body_energies.h"
 #include "engine/space/body_terms.h"
 #include "models/space/mount.h"
 
@@ -114,20 +113,24 @@ void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0
   }
 }
 
+/// Whether a body's tension depends on what is applied.
+bool has_applied_tension(const BodyData<Space>& body) {
+  return body.model->stiffening && body.forces;
+}
+/// Whether what is applied to a body is resolved in other frames than its own.
+bool is_resolved(const BodyData<Space>& body) {
+  return !body.loads.empty() || (has_applied_tension(body) && !body.applied.empty());
+}
+
 /// Adds all that is applied to body `j`: loads of the user's, then those of the scenario; and the
-/// tension that it and what is applied beyond the body put on it.
-void add_applied(double t, const Subsystem<Space>& subsystem, std::size_t j,
-                 SubsystemData<Space>& data) {
+/// tension that it and what is applied beyond the body put on it. R_HB: only if that is resolved.
+void add_applied(double t, const space::Rotation& R_HB, std::size_t j, SubsystemData<Space>& data) {
   BodyData<Space>& body = data.bodies[j];
   const TreeBody<Space>& model = *body.model;
   const space::Twist& twist = data.twists[j];
-  const bool has_tension = model.stiffening && body.forces;
-  const bool is_resolved = !body.loads.empty() || (has_tension && !body.applied.empty());
-  const space::Rotation R_HB =
-      is_resolved ? calc_rotation_to_hub(subsystem, data, static_cast<int>(j)) : space::Rotation{};
   std::optional<space::AppliedTension> tension;
   space::Rotation to_undeformed;
-  if (has_tension) {
+  if (has_applied_tension(body)) {
     to_undeformed = model.stiffening->R_HB.inverse();
     tension.emplace(body_model_of(body), body_state_of(body), body.work);
     if (body.forces.carried) add_carried_forces(model, data, to_undeformed, *tension);
@@ -168,9 +171,11 @@ void add_gravity_power(const space::Position& gravity_H, const space::Position& 
     body.terms.load_power += gravity.dot(space::Position(linear(rigid_mass_of(body) * twist)));
     return;
   }
-  const space::BodyMotion motion{angular(twist), angular(hub.twist), tension_H};
-  body.terms.load_power += calc_gravity_power(body_model_of(body), body_state_of(body), twist,
-                                              motion, gravity, body.work);
+  const space::BodyTerms& terms = body.terms;
+  const space::Position momentum = body.model->body->flexible()->mass * linear(twist) +
+                                   cross(angular(twist), terms.S) + terms.S_rate;
+  body.terms.load_power +=
+      gravity.dot(momentum) + calc_tension_power(terms.tension, angular(hub.twist), tension_H);
 }
 
 }  // namespace
@@ -303,14 +308,15 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
     body.terms = calc_body_terms(body_model_of(body), body_state_of(body), motion, system.damping,
                                  body.work);
     if (body.model->stiffening && has_working_field(system, data))
-      body.terms.load_power += calc_tension_power(
-          body_model_of(body), body_state_of(body),
-          {angular(twist), angular(hub.twist), calc_working_field(system, t, data)}, body.work);
+      body.terms.load_power += calc_tension_power(body.terms.tension, angular(hub.twist),
+                                                  calc_working_field(system, t, data));
   }
   add_joint_forces(t, shares, body);
-  add_applied(t, subsystem, index, data);
-  if (system.gravity_ramp == 0.0) return;
-  const space::Rotation R_HB = calc_rotation_to_hub(subsystem, data, j);
+  const bool rises = system.gravity_ramp > 0.0;  // gravity
+  space::Rotation R_HB;
+  if (rises || is_resolved(body)) R_HB = calc_rotation_to_hub(subsystem, data, j);
+  add_applied(t, R_HB, index, data);
+  if (!rises) return;
   const space::Position gravity = data.hub->R.inverse() * space::Position(system.gravity_at(t));
   const bool falls = system.hub.support == HubSupport::free;
   add_gravity_power(gravity, falls ? space::Position(space::Position::Zero()) : gravity, R_HB,

@@ -108,7 +108,8 @@ BodyWork place_work(const RigidBody& body, double* memory) {
 }
 
 void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcept {
-  std::fill_n(nodal, kTwist * body.node_count(), 0.0);
+  const bool is_clamped = body.reference_frame == ReferenceFrame::clamped;
+  std::fill_n(nodal, kTwist * (is_clamped ? 1 : body.node_count()), 0.0);
   visit_stretches(
       body, [&](int at, int first, int count) { std::copy_n(flex + first, count, nodal + at); });
 }

@@ -54,12 +54,26 @@ inline Angular calc_stiffening_moment(const HubStiffening& s, const Angular& w0)
   return s.rate * w0 + cross(w0, Position(s.inertia.lazyProduct(w0))) + s.moment;
 }
 
+/// gamma of calc_tension_moment() and its rate, in H.
+struct TensionMoment {
+  Position value = Position::Zero();  ///< [kg m]
+  Position rate = Position::Zero();   ///< [kg m/s]
+};
+/// Power of what a field in H [m/s^2] does to the tension of a body [W]: on its deformation, and on
+/// the hub, which turns the field.
+inline double calc_tension_power(const TensionMoment& gamma, const Angular& hub_w,
+                                 const Position& field) {
+  return hub_w.dot(cross(field, gamma.value)) - field.dot(gamma.rate);
+}
+
 /// Mass terms and right-hand side of a body's frame.
 struct BodyTerms {
-  Position S = Position::Zero();    ///< first moment [kg m]
-  Matrix3 Theta = Matrix3::Zero();  ///< inertia about the origin [kg m^2]
-  Twist Q = Twist::Zero();          ///< right-hand side of translation and rotation [N, N m]
+  Position S = Position::Zero();       ///< first moment [kg m]
+  Position S_rate = Position::Zero();  ///< by the deformation [kg m/s]
+  Matrix3 Theta = Matrix3::Zero();     ///< inertia about the origin [kg m^2]
+  Twist Q = Twist::Zero();             ///< right-hand side of translation and rotation [N, N m]
   HubStiffening stiffening;
+  TensionMoment tension;
   double load_power = 0.0;   ///< of applied loads [W]
   double dissipation = 0.0;  ///< q'^T D q' [W]
 };

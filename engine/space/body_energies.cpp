@@ -60,35 +60,6 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
   return energies;
 }
 
-double calc_gravity_power(const BodyModel& model, const BodyState& state, const Twist& twist,
-                          const BodyMotion& motion, const Position& gravity,
-                          const BodyWork& work) noexcept {
-  const FlexibleBody& body = *model.body;
-  double *q = work.nodal[0], *v = work.nodal[1];
-  expand(body, state.q, q);
-  expand(body, state.v, v);
-  const SlotSums sums = calc_slots(body, q, v, work);
-  const Position momentum =
-      body.mass * Position(linear(twist)) + cross(angular(twist), sums.S) + sums.S_rate;
-  const double power = gravity.dot(momentum);
-  return model.tension ? power + calc_tension_power(model, state, motion, work) : power;
-}
-
-double calc_tension_power(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
-                          const BodyWork& work) noexcept {
-  double *q = work.nodal[0], *v = work.nodal[1];
-  expand(*model.body, state.q, q);
-  expand(*model.body, state.v, v);
-  std::fill_n(work.force, kTwist * model.body->node_count(), 0.0);
-  const StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
-  // On the hub, which turns the field in H: g x gamma.
-  const Position gamma = calc_tension_moment(*model.tension, stiffening.value);
-  const double on_hub = motion.hub_w.dot(cross(motion.gravity, gamma));
-  // gamma is quadratic in q: its rate is that of q^T K q', twice.
-  const Position rate = 2.0 * calc_tension_moment(*model.tension, stiffening.rate);
-  return on_hub - motion.gravity.dot(rate);
-}
-
 double calc_strain_energy(const FlexibleBody& body, const double* q,
                           const BodyWork& work) noexcept {
   expand(body, q, work.nodal[0]);

@@ -19,16 +19,6 @@ struct BodyEnergies {
 BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, const Twist& twist,
                                 const BodyMotion& motion, const BodyWork& work) noexcept;
 
-/// Power of gravity on a body, foreshortening included [W]. `gravity`: in its frame, as in `motion`
-/// in H. Uses the memory within kernels of `work`.
-double calc_gravity_power(const BodyModel& model, const BodyState& state, const Twist& twist,
-                          const BodyMotion& motion, const Position& gravity,
-                          const BodyWork& work) noexcept;
-
-/// Of what the field `motion.gravity` does to the tension alone [W]. Precondition: model.tension.
-double calc_tension_power(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
-                          const BodyWork& work) noexcept;
-
 /// Elastic energy of a body [J].
 double calc_strain_energy(const FlexibleBody& body, const double* q, const BodyWork& work) noexcept;
 

@@ -43,5 +43,9 @@ HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gra
 
 /// gamma: the energy of gravity's tension is g . gamma, in H [kg m].
 Position calc_tension_moment(const TensionPlace& place, const StiffeningForms& forms) noexcept;
+/// It is quadratic in q: its rate is that of q^T K q', twice.
+inline TensionMoment calc_tension_moment(const TensionPlace& place, const StiffeningSums& sums) {
+  return {calc_tension_moment(place, sums.value), 2.0 * calc_tension_moment(place, sums.rate)};
+}
 
 }  // namespace spoke::space

@@ -202,13 +202,16 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
   if (is_damped) terms.dissipation += add_damping(body, damping, x.v_elastic, x.v, work.force);
   if (damping.mass_factor != 0.0)
     terms.dissipation += add_mass_damping(body, damping.mass_factor, x.v_elastic, x.v, work.force);
-  if (model.tension)
-    terms.stiffening = calc_hub_stiffening(*model.tension, motion.gravity,
-                                           add_stiffening(model, motion, x.q, x.v, work.force));
+  if (model.tension) {
+    const StiffeningSums tension = add_stiffening(model, motion, x.q, x.v, work.force);
+    terms.stiffening = calc_hub_stiffening(*model.tension, motion.gravity, tension);
+    terms.tension = calc_tension_moment(*model.tension, tension);
+  }
 
   const SlotSums sums = calc_slots(body, x.q, x.v, work);
   calc_rows(body, motion.w, work);
   terms.S = sums.S;
+  terms.S_rate = sums.S_rate;
   terms.Theta = sums.inertia();
   terms.Q =
       calc_frame_force(motion.w, terms.S, terms.Theta.lazyProduct(motion.w), sums.S_rate, sums.G);

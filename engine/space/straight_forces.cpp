@@ -181,8 +181,8 @@ struct StraightSums {
   add_propeller(m.propeller[1], w[0] * w[0] + w[1] * w[1], q, v, f, sums.propeller[1]);
 }
 
-HubStiffening calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
-                          const BodyWork& work) {
+void calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
+                 const BodyWork& work, BodyTerms& terms) {
   const FlexibleBody& body = *model.body;
   const LaneRows x(body, work, elastic), q(body, work, LaneRows::coordinates),
       v(body, work, LaneRows::velocities), inner(body, work, LaneRows::inner_forces),
@@ -201,16 +201,17 @@ HubStiffening calc_forces(const BodyModel& model, const BodyMotion& motion, Lane
     forces.store_to(inner, outer, e);
     e += 4;
   }
-  if (!place) return {};
-  return calc_hub_stiffening(*place, motion.gravity,
-                             {sums.take(&Forms::value), sums.take(&Forms::rate)});
+  if (!place) return;
+  const StiffeningSums tension{sums.take(&Forms::value), sums.take(&Forms::rate)};
+  terms.stiffening = calc_hub_stiffening(*place, motion.gravity, tension);
+  terms.tension = calc_tension_moment(*place, tension);
 }
 
 }  // namespace
 
-HubStiffening calc_straight_forces(const BodyModel& model, const BodyMotion& motion,
-                                   LaneRows::Kind elastic, const BodyWork& work) noexcept {
-  return run_large_kernel([&]() noexcept { return calc_forces(model, motion, elastic, work); });
+void calc_straight_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
+                          const BodyWork& work, BodyTerms& terms) noexcept {
+  run_large_kernel([&]() noexcept { calc_forces(model, motion, elastic, work, terms); });
 }
 
 }  // namespace spoke::space

@@ -8,9 +8,9 @@
 namespace spoke::space {
 
 /// Sets the forces of both ends of all elements in work.lanes, from the elastic coordinates
-/// `elastic` and, if the body is stiffened, the coordinates and velocities there. Returns what the
-/// stiffening adds to the hub's equation.
-HubStiffening calc_straight_forces(const BodyModel& model, const BodyMotion& motion,
-                                   LaneRows::Kind elastic, const BodyWork& work) noexcept;
+/// `elastic` and, if the body is stiffened, the coordinates and velocities there. Of the terms it
+/// then sets what the stiffening adds to the hub's equation, and the tension's moment.
+void calc_straight_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
+                          const BodyWork& work, BodyTerms& terms) noexcept;
 
 }  // namespace spoke::space

@@ -259,15 +259,17 @@ BodyTerms calc_terms(const BodyModel& model, const BodyState& state, const BodyM
   const bool is_at_state = state.q_elastic == state.q;
   if (!is_at_state) set_lanes(body, state.q_elastic, LaneRows::elastic_coordinates, work);
   BodyTerms terms;
-  terms.stiffening = calc_straight_forces(
-      model, motion, is_at_state ? LaneRows::coordinates : LaneRows::elastic_coordinates, work);
+  calc_straight_forces(model, motion,
+                       is_at_state ? LaneRows::coordinates : LaneRows::elastic_coordinates, work,
+                       terms);
   if (body.first_node() > 0) std::fill_n(work.rows, kNodeRows, 0.0);
   const NodeSums sums = sum_nodes(body, motion.w, work);
   const Inertia Theta = sums.inertia_sum(body.J0);
   const Position S = body.S0 + take(sums.S);
   terms.S = S;
+  terms.S_rate = take(sums.S_rate);
   terms.Theta = Theta.matrix();
-  terms.Q = calc_frame_force(motion.w, S, Theta * motion.w, take(sums.S_rate), sums.rate_sum());
+  terms.Q = calc_frame_force(motion.w, S, Theta * motion.w, terms.S_rate, sums.rate_sum());
   return terms;
 }
 
