@@ -248,6 +248,35 @@ TEST_CASE("the mass matrix of a spatial body is that of its kinetic energy") {
     }
 }
 
+TEST_CASE("terms of a body know its momentum, and what its tension and the rate of that weigh") {
+  std::mt19937 random(29);
+  for (const bool is_decoupled : {false, true})
+    for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
+      const auto test = is_decoupled ? make_decoupled_body(5, frame, random)
+                                     : make_random_body({true, true, true}, 3, frame, random);
+      test->calc_terms();
+      const BodyTerms& terms = test->terms;
+      const Motion motion = draw_motion(*test, random);
+      const Position momentum = test->body.mass * linear(motion.twist) +
+                                cross(angular(motion.twist), terms.S) + terms.S_rate;
+      const Position expected = momenta(*test, motion).head<3>();
+      CHECK((momentum - expected).norm() < 1e-10 * expected.norm());
+      // The energy of gravity's tension is quadratic in q: the central difference is exact.
+      const Position field = draw_vector(9.0, random);
+      const auto energy = [&](const Eigen::VectorXd& q) {
+        return calc_potential(*test, field, q) - calc_potential(*test, Position::Zero(), q);
+      };
+      const double rate = 0.5 * (energy(test->q + test->v) - energy(test->q - test->v));
+      CHECK(field.dot(terms.tension.value) == doctest::Approx(energy(test->q)).epsilon(1e-9));
+      CHECK(field.dot(terms.tension.rate) == doctest::Approx(rate).epsilon(1e-9));
+      // Where the hub turns, the field does as well, the other way round.
+      const Angular hub_w = draw_vector(2.0, random);
+      const double power = calc_tension_power(terms.tension, hub_w, field);
+      CHECK(power ==
+            doctest::Approx(-rate - terms.tension.value.dot(cross(field, hub_w))).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("damping takes the power that its force has") {
   std::mt19937 random(23);
   const auto test = make_random_body({true, true, true}, 3, ReferenceFrame::clamped, random);
