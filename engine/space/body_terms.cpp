@@ -93,9 +93,13 @@ void add_elastic_force(const FlexibleBody& body, const double* q, double* force)
   }
 }
 
-/// What damps in an element: the wrench by the velocity d of its outer node.
-Double6 damping_wrench(const BeamElement& element, double stiffness_factor, const double* d) {
-  Double6 F = multiply(element.damping.data(), d);
+/// What damps in an element: the wrench by the velocity d of its outer node. `is_damped`: by its
+/// own matrix, too.
+Double6 damping_wrench(const BeamElement& element, bool is_damped, double stiffness_factor,
+                       const double* d) {
+  Double6 F;
+  if (is_damped) F = multiply(element.damping.data(), d);
+  if (stiffness_factor == 0.0) return F;
   const Double6 elastic = multiply(element.stiffness.data(), d);
   F.a += stiffness_factor * elastic.a;
   F.b += stiffness_factor * elastic.b;
@@ -112,7 +116,7 @@ double add_damping(const FlexibleBody& body, const Damping& damping, const doubl
     for (const BeamElement& element : body.beam) {
       double d[kTwist], F[kTwist];
       calc_relative(element, velocity, d);
-      damping_wrench(element, damping.stiffness_factor, d).store_to(F);
+      damping_wrench(element, body.is_damped, damping.stiffness_factor, d).store_to(F);
       take(element, d, F);
       velocity += kTwist;
     }

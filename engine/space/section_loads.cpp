@@ -187,14 +187,18 @@ struct ElementForces {
           {{frame[3] - turn[3], bent[0], bent[1]}, {turn[3], bent[2], bent[3]}}};
 }
 
+/// A rotation of B as one of the element's axes.
+Matrix3 turn_in_axes(const BeamElement& element, const Rotation& turn) {
+  return element.axes.transpose().lazyProduct(turn.axes.lazyProduct(element.axes).eval());
+}
+
 /// Adds forces at sections of an element to the tension; `turn`: as in add_load().
-[[gnu::always_inline]] inline void add_tension(const LoadedSections& at, const BeamElement& element,
-                                               const NodeCoordinates& x, const Quad& force,
-                                               const Rotation& turn, AppliedTension& tension) {
+[[gnu::always_inline]] inline void add_tension(const LoadedSections& at, bool is_straight,
+                                               const BeamElement& element, const NodeCoordinates& x,
+                                               const Quad& force, const Rotation& turn,
+                                               AppliedTension& tension) {
   // Along the element's axes in the undeformed tree.
-  const Matrix3 along_axes =
-      element.axes.transpose().lazyProduct(turn.axes.lazyProduct(element.axes).eval());
-  const Quad f = turn_all(along_axes, force);
+  const Quad f = turn_all(is_straight ? turn.axes : turn_in_axes(element, turn), force);
   const double r[2] = {x.u[1].y() - x.u[0].y(), x.u[1].z() - x.u[0].z()};
   const double a[2] = {x.th[0].z(), -x.th[0].y()}, b[2] = {x.th[1].z(), -x.th[1].y()};
   const double twist = x.th[1].x() - x.th[0].x();
@@ -213,10 +217,10 @@ struct ElementForces {
   const Double4 first = totals(slopes[0], slopes[1], slopes[2], slopes[3]);
   const Double4 second = totals(slopes[4], slopes[5], form * f.y, form * f.z);
   tension.add_at_sections(at.element,
-                          {element.axes.lazyProduct(Position(sum[0], sum[1], sum[2])),
+                          {from_axes(element, is_straight, {sum[0], sum[1], sum[2]}),
                            {first[0], first[1], first[2], first[3], second[0], second[1]},
                            sum[3],
-                           element.axes.lazyProduct(Position(0.0, second[2], second[3]))});
+                           from_axes(element, is_straight, {0.0, second[2], second[3]})});
 }
 
 const BeamElement& element_of(const FlexibleBody& body, const LoadedSections& at) {
@@ -254,7 +258,7 @@ void add(const FlexibleBody& body, std::span<const LoadedSections> sections,
     terms.Q += on_frame;
     terms.load_power += on_frame.dot(twist) +
                         add_to_rows(body, element, forces, v, work.rows + kNodeRows * at.element);
-    if (tension) add_tension(at, element, x, wrench.force, turn, *tension);
+    if (tension) add_tension(at, body.is_straight, element, x, wrench.force, turn, *tension);
   }
 }
 
