@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/space/plane_coordinates.h"
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {
@@ -123,30 +124,34 @@ void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
 }
 
 void AppliedTension::add_at_sections(int e, const SectionForces& forces) noexcept {
-  const BeamElement& element = element_of(body_, e);
   add_at_node(e, forces.sum);
-  const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
-  const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
-  PlaneCoordinates f = multiply_slopes(forces.slopes, q);
-  const double torque = forces.along * element.stiffening.torsion[0] * twist_of(q);
-  power_ -= total(sum_products(f, v)) + torque * twist_of(v);
-  f.torsion[0] = -torque;
-  f.torsion[1] = torque;
-  subtract_from(body_, e, f, work_.force);
-  moment_ -= 0.5 * cross(Position(element.axes.col(0)), forces.drawn);
+  run_large_kernel([&]() noexcept {
+    const BeamElement& element = element_of(body_, e);
+    const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
+    const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
+    PlaneCoordinates f = multiply_slopes(forces.slopes, q);
+    const double torque = forces.along * element.stiffening.torsion[0] * twist_of(q);
+    power_ -= total(sum_products(f, v)) + torque * twist_of(v);
+    f.torsion[0] = -torque;
+    f.torsion[1] = torque;
+    subtract_from(body_, e, f, work_.force);
+    moment_ -= 0.5 * cross(Position(element.axes.col(0)), forces.drawn);
+  });
 }
 
 Angular AppliedTension::add_to(BodyTerms& terms) noexcept {
-  Position beyond = Position::Zero();
-  for (int e = body_.elements - 1; e >= 0; --e) {
-    beyond += Eigen::Map<const Position>(work_.nodal[2] + kTwist * (e + 1));
-    if (!beyond.isZero(0.0)) add_element(e, beyond);
-  }
+  run_large_kernel([this]() noexcept {
+    Position beyond = Position::Zero();
+    for (int e = body_.elements - 1; e >= 0; --e) {
+      beyond += Eigen::Map<const Position>(work_.nodal[2] + kTwist * (e + 1));
+      if (!beyond.isZero(0.0)) add_element(e, beyond);
+    }
+    double* rows = work_.rows;
+    const double* force = work_.force;
+    for (int node = 0; node < body_.node_count(); ++node, rows += kNodeRows, force += kTwist)
+      for (int c = 0; c < kTwist; ++c) rows[4 * c + 3] += force[c];
+  });
   terms.load_power += power_;
-  double* rows = work_.rows;
-  const double* force = work_.force;
-  for (int node = 0; node < body_.node_count(); ++node, rows += kNodeRows, force += kTwist)
-    for (int c = 0; c < kTwist; ++c) rows[4 * c + 3] += force[c];
   return moment_;
 }
 

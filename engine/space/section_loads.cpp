@@ -13,7 +13,7 @@ namespace {
 
 /// Three components, at four sections.
 struct Quad {
-  Double4 x, y, z;
+  Double4 x{}, y{}, z{};
 
   [[gnu::always_inline]] static Quad from(const Lanes* rows) {
     return {lanes(rows[0]), lanes(rows[1]), lanes(rows[2])};
@@ -57,7 +57,7 @@ struct SectionTurns {
   Quad theta;
   Double4 s, c, d;
 
-  [[gnu::always_inline]] explicit SectionTurns(const Quad& theta) : theta(theta) {
+  [[gnu::always_inline]] explicit SectionTurns(const Quad& rotation) : theta(rotation) {
     const Double4 x = theta.x * theta.x + theta.y * theta.y + theta.z * theta.z;
     if (std::max(std::max(x[0], x[1]), std::max(x[2], x[3])) < 1.0) {
       d = sum_series(kDSeries, x);
@@ -123,8 +123,9 @@ struct NodeCoordinates {
 
 /// Force and moment at four sections, along the axes of their element.
 struct QuadWrench {
-  Quad force, moment;
-  Quad on_rotation;  ///< H^T moment: what acts on the rotation vectors
+  Quad force;
+  Quad moment{};
+  Quad on_rotation{};  ///< H^T moment: what acts on the rotation vectors
 };
 
 /// A vector of the load at each section, times its weight, before the section has turned.
@@ -142,9 +143,9 @@ struct QuadWrench {
                                                      const NodeCoordinates& x) {
   const Quad force = spread(at, load.follows, is_straight, element, linear(load.wrench));
   const bool has_moment = !angular(load.wrench).isZero(0.0);
-  if (!load.follows && !has_moment) return {force, {}, {}};
+  if (!load.follows && !has_moment) return {force};
   const SectionTurns turns(x.rotation(at));
-  QuadWrench wrench{load.follows ? turns.turn(force) : force, {}, {}};
+  QuadWrench wrench{load.follows ? turns.turn(force) : force};
   if (!has_moment) return wrench;
   const Quad moment = spread(at, load.follows, is_straight, element, angular(load.wrench));
   wrench.moment = load.follows ? turns.turn(moment) : moment;
