@@ -143,10 +143,10 @@ void add_row(const PassesModel& model, const PassesSpan& span, std::size_t k, co
              const Course& course, Table& table, Report& report) {
   const bool has_before = k < span.before.size();
   const double evaluation = course.time / static_cast<double>(course.evaluations.back());
-  table.rows.push_back({span.name, graph::duration_text(model.steps[k]), figure(cell.passes),
-                        has_before ? figure(span.before[k]) : "",
-                        course.diverged ? "diverged" : percent(cell.error),
-                        graph::duration_text(evaluation), graph::duration_text(course.time)});
+  table.rows.push_back(
+      {span.name, graph::duration_text(model.steps[k]), figure(cell.passes),
+       has_before ? figure(span.before[k]) : "", course.diverged ? "diverged" : percent(cell.error),
+       graph::duration_text(evaluation), span.from > 0.0 ? "" : graph::duration_text(course.time)});
   nlohmann::json result{{"model", span.name},    {"step_s", model.steps[k]},
                         {"passes", cell.passes}, {"diverged", course.diverged},
                         {"error", cell.error},   {"evaluation_s", evaluation},

@@ -23,7 +23,7 @@ void measure_whole_steps(const QuestionOptions& options, Report& report);
 void measure_time_to_solution(const QuestionOptions& options, Report& report);
 
 /// How many passes does a step need, by model and step, and at the steps that accuracy allows?
-/// Takes four minutes: only if named.
+/// Takes five minutes: only if named.
 void measure_passes(const QuestionOptions& options, Report& report);
 
 /// What do two threads gain on graphs shaped like a step, by executor, size and cost of a node?
