@@ -14,9 +14,10 @@ namespace {
 
 /// Rows and columns of one body: mass, force.
 template <class World>
-void add_body(const BodyData<World>& body, const Eigen::MatrixXd& elastic, int first, Work& work) {
+void add_body(const BodyData<World>& body, const subsystem::DenseBlocks& elastic, bool implicit,
+              int first, Work& work) {
   const int n = dense_size(*body.model->body);
-  calc_dense_mass(body, elastic, work.matrix.block(first, first, n, n));
+  calc_dense_mass(body, *elastic[implicit], implicit, work.matrix.block(first, first, n, n));
   calc_dense_force(body, work.right.segment(first, n));
 }
 
@@ -142,7 +143,7 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     const SubsystemData<World>& subsystem = data.subsystems[i];
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
-      add_body(subsystem.bodies[j], *work.elastic[i][j][data.progress[0].control.is_implicit],
+      add_body(subsystem.bodies[j], work.elastic[i][j], data.progress[0].control.is_implicit,
                work.first[i][j], work);
       add_joint(system.subsystems[i], subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }

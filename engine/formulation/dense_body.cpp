@@ -28,7 +28,7 @@ Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, double mass_f
   return dense;
 }
 
-void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic,
+void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic, bool,
                      Eigen::Ref<Eigen::MatrixXd> mass) {
   const FlexibleBody& body = *data.model->body;
   const int nf = body.coordinates();

@@ -24,9 +24,9 @@ inline int handle_count(const FlexibleBody&) { return 2; }
 inline int handle_count(const space::Body& body) { return body.handle_count(); }
 
 /// Fills the mass matrix of (P 3), `elastic` being its deformation block, into an n x n block.
-void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic,
+void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic, bool implicit,
                      Eigen::Ref<Eigen::MatrixXd> mass);
-void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic,
+void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic, bool implicit,
                      Eigen::Ref<Eigen::MatrixXd> mass);
 
 /// Fills the right-hand side [Q; Q_f] (n).

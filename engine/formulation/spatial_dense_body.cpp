@@ -13,12 +13,17 @@ Eigen::MatrixXd make_dense_elastic_block(const space::Body& body, double mass_fa
   return {};
 }
 
-void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic,
+void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic, bool implicit,
                      Eigen::Ref<Eigen::MatrixXd> mass) {
-  if (const space::FlexibleBody* flexible = data.model->body->flexible())
-    space::calc_dense_mass(*flexible, data.terms, data.work, elastic, mass);
-  else
+  const space::FlexibleBody* flexible = data.model->body->flexible();
+  if (!flexible) {
     mass = rigid_mass_of(data).matrix();
+    return;
+  }
+  space::calc_dense_mass(*flexible, data.terms, data.work, elastic, mass);
+  if (implicit && has_implicit_tension(data))
+    space::add_dense(*flexible, data.tension->stiffness,
+                     mass.bottomRightCorner(elastic.rows(), elastic.cols()));
 }
 
 void calc_dense_force(const BodyData<Space>& data, Eigen::Ref<Eigen::VectorXd> force) {

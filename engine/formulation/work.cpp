@@ -40,6 +40,19 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepDat
   return blocks;
 }
 
+// The tension of implicit steps; the plane has none.
+
+void add_tension(const ElasticShares&, BodyData<Plane>&, FormulationWork<Plane>&) {}
+void add_tension(const ElasticShares& implicit, BodyData<Space>& member,
+                 FormulationWork<Space>& work) {
+  const space::FlexibleBody* flexible = member.model->body->flexible();
+  if (implicit.tension_factor == 0.0 || !flexible || !member.model->stiffening) return;
+  work.tensions.push_back(std::make_unique<space::ImplicitTension>(space::make_implicit_tension(
+      *flexible, *member.model->stiffening, {implicit.mass_factor, implicit.stiffness_factor, 0.0},
+      implicit.tension_factor)));
+  member.tension = work.tensions.back().get();
+}
+
 template <class World>
 void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
                          FormulationWork<World>& work) {
@@ -52,6 +65,7 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
         at->second[1] = make_block(body, implicit.mass_factor, implicit.stiffness_factor);
       }
       member.blocks = {&at->second[0], &at->second[1]};
+      add_tension(implicit, member, work);
     }
 }
 
@@ -66,6 +80,15 @@ double estimate_table(const TreeBody<Plane>& member) {
   return 190.0 * member.body->coordinates() + 3100.0;
 }
 
+/// Factors of one block.
+double estimate_factors(const space::FlexibleBody& body) {
+  constexpr double kBlock = Space::kTwist * Space::kTwist;
+  constexpr double kMomentum = 3.0 * Space::kTwist;
+  double numbers = body.node_count() * (2.0 * kBlock + kMomentum);
+  for (const int node : body.handles)
+    if (node >= body.first_node()) numbers += kBlock * (body.node_count() - node);
+  return sizeof(double) * numbers;
+}
 /// Elements, the matrices M, K and D, slots, and the factors of both constant blocks.
 double estimate_constants(const space::Body& body) {
   const space::FlexibleBody* flexible = body.flexible();
@@ -76,10 +99,15 @@ double estimate_constants(const space::Body& body) {
   constexpr double kMomentum = 3.0 * Space::kTwist;
   const double nodes = flexible->node_count();
   double numbers = nodes * (6.0 * kBlock + kSlots + kMomentum);  // of the body
-  numbers += 2.0 * nodes * (2.0 * kBlock + kMomentum);           // of its factors
-  for (const int node : flexible->handles)
-    if (node >= flexible->first_node()) numbers += 2.0 * kBlock * (nodes - node);
-  return sizeof(double) * numbers + flexible->elements * sizeof(space::BeamElement);
+  return sizeof(double) * numbers + flexible->elements * sizeof(space::BeamElement) +
+         2.0 * estimate_factors(*flexible);
+}
+/// With the matrices that are added to it.
+double estimate_tension(const space::FlexibleBody& body) {
+  constexpr double kBlock = Space::kTwist * Space::kTwist;
+  const double numbers = body.node_count() * (2.0 * kBlock + 3.0 * Space::kTwist);
+  return estimate_factors(body) + sizeof(double) * numbers +
+         body.elements * sizeof(space::ImplicitTension::Element);
 }
 double estimate_table(const TreeBody<Space>& member) {
   const auto history = static_cast<int>(CoordinateBlock{}.history.size());
@@ -88,7 +116,11 @@ double estimate_table(const TreeBody<Space>& member) {
   const std::size_t numbers =
       vectors + space::count_fields(*member.body, member.joint.joint, history);
   // The state from which a failure can be repeated is a copy of these numbers.
-  return static_cast<double>(2 * sizeof(double) * numbers + sizeof(BodyData<Space>) +
+  // A body under tension has the factors of its own implicit block (see estimate_constants).
+  const space::FlexibleBody* flexible = member.body->flexible();
+  const double tension = member.stiffening ? estimate_tension(*flexible) : 0.0;
+  return tension +
+         static_cast<double>(2 * sizeof(double) * numbers + sizeof(BodyData<Space>) +
                              sizeof(structured::BodyWork<Space>) + sizeof(space::JointMotion) +
                              sizeof(space::Pose) + 3 * sizeof(space::Twist));
 }

@@ -16,6 +16,7 @@ namespace spoke {
 struct ElasticShares {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;
+  double tension_factor = 0.0;  ///< beta' h^2 [s^2]; 0: see engine/space/implicit_tension.h
 };
 
 /// What the chosen formulation keeps besides the table; that of the others stays empty.
@@ -27,6 +28,8 @@ struct FormulationWork {
   /// Constant blocks, shared by bodies of one type: explicit, implicit. Terms of rigid bodies read
   /// them, whatever the formulation.
   std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
+  /// Of implicit steps of bodies in space that rotation stiffens.
+  std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
 };
 
 /// Makes the constants and allocates the work of one formulation for `data`.

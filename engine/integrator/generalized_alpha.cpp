@@ -16,8 +16,9 @@ Double2 greater(Double2 a, Double2 b) { return a > b ? a : b; }
 // Parameters that promise not to overlap let the compiler take several coordinates at a time.
 
 inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q,
-                           double* __restrict v, const double* __restrict a, double* __restrict qp,
-                           double* __restrict vp, double* __restrict carry) noexcept {
+                           double* __restrict v, double* __restrict a, double* __restrict qp,
+                           double* __restrict vp, double* __restrict carry,
+                           double* __restrict last) noexcept {
   const double h = m.step;
   for (int i = 0; i < n; ++i) {
     const double al = carry[i] + m.k * a[i];
@@ -25,8 +26,11 @@ inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q
     carry[i] = next;
     qp[i] = q[i] + h * v[i] + h * h * ((0.5 - m.beta) * al + m.beta * next);
     vp[i] = v[i] + h * ((1.0 - m.gamma) * al + m.gamma * next);
-    q[i] = qp[i] + m.position_gain * a[i];
-    v[i] = vp[i] + m.velocity_gain * a[i];
+    const double ahead = 2.0 * a[i] - last[i];
+    last[i] = a[i];
+    a[i] = ahead;
+    q[i] = qp[i] + m.position_gain * ahead;
+    v[i] = vp[i] + m.velocity_gain * ahead;
   }
 }
 
@@ -90,6 +94,7 @@ void clear_accelerations(CoordinateBlock& block) {
   block.for_parts([&](int first, int n) {
     std::fill_n(block.a + first, n, 0.0);
     std::fill_n(block.history[GeneralizedAlpha::carry_over] + first, n, 0.0);
+    std::fill_n(block.history[GeneralizedAlpha::last_a] + first, n, 0.0);
   });
 }
 
@@ -106,11 +111,12 @@ void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block) {
 
 void complete_restart(const GeneralizedAlpha& method, const double* a,
                       CoordinateBlock& block) noexcept {
-  double* carry = block.history[GeneralizedAlpha::carry_over];
+  double *carry = block.history[GeneralizedAlpha::carry_over],
+         *last = block.history[GeneralizedAlpha::last_a];
   block.for_parts([&](int first, int n) {
     for (int i = first; i < first + n; ++i) {
       carry[i] += (1.0 - method.k) * (a[i] - block.a[i]);  // al = carry + k A
-      block.a[i] = a[i];
+      block.a[i] = last[i] = a[i];
     }
   });
 }
@@ -118,11 +124,28 @@ void complete_restart(const GeneralizedAlpha& method, const double* a,
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept {
   double *qp = block.history[GeneralizedAlpha::predicted_q],
          *vp = block.history[GeneralizedAlpha::predicted_v],
-         *carry = block.history[GeneralizedAlpha::carry_over];
+         *carry = block.history[GeneralizedAlpha::carry_over],
+         *last = block.history[GeneralizedAlpha::last_a];
   block.for_parts([&](int first, int n) {
     predict_values(method, n, block.q + first, block.v + first, block.a + first, qp + first,
-                   vp + first, carry + first);
+                   vp + first, carry + first, last + first);
   });
+}
+
+double calc_step_change(const GeneralizedAlpha& method, const double* a,
+                        const CoordinateBlock& block) noexcept {
+  const double* last = block.history[GeneralizedAlpha::last_a];
+  Double2 most{};
+  block.for_parts([&](int first, int n) {
+    const int end = first + n;
+    int i = first;
+    for (; i + 2 <= end; i += 2) {
+      const Double2 change = load(a + i) - load(last + i);
+      most = greater(-change, greater(change, most));
+    }
+    if (i < end) most[0] = std::max(most[0], std::abs(a[i] - last[i]));
+  });
+  return method.position_gain * std::max(most[0], most[1]);
 }
 
 Correction correct(const GeneralizedAlpha& method, const double* a_new,

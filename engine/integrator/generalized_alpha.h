@@ -7,7 +7,8 @@
 //   v_{n+1} = vp + gamma' h A_{n+1},   vp = v_n + h ((1 - gamma) al_n + gamma carry)
 // The equations of motion hold at t_{n+1}; their elastic and damping forces are -K qp - D vp plus a
 // share of the unknown A, which joins the constant block: Mhat = Mff + beta' h^2 K + gamma' h D.
-// What is left is a fixed-point iteration that converges in one to three passes.
+// In space tension by rotation joins it, too (engine/space/implicit_tension.h). What is left is a
+// fixed-point iteration that converges in one to three passes.
 
 #include "engine/body/coordinate_block.h"
 
@@ -25,7 +26,7 @@ struct GeneralizedAlpha {
   double error_share = 0.0;  ///< error of a step by beta' h^2 (A_{n+1} - A_n), see step_error.h
 
   /// Names for the history vectors of a CoordinateBlock.
-  enum History { predicted_q, predicted_v, carry_over, count };
+  enum History { predicted_q, predicted_v, carry_over, last_a, count };
 };
 
 /// Coefficients for spectral radius `radius` at infinite frequency, 0 <= radius <= 1, and step [s].
@@ -50,7 +51,8 @@ void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block);
 void complete_restart(const GeneralizedAlpha& method, const double* a,
                       CoordinateBlock& block) noexcept;
 
-/// First iteration of a step: predicts, and starts from the last accelerations.
+/// First iteration of a step: predicts, and starts from accelerations that go on from the last two
+/// steps' on a straight line. Those of the last become history.
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept;
 
 /// What a correction did.
@@ -61,5 +63,8 @@ struct Correction {
 /// Corrects the coordinates with accelerations `a`, which become the block's.
 Correction correct(const GeneralizedAlpha& method, const double* a,
                    CoordinateBlock& block) noexcept;
+/// beta' h^2 max |a - A_n| at accelerations `a` [m, rad].
+double calc_step_change(const GeneralizedAlpha& method, const double* a,
+                        const CoordinateBlock& block) noexcept;
 
 }  // namespace spoke

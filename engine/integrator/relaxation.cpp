@@ -7,14 +7,17 @@
 
 namespace spoke {
 
-double choose_relaxation(double change, double tolerance, StepProgress& progress) noexcept {
-  const double before = progress.change;
+void learn_contraction(double change, StepProgress& progress) noexcept {
+  const bool is_comparable =
+      progress.passes > 1 && progress.share_before == 1.0 && progress.change > 0.0;
+  if (is_comparable)
+    progress.contraction = std::max(progress.contraction, change / progress.change);
+}
+
+double choose_share(const StepProgress& progress) noexcept {
+  constexpr double kFast = 0.25;  // of errors that do not swing, too
   const bool was_plain = progress.control.relaxation == 1.0;
-  // Changes compare as the correction of the pass before has it: of the first one, or of a plain
-  // one that a relaxed one has followed.
-  if ((progress.passes == 2 || !was_plain) && before > 0.0)
-    progress.contraction = std::max(progress.contraction, change / before);
-  if (!was_plain || change * progress.contraction <= tolerance) return 1.0;
+  if (progress.passes < 2 || !was_plain || progress.contraction < kFast) return 1.0;
   return 1.0 / (1.0 + progress.contraction);
 }
 

@@ -4,6 +4,7 @@
 #include "engine/integrator/step_control.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/integrator/relaxation.h"
 
@@ -50,24 +51,43 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
   progress.is_halted = progress.step > window.last;
 }
 
-/// Takes the first change of a step, and sets the tolerance of its changes.
-void set_tolerance(const IterationLimits& limits, double first_change, StepProgress& progress) {
-  // The share is that which the error of the accelerations may have in what the step's own error
-  // does to the velocities (docs/formulation.md, section 5). Changes of less are round-off.
-  constexpr double kShare = 0.1, kRoundOff = 1e-14;
+// Changes of less are round-off.
+constexpr double kRoundOff = 1e-14;
+
+/// Takes how much the accelerations have changed in a step, and sets the tolerance.
+void set_tolerance(const IterationLimits& limits, double step_change, StepProgress& progress) {
+  // What is left of the accelerations' error may be so much of what the step's own error does to
+  // the velocities (docs/formulation.md, section 5).
+  constexpr double kLeft = 3e-5;
   // Where changes happen to be small in a step among others, so is what that step leaves.
   constexpr double kFade = 0.99;
   progress.tolerance = limits.tolerance;
   if (!limits.follows_error) return;
-  progress.usual_change = std::max(first_change, kFade * progress.usual_change);
+  progress.usual_change = std::max(step_change, kFade * progress.usual_change);
   progress.tolerance =
-      std::min(limits.tolerance, std::max(kRoundOff, kShare * progress.usual_change));
+      std::min(limits.most_left, std::max(kRoundOff, kLeft * progress.usual_change));
+}
+
+/// Whether what is left, by the contraction seen, is within the tolerance; of a first change, how
+/// much the next will be is not known.
+bool leaves_little(double change, const StepProgress& progress) {
+  if (progress.passes == 1) return change <= progress.tolerance;
+  const double r = progress.contraction;
+  return r < 1.0 && r * change <= (1.0 - r) * progress.tolerance;
+}
+
+/// Whether a change is small by itself, and not by its own step alone.
+bool is_small_change(const IterationLimits& limits, double change, const StepProgress& progress) {
+  if (!limits.follows_error) return change <= progress.tolerance;
+  constexpr double kShare = 0.1;
+  return change <= std::min(limits.tolerance, std::max(kRoundOff, kShare * progress.usual_change));
 }
 
 /// Whether the iteration has done what it can: by its tolerance, or since changes that the limits
 /// allow hardly fall any more.
 bool has_converged(const IterationLimits& limits, double change, const StepProgress& progress) {
-  if (change <= progress.tolerance) return true;
+  if (limits.follows_error && leaves_little(change, progress)) return true;
+  if (is_small_change(limits, change, progress)) return true;
   if (change > limits.tolerance) return false;
   const bool has_stalled = progress.passes > 1 && change > 0.5 * progress.change;
   return has_stalled || progress.passes >= limits.most;
@@ -77,16 +97,15 @@ bool has_converged(const IterationLimits& limits, double change, const StepProgr
 bool end_iteration(const Integrator& integrator, const PassReport& report, StepProgress& progress) {
   const IterationLimits& limits = integrator.limits;
   const int done = progress.passes;
-  double relaxation = 1.0;
   if (done == 1) {
     progress.error = report.error;
-    set_tolerance(limits, report.change, progress);
+    set_tolerance(limits, report.step_change, progress);
   }
-  if (limits.relaxes && limits.fixed == 0)
-    relaxation = choose_relaxation(report.change, progress.tolerance, progress);
+  learn_contraction(report.change, progress);
   const bool is_last =
       limits.fixed > 0 ? done == limits.fixed : has_converged(limits, report.change, progress);
   progress.change = report.change;
+  progress.share_before = progress.control.relaxation;
   if (is_last) {
     // The trapezoidal rule: second order, as the method.
     add_work(0.5 * step_size(integrator), progress.power, progress);
@@ -97,7 +116,7 @@ bool end_iteration(const Integrator& integrator, const PassReport& report, StepP
     fail(StepOutcome::not_converged, progress);
   else
     set_stage(integrator, done, progress);
-  progress.control.relaxation = relaxation;
+  if (limits.relaxes && limits.fixed == 0) progress.control.relaxation = choose_share(progress);
   return false;
 }
 
@@ -133,7 +152,7 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
   progress.work = progress.dissipated = 0.0;
   progress.contraction = 0.0;
   progress.error = {};
-  progress.control.relaxation = 1.0;
+  progress.share_before = progress.control.relaxation = 1.0;
   set_stage(integrator, as_rk4(integrator) ? 1 : 0, progress);
 }
 

@@ -3,6 +3,8 @@
 // From the end of a pass to the start of the next: whether the step is complete, what the next pass
 // evaluates, and the work done on the way.
 
+#include <limits>
+
 #include "engine/integrator/method.h"
 #include "engine/table/step_progress.h"
 
@@ -14,9 +16,11 @@ struct IterationLimits {
   int fixed = 0;             ///< number of iterations; 0: to the tolerance
   int most = 30;
   bool relaxes = false;  ///< see relaxation.h; with a tolerance
-  /// To a share of the first change of a step, which is that of the step's own error; the tolerance
-  /// is the most that is left.
+  /// Until what is left, by the contraction seen, is a small share of the change that the step's
+  /// accelerations make, and with it of the step's own error. The tolerance then only tells what is
+  /// small anyway, and what may be round-off.
   bool follows_error = false;
+  double most_left = std::numeric_limits<double>::infinity();  ///< besides [m, rad]
 };
 
 /// A method, with its coefficients and step, and what it iterates to.

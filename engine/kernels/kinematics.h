@@ -51,4 +51,11 @@ inline void prescribe_joints(const System<Plane>&, double, std::size_t, StepData
 void prescribe_joints(const System<Space>& system, double t, std::size_t i,
                       StepData<Space>& data) noexcept;
 
+/// In an implicit pass: sets the angular accelerations of the frames of subsystem `i`, about which
+/// tension on its left-hand side is taken. They follow from those of the coordinates: the ones that
+/// the pass before has found go with the velocities before its correction.
+inline void set_angular_accelerations(const System<Plane>&, std::size_t, StepData<Plane>&) {}
+void set_angular_accelerations(const System<Space>& system, std::size_t i,
+                               StepData<Space>& data) noexcept;
+
 }  // namespace spoke

@@ -1,7 +1,9 @@
 // Motion of a tree in space: handles, joints and frames, from the hub to the tips.
 
+#include <algorithm>
 #include <cmath>
 
+#include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/spatial_terms.h"
 #include "engine/space/hub_motion.h"
@@ -67,6 +69,42 @@ PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double p
   return follow(std::get<space::SaidMotion>(motion), t);
 }
 
+/// Of the hub, in its frame.
+Angular calc_hub_angular_acceleration(const System<Space>& system, double t, std::size_t i,
+                                      const StepData<Space>& data) {
+  if (!data.is_coupled) return angular(data.subsystems[i].prescribed.acceleration);
+  const CoordinateBlock& hub = data.hub_coordinates;
+  space::Twist given = calc_prescribed_acceleration(system, t, data.hub, hub.a[Space::kAxial]);
+  for (int c = space::kPosition; c < space::kTwist; ++c)
+    if (!is_prescribed(system.hub, c)) given[c] += hub.a[c];
+  return angular(given);
+}
+
+/// Whether a pass takes tension of any body to its left-hand side. In the first pass of a step it
+/// is made that of the hub's speed after this.
+bool has_tension(const PassControl& control, const SubsystemData<Space>& subsystem) {
+  const Angular w = angular(subsystem.hub->twist);
+  return std::any_of(
+      subsystem.bodies.begin(), subsystem.bodies.end(), [&](const BodyData<Space>& body) {
+        if (!body.tension) return false;
+        return control.begins_iteration() ? body.tension->counts_at(w) : body.tension->is_on();
+      });
+}
+
+/// Of the section at a handle: H th'' + b of it besides that of the frame.
+Angular calc_section_acceleration(const BodyData<Space>& body, std::size_t handle,
+                                  const Angular& w) {
+  const HandleMotion& motion = body.work.handles[handle];
+  Angular sum = angular(motion.bias(w));
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return sum;
+  for (int c = 0; c < 3; ++c)
+    if (const int at = flexible->coordinate(flexible->handles[handle], space::kRotation + c);
+        at >= 0)
+      sum += body.coordinates.a[at] * motion.turn.H.col(c);
+  return sum;
+}
+
 /// The rotation that the azimuth is of.
 DriveMotion calc_hub_rotation(const System<Space>& system, double t, const CoordinateBlock& hub) {
   if (prescribes_motion(system.hub.drive)) return calc_motion(system.hub.drive, t);
@@ -115,6 +153,31 @@ void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& da
     const space::FlexibleBody* flexible = model.body->flexible();
     if (flexible && flexible->reference_frame == ReferenceFrame::chord)
       leave_section(data.bodies[j].work.handles[0].turn, data.joints[j], data.twists[j]);
+  }
+}
+
+void set_angular_accelerations(const System<Space>& system, std::size_t i,
+                               StepData<Space>& data) noexcept {
+  SubsystemData<Space>& subsystem = data.subsystems[i];
+  const PassControl& control = subsystem.progress->control;
+  if (!control.is_implicit || !has_tension(control, subsystem)) return;
+  const Angular hub = calc_hub_angular_acceleration(system, control.time, i, data);
+  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+    BodyData<Space>& body = subsystem.bodies[j];
+    const TreeBody<Space>& model = *body.model;
+    const space::JointMotion& joint = subsystem.joints[j];
+    Angular sum = hub;
+    if (model.parent >= 0) {
+      const auto p = static_cast<std::size_t>(model.parent);
+      const BodyData<Space>& parent = subsystem.bodies[p];
+      sum = parent.alpha + calc_section_acceleration(parent, static_cast<std::size_t>(model.handle),
+                                                     angular(subsystem.twists[p]));
+    }
+    sum += angular(joint.bias);
+    for (int c = 0; c < body.joint.coordinates.size; ++c)
+      sum += body.joint.coordinates.a[c] * joint.columns.col(c).tail<3>();
+    body.alpha = Angular(joint.R.inverse() * space::Position(sum)) -
+                 calc_section_acceleration(body, 0, angular(subsystem.twists[j]));
   }
 }
 

@@ -183,9 +183,20 @@ void add_gravity_power(const space::Position& gravity_H, const space::Position& 
 space::BodyModel body_model_of(const BodyData<Space>& body) {
   const space::FlexibleBody* flexible = body.model->body->flexible();
   const auto& tension = body.model->stiffening;
-  return {flexible,
-          {&*body.blocks[0]->elastic, &*body.blocks[1]->elastic},
-          tension ? &*tension : nullptr};
+  return {
+      flexible,
+      {&*body.blocks[0]->elastic, body.tension ? &body.tension->block : &*body.blocks[1]->elastic},
+      tension ? &*tension : nullptr};
+}
+
+void follow_hub_speed(const HubState<Space>& hub, BodyData<Space>& body) noexcept {
+  if (body.tension)
+    follow_speed(*body.model->body->flexible(), *body.model->stiffening, angular(hub.twist),
+                 *body.tension);
+}
+
+bool has_implicit_tension(const BodyData<Space>& body) noexcept {
+  return body.tension && body.tension->is_on();
 }
 
 space::BodyState body_state_of(const BodyData<Space>& body) {
@@ -307,6 +318,9 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
                                    calc_tension_field(system, t, data)};
     body.terms = calc_body_terms(body_model_of(body), body_state_of(body), motion, system.damping,
                                  body.work);
+    if (shares.stiffness != 0.0 && has_implicit_tension(body))
+      add_implicit_tension(*body.model->body->flexible(), *body.tension, body.coordinates.a,
+                           body.alpha, body.work, body.terms);
     if (body.model->stiffening && has_working_field(system, data))
       body.terms.load_power += calc_tension_power(body.terms.tension, angular(hub.twist),
                                                   calc_working_field(system, t, data));

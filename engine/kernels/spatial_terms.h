@@ -12,6 +12,10 @@ namespace spoke {
 /// What the kernels of a flexible body read (engine/space/body_data.h). Precondition: it is one.
 space::BodyModel body_model_of(const BodyData<Space>& body);
 space::BodyState body_state_of(const BodyData<Space>& body);
+/// At the first pass of a step: makes the tension on its left-hand side that of the hub's speed.
+void follow_hub_speed(const HubState<Space>& hub, BodyData<Space>& body) noexcept;
+/// Whether the terms of a pass of an implicit step have it.
+bool has_implicit_tension(const BodyData<Space>& body) noexcept;
 /// M_RR about the origin of its frame. Precondition: the body is rigid.
 const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
 /// How a section moves against the frame of its body at the state in the table.

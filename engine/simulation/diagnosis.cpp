@@ -175,13 +175,6 @@ bool is_drive_finite(const System<Plane>& system, double t, double speed) {
   return std::isfinite(motion.angle + motion.speed + motion.acceleration);
 }
 
-/// Progress of a subsystem whose step has failed.
-const StepProgress& failed_progress(const StepData<Plane>& data) {
-  for (const StepProgress& progress : data.progress)
-    if (progress.outcome != StepOutcome::done) return progress;
-  return data.progress.front();
-}
-
 std::string describe_finding(const Scenario& scenario, const SystemContext<Plane>& context,
                              const FailedStep& failed, const FailureSite& site) {
   std::ostringstream text;
@@ -189,9 +182,10 @@ std::string describe_finding(const Scenario& scenario, const SystemContext<Plane
     text << describe_growth(scenario, failed.seen) << "; " << name_body(site)
          << " is strained most";
   } else if (failed.outcome == StepOutcome::not_converged) {
-    text << "the iteration still changes a coordinate by " << failed_progress(context.data).change
-         << " (tolerance " << context.integrator.limits.tolerance << ") after "
-         << counted(context.integrator.limits.most, "iteration") << ", most in " << name_body(site);
+    const StepProgress& progress = failed_progress(context.data);
+    text << "the iteration still changes a coordinate by " << progress.change << " (tolerance "
+         << progress.tolerance << ") after " << counted(context.integrator.limits.most, "iteration")
+         << ", most in " << name_body(site);
   } else if (site.is_known()) {
     text << name_body(site) << ": " << site.quantity << site.finding;
   } else {
@@ -324,6 +318,12 @@ Divergence locate(const FailedStep& failed, const FailureSite& site) {
 }
 
 }  // namespace
+
+const StepProgress& failed_progress(const StepTable& data) {
+  for (const StepProgress& progress : data.progress)
+    if (progress.outcome != StepOutcome::done) return progress;
+  return data.progress.front();
+}
 
 DivergenceError diagnose(const Scenario& scenario, const SystemContext<Plane>& context,
                          const FailedStep& failed) {

@@ -19,6 +19,9 @@ struct FailedStep {
   Observations seen;      ///< up to the step before it; of energy_grew, in it
 };
 
+/// Progress of a subsystem whose step has failed.
+const StepProgress& failed_progress(const StepTable& data);
+
 /// One sentence that says what left its limits, where (blade, body, node of the graph, coordinate),
 /// when, and what to try.
 DivergenceError diagnose(const Scenario& scenario, const SystemContext<Plane>& context,

@@ -56,6 +56,14 @@ const SimulationOptions& checked(const SimulationOptions& options) {
   return options;
 }
 
+IterationLimits make_limits(const Scenario& scenario) {
+  const Integration& integration = scenario.integration;
+  IterationLimits limits{integration.tolerance, integration.iterations, integration.max_iterations,
+                         scenario.space.has_value(), goal_of(integration) == IterationGoal::error};
+  if (integration.tolerance != Integration{}.tolerance) limits.most_left = integration.tolerance;
+  return limits;
+}
+
 /// Ends a run at a step whose energy has grown, if the scenario says so. Leaves no function of the
 /// simulation.
 struct EnergyHasGrown {};
@@ -84,10 +92,7 @@ void SimulationCore::begin() {
 }
 
 void SimulationCore::prepare(const Loads& loads) {
-  const Integrator integrator{make_method(scenario.integration, step_size),
-                              {scenario.integration.tolerance, scenario.integration.iterations,
-                               scenario.integration.max_iterations, scenario.space.has_value(),
-                               goal_of(scenario.integration) == IterationGoal::error}};
+  const Integrator integrator{make_method(scenario.integration, step_size), make_limits(scenario)};
   model = make_model(scenario, options.formulation, integrator, loads);
   const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
                           options.threads,

@@ -251,7 +251,7 @@ class SpatialModel final : public SimulatedModel {
       at.node = "finish";
       at.quantity = "change of a coordinate";
       std::ostringstream text;
-      text << "the iteration does not converge to " << context_.integrator.limits.tolerance
+      text << "the iteration does not converge to " << failed_progress(context_.data).tolerance
            << " within " << counted(context_.integrator.limits.most, "iteration")
            << " (node \"finish\")";
       return text.str();

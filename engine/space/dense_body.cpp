@@ -23,18 +23,25 @@ Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFa
   sum.add_scaled(factors.stiffness, body.K);
   sum.add_scaled(factors.damping, body.D);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(body.coordinates(), body.coordinates());
-  const auto fill = [&](int a, int b, const TwistMatrix& block) {
+  add_dense(body, sum, dense);
+  return dense;
+}
+
+void add_dense(const FlexibleBody& body, const BlockTridiagonal& matrix,
+               Eigen::Ref<Eigen::MatrixXd> dense) {
+  const auto add = [&](int a, int b, const TwistMatrix& block) {
     for (int i = 0; i < kTwist; ++i)
       for (int j = 0; j < kTwist; ++j) {
         const int row = body.coordinate(a, i), column = body.coordinate(b, j);
-        if (row >= 0 && column >= 0) dense(row, column) = dense(column, row) = block(i, j);
+        if (row < 0 || column < 0) continue;
+        dense(row, column) += block(i, j);
+        if (a != b) dense(column, row) += block(i, j);
       }
   };
   for (int k = 0; k < body.node_count(); ++k) {
-    fill(k, k, sum.diagonal[static_cast<std::size_t>(k)]);
-    if (k < body.elements) fill(k + 1, k, sum.below[static_cast<std::size_t>(k)]);
+    add(k, k, matrix.diagonal[static_cast<std::size_t>(k)]);
+    if (k < body.elements) add(k + 1, k, matrix.below[static_cast<std::size_t>(k)]);
   }
-  return dense;
 }
 
 void calc_dense_mass(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,

@@ -12,6 +12,10 @@ namespace spoke::space {
 /// Dense Mhat (nf x nf).
 Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
 
+/// Adds a matrix over the nodes to a dense one of the deformation (nf x nf).
+void add_dense(const FlexibleBody& body, const BlockTridiagonal& matrix,
+               Eigen::Ref<Eigen::MatrixXd> dense);
+
 /// Unknowns of a body: its frame's twist and its deformation.
 inline int dense_size(const FlexibleBody& body) { return kTwist + body.coordinates(); }
 

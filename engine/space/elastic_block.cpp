@@ -1,14 +1,14 @@
-// Factorises a block-tridiagonal matrix, and keeps the half solutions that never change.
+// Factorises a block-tridiagonal matrix, and keeps half solutions.
 
 #include "engine/space/elastic_block.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 
 namespace spoke::space {
 namespace {
 
 using TwistBlock = Eigen::Matrix<double, kTwist, kTwist, Eigen::RowMajor>;
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Replaces rows and columns of fixed coordinates by those of the identity.
 void fix_coordinates(const FlexibleBody& body, int node, TwistBlock& diagonal, TwistBlock& below) {
@@ -23,26 +23,30 @@ void fix_coordinates(const FlexibleBody& body, int node, TwistBlock& diagonal, T
   }
 }
 
-BlockTridiagonal combine(const FlexibleBody& body, const BlockFactors& factors) {
-  BlockTridiagonal sum(body.node_count());
-  sum.add_scaled(factors.mass, body.M);
-  sum.add_scaled(factors.stiffness, body.K);
-  sum.add_scaled(factors.damping, body.D);
-  return sum;
-}
+/// Values that stand row by row, `kColumns` a row, at one node.
+template <int kColumns>
+using NodeRows = Eigen::Matrix<double, kTwist, kColumns, Eigen::RowMajor>;
+template <int kColumns>
+using NodeMap = Eigen::Map<NodeRows<kColumns>>;
 
-void factorise(const FlexibleBody& body, const BlockTridiagonal& matrix, ElasticBlock& block) {
-  const auto size = static_cast<std::size_t>(body.node_count()) * ElasticBlock::kBlock;
-  block.inverse.assign(size, 0.0);
-  block.below.assign(size, 0.0);
+/// Sets the factors; added: what Mhat has besides, or null.
+void factorise(const FlexibleBody& body, const BlockFactors& factors, const BlockTridiagonal* added,
+               ElasticBlock& block) {
   TwistBlock inverse_before = TwistBlock::Zero();
+  const auto sum = [&](std::vector<TwistMatrix> BlockTridiagonal::*part, std::size_t at) {
+    TwistBlock total = factors.mass * (body.M.*part)[at];
+    total += factors.stiffness * (body.K.*part)[at];
+    total += factors.damping * (body.D.*part)[at];
+    if (added) total += (added->*part)[at];
+    return total;
+  };
   for (int k = body.first_node(); k < body.node_count(); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    TwistBlock diagonal = matrix.diagonal[at], below = TwistBlock::Zero();
-    if (k > body.first_node()) below = matrix.below[at - 1];
+    TwistBlock diagonal = sum(&BlockTridiagonal::diagonal, at), below = TwistBlock::Zero();
+    if (k > body.first_node()) below = sum(&BlockTridiagonal::below, at - 1);
     fix_coordinates(body, k, diagonal, below);
-    below = (below * inverse_before.transpose()).eval();
-    diagonal -= below * below.transpose();
+    below = below.lazyProduct(inverse_before.transpose()).eval();
+    diagonal -= below.lazyProduct(below.transpose());
     const TwistBlock L = Eigen::LLT<TwistBlock>(diagonal).matrixL();
     inverse_before = L.triangularView<Eigen::Lower>().solve(TwistBlock::Identity());
     Eigen::Map<TwistBlock>(&block.inverse[at * ElasticBlock::kBlock]) = inverse_before;
@@ -50,56 +54,114 @@ void factorise(const FlexibleBody& body, const BlockTridiagonal& matrix, Elastic
   }
 }
 
-/// L^-1 b, for columns over all nodes. Rows of fixed coordinates are zero.
-Columns solve_half(const FlexibleBody& body, const ElasticBlock& block, Columns b) {
-  for (int k = 0; k < body.node_count(); ++k)
+/// L^-1 b in place, of columns that are zero before node `from`, whose rows stand at b. Rows of
+/// fixed coordinates are zero.
+template <int kColumns>
+void solve_half(const FlexibleBody& body, const ElasticBlock& block, int from, double* b) {
+  for (int k = from; k < body.node_count(); ++k, b += kTwist * kColumns) {
+    NodeMap<kColumns> rows(b);
     for (int c = 0; c < kTwist; ++c)
-      if (body.coordinate(k, c) < 0) b.row(kTwist * k + c).setZero();
-  for (int k = body.first_node(); k < body.node_count(); ++k) {
-    auto rows = b.middleRows<kTwist>(kTwist * k);
-    if (k > body.first_node())
-      rows -=
-          Eigen::Map<const TwistBlock>(block.below_of(k)) * b.middleRows<kTwist>(kTwist * (k - 1));
-    rows = (Eigen::Map<const TwistBlock>(block.inverse_of(k)) * rows).eval();
+      if (body.coordinate(k, c) < 0) rows.row(c).setZero();
+    if (k < body.first_node()) continue;
+    if (k > from)
+      rows -= Eigen::Map<const TwistBlock>(block.below_of(k))
+                  .lazyProduct(NodeMap<kColumns>(b - kTwist * kColumns));
+    rows = Eigen::Map<const TwistBlock>(block.inverse_of(k)).lazyProduct(rows).eval();
   }
-  return b;
 }
 
-Columns momentum_columns(const FlexibleBody& body) {
-  Columns C_t(kTwist * body.node_count(), 3);
+/// a^T b of columns over the nodes from `from` on, where both begin.
+template <int kA, int kB>
+Eigen::Matrix<double, kA, kB> multiply_columns(const FlexibleBody& body, int from, const double* a,
+                                               const double* b) {
+  Eigen::Matrix<double, kA, kB> sum = Eigen::Matrix<double, kA, kB>::Zero();
+  for (int k = from; k < body.node_count(); ++k, a += kTwist * kA, b += kTwist * kB)
+    sum += Eigen::Map<const NodeRows<kA>>(a).transpose().lazyProduct(
+        Eigen::Map<const NodeRows<kB>>(b));
+  return sum;
+}
+
+bool is_fixed(const FlexibleBody& body, int node) {
+  for (int c = 0; c < kTwist; ++c)
+    if (body.coordinate(node, c) >= 0) return false;
+  return true;
+}
+
+/// Allocates what the factors make.
+ElasticBlock make_empty_block(const FlexibleBody& body) {
+  const auto nodes = static_cast<std::size_t>(body.node_count());
+  ElasticBlock block;
+  block.inverse.assign(nodes * ElasticBlock::kBlock, 0.0);
+  block.below.assign(nodes * ElasticBlock::kBlock, 0.0);
+  block.W_t.assign(nodes * 3 * kTwist, 0.0);
+  const std::size_t handles = body.handles.size();
+  for (const int node : body.handles)
+    block.Z.emplace_back(
+        is_fixed(body, node) ? 0 : (nodes - static_cast<std::size_t>(node)) * ElasticBlock::kBlock);
+  block.Z_W.assign(handles, NodeMomentum::Zero());
+  block.Z_diagonal.assign(handles, SymmetricTwistMatrix::from_matrix(TwistMatrix::Zero()));
+  block.Z_pairs.assign(handles * (handles - 1) / 2, TwistMatrix::Zero());
+  return block;
+}
+
+// Columns of a block over the nodes from `from` on.
+
+double* W_t_from(ElasticBlock& block, int from) { return block.W_t.data() + 3 * kTwist * from; }
+const double* Z_from(const FlexibleBody& body, const ElasticBlock& block, std::size_t h, int from) {
+  return block.Z[h].data() + ElasticBlock::kBlock * (from - body.handles[h]);
+}
+
+void set_momentum(const FlexibleBody& body, ElasticBlock& block) {
   for (int k = 0; k < body.node_count(); ++k)
-    C_t.middleRows<kTwist>(kTwist * k) = body.C_t[static_cast<std::size_t>(k)];
-  return C_t;
+    NodeMap<3>(W_t_from(block, k)) = body.C_t[static_cast<std::size_t>(k)];
+  double* const W_t = W_t_from(block, 0);
+  solve_half<3>(body, block, 0, W_t);
+  block.C_W = multiply_columns<3, 3>(body, 0, W_t, W_t);
 }
 
-Columns handle_columns(const FlexibleBody& body, int node) {
-  Columns E = Columns::Zero(kTwist * body.node_count(), kTwist);
-  E.middleRows<kTwist>(kTwist * node).setIdentity();
-  return E;
+/// What belongs to handle h alone; it stays zero where the frame fixes the handle's node.
+void set_handle(const FlexibleBody& body, std::size_t h, ElasticBlock& block) {
+  std::vector<double>& Z = block.Z[h];
+  if (Z.empty()) return;
+  const int node = body.handles[h];
+  std::fill(Z.begin(), Z.end(), 0.0);
+  NodeMap<kTwist>(Z.data()).setIdentity();
+  solve_half<kTwist>(body, block, node, Z.data());
+  block.Z_W[h] = multiply_columns<kTwist, 3>(body, node, Z.data(), W_t_from(block, node));
+  block.Z_diagonal[h] = SymmetricTwistMatrix::from_matrix(
+      multiply_columns<kTwist, kTwist>(body, node, Z.data(), Z.data()));
+}
+
+void set_pair(const FlexibleBody& body, std::size_t a, std::size_t b, ElasticBlock& block) {
+  if (block.Z[a].empty() || block.Z[b].empty()) return;
+  const int from = std::max(body.handles[a], body.handles[b]);
+  const auto pair = static_cast<std::size_t>(
+      tree::MultiPort<Space>::count_pairs(static_cast<int>(b)) + static_cast<int>(a));
+  block.Z_pairs[pair] = multiply_columns<kTwist, kTwist>(body, from, Z_from(body, block, a, from),
+                                                         Z_from(body, block, b, from));
+}
+
+void set_block(const FlexibleBody& body, const BlockFactors& factors, const BlockTridiagonal* added,
+               ElasticBlock& block) {
+  factorise(body, factors, added, block);
+  set_momentum(body, block);
+  for (std::size_t b = 0; b < body.handles.size(); ++b) {
+    set_handle(body, b, block);
+    for (std::size_t a = 0; a < b; ++a) set_pair(body, a, b, block);
+  }
 }
 
 }  // namespace
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors) {
-  ElasticBlock block;
-  factorise(body, combine(body, factors), block);
-  const Columns W_t = solve_half(body, block, momentum_columns(body));
-  block.W_t.assign(W_t.data(), W_t.data() + W_t.size());
-  block.C_W = W_t.transpose() * W_t;
-  std::vector<Columns> Z;
-  for (const int node : body.handles) {
-    Z.push_back(solve_half(body, block, handle_columns(body, node)));
-    const Columns& z = Z.back();
-    const double* first = z.data() + Eigen::Index{kTwist} * kTwist * node;
-    block.Z.push_back(z.isZero(0.0) ? std::vector<double>{}
-                                    : std::vector<double>(first, z.data() + z.size()));
-    block.Z_W.push_back(Z.back().transpose() * W_t);
-  }
-  for (std::size_t b = 0; b < Z.size(); ++b) {
-    for (std::size_t a = 0; a < b; ++a) block.Z_pairs.push_back(Z[a].transpose() * Z[b]);
-    block.Z_diagonal.push_back(SymmetricTwistMatrix::from_matrix(Z[b].transpose() * Z[b]));
-  }
+  ElasticBlock block = make_empty_block(body);
+  set_block(body, factors, nullptr, block);
   return block;
+}
+
+void factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
+                    const BlockTridiagonal& added, ElasticBlock& block) noexcept {
+  set_block(body, factors, &added, block);
 }
 
 }  // namespace spoke::space

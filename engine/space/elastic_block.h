@@ -1,7 +1,7 @@
 #pragma once
 
 // The constant block Mhat = Mff (+ the implicit shares of K and D) of a spatial body, factorised
-// once: Mhat = L L^T by blocks of six, a node each.
+// once, or anew with the tension of another speed: Mhat = L L^T by blocks of six, a node each.
 
 #include <vector>
 
@@ -46,5 +46,9 @@ struct ElasticBlock {
 };
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
+/// Makes such a block anew of Mhat + `added`, in its memory. Preconditions: the block is one of the
+/// body's, `added` is symmetric over the body's nodes, and the sum positive definite.
+void factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
+                    const BlockTridiagonal& added, ElasticBlock& block) noexcept;
 
 }  // namespace spoke::space

@@ -154,13 +154,13 @@ struct QuadWrench {
 }
 
 /// What wrenches at four sections do to an element, along its axes.
-struct ElementForces {
+struct LoadedElement {
   Position force, moment;      ///< of the frame, the moment about its origin
   Position u[2], rotation[2];  ///< by node
 };
 
 /// The transpose of NodeCoordinates::place() and rotation().
-[[gnu::always_inline]] inline ElementForces sum_forces(const LoadedSections& at,
+[[gnu::always_inline]] inline LoadedElement sum_forces(const LoadedSections& at,
                                                        const NodeCoordinates& x,
                                                        const QuadWrench& wrench) {
   const Quad &f = wrench.force, &h = wrench.on_rotation;
@@ -230,7 +230,7 @@ const BeamElement& element_of(const FlexibleBody& body, const LoadedSections& at
 
 /// Adds forces by node, in B, to the rows; returns their power at the rates of the nodes.
 double add_to_rows(const FlexibleBody& body, const BeamElement& element,
-                   const ElementForces& forces, const double* rates, double* rows) {
+                   const LoadedElement& forces, const double* rates, double* rows) {
   double power = 0.0;
   for (int n = 0; n < 2; ++n) {
     const Twist force = make_twist(from_axes(element, body.is_straight, forces.u[n]),
@@ -253,7 +253,7 @@ void add(const FlexibleBody& body, std::span<const LoadedSections> sections,
     expand_element(body, at.element, state.v, v);
     const NodeCoordinates x(body, element, q);
     const QuadWrench wrench = calc_wrench(at, load, body.is_straight, element, x);
-    const ElementForces forces = sum_forces(at, x, wrench);
+    const LoadedElement forces = sum_forces(at, x, wrench);
     const Twist on_frame = make_twist(from_axes(element, body.is_straight, forces.force),
                                       from_axes(element, body.is_straight, forces.moment));
     terms.Q += on_frame;

@@ -7,6 +7,7 @@
 #include "engine/body/body_types.h"
 #include "engine/space/body_data.h"
 #include "engine/space/hub_motion.h"
+#include "engine/space/implicit_tension.h"
 #include "engine/space/joint_terms.h"
 #include "engine/space/rigid_body_terms.h"
 #include "engine/space/rotation_block.h"
@@ -67,6 +68,10 @@ struct SlideState {
 /// A spatial body's own in the table.
 struct BodyFields {
   BodyWork work;
+  ImplicitTension* tension = nullptr;  ///< of implicit steps; null: none
+  /// Angular acceleration of the frame, in it, about which tension is taken; set only where a
+  /// subsystem has any [rad/s^2].
+  Angular alpha = Angular::Zero();
   JointData joint;
   SlideState slide;  ///< of the joint that carries it, if it slides
 };

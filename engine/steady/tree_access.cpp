@@ -128,7 +128,7 @@ std::vector<TreeCoordinate> name_coordinates(const TreeBody<Space>& model, int i
 Eigen::MatrixXd calc_body_mass(const BodyData<Plane>& body) {
   const FlexibleBody& flexible = *body.model->body;
   Eigen::MatrixXd mass(dense_size(flexible), dense_size(flexible));
-  calc_dense_mass(body, make_dense_elastic_block(flexible, 1.0, 0.0), mass);
+  calc_dense_mass(body, make_dense_elastic_block(flexible, 1.0, 0.0), false, mass);
   return mass;
 }
 Eigen::MatrixXd calc_body_mass(const BodyData<Space>& body) {

@@ -48,6 +48,14 @@ PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
   return inputs;
 }
 
+/// Whether an implicit step has tension of any body of a subsystem on its left-hand side.
+template <class World>
+bool needs_angular_accelerations(const Assembly<World>& g, int i) {
+  const std::vector<BodyParts>& bodies = g.blade(i).bodies;
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const BodyParts& body) { return !body.tension.empty(); });
+}
+
 }  // namespace
 
 template <class World>
@@ -80,12 +88,14 @@ void add_coordinates(const Assembly<World>& g, int i) {
   const SubsystemParts& blade = g.blade(i);
   const PartList coordinates = blade.all(&BodyParts::coordinates);
   const PartList history = blade.all(&BodyParts::history);
+  const PartList accelerations = blade.all(&BodyParts::accelerations);
   const Method& method = g.c.integrator.method;
+  PartList predicted;
+  if (std::holds_alternative<GeneralizedAlpha>(method)) predicted = accelerations;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(
-      g.label("coordinates", i),
-      reads(blade.progress, coordinates, history, blade.all(&BodyParts::accelerations)),
-      writes(coordinates, history),
+      g.label("coordinates", i), reads(blade.progress, coordinates, history, accelerations),
+      writes(coordinates, history, predicted),
       unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
 }
 
@@ -115,15 +125,27 @@ void add_velocity(const Assembly<World>& g, int i) {
     outputs.push_back(blade.rotations);  // with the joints
   if constexpr (tree::kHasJointCoordinates<World>)
     if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts.hub_coordinates);
-  g.builder.add_node(
-      g.label("velocity", i),
-      reads(blade.progress, chain_coordinates(g, i), blade.rotations, blade.hub_state, azimuth),
-      writes(outputs),
-      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i]() noexcept {
-        prescribe_joints(system, data.progress->control.time, static_cast<std::size_t>(i), table);
-        calc_velocities(subsystem, data);
-        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
-      }));
+  const bool has_tension = needs_angular_accelerations(g, i);
+  PartList accelerations;
+  if (has_tension) {
+    accelerations = blade.all(&BodyParts::accelerations);
+    for (const BodyParts& body : blade.bodies)
+      accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
+    if (table.is_coupled) accelerations.push_back(g.parts.hub_coordinates);
+  }
+  g.builder.add_node(g.label("velocity", i),
+                     reads(blade.progress, chain_coordinates(g, i), blade.rotations,
+                           blade.hub_state, azimuth, accelerations),
+                     writes(outputs),
+                     unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
+                                                    has_tension]() noexcept {
+                       prescribe_joints(system, data.progress->control.time,
+                                        static_cast<std::size_t>(i), table);
+                       calc_velocities(subsystem, data);
+                       if (has_tension)
+                         set_angular_accelerations(system, static_cast<std::size_t>(i), table);
+                       if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
+                     }));
 }
 
 template <class World>

@@ -71,6 +71,7 @@ void add_reports(const SubsystemData<World>& subsystem, PassReport& sum) {
     if constexpr (tree::kHasJointCoordinates<World>) sum.power.applied += body.report.drive_power;
     sum.power.dissipation += body.terms.dissipation;
     sum.change = std::max(sum.change, body.report.change);
+    sum.step_change = std::max(sum.step_change, body.report.step_change);
     sum.failed |= body.report.failed;
   }
 }
@@ -155,6 +156,12 @@ double complete_joint(const Method& method, const PassControl& control, BodyData
   return take_accelerations(method, control, body.joint.a_found, block).change;
 }
 
+double joint_step_change(const GeneralizedAlpha&, const BodyData<Plane>&) { return 0.0; }
+double joint_step_change(const GeneralizedAlpha& method, const BodyData<Space>& body) {
+  const CoordinateBlock& block = body.joint.coordinates;
+  return block.size == 0 ? 0.0 : calc_step_change(method, body.joint.a_found, block);
+}
+
 }  // namespace
 
 template <class World>
@@ -162,13 +169,17 @@ void complete_body(const Method& method, const PassControl& control,
                    BodyData<World>& body) noexcept {
   const auto* alpha = control.stage == 0 ? std::get_if<GeneralizedAlpha>(&method) : nullptr;
   StepError error{};
-  if (alpha) error = estimate_joint_error(*alpha, body);
+  double step_change = 0.0;
+  if (alpha) {
+    error = estimate_joint_error(*alpha, body);
+    step_change = calc_step_change(*alpha, body.a_found, body.coordinates);
+    const StepError own = estimate_deformation_error(*alpha, step_change, body);
+    if (own.size > error.size) error = own;
+    step_change = std::max(step_change, joint_step_change(*alpha, body));
+  }
   const Correction correction = take_accelerations(method, control, body.a_found, body.coordinates);
   body.report.change = std::max(correction.change, complete_joint(method, control, body));
-  if (alpha) {
-    const StepError own = estimate_deformation_error(*alpha, correction.change, body);
-    if (own.size > error.size) error = own;
-  }
+  body.report.step_change = step_change;
   body.report.error = error;
   const bool is_rk4_step = std::holds_alternative<Rk4>(method) && control.stage == 0;
   const double squares = is_rk4_step ? sum_squares(body.coordinates) : correction.squares;
@@ -185,7 +196,7 @@ void complete_hub(const System<World>& system, const Method& method,
   CoordinateBlock& hub = data.hub_coordinates;
   const TwistOf<World> found = calc_inertial_acceleration(system, data.progress[0].control.time,
                                                           data.hub, data.hub_solution);
-  double change = 0.0;
+  double change = 0.0, step_change = 0.0;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const PassControl& control = data.progress[0].control;
   data.hub_solution.error = {};
@@ -194,6 +205,8 @@ void complete_hub(const System<World>& system, const Method& method,
   for (int c = 0; c < World::kTwist; ++c) {
     if (is_prescribed(system.hub, c)) continue;
     CoordinateBlock component = hub.component(c);
+    if (alpha && control.stage == 0)
+      step_change = std::max(step_change, calc_step_change(*alpha, &found[c], component));
     if (alpha && !control.is_between_steps())
       change = std::max(change,
                         correct_by_share(*alpha, control.relaxation, &found[c], component).change);
@@ -203,6 +216,7 @@ void complete_hub(const System<World>& system, const Method& method,
       hub.a[c] = found[c];
   }
   data.hub_solution.change = change;
+  data.hub_solution.step_change = step_change;
 }
 
 template <class World>
@@ -240,6 +254,7 @@ void finish_system(const System<World>& system, const Integrator& integrator,
     report.power.applied += gravity_power(system.hub, gravity, data.hub.twist);
   }
   report.change = hub.change;
+  report.step_change = hub.step_change;
   report.error = hub.error;
   report.failed = !is_finite(hub.acceleration);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {

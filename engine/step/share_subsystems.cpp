@@ -23,6 +23,7 @@ MemoryPieces memory_of_reports(SubsystemData<World>& subsystem) {
     memory.push_back(bytes_of(body.terms.load_power));
     memory.push_back(bytes_of(body.terms.dissipation));
     memory.push_back(bytes_of(body.report.change));
+    memory.push_back(bytes_of(body.report.step_change));
     memory.push_back(bytes_of(body.report.deflection));
     memory.push_back(bytes_of(body.report.error));
     memory.push_back(bytes_of(body.report.failed));

@@ -13,12 +13,13 @@ namespace spoke {
 namespace {
 
 /// Shares of Mff and K in the constant block of an implicit step: Mhat = Mff + beta' h^2 K +
-/// gamma' h D, with Rayleigh damping D.
+/// gamma' h D, with Rayleigh damping D; and of tension.
 ElasticShares implicit_shares(const Method& method, const Damping& damping) {
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   if (!alpha) return {};
   return {1.0 + alpha->velocity_gain * damping.mass_factor,
-          alpha->position_gain + alpha->velocity_gain * damping.stiffness_factor};
+          alpha->position_gain + alpha->velocity_gain * damping.stiffness_factor,
+          alpha->position_gain};
 }
 
 }  // namespace

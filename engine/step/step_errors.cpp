@@ -24,7 +24,8 @@ space::Angular angular_at(const double* values) { return {values[0], values[1], 
 /// The error of coordinate `c` of a block that finds accelerations `found` [m, rad].
 double calc_error(const GeneralizedAlpha& method, const double* found, int c,
                   const CoordinateBlock& block) {
-  return method.error_share * method.position_gain * std::abs(found[c] - block.a[c]);
+  return method.error_share * method.position_gain *
+         std::abs(found[c] - block.history[GeneralizedAlpha::last_a][c]);
 }
 
 double length_of(const TreeBody<Plane>& body) { return body.body->length; }
@@ -49,7 +50,7 @@ double rotation_error(const GeneralizedAlpha& method, const TwistOf<World>& foun
                       const CoordinateBlock& hub, bool is_free) {
   if constexpr (World::kTwist == space::kTwist) {
     if (is_free) {
-      const space::Angular a = angular_at(hub.a + space::kPosition);
+      const space::Angular a = angular_at(hub.history[GeneralizedAlpha::last_a] + space::kPosition);
       const space::Angular change = space::Angular(angular(found)) - a;
       return calc_turn_error(method, angular_at(hub.v + space::kPosition), a, change,
                              space::TurnFrame::child);
@@ -70,7 +71,7 @@ StepError estimate_joint_error(const GeneralizedAlpha& method,
     if (primitive.is_driven) continue;
     double error = 0.0;
     if (primitive.kind == space::JointPrimitive::Kind::spherical) {
-      const space::Angular a = angular_at(block.a + c);
+      const space::Angular a = angular_at(block.history[GeneralizedAlpha::last_a] + c);
       error = calc_turn_error(method, angular_at(block.v + c), a, angular_at(found + c) - a,
                               primitive.frame);
     } else {

@@ -19,8 +19,8 @@ inline StepError estimate_joint_error(const GeneralizedAlpha&, const BodyData<Pl
   return {};
 }
 
-/// Of the deformation of a body of which the first iteration changed a coordinate by `change`
-/// [m, rad] at most.
+/// Of the deformation of a body whose accelerations are others than those of the last step, by
+/// `change` of a coordinate at most, beta' h^2 |A_{n+1} - A_n| [m, rad].
 template <class World>
 StepError estimate_deformation_error(const GeneralizedAlpha& method, double change,
                                      const BodyData<World>& body) noexcept {

@@ -74,7 +74,8 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   PartList inputs{blade.progress, blade.bodies[j].coordinates, blade.twists};
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
     inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
-    if (has_coordinates(member)) inputs.push_back(blade.bodies[j].accelerations);
+    if (has_coordinates(member) || !blade.bodies[j].tension.empty())
+      inputs.push_back(blade.bodies[j].accelerations);
   }
   const PartList loads = loads_on(g, i, j);
   inputs.insert(inputs.end(), loads.begin(), loads.end());
@@ -87,6 +88,7 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
     if (body.forces.carried && !has_slide(member)) inputs.push_back(blade.applied_forces);
     needs_rotations |= body.forces.applied;
   }
+  // The tension, on either side of the equations.
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
   if (has_slide(member)) inputs.push_back(blade.applied_forces);
   if (flies) inputs.push_back(g.parts.flight_acceleration);
@@ -119,6 +121,7 @@ void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
   if (control.is_implicit) {
     const auto& alpha = std::get<GeneralizedAlpha>(c.integrator.method);
     shares = {alpha.position_gain, alpha.velocity_gain};
+    if (control.begins_iteration()) follow_hub_speed(*blade.hub, blade.bodies[j]);
   }
   calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, blade);
 }
@@ -130,6 +133,11 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   const BodyParts& parts = g.blade(i).bodies[j];
   PartList outputs{parts.terms};
   PartList inputs = terms_inputs(g, i, j);
+  for (const PartId tension : parts.tension) {
+    inputs.push_back(tension);  // it stays while the speed does
+    outputs.push_back(tension);
+    inputs.push_back(g.blade(i).rotations);  // with the frames' angular accelerations
+  }
   if constexpr (tree::kHasJointCoordinates<World>) {
     inputs.push_back(parts.scratch);  // not all of it is overwritten
     outputs.push_back(parts.scratch);
@@ -160,6 +168,7 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
   PartList inputs{blade.progress, parts.coordinates, blade.twists, parts.terms};
   PartList outputs = inverse_outputs(g, i, j);
   if constexpr (tree::kHasJointCoordinates<World>) inputs.push_back(blade.rotations);  // handles
+  inputs.insert(inputs.end(), parts.tension.begin(), parts.tension.end());
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto invert, auto& work) {
     g.builder.add_node(g.label("inverse", i, j), reads(inputs), writes(outputs),
@@ -255,18 +264,22 @@ void add_augmented_solve(const Assembly<World>& g) {
   const StepParts& parts = g.parts;
   PartList
       outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
-  for (const SubsystemParts& blade : parts.subsystems)
+  PartList tensions;
+  for (const SubsystemParts& blade : parts.subsystems) {
     for (std::size_t j = 0; j + 1 < blade.bodies.size(); ++j)
       outboard_joints.push_back(blade.bodies[j].coordinates);
-  g.builder.add_node(
-      g.label("solve"),
-      reads(parts.all(&BodyParts::terms), outboard_joints, parts.all(&SubsystemParts::rotations),
-            parts.all(&SubsystemParts::twists), hub_inputs(g)),
-      writes(parts.augmented_solution, hub_outputs(g)),
-      unless_halted(c.data.progress[0], [&c]() noexcept {
-        augmented::solve(c.system, c.data, c.work.augmented);
-        complete_hub(c.system, c.integrator.method, c.data);
-      }));
+    for (const BodyParts& body : blade.bodies)
+      tensions.insert(tensions.end(), body.tension.begin(), body.tension.end());
+  }
+  g.builder.add_node(g.label("solve"),
+                     reads(parts.all(&BodyParts::terms), outboard_joints, tensions,
+                           parts.all(&SubsystemParts::rotations),
+                           parts.all(&SubsystemParts::twists), hub_inputs(g)),
+                     writes(parts.augmented_solution, hub_outputs(g)),
+                     unless_halted(c.data.progress[0], [&c]() noexcept {
+                       augmented::solve(c.system, c.data, c.work.augmented);
+                       complete_hub(c.system, c.integrator.method, c.data);
+                     }));
 }
 
 /// Multi-ports that recovery needs, and in space terms: forces of joints are among them. The tips'
@@ -349,6 +362,7 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
     const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];
     if (g.c.formulation == Formulation::structured) {
       for (const PartId part : {blade.rotations, body.terms, body.scratch}) inputs.push_back(part);
+      inputs.insert(inputs.end(), body.tension.begin(), body.tension.end());
       outputs.push_back(body.scratch);
     }
     if (has_coordinates(model)) inputs.push_back(blade.wrenches);  // found with them

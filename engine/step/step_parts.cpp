@@ -60,6 +60,7 @@ Memory memory_of_motions(SubsystemData<Space>& data) {
   for (BodyData<Space>& body : data.bodies) {
     memory.push_back(
         memory_of(body.work.handles, static_cast<std::size_t>(body.work.port.handles)));
+    memory.push_back(bytes_of(body.alpha));
     const int driven = body.model->joint.joint.driven;
     if (driven > 0)
       memory.push_back(memory_of(body.joint.driven, static_cast<std::size_t>(driven)));
@@ -132,6 +133,28 @@ Memory memory_of_scratch(BodyData<Space>& body) {
   if (flexible->directions) memory.push_back(memory_of(work.lanes, count_lanes(*flexible)));
   for (double* nodal : work.nodal) memory.push_back(memory_of(nodal, space::kTwist * nodes));
   return memory;
+}
+
+void add_tension_part(BodyData<Plane>&, const std::string&, StepGraphBuilder&, BodyParts&) {}
+void add_tension_part(BodyData<Space>& body, const std::string& name, StepGraphBuilder& builder,
+                      BodyParts& parts) {
+  if (!body.tension) return;
+  space::ImplicitTension& tension = *body.tension;
+  space::ElasticBlock& block = tension.block;
+  Memory memory{bytes_of(tension.w), bytes_of(tension.turn), bytes_of(block.C_W)};
+  const auto add = [&memory](auto& values) {
+    if (!values.empty()) memory.push_back(bytes_of(values[0], values.size()));
+  };
+  add(tension.elements);
+  add(tension.stiffness.diagonal);
+  add(tension.stiffness.below);
+  add(tension.lean);
+  for (std::vector<double>* values : {&block.inverse, &block.below, &block.W_t}) add(*values);
+  for (std::vector<double>& Z : block.Z) add(Z);
+  add(block.Z_W);
+  add(block.Z_diagonal);
+  add(block.Z_pairs);
+  parts.tension.push_back(builder.add_part(name + "tension", memory));
 }
 
 Memory memory_of_terms(BodyData<Plane>& body) {
@@ -207,13 +230,14 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
   parts.history = builder.add_part(name + "history", history);
   parts.accelerations = builder.add_part(name + "accelerations", accelerations);
   parts.terms = builder.add_part(name + "terms", memory_of_terms(data));
-  Memory report{bytes_of(data.report.change), bytes_of(data.report.deflection),
-                bytes_of(data.report.failed)};
+  Memory report{bytes_of(data.report.change), bytes_of(data.report.step_change),
+                bytes_of(data.report.deflection), bytes_of(data.report.failed)};
   if constexpr (tree::kHasJointCoordinates<World>) {
     report.push_back(bytes_of(data.report.drive_power));
     parts.scratch = builder.add_part(name + "scratch", memory_of_scratch(data));
   }
   parts.report = builder.add_part(name + "report", report);
+  add_tension_part(data, name, builder, parts);
   add_inverse_parts(context, i, j, name, builder, parts);
   return parts;
 }

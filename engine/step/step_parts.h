@@ -23,6 +23,7 @@ struct BodyParts {
   graph::PartId joint;          ///< elimination of the inboard joint (structured, not at the hub)
   graph::PartId port;  ///< multi-port, which the effective inertia changes (structured, space)
   graph::PartId report;
+  std::vector<graph::PartId> tension;  ///< of implicit steps, if the body has any (space)
 };
 
 struct SubsystemParts {

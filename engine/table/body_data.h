@@ -19,6 +19,7 @@ namespace spoke {
 /// What a body's recovery reports to the end of the pass.
 struct BodyReport {
   double change;       ///< largest change of a coordinate in this iteration [m, rad]
+  double step_change;  ///< see PassReport; of the first iteration of a step, else 0
   double deflection;   ///< by the body's length, if beyond the linear range; else 0
   StepError error;     ///< of the first iteration of a step; else 0
   double drive_power;  ///< of what drives the joint that carries it [W]; in the plane 0

@@ -156,7 +156,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
   data.hub = {PositionOf<World>::Zero(), {}, TwistOf<World>::Zero()};
   data.hub_attitude = {};
   data.hub_solution = {
-      TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(), 0.0, {}};
+      TwistOf<World>::Zero(), TwistOf<World>::Zero(), 0.0, TwistOf<World>::Zero(), 0.0, 0.0, {}};
   data.is_coupled = options.is_coupled;
   data.flies = !is_prescribed(system.hub, 0);
   data.mass = system.hub.mass;

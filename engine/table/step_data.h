@@ -48,6 +48,7 @@ struct HubSolution {
   double applied_torque;  ///< of a torque drive [N m]
   TwistOf<World> load;    ///< of the loads on the hub, about its axis, hub frame [N, N m]
   double change;          ///< of a free coordinate in this iteration [m, rad]
+  double step_change;     ///< see PassReport; of the first iteration of a step, else 0
   StepError error;        ///< of the first iteration of a step; else 0
 };
 

@@ -36,6 +36,8 @@ struct PassControl {
 
   /// Whether the pass belongs to no step, and changes no coordinate.
   bool is_between_steps() const { return stage < 0; }
+  /// Whether it is the first implicit one of a step, or one that belongs to none.
+  bool begins_iteration() const { return is_implicit && stage <= 0; }
 };
 
 /// How a step ended.
@@ -74,6 +76,9 @@ struct StepError {
 /// What a pass found, summed in fixed order over the bodies that report together.
 struct PassReport {
   double change = 0.0;  ///< largest change of a coordinate in this iteration [m, rad]
+  /// Of the first iteration of a step: the largest change of accelerations in it, by what it moves
+  /// a coordinate [m, rad].
+  double step_change = 0.0;
   Power power;
   bool failed = false;         ///< a body or the hub
   LargeDeflection deflection;  ///< the largest, the first of equal ones
@@ -92,9 +97,10 @@ struct alignas(kInterferenceSize) StepProgress {
   StepOutcome outcome = StepOutcome::done;
   Flag is_halted;             ///< nothing to do, at the end of the window or after a failure
   double change = 0.0;        ///< of the last iteration [m, rad]
-  double tolerance = 0.0;     ///< of the step's changes [m, rad]
-  double usual_change = 0.0;  ///< largest first change of the last steps, fading [m, rad]
+  double tolerance = 0.0;     ///< of the step's changes, or what is left of them [m, rad]
+  double usual_change = 0.0;  ///< largest step change of the last steps, fading [m, rad]
   double contraction = 0.0;   ///< of changes by plain iterations, within the step; 0: not known
+  double share_before = 1.0;  ///< of its change that the last pass took
   Power power;                ///< at the end of the last step
   double work = 0.0;          ///< by drive and loads, within the step so far [J]
   double dissipated = 0.0;    ///< within the step so far [J]

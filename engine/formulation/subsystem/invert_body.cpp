@@ -43,7 +43,7 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
                  BodyWork<World>& work) noexcept {
   constexpr int d = World::kTwist;
   // (1) M of (P 3), then its Cholesky factor in place.
-  calc_dense_mass(data, *work.elastic[implicit], work.mass);
+  calc_dense_mass(data, *work.elastic[implicit], implicit, work.mass);
   const Cholesky factor(work.mass);
   // (2) The right-hand sides J^T and Q.
   Eigen::MatrixXd &J = work.jacobians, &columns = work.inverse_columns;

@@ -27,9 +27,10 @@ int count_passes(const std::array<double, n>& factors, bool relaxes) {
     }
     progress.passes = pass;
     if (change <= 1e-10) return pass;
-    const double next = choose_relaxation(change, 1e-10, progress);
+    learn_contraction(change, progress);
     progress.change = change;
-    progress.control.relaxation = relaxes ? next : 1.0;
+    progress.share_before = progress.control.relaxation;
+    progress.control.relaxation = relaxes ? choose_share(progress) : 1.0;
   }
   return 200;
 }

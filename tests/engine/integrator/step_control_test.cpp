@@ -19,7 +19,7 @@ Integrator implicit_integrator(IterationLimits limits) {
 
 PassReport report_of(double change, double power = 0.0) {
   PassReport report;
-  report.change = change;
+  report.change = report.step_change = change;
   report.power = {power, 0.5 * power};
   return report;
 }
@@ -104,15 +104,29 @@ TEST_CASE("an iteration to the step's own error ends at a share of its first cha
     }
     return 0;
   };
+  // 3e-5 of the first change may be left, which a contraction by 0.005 leaves of the second, by
+  // 0.01 of the third, and by 0.1 of the fifth.
   StepProgress progress = progress_at_first_step(integrator);
-  // Far above the tolerance the tolerance counts.
-  CHECK(count({1e-3, 1e-6, 0.9e-10, 1e-14}, progress) == 3);
+  CHECK(count({1e-3, 5e-6, 2e-8}, progress) == 2);
+  CHECK(count({1e-3, 1e-5, 1e-7, 1e-9}, progress) == 3);
+  CHECK(count({1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}, progress) == 5);
+  // The slowest part of the error shows last.
+  CHECK(count({1e-3, 1e-5, 5e-6, 2.5e-8, 1e-8}, progress) == 4);
   // A small change among large ones is left, and steps that have become small are not.
-  CHECK(count({0.9e-10, 1e-14}, progress) == 1);
+  CHECK(count({2e-8, 1e-14}, progress) == 1);
   progress = progress_at_first_step(integrator);
-  CHECK(count({0.9e-10, 1e-11, 0.8e-12}, progress) == 3);
+  CHECK(count({2e-8, 2e-9, 1e-11, 1e-14}, progress) == 3);
+  // Of changes below the tolerance a tenth of the first is enough.
+  progress = progress_at_first_step(integrator);
   CHECK(count({0.9e-10, 1.2e-11, 1e-14}, progress) == 3);
-  CHECK(count({0.9e-10, 5e-12, 1e-14}, progress) == 2);
+  CHECK(count({0.9e-10, 8e-12, 1e-14}, progress) == 2);
+  // Accelerations that were predicted well need no second look.
+  progress = progress_at_first_step(integrator);
+  StepRecord predicted;
+  PassReport report = report_of(8e-12);
+  report.step_change = 0.9e-10;
+  end_pass(integrator, {1, 100, false}, report, progress, predicted);
+  CHECK(progress.completed == 1);
   // Round-off ends it, and what no longer falls.
   CHECK(count({1e-14}, progress) == 1);
   CHECK(count({0.9e-10, 3e-11, 2.5e-11, 1e-12}, progress) == 3);
@@ -121,6 +135,22 @@ TEST_CASE("an iteration to the step's own error ends at a share of its first cha
   for (int k = 0; k < 30; ++k)
     end_pass(integrator, {1, 100, false}, report_of(1.1e-10), progress, record);
   CHECK(progress.outcome == StepOutcome::not_converged);
+}
+
+TEST_CASE("an iteration to the step's own error leaves no more than it is told") {
+  IterationLimits limits{1e-9, 0, 30};
+  limits.follows_error = true;
+  limits.most_left = 1.1e-9;
+  const Integrator integrator = implicit_integrator(limits);
+  StepProgress progress = progress_at_first_step(integrator);
+  StepRecord record;
+  // Where 3e-8 might be left.
+  for (const double change : {1e-3, 1e-5, 1e-7}) {
+    CHECK(progress.completed != 1);
+    end_pass(integrator, {1, 100, false}, report_of(change), progress, record);
+  }
+  CHECK(progress.completed == 1);
+  CHECK(record.passes == 3);
 }
 
 TEST_CASE("the error of a step is that of its first iteration") {

@@ -50,7 +50,7 @@ TEST_CASE("the mass matrix of a body is the Hessian of its kinetic energy") {
       evaluate(0.0, single.context);
       const BodyData<Plane>& body = single.context.data.subsystems[0].bodies[0];
       Eigen::MatrixXd mass(expected.rows(), expected.cols());
-      calc_dense_mass(body, make_dense_elastic_block(*body.model->body, 1.0, 0.0), mass);
+      calc_dense_mass(body, make_dense_elastic_block(*body.model->body, 1.0, 0.0), false, mass);
       if (frame == ReferenceFrame::chord) {
         // psi_0 is an independent coordinate that turns the frame back: theta = angle - psi_0.
         Eigen::MatrixXd T = Eigen::MatrixXd::Identity(mass.rows(), mass.cols());

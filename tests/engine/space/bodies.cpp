@@ -198,6 +198,28 @@ double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub
   return 0.5 * sum;
 }
 
+double calc_tension_form(const TestBody& test, const Angular& hub_w, const Angular& turn,
+                         const Eigen::VectorXd& q) {
+  const FlexibleBody& body = test.body;
+  const Position hub = test.tension.R_HB.inverse() * hub_w;
+  const Position W0 = hub.squaredNorm() * Position::UnitX() - hub.x() * hub;
+  double sum = 0.0;
+  for (int e = 0; e < body.elements; ++e) {
+    const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
+    const Matrix3 to_element = element.axes.transpose();
+    ElementValues x = local_values(body, e, q);
+    for (int node = 0; node < 2; ++node) {
+      const Position& place = body.nodes[static_cast<std::size_t>(e + node)];
+      x.segment<3>(kTwist * node) += to_element * cross(turn, place);
+      x.segment<3>(kTwist * node + 3) += to_element * turn;
+    }
+    sum +=
+        tension_form(element.stiffening,
+                     {W0.dot(carried_by(e, test).moment), W0.dot(test.tension.origin), W0.x()}, x);
+  }
+  return sum;
+}
+
 double calc_potential(const TestBody& test, const Position& gravity, const Eigen::VectorXd& q) {
   const double along = (test.tension.R_HB.inverse() * gravity).x();
   double sum = q.dot(to_dense(test.body, test.body.K) * q);

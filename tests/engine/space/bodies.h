@@ -68,6 +68,12 @@ void randomize_state(std::mt19937& random, TestBody& body);
 double calc_kinetic(const TestBody& body, const Twist& twist, const Angular& hub_w,
                     const Eigen::VectorXd& q, const Eigen::VectorXd& v);
 
+/// Twice the energy of the tension that the hub's angular velocity w0 makes, where the frame turns
+/// and the body deforms together: a rotation of the frame moves nodes as rigid ones, to first
+/// order.
+double calc_tension_form(const TestBody& body, const Angular& hub_w, const Angular& turn,
+                         const Eigen::VectorXd& q);
+
 /// Elastic energy, and that of tension by gravity.
 double calc_potential(const TestBody& body, const Position& gravity, const Eigen::VectorXd& q);
 

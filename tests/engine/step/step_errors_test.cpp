@@ -280,16 +280,22 @@ TEST_CASE("smaller steps have the method's order, down to the least errors") {
 }
 
 TEST_CASE("a tolerance that is given is kept") {
-  const auto count = [](const std::string& keys) {
-    Simulation simulation(parse(kSlow + ("step = 0.0025\n" + keys)), kSerial);
+  const auto passes = [](double step, const std::string& keys) {
+    const Scenario scenario = parse(kSlow + keys);
+    Simulation simulation(with_step(scenario, step), kSerial);
     simulation.run_until(INFINITY);
-    return simulation.evaluations() - 1;
+    return static_cast<double>(simulation.evaluations() - 1) /
+           static_cast<double>(simulation.steps());
   };
-  const std::int64_t steps = 800;
-  CHECK(count("tolerance = 1e-10") == steps);
-  CHECK(count("") == 2 * steps);
-  CHECK(count("tolerance = 1e-10\niterate_to = 'error'") == 2 * steps);
-  CHECK(count("iterate_to = 'tolerance'") == steps);
+  // Where one iteration does what the step's error asks for.
+  CHECK(passes(0.0025, "") < 1.01);
+  CHECK(passes(0.0025, "iterate_to = 'tolerance'") < 1.01);
+  CHECK(passes(0.0025, "tolerance = 1e-14") > 1.9);
+  CHECK(passes(0.0025, "tolerance = 1e-14\niterate_to = 'error'") > 1.9);
+  // At large steps it asks for less than 1e-10.
+  CHECK(passes(0.2, "") < 3.0);
+  CHECK(passes(0.2, "tolerance = 1e-10") > 4.0);
+  CHECK(passes(0.2, "iterate_to = 'tolerance'") > 4.0);
 }
 
 TEST_CASE("a step that is too large for a tumbling hub is told, with one that is not") {
