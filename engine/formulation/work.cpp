@@ -49,7 +49,7 @@ void add_tension(const ElasticShares& implicit, BodyData<Space>& member,
   if (implicit.tension_factor == 0.0 || !flexible || !member.model->stiffening) return;
   work.tensions.push_back(std::make_unique<space::ImplicitTension>(space::make_implicit_tension(
       *flexible, *member.model->stiffening, {implicit.mass_factor, implicit.stiffness_factor, 0.0},
-      implicit.tension_factor)));
+      implicit.tension_factor, *member.blocks[1]->elastic)));
   member.tension = work.tensions.back().get();
 }
 

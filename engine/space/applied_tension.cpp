@@ -16,14 +16,6 @@ const BeamElement& element_of(const FlexibleBody& body, int e) {
   return body.beam[static_cast<std::size_t>(e)];
 }
 
-/// Subtracts the forces of an element of a body from those by node.
-void subtract_from(const FlexibleBody& body, int e, const PlaneCoordinates& f, double* force) {
-  if (body.is_straight)
-    subtract_forces<true>(element_of(body, e), f, force + kTwist * e);
-  else
-    subtract_forces<false>(element_of(body, e), f, force + kTwist * e);
-}
-
 }  // namespace
 
 namespace {
@@ -118,7 +110,7 @@ void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
   for (Double2& slope : f.slope) slope *= tension;
   f.torsion[0] = -tension * trapeze;
   f.torsion[1] = tension * trapeze;
-  subtract_from(body_, e, f, work_.force);
+  subtract_forces_of(element, body_.is_straight, f, work_.force + kTwist * e);
   moment_ -= 0.5 * form * cross(Position(element.axes.col(0)), force);
   power_ -= tension * rate;
 }
@@ -134,7 +126,7 @@ void AppliedTension::add_at_sections(int e, const SectionForces& forces) noexcep
     power_ -= total(sum_products(f, v)) + torque * twist_of(v);
     f.torsion[0] = -torque;
     f.torsion[1] = torque;
-    subtract_from(body_, e, f, work_.force);
+    subtract_forces_of(element, body_.is_straight, f, work_.force + kTwist * e);
     moment_ -= 0.5 * cross(Position(element.axes.col(0)), forces.drawn);
   });
 }

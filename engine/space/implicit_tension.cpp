@@ -36,10 +36,7 @@ Angular subtract_tension(const BeamElement& element, const ImplicitTension::Elem
   const double trapeze = K.torsion * (x.torsion[1] - x.torsion[0]);
   f.torsion[0] = -trapeze;
   f.torsion[1] = trapeze;
-  if (is_straight)
-    subtract_forces<true>(element, f, force);
-  else
-    subtract_forces<false>(element, f, force);
+  subtract_forces_of(element, is_straight, f, force);
   const Double2 moment = element.length * f.rise + f.slope[0] + f.slope[1];
   return turn_by_slope(element, is_straight, -moment);
 }
@@ -101,23 +98,23 @@ Angular round_speed(const Angular& w) {
   return unit * Angular(w / unit).array().round().matrix();
 }
 
-/// What a rotation of the frame alone feels of an element.
-double turn_stiffness(const ImplicitTension::Element& element, double l) {
-  const Matrix4& K = element.bending;
-  return l * l * K(2, 2) + 2.0 * l * (K(1, 2) + K(3, 2)) + K(1, 1) + 2.0 * K(1, 3) + K(3, 3);
+/// All but the block, at the speed w of the tension.
+void set_matrices(const FlexibleBody& body, const TensionPlace& place, ImplicitTension& tension) {
+  weigh_elements(body, place, tension);
+  clear(tension);
+  for (int e = 0; e < body.elements; ++e)
+    add_columns(body.beam[static_cast<std::size_t>(e)], e, body.is_straight, tension);
 }
 
-/// The speed from which on tension counts: where it makes a hundredth of the body's inertia.
+/// The speed from which on tension counts: where a rotation of the frame feels a hundredth of the
+/// body's inertia.
 double find_least_speed(const FlexibleBody& body, const TensionPlace& place,
                         ImplicitTension& tension) {
   double most = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     tension.w = Angular::Unit(axis);
-    weigh_elements(body, place, tension);
-    double sum = 0.0;
-    for (std::size_t e = 0; e < tension.elements.size(); ++e)
-      sum += turn_stiffness(tension.elements[e], body.beam[e].length);
-    most = std::max(most, sum);
+    set_matrices(body, place, tension);
+    most = std::max(most, tension.turn.diagonal().maxCoeff());
   }
   return std::sqrt(0.01 * body.J0(0, 0) / most);
 }
@@ -125,7 +122,8 @@ double find_least_speed(const FlexibleBody& body, const TensionPlace& place,
 }  // namespace
 
 ImplicitTension make_implicit_tension(const FlexibleBody& body, const TensionPlace& place,
-                                      const BlockFactors& factors, double gain) {
+                                      const BlockFactors& factors, double gain,
+                                      const ElasticBlock& block) {
   ImplicitTension tension;
   tension.factors = factors;
   tension.gain = gain;
@@ -134,7 +132,7 @@ ImplicitTension make_implicit_tension(const FlexibleBody& body, const TensionPla
   tension.lean.resize(static_cast<std::size_t>(body.node_count()));
   tension.least = find_least_speed(body, place, tension);
   tension.w.setConstant(std::numeric_limits<double>::quiet_NaN());
-  tension.block = make_elastic_block(body, factors);
+  tension.block = block;
   return tension;
 }
 
@@ -143,10 +141,7 @@ void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Ang
   const Angular speed = tension.counts_at(w) ? round_speed(w) : Angular(Angular::Zero());
   if (speed == tension.w) return;
   tension.w = speed;
-  weigh_elements(body, place, tension);
-  clear(tension);
-  for (int e = 0; e < body.elements; ++e)
-    add_columns(body.beam[static_cast<std::size_t>(e)], e, body.is_straight, tension);
+  set_matrices(body, place, tension);
   factorise_anew(body, tension.factors, tension.stiffness, tension.block);
 }
 

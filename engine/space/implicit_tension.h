@@ -41,9 +41,11 @@ struct ImplicitTension {
   bool counts_at(const Angular& hub_w) const { return hub_w.norm() >= least; }
 };
 
-/// Allocates the tension of a body, for no speed yet.
+/// Allocates the tension of a body, for no speed yet; `block`: that of the factors alone, `gain`:
+/// beta' h^2 [s^2].
 ImplicitTension make_implicit_tension(const FlexibleBody& body, const TensionPlace& place,
-                                      const BlockFactors& factors, double gain);
+                                      const BlockFactors& factors, double gain,
+                                      const ElasticBlock& block);
 
 /// Makes it that of a speed near that of the hub, w in H, unless it is.
 void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Angular& w,

@@ -74,9 +74,15 @@ inline Double2 sum_products(const PlaneCoordinates& f, const PlaneCoordinates& x
   return f.rise * x.rise + f.slope[0] * x.slope[0] + f.slope[1] * x.slope[1];
 }
 
-/// The axes of a straight body's elements are those of the body.
+// The axes of a straight body's elements are those of the body.
+
 inline PlaneCoordinates in_axes_of(const BeamElement& element, bool is_straight, const double* q) {
   return is_straight ? in_element_axes<true>(element, q) : in_element_axes<false>(element, q);
+}
+inline void subtract_forces_of(const BeamElement& element, bool is_straight,
+                               const PlaneCoordinates& f, double* force) {
+  is_straight ? subtract_forces<true>(element, f, force)
+              : subtract_forces<false>(element, f, force);
 }
 
 }  // namespace spoke::space

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/formulation/tree_joints.h"
 #include "engine/step/step_context.h"
 #include "engine/step/step_parts.h"
 #include "graph/step_graph.h"
@@ -37,6 +38,11 @@ auto unless_halted(const StepProgress& progress, Body body) {
 /// The loads of the user's that act on body `j` of blade `i`.
 template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j);
+/// Whether a body's joint has coordinates, whose accelerations then are among those of the body.
+template <class World>
+bool has_coordinates(const TreeBody<World>& body) {
+  return joint_coordinates(body) > 0;
+}
 /// Whether a pass ends with the correction of a free coordinate of the hub.
 template <class World>
 bool corrects_hub(const Assembly<World>& g);

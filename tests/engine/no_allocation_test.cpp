@@ -129,6 +129,20 @@ TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation
     }
 }
 
+TEST_CASE("a step that makes the tension of rotation anew allocates nothing") {
+  // Through several of 32 speeds an octave, without a warning, which is allocated.
+  const Scenario scenario = read_scenario(
+      std::string(SPOKE_MODELS_DIR) + "/articulated_rotor.toml",
+      {"hub.drive={kind=\"torque\", torque=40000, initial_speed=34}", "initial.state=equilibrium",
+       "gravity.ramp=0", "distributed_load.1.factor=[1,1]"});
+  Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+  for (int n = 0; n < 3; ++n) simulation.step();
+  const long before = allocations.load();
+  for (int n = 0; n < 300; ++n) simulation.step();
+  CHECK(allocations.load() == before);
+  CHECK(simulation.sensor("hub.speed") > 36.0);
+}
+
 TEST_CASE("measuring the sensors allocates nothing") {
   Scenario scenario = spin_up_scenario(wu_haug_blade(), 1e-3);
   for (const SensorQuantity quantity : {SensorQuantity::acceleration, SensorQuantity::section_force,

@@ -33,7 +33,8 @@ constexpr const char* kKinds[] = {"decoupled", "straight", "bent"};
 const Angular kSpeed(2.0, -8.0, 24.0);
 
 ImplicitTension make_tension(const TestBody& test, const Angular& w) {
-  ImplicitTension tension = make_implicit_tension(test.body, test.tension, kImplicit, kGain);
+  ImplicitTension tension =
+      make_implicit_tension(test.body, test.tension, kImplicit, kGain, test.blocks[1]);
   follow_speed(test.body, test.tension, w, tension);
   return tension;
 }

@@ -1,0 +1,296 @@
+// What these nodes read, write and call, by formulation.
+
+#include "engine/step/solution_nodes.h"
+
+#include "engine/formulation/tree_joints.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/kernels/spatial_terms.h"
+#include "engine/step/pass_integration.h"
+
+namespace spoke {
+namespace {
+
+using graph::PartId;
+using graph::reads;
+using graph::writes;
+
+/// Whether condensing a body clears rows of its terms: those of coordinates that a chord frame
+/// fixes.
+bool clears_rows(const TreeBody<Space>& body) {
+  const space::FlexibleBody* flexible = body.body->flexible();
+  return flexible && flexible->reference_frame == ReferenceFrame::chord;
+}
+
+/// What condensing or inverting a body writes.
+PartList inverse_outputs(const Assembly<Plane>& g, int i, int j) {
+  const BodyParts& parts = g.blade(i).bodies[j];
+  return {parts.inverse, parts.workspace};
+}
+PartList inverse_outputs(const Assembly<Space>& g, int i, int j) {
+  const BodyParts& parts = g.blade(i).bodies[j];
+  if (g.c.formulation != Formulation::structured) return {parts.inverse, parts.workspace};
+  PartList outputs{parts.inverse, parts.port};
+  if (clears_rows(g.c.system.subsystems[i].bodies[j])) outputs.push_back(parts.terms);
+  return outputs;
+}
+
+/// What handing the hub's acceleration to the integrator reads.
+template <class World>
+PartList hub_inputs(const Assembly<World>& g) {
+  PartList inputs{g.parts.progress, g.parts.hub_state, g.parts.hub_coordinates};
+  if (corrects_hub(g)) inputs.push_back(g.parts.hub_history);
+  return inputs;
+}
+/// What solving for the hub's acceleration writes.
+template <class World>
+PartList hub_outputs(const Assembly<World>& g) {
+  PartList outputs{g.parts.hub_solution};
+  if (!is_prescribed(g.c.system)) outputs.push_back(g.parts.hub_coordinates);
+  return outputs;
+}
+
+/// Multi-ports that recovery needs, and in space terms: forces of joints are among them. The tips'
+/// ports are in the effective inertia already.
+template <class World>
+PartList inner_ports(const Assembly<World>& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    PartList ports = blade.ports;
+    for (const PartId terms : blade.all(&BodyParts::terms)) ports.push_back(terms);
+    return ports;
+  } else {
+    PartList ports = blade.all(&BodyParts::inverse);
+    ports.pop_back();
+    return ports;
+  }
+}
+
+/// Accelerations of joints, which rk4 finds in their place at once.
+template <class World>
+PartList found_with_multipliers(const Assembly<World>& g, int i) {
+  PartList list;
+  if (!std::holds_alternative<Rk4>(g.c.integrator.method)) return list;
+  const std::vector<TreeBody<World>>& bodies = g.c.system.subsystems[i].bodies;
+  for (std::size_t j = 0; j < bodies.size(); ++j)
+    if (has_coordinates(bodies[j])) list.push_back(g.blade(i).bodies[j].accelerations);
+  return list;
+}
+
+/// What a recovery reads and writes.
+struct RecoveryAccess {
+  PartList inputs;
+  PartList outputs;
+};
+template <class World>
+RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
+  const BodyParts& body = blade.bodies[j];
+  PartList inputs{blade.progress, body.coordinates};  // checked, and by generalized_alpha corrected
+  PartList outputs{body.accelerations, body.report};
+  if (g.c.formulation == Formulation::augmented) {
+    inputs.push_back(g.parts.augmented_solution);
+  } else {
+    inputs.push_back(blade.wrenches);
+    inputs.push_back(body.inverse);
+  }
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];
+    if (g.c.formulation == Formulation::structured) {
+      for (const PartId part : {blade.rotations, body.terms, body.scratch}) inputs.push_back(part);
+      inputs.insert(inputs.end(), body.tension.begin(), body.tension.end());
+      outputs.push_back(body.scratch);
+    }
+    if (has_coordinates(model)) inputs.push_back(blade.wrenches);  // found with them
+    if (model.joint.joint.driven > 0)
+      for (const PartId part : {blade.rotations, blade.wrenches}) inputs.push_back(part);
+    if (std::holds_alternative<Rk4>(g.c.integrator.method) && has_coordinates(model))
+      inputs.push_back(body.accelerations);
+  }
+  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
+    inputs.push_back(body.history);
+    inputs.push_back(body.accelerations);
+    outputs.push_back(body.coordinates);
+  }
+  return {inputs, outputs};
+}
+
+}  // namespace
+
+template <class World>
+void add_inverse(const Assembly<World>& g, int i, int j) {
+  const SubsystemParts& blade = g.blade(i);
+  const BodyParts& parts = blade.bodies[j];
+  PartList inputs{blade.progress, parts.coordinates, blade.twists, parts.terms};
+  PartList outputs = inverse_outputs(g, i, j);
+  if constexpr (tree::kHasJointCoordinates<World>) inputs.push_back(blade.rotations);  // handles
+  inputs.insert(inputs.end(), parts.tension.begin(), parts.tension.end());
+  SubsystemData<World>& data = g.c.data.subsystems[i];
+  const auto add = [&](auto invert, auto& work) {
+    g.builder.add_node(g.label("inverse", i, j), reads(inputs), writes(outputs),
+                       unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
+                         invert(data.bodies[j], data.twists[j], data.progress->control.is_implicit,
+                                work);
+                       }));
+  };
+  if (g.c.formulation == Formulation::structured)
+    return add(
+        [](BodyData<World>& body, const TwistOf<World>& twist, bool implicit,
+           structured::BodyWork<World>& work) noexcept {
+          structured::condense_body(body, twist, implicit, work);
+        },
+        g.c.work.structured[i].bodies[j]);
+  add(subsystem::invert_body<World>, g.c.work.subsystem[i].bodies[j]);
+}
+
+template <class World>
+void add_effective(const Assembly<World>& g, int i) {
+  const SubsystemParts& blade = g.blade(i);
+  const auto inputs =
+      reads(blade.progress, blade.all(&BodyParts::inverse), blade.all(&BodyParts::terms),
+            blade.rotations, blade.hub_state, blade.ports);
+  const Subsystem<World>& subsystem = g.c.system.subsystems[i];
+  SubsystemData<World>& data = g.c.data.subsystems[i];
+  const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
+    g.builder.add_node(
+        g.label("effective", i), inputs, outputs,
+        unless_halted(*data.progress, [&subsystem, &data, condense, &work]() noexcept {
+          condense(subsystem, data, work);
+        }));
+  };
+  if (g.c.formulation == Formulation::structured)
+    return add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
+               writes(blade.effective, blade.workspace, blade.joints(), blade.ports));
+  add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
+      writes(blade.effective, blade.workspace));
+}
+
+template <class World>
+void add_hub_solve(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
+  g.builder.add_node(g.label("hub solve"),
+                     reads(g.parts.all(&SubsystemParts::effective), hub_inputs(g)),
+                     writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
+                       solve_hub(c.system, c.data);
+                       complete_hub(c.system, c.integrator.method, c.data);
+                     }));
+}
+
+template <class World>
+void add_prescribed_hub_solve(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
+  const StepParts& parts = g.parts;
+  g.builder.add_node(
+      {"hub solve"},
+      reads(parts.all(&SubsystemParts::progress), parts.all(&SubsystemParts::records),
+            parts.records, parts.hub_coordinates),
+      writes(parts.records, parts.hub_coordinates),
+      [&c]() noexcept { record_reactions(c.system, c.integrator, c.data); });
+}
+
+template <class World>
+void add_augmented_solve(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
+  const StepParts& parts = g.parts;
+  PartList
+      outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
+  PartList tensions;
+  for (const SubsystemParts& blade : parts.subsystems) {
+    for (std::size_t j = 0; j + 1 < blade.bodies.size(); ++j)
+      outboard_joints.push_back(blade.bodies[j].coordinates);
+    for (const BodyParts& body : blade.bodies)
+      tensions.insert(tensions.end(), body.tension.begin(), body.tension.end());
+  }
+  g.builder.add_node(g.label("solve"),
+                     reads(parts.all(&BodyParts::terms), outboard_joints, tensions,
+                           parts.all(&SubsystemParts::rotations),
+                           parts.all(&SubsystemParts::twists), hub_inputs(g)),
+                     writes(parts.augmented_solution, hub_outputs(g)),
+                     unless_halted(c.data.progress[0], [&c]() noexcept {
+                       augmented::solve(c.system, c.data, c.work.augmented);
+                       complete_hub(c.system, c.integrator.method, c.data);
+                     }));
+}
+
+template <class World>
+void add_multipliers(const Assembly<World>& g, int i) {
+  SystemContext<World>& c = g.c;
+  const SubsystemParts& blade = g.blade(i);
+  const Subsystem<World>& subsystem = c.system.subsystems[i];
+  SubsystemData<World>& data = c.data.subsystems[i];
+  const PartList accelerations = found_with_multipliers(g, i);
+  const auto add = [&](const graph::Reads& inputs, auto recover) {
+    g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches, accelerations),
+                       unless_halted(*data.progress, recover));
+  };
+  switch (c.formulation) {
+    case Formulation::structured:
+      return add(reads(blade.progress, blade.effective, blade.joints(), inner_ports(g, i),
+                       blade.rotations, blade.hub_state, blade.hub_acceleration, accelerations),
+                 [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
+                   structured::recover_wrenches(subsystem, work, data);
+                 });
+    case Formulation::subsystem:
+      return add(reads(blade.progress, blade.effective, blade.rotations, blade.hub_acceleration,
+                       accelerations),
+                 [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
+                   subsystem::recover_wrenches(subsystem, work, data);
+                 });
+    case Formulation::augmented:
+      return add(reads(blade.progress, g.parts.augmented_solution, blade.rotations, accelerations),
+                 [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
+                   augmented::recover_wrenches(i, subsystem, work, data);
+                 });
+  }
+}
+
+template <class World>
+void add_recovery(const Assembly<World>& g, int i, int j) {
+  SystemContext<World>& c = g.c;
+  SubsystemData<World>& blade = c.data.subsystems[i];
+  const Method& method = c.integrator.method;
+  const auto add = [&](auto recover) {
+    const auto [inputs, outputs] = recovery_access(g, i, j);
+    g.builder.add_node(g.label("recovery", i, j), reads(inputs), writes(outputs),
+                       unless_halted(*blade.progress, [&blade, &method, j, recover]() noexcept {
+                         BodyData<World>& body = blade.bodies[j];
+                         recover(body);
+                         report_drives(static_cast<std::size_t>(j), blade);
+                         complete_body(method, blade.progress->control, body);
+                       }));
+  };
+  switch (c.formulation) {
+    case Formulation::structured:
+      return add(
+          [&blade, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
+            structured::recover_body(blade, static_cast<std::size_t>(j), work,
+                                     blade.progress->control.is_implicit, body, body.a_found);
+          });
+    case Formulation::subsystem:
+      return add(
+          [&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
+            subsystem::recover_body(blade, static_cast<std::size_t>(j), work, body, body.a_found);
+          });
+    case Formulation::augmented:
+      return add([i, j, &work = c.work.augmented](BodyData<World>& body) noexcept {
+        augmented::recover_body(i, j, work, body, body.a_found);
+      });
+  }
+}
+
+template void add_inverse(const Assembly<Plane>&, int, int);
+template void add_effective(const Assembly<Plane>&, int);
+template void add_hub_solve(const Assembly<Plane>&);
+template void add_prescribed_hub_solve(const Assembly<Plane>&);
+template void add_augmented_solve(const Assembly<Plane>&);
+template void add_multipliers(const Assembly<Plane>&, int);
+template void add_recovery(const Assembly<Plane>&, int, int);
+template void add_inverse(const Assembly<Space>&, int, int);
+template void add_effective(const Assembly<Space>&, int);
+template void add_hub_solve(const Assembly<Space>&);
+template void add_prescribed_hub_solve(const Assembly<Space>&);
+template void add_augmented_solve(const Assembly<Space>&);
+template void add_multipliers(const Assembly<Space>&, int);
+template void add_recovery(const Assembly<Space>&, int, int);
+
+}  // namespace spoke
