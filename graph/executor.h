@@ -118,6 +118,7 @@ enum class ExecutorKind {
   openmp_scheme1,
   openmp_scheme2,  ///< nested OpenMP teams that begin and end with every loop of a pass
   openmp_levels,   ///< an OpenMP loop for each level of the graph
+  openmp_tasks,    ///< every node an OpenMP task that depends on its predecessors
 };
 
 /// All kinds of this build. Without OpenMP there are none of the kinds "openmp_...".

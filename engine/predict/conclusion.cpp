@@ -158,8 +158,8 @@ std::string describe_left_out() {
   for (const ExecutorKind kind : left_out_executors()) names.push_back(graph::name_of(kind));
   if (names.empty()) return "";
   return fmt::format(
-      "Not predicted: {}, since what it costs to start and end nested teams is not calibrated; of "
-      "OpenMP there is openmp_levels.",
+      "Not predicted: {}, since what it costs to start and end nested teams, and to make tasks of "
+      "OpenMP, is not calibrated; of OpenMP there is openmp_levels.",
       fmt::join(names, ", "));
 }
 

@@ -24,5 +24,6 @@ std::unique_ptr<Executor> make_openmp_scheme1_executor(const StepGraph& graph, T
                                                        int processors);
 std::unique_ptr<Executor> make_openmp_scheme2_executor(const StepGraph& graph, Threads threads);
 std::unique_ptr<Executor> make_openmp_levels_executor(const StepGraph& graph, int threads);
+std::unique_ptr<Executor> make_openmp_tasks_executor(const StepGraph& graph, int threads);
 
 }  // namespace spoke::graph

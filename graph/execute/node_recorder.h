@@ -39,8 +39,8 @@ RecorderRoom make_room(std::size_t runs, int nodes, int threads, std::size_t mos
 /// nodes of one more run, that run is not recorded, only counted.
 class NodeRecorder {
  public:
-  /// The records of one thread. Members are plain, so that graph/execute/flow_graph_executor.cpp,
-  /// which the thread sanitizer does not watch, shares no function with files that it does.
+  /// The records of one thread. Members are plain, so that executors that the thread sanitizer does
+  /// not watch (thread_sanitizer.h) share no function with files that it does.
   struct alignas(128) Lane {     // 128: processors fetch cache lines in pairs
     NodeRecord* next = nullptr;  ///< where the next record goes
     std::vector<NodeRecord> records;

@@ -10,7 +10,8 @@
 #endif
 
 // Runtimes such as oneTBB are not built with the thread sanitizer: it does not see how they hand
-// work from thread to thread, and takes every handover for a race. An executor on such a runtime
+// work from thread to thread, and takes every handover for a race; of tasks of OpenMP it does not
+// see that their memory goes from one that has ended to the next. An executor on such a runtime
 // stays out of the sanitizer (graph/CMakeLists.txt) and tells it instead what the graph's edges
 // promise, no more: that a node comes after its predecessors, nodes without predecessors after the
 // start of the run, and the end of the run after all. Whatever is then reported of the bodies of

@@ -66,6 +66,9 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
     case ExecutorKind::openmp_levels:
       try_if_many(threads);
       return make_openmp_levels_executor(graph, threads.outer);
+    case ExecutorKind::openmp_tasks:
+      try_if_many(threads);
+      return make_openmp_tasks_executor(graph, threads.outer);
 #else
     default:
       break;

@@ -100,6 +100,7 @@ TEST_CASE("threads that the system refuses are told in one line") {
   };
   check("openmp_levels", "1024");
   check("openmp_scheme2", "32x32");
+  check("openmp_tasks", "1024");
 }
 
 #endif
@@ -113,7 +114,7 @@ TEST_CASE("OpenMP's executors count the processors, too, where their threads are
 }
 
 TEST_CASE("stacks that the system refuses are told before anything is written") {
-  for (const std::string executor : {"openmp_levels", "openmp_scheme1"})
+  for (const std::string executor : {"openmp_levels", "openmp_scheme1", "openmp_tasks"})
     check_refused(run_rotor("0.01", {"--executor", executor, "--threads", "2"}),
                   "2 threads cannot be made here: the system refuses more than 1 (", WorkFolder(),
                   "env OMP_STACKSIZE=900000G");

@@ -125,8 +125,8 @@ TEST_CASE("kinds are found by name, and one that this build is without is refuse
       executor_kind("openmp"),
       doctest::Contains("no executor is named \"openmp\"; known here: auto, flow_graph"),
       spoke::InputError);
-  for (const ExecutorKind kind :
-       {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
+  for (const ExecutorKind kind : {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2,
+                                  ExecutorKind::openmp_levels, ExecutorKind::openmp_tasks}) {
     if (has_executor(kind)) continue;
     const std::string why = std::string(name_of(kind)) +
                             " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known "

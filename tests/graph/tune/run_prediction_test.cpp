@@ -46,6 +46,7 @@ TEST_CASE("prediction: without overheads a fan takes what work and span say") {
   CHECK(predictor.predict(ExecutorKind::serial, 1).expected == approx(14 * kNode));
   CHECK_FALSE(predictor.can_predict(ExecutorKind::openmp_levels));  // no barrier was measured
   CHECK_FALSE(predictor.can_predict(ExecutorKind::openmp_scheme1));
+  CHECK_FALSE(predictor.can_predict(ExecutorKind::openmp_tasks));
 }
 
 TEST_CASE("prediction: levels take their costliest share and their barriers") {

@@ -50,8 +50,8 @@ TEST_CASE("a run in space has one state, whatever executes it") {
       RunSetup setup{which.method, 1e-10};
       setup.formulation = formulation;
       const std::uint64_t expected = end_of(which, setup);
-      for (const Kind kind :
-           {Kind::serial, Kind::flow_graph, Kind::openmp_levels, Kind::openmp_scheme1})
+      for (const Kind kind : {Kind::serial, Kind::flow_graph, Kind::openmp_levels,
+                              Kind::openmp_scheme1, Kind::openmp_tasks})
         for (const int window : {1, 7}) {
           CAPTURE(name_of(kind));
           CAPTURE(window);
