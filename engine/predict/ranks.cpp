@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
-#include <string_view>
+
+#include "engine/step/stages.h"
 
 namespace spoke::predict {
 namespace {
 
 /// With which a pass ends: of each subsystem, or of all together.
-bool is_finish(const graph::Node& node) { return std::string_view(node.label.stage) == "finish"; }
+bool is_finish(const graph::Node& node) { return node.label.stage == stages::kFinish; }
 
 }  // namespace
 

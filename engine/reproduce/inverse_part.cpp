@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "engine/run/time_stepper.h"
+#include "engine/step/stages.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/calibrate/node_costs.h"
 
 namespace spoke::reproduce {
 namespace {
-
-constexpr std::string_view kStage = "inverse";
 
 /// The nodes of one stage, with the parts they declare.
 graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) {
@@ -29,6 +28,7 @@ graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) 
       builder.add_node(node.label, graph::reads(node.reads), graph::writes(node.writes),
                        [&whole, id]() noexcept { whole.run_node(id); });
   }
+  assert(builder.node_count() > 0);
   return builder.build();
 }
 
@@ -54,7 +54,7 @@ struct InversePart::Impl {
   Impl(const Scenario& scenario, const SimulationOptions& options)
       : context(make_context(scenario, options.formulation)),
         whole(build_step_graph(*context)),
-        part(extract(whole, kStage)),
+        part(extract(whole, stages::kInverse)),
         executor(graph::make_executor(part, options.executor, options.threads)) {
     TimeStepper(*context, whole).start();
     resume_all(*context);
@@ -94,7 +94,7 @@ double measure_inverse_share(const Scenario& scenario, Formulation formulation) 
   for (int k = 0; k < whole.node_count(); ++k) {
     const double cost = seconds[static_cast<std::size_t>(k)];
     all += cost;
-    if (whole.node({k}).label.stage == kStage) inverse += cost;
+    if (whole.node({k}).label.stage == stages::kInverse) inverse += cost;
   }
   return inverse / all;
 }

@@ -3,6 +3,7 @@
 #include "engine/steady/steady_system.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -19,6 +20,7 @@
 #include "engine/kernels/spatial_samples.h"
 #include "engine/steady/tree_access.h"
 #include "engine/steady/tree_forces.h"
+#include "engine/step/stages.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
@@ -32,13 +34,13 @@ constexpr double kLate = std::numeric_limits<double>::max();
 
 /// Nodes up to the terms of bodies.
 bool makes_terms(const std::string& stage) {
-  return stage == "position" || stage == "velocity" || stage == "load" ||
-         stage == "applied forces" || stage == "mass";
+  return stage == stages::kPosition || stage == stages::kVelocity || stage == stages::kLoad ||
+         stage == stages::kAppliedForces || stage == stages::kMass;
 }
 /// Nodes behind these, up to the accelerations.
 bool solves(const std::string& stage) {
-  return stage == "inverse" || stage == "effective" || stage == "multipliers" ||
-         stage == "recovery";
+  return stage == stages::kInverse || stage == stages::kEffective ||
+         stage == stages::kMultipliers || stage == stages::kRecovery;
 }
 
 /// Of the undeformed body from the root of its tree [m].
@@ -102,6 +104,8 @@ void SteadySystem<World>::find_nodes() {
     if (makes_terms(label.stage)) terms_[tree].push_back(node);
     if (solves(label.stage)) solution_[tree].push_back(node);
   }
+  for (std::size_t tree = 0; tree < trees(); ++tree)
+    assert(!terms_[tree].empty() && !solution_[tree].empty());
 }
 
 /// Names the coordinates, gives elastic forces places of their own, and keeps where tips point.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/formulation/tree_joints.h"
+#include "engine/step/stages.h"
 #include "engine/step/step_context.h"
 #include "engine/step/step_parts.h"
 #include "graph/step_graph.h"

@@ -94,7 +94,7 @@ void add_finish(const Assembly<World>& g) {
   const bool is_corrected = corrects_hub(g);
   PartList outputs{parts.progress, parts.records};
   if (is_corrected) outputs.push_back(parts.hub_state);
-  g.builder.add_node(g.label("finish"),
+  g.builder.add_node(g.label(stages::kFinish),
                      reads(outputs, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
                            parts.hub_solution, parts.hub_state, parts.hub_coordinates),
                      writes(outputs), [&c, is_corrected]() noexcept {
@@ -117,7 +117,7 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   const Window& window = g.c.data.window;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(
-      g.label("finish", i),
+      g.label(stages::kFinish, i),
       reads(blade.progress, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
             blade.effective, blade.hub_state, blade.records),
       writes(blade.progress, blade.records),
@@ -141,7 +141,7 @@ void add_sensors(const Assembly<World>& g, int i) {
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
   const PartList inputs{blade.rotations, blade.twists};
   if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
-  g.builder.add_node(g.label("sensors", i),
+  g.builder.add_node(g.label(stages::kSensors, i),
                      reads(blade.progress, blade.all(&BodyParts::coordinates), blade.hub_state,
                            inputs, joint_load_inputs(g, i), reading_inputs(g, i), outputs),
                      writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {

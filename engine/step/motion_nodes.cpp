@@ -63,7 +63,7 @@ void add_hub_motion(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
   g.builder.add_node(
-      g.label("hub motion"), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
+      g.label(stages::kHubMotion), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
       writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
       unless_halted(c.data.progress[0],
                     [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
@@ -76,7 +76,8 @@ void add_prescribed_hub_motion(const Assembly<World>& g, int i) {
   const SystemContext<World>& c = g.c;
   PrescribedHub<World>& prescribed = g.c.data.subsystems[i].prescribed;
   g.builder.add_node(
-      g.label("hub motion", i), reads(blade.progress, blade.hub_state), writes(blade.hub_state),
+      g.label(stages::kHubMotion, i), reads(blade.progress, blade.hub_state),
+      writes(blade.hub_state),
       unless_halted(*data.progress, [&c, &prescribed, &progress = *data.progress]() noexcept {
         if (is_at_new_time(c.integrator.method, progress.control))
           prescribed = calc_prescribed_motion(c.system, progress.control.time);
@@ -94,7 +95,7 @@ void add_coordinates(const Assembly<World>& g, int i) {
   if (std::holds_alternative<GeneralizedAlpha>(method)) predicted = accelerations;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(
-      g.label("coordinates", i), reads(blade.progress, coordinates, history, accelerations),
+      g.label(stages::kCoordinates, i), reads(blade.progress, coordinates, history, accelerations),
       writes(coordinates, history, predicted),
       unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
 }
@@ -106,10 +107,11 @@ void add_position(const Assembly<World>& g, int i) {
   PartList inputs = chain_coordinates(g, i);
   if constexpr (tree::kHasJointCoordinates<World>)
     inputs.push_back(g.blade(i).rotations);  // sets the handles
-  g.builder.add_node(
-      g.label("position", i), reads(g.blade(i).progress, inputs), writes(g.blade(i).rotations),
-      unless_halted(*data.progress,
-                    [&subsystem, &data]() noexcept { calc_rotations(subsystem, data); }));
+  g.builder.add_node(g.label(stages::kPosition, i), reads(g.blade(i).progress, inputs),
+                     writes(g.blade(i).rotations),
+                     unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+                       calc_rotations(subsystem, data);
+                     }));
 }
 
 template <class World>
@@ -133,7 +135,7 @@ void add_velocity(const Assembly<World>& g, int i) {
       accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
     if (table.is_coupled) accelerations.push_back(g.parts.hub_coordinates);
   }
-  g.builder.add_node(g.label("velocity", i),
+  g.builder.add_node(g.label(stages::kVelocity, i),
                      reads(blade.progress, chain_coordinates(g, i), blade.rotations,
                            blade.hub_state, azimuth, accelerations),
                      writes(outputs),
@@ -154,7 +156,8 @@ void add_loads_of_user(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < data.loads.size(); ++k) {
     LoadData<World>& load = data.loads[k];
-    const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
+    const NodeLabel label =
+        load.blades.size() > 1 ? g.label(stages::kLoad) : g.label(stages::kLoad, i);
     g.builder.add_node(
         label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
         unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
@@ -204,7 +207,8 @@ void add_applied_forces(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = table.subsystems[i];
   if (data.applied_forces.empty()) return;
   g.builder.add_node(
-      g.label("applied forces", i), reads(force_inputs(g, i)), writes(g.blade(i).applied_forces),
+      g.label(stages::kAppliedForces, i), reads(force_inputs(g, i)),
+      writes(g.blade(i).applied_forces),
       unless_halted(*data.progress, [&system = g.c.system, &table, &data, i]() noexcept {
         calc_applied_forces(system, static_cast<std::size_t>(i), data.progress->control.time,
                             table);
@@ -222,7 +226,7 @@ void add_flight_acceleration(const Assembly<World>& g) {
     if (!data.applied_forces.empty()) inputs.push_back(g.parts.subsystems[i].applied_forces);
   }
   if (!is_needed) return;
-  g.builder.add_node(g.label("flight acceleration"), reads(inputs),
+  g.builder.add_node(g.label(stages::kFlightAcceleration), reads(inputs),
                      writes(g.parts.flight_acceleration),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
                        calc_flight_acceleration(c.system, c.data.progress[0].control.time, c.data);

@@ -127,7 +127,7 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
   inputs.insert(inputs.end(), parts.tension.begin(), parts.tension.end());
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto invert, auto& work) {
-    g.builder.add_node(g.label("inverse", i, j), reads(inputs), writes(outputs),
+    g.builder.add_node(g.label(stages::kInverse, i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
                          invert(data.bodies[j], data.twists[j], data.progress->control.is_implicit,
                                 work);
@@ -153,7 +153,7 @@ void add_effective(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
     g.builder.add_node(
-        g.label("effective", i), inputs, outputs,
+        g.label(stages::kEffective, i), inputs, outputs,
         unless_halted(*data.progress, [&subsystem, &data, condense, &work]() noexcept {
           condense(subsystem, data, work);
         }));
@@ -168,7 +168,7 @@ void add_effective(const Assembly<World>& g, int i) {
 template <class World>
 void add_hub_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  g.builder.add_node(g.label("hub solve"),
+  g.builder.add_node(g.label(stages::kHubSolve),
                      reads(g.parts.all(&SubsystemParts::effective), hub_inputs(g)),
                      writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
                        solve_hub(c.system, c.data);
@@ -201,7 +201,7 @@ void add_augmented_solve(const Assembly<World>& g) {
     for (const BodyParts& body : blade.bodies)
       tensions.insert(tensions.end(), body.tension.begin(), body.tension.end());
   }
-  g.builder.add_node(g.label("solve"),
+  g.builder.add_node(g.label(stages::kSolve),
                      reads(parts.all(&BodyParts::terms), outboard_joints, tensions,
                            parts.all(&SubsystemParts::rotations),
                            parts.all(&SubsystemParts::twists), hub_inputs(g)),
@@ -220,7 +220,8 @@ void add_multipliers(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = c.data.subsystems[i];
   const PartList accelerations = found_with_multipliers(g, i);
   const auto add = [&](const graph::Reads& inputs, auto recover) {
-    g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches, accelerations),
+    g.builder.add_node(g.label(stages::kMultipliers, i), inputs,
+                       writes(blade.wrenches, accelerations),
                        unless_halted(*data.progress, recover));
   };
   switch (c.formulation) {
@@ -251,7 +252,7 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
   const Method& method = c.integrator.method;
   const auto add = [&](auto recover) {
     const auto [inputs, outputs] = recovery_access(g, i, j);
-    g.builder.add_node(g.label("recovery", i, j), reads(inputs), writes(outputs),
+    g.builder.add_node(g.label(stages::kRecovery, i, j), reads(inputs), writes(outputs),
                        unless_halted(*blade.progress, [&blade, &method, j, recover]() noexcept {
                          BodyData<World>& body = blade.bodies[j];
                          recover(body);

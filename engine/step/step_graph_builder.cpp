@@ -123,7 +123,7 @@ void add_mass(const Assembly<World>& g, int i, int j) {
     inputs.push_back(parts.scratch);  // not all of it is overwritten
     outputs.push_back(parts.scratch);
   }
-  g.builder.add_node(g.label("mass", i, j), reads(inputs), writes(outputs),
+  g.builder.add_node(g.label(stages::kMass, i, j), reads(inputs), writes(outputs),
                      unless_halted(*blade.progress, [&c, &blade, i, j]() noexcept {
                        calc_mass_terms(c, i, j, blade);
                      }));
@@ -184,15 +184,15 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
     for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i)
       if (!g.c.data.subsystems[i].applied_forces.empty())
         forces.push_back(g.parts.subsystems[i].applied_forces);
-    add_share(g, "share forces", forces, *own.sharing->forces);
+    add_share(g, stages::kShareForces, forces, *own.sharing->forces);
   }
   add_flight_acceleration(g);
   for_each(add_condensation<World>);
   if (own.sharing) {
     const PartList behind =
         own.sharing->forces ? PartList{g.parts.flight_acceleration} : PartList{};
-    add_share(g, "share inertias", g.parts.all(&SubsystemParts::effective), own.sharing->inertias,
-              behind);
+    add_share(g, stages::kShareInertias, g.parts.all(&SubsystemParts::effective),
+              own.sharing->inertias, behind);
   }
   if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
@@ -202,7 +202,7 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
   if (own.sharing) {
     PartList reports = g.parts.all(&BodyParts::report);
     for (const PartId terms : g.parts.all(&BodyParts::terms)) reports.push_back(terms);
-    add_share(g, "share reports", reports, own.sharing->reports);
+    add_share(g, stages::kShareReports, reports, own.sharing->reports);
   }
   add_finish(g);
   for_each(add_sensors<World>);
