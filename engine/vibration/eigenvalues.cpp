@@ -9,9 +9,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <random>
 #include <utility>
 
+#include "engine/vibration/arnoldi_space.h"
 #include "engine/vibration/choose_roots.h"
 #include "engine/vibration/rigid_motions.h"
 
@@ -166,78 +166,18 @@ std::vector<Root> find_small(const Pencil& pencil, const Inverse& inverse, Index
   return choose_roots(pencil, spectrum, rigid_motions(pencil, inverse.shift()), count).roots;
 }
 
-/// Takes out of a block what lies in a basis.
-void project_out(const MatrixXd& basis, MatrixXd& block) {
-  block.noalias() -= basis * (basis.transpose() * block).eval();
-}
-
-/// Makes the columns of a block orthonormal, among themselves and to a basis. What is left of a
-/// column that depends on others is thrown dice for.
-void orthonormalise(const MatrixXd& basis, std::mt19937& dice, MatrixXd& block) {
-  std::normal_distribution<double> normal;
-  for (int twice = 0; twice < 2; ++twice) {
-    VectorXd before = block.colwise().norm();
-    project_out(basis, block);
-    for (Index k = 0; k < block.cols(); ++k)
-      for (int trial = 0; trial < 3; ++trial) {
-        VectorXd column = block.col(k);
-        for (int again = 0; again < 2; ++again)
-          column -= block.leftCols(k) * (block.leftCols(k).transpose() * column);
-        const double after = column.norm();
-        block.col(k) = column / after;
-        if (after > 1e-12 * before[k]) break;
-        MatrixXd thrown = MatrixXd::NullaryExpr(block.rows(), 1, [&] { return normal(dice); });
-        project_out(basis, thrown);
-        block.col(k) = thrown;
-        before[k] = thrown.norm();
-      }
-  }
-}
-
-/// The space that an operator spans from a block of vectors on.
-class BlockSpace {
- public:
-  BlockSpace(Index size, Index width) : block_(size, width), basis_(size, 0), image_(size, 0) {
-    std::normal_distribution<double> normal;
-    for (Index k = 0; k < width; ++k)
-      for (Index i = 0; i < size; ++i) block_(i, k) = normal(dice_);
-  }
-
-  Index size() const { return basis_.cols(); }
-  bool is_all() const { return basis_.cols() == basis_.rows(); }
-  const MatrixXd& basis() const { return basis_; }
-  const MatrixXd& image() const { return image_; }  ///< of the basis, by the operator
-
-  /// Adds the image of the last block.
-  void grow(const Inverse& inverse) {
-    const Index rows = basis_.rows(), used = basis_.cols();
-    block_.conservativeResize(rows, std::min(block_.cols(), rows - used));
-    orthonormalise(basis_, dice_, block_);
-    const Index added = block_.cols();
-    basis_.conservativeResize(rows, used + added);
-    image_.conservativeResize(rows, used + added);
-    basis_.rightCols(added) = block_;
-    image_.rightCols(added) = inverse * block_;
-    block_ = image_.rightCols(added);
-  }
-
- private:
-  std::mt19937 dice_{1};
-  MatrixXd block_, basis_, image_;
-};
-
 /// Eigenvalues of the inverse as a space has them, and their vectors in the basis.
 struct RitzPairs {
   VectorXcd inverse;
   MatrixXcd vectors;
 };
-RitzPairs find_pairs(const BlockSpace& space) {
-  const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(space.basis().transpose() * space.image()));
+RitzPairs find_pairs(const ArnoldiSpace& space) {
+  const Eigen::EigenSolver<MatrixXd> solver(space.projected());
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
 /// What is left of the equation of the inverse by a pair, its vector being of length one.
-double find_remainder(const BlockSpace& space, const RitzPairs& pairs, Index k) {
+double find_remainder(const ArnoldiSpace& space, const RitzPairs& pairs, Index k) {
   const VectorXcd x = pairs.vectors.col(k), y = pairs.inverse[k] * x;
   const double real = (space.image() * x.real() - space.basis() * y.real()).squaredNorm();
   const double imag = (space.image() * x.imag() - space.basis() * y.imag()).squaredNorm();
@@ -246,7 +186,7 @@ double find_remainder(const BlockSpace& space, const RitzPairs& pairs, Index k) 
 
 /// Whether eigenvalues have converged: to 11 digits, or where two are near one another, of which
 /// they would leave the half, to round-off of the largest ones of the inverse.
-bool have_converged(const BlockSpace& space, const RitzPairs& pairs,
+bool have_converged(const ArnoldiSpace& space, const RitzPairs& pairs,
                     const std::vector<Checked>& checked) {
   const double lost = 100.0 * kDigit * space.image().colwise().norm().maxCoeff();
   return std::all_of(checked.begin(), checked.end(), [&](const Checked& pair) {
@@ -261,7 +201,7 @@ std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, Index co
   const Index n = pencil.size(), size = 2 * n;
   const Index width = std::min(size, std::ssize(pencil.trees()) + 1);
   const MatrixXd rigid = rigid_motions(pencil, inverse.shift());
-  BlockSpace space(size, width);
+  ArnoldiSpace space(size, width);
   Index wanted = 2 * count + 2 * width + 8;
   while (true) {
     while (!space.is_all() && space.size() < wanted) space.grow(inverse);
