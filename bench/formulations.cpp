@@ -65,8 +65,7 @@ std::string scientific(double value) {
 
 /// The formulations to compare at a size; a quick run leaves out what takes seconds.
 std::vector<Formulation> formulations_for(const RotorSize& size, bool quick) {
-  std::vector<Formulation> all{Formulation::structured, Formulation::subsystem,
-                               Formulation::augmented};
+  std::vector<Formulation> all(formulations().begin(), formulations().end());
   const bool slow = size.total_elements() > 300;
   if (quick && slow) all.pop_back();
   return all;

@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <functional>
+#include <span>
 #include <sstream>
 
 #include "engine/cli/threads_option.h"
@@ -14,6 +16,8 @@ namespace spoke::cli {
 namespace {
 
 constexpr int kMostRounds = 10000;
+constexpr std::array kWaits{compare::Wait::runtime_default, compare::Wait::passive,
+                            compare::Wait::active};
 
 /// The words of a list "a,b,c"; one empty word of an empty list.
 std::vector<std::string> split(const std::string& list) {
@@ -91,7 +95,7 @@ void add_choices(CLI::App& command, const std::string& option, const std::string
 }
 
 template <class Value>
-std::vector<Choice<Value>> choices_of(std::initializer_list<Value> values) {
+std::vector<Choice<Value>> choices_of(std::span<const Value> values) {
   std::vector<Choice<Value>> choices;
   for (const Value value : values) choices.push_back({std::string(name_of(value)), value});
   return choices;
@@ -114,21 +118,17 @@ compare::Spin parse_spin(const std::string& word) {
 
 void add_compare_options(CLI::App& command, CompareArguments& arguments) {
   compare::Axes& axes = arguments.axes;
-  add_choices<Formulation>(
-      command, "--formulations", "Formulations [structured,subsystem]", axes.formulations,
-      choices_of({Formulation::structured, Formulation::subsystem, Formulation::augmented}));
-  std::vector<Choice<ExecutorKind>> executors;
-  for (const ExecutorKind kind : graph::executor_kinds())
-    executors.push_back({std::string(graph::name_of(kind)), kind});
-  add_choices(command, "--executors", "Executors, besides serial [all]", axes.executors, executors);
+  add_choices<Formulation>(command, "--formulations", "Formulations [structured,subsystem]",
+                           axes.formulations, choices_of(formulations()));
+  add_choices(command, "--executors", "Executors, besides serial [all]", axes.executors,
+              choices_of(graph::executor_kinds()));
   add_list<graph::Threads>(command, "--threads",
                            "Numbers of threads, OUTERxINNER for executors with nested teams\n"
                            "[powers of two up to the processors available; a thread per blade]",
                            axes.threads, parse_threads_option);
-  add_choices<compare::Wait>(
-      command, "--wait", "How idle threads of OpenMP wait\n[all; default, with a spin count]",
-      axes.waits,
-      choices_of({compare::Wait::runtime_default, compare::Wait::passive, compare::Wait::active}));
+  add_choices<compare::Wait>(command, "--wait",
+                             "How idle threads of OpenMP wait\n[all; default, with a spin count]",
+                             axes.waits, choices_of<compare::Wait>(kWaits));
   add_list<compare::Spin>(command, "--spin",
                           "How many times idle threads of OpenMP look for work before they\n"
                           "sleep, or infinite; default: as --wait says [default]",

@@ -64,8 +64,7 @@ Scenario make_scenario(const std::vector<std::string>& words) {
 
 SimulationOptions make_options(const std::vector<std::string>& words) {
   const auto kinds = graph::executor_kinds();
-  return {.formulation = value_of<Formulation>(
-              words[2], {Formulation::structured, Formulation::subsystem, Formulation::augmented}),
+  return {.formulation = formulation_of(words[2]),
           .executor = value_of<ExecutorKind>(words[3], {kinds.begin(), kinds.end()}),
           .threads = parse_threads(words[4]),
           .window = std::stoi(words[8])};

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "engine/cli/threads_option.h"
@@ -17,6 +18,7 @@ namespace {
 template <class Enum>
 class Names {
  public:
+  Names(std::span<const Enum> values) : values_(values.begin(), values.end()) {}
   Names(std::initializer_list<Enum> values) : values_(values) {}
 
   std::vector<std::string> all() const {
@@ -91,8 +93,7 @@ void add_common(CLI::App& command, Arguments& arguments) {
 
 void add_formulation(CLI::App& command, Arguments& arguments) {
   add_choice<Formulation>(
-      command, "--formulation", "How accelerations are computed [structured]",
-      {Formulation::structured, Formulation::subsystem, Formulation::augmented},
+      command, "--formulation", "How accelerations are computed [structured]", formulations(),
       [&](Formulation formulation) { arguments.options.formulation = formulation; });
 }
 

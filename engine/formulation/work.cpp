@@ -156,18 +156,6 @@ double estimate_load(const BodyLoad<Space>& load) {
 
 }  // namespace
 
-std::string_view name_of(Formulation formulation) {
-  switch (formulation) {
-    case Formulation::structured:
-      return "structured";
-    case Formulation::subsystem:
-      return "subsystem";
-    case Formulation::augmented:
-      break;
-  }
-  return "augmented";
-}
-
 template <class World>
 void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,
               StepData<World>& data, FormulationWork<World>& work) {

@@ -35,8 +35,7 @@ std::uint64_t final_hash(const Scenario& scenario, const SimulationOptions& opti
 }  // namespace
 
 TEST_CASE("all executors give bitwise equal states for every thread count") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}) {
       // One dense system of all coordinates: as large as the others' it takes most of the time.

@@ -39,8 +39,7 @@ double largest_difference(const Simulation& a, const Simulation& b) {
 /// Visits a soft scenario of 0.04 s with each formulation, method and kind of hub.
 template <class Visit>
 void for_each_kind(Visit visit) {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
       for (const int hub : {0, 1, 2}) {

@@ -117,8 +117,7 @@ TEST_CASE("a step of the dense formulations allocates nothing at the paper's siz
 }
 
 TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const char* method : {"generalized_alpha", "rk4"}) {
       const Scenario scenario =
           parse_scenario(make_text(kFlyingHub, kTree + kMotors + kForest, kGravity) +

@@ -107,8 +107,7 @@ TEST_CASE("a run split anywhere goes on with the same bits on every executor and
   for (const bool has_free_hub : {false, true})
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
-      for (const Formulation formulation :
-           {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+      for (const Formulation formulation : formulations()) {
         const Scenario scenario = make_scenario(method, has_free_hub);
         const Shown whole = run_whole(scenario, formulation);
         int split = 0;
@@ -194,8 +193,7 @@ TEST_CASE("a longer simulation goes on from the end of a shorter one") {
 
 TEST_CASE("after a divergence a state is restored, and nothing of the failure is left") {
   const Scenario scenario = failing_scenario();
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const int window : {1, 20}) {
       Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, window});
       simulation.run_until(9.0);
@@ -224,8 +222,7 @@ TEST_CASE("what is not a number leaves no trace behind a restored state") {
   for (const bool has_free_hub : {false, true})
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
-      for (const Formulation formulation :
-           {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+      for (const Formulation formulation : formulations()) {
         const Scenario scenario = make_scenario(method, has_free_hub);
         const Shown whole = run_whole(scenario, formulation);
         Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 7});

@@ -276,8 +276,7 @@ TEST_CASE("the three formulations agree under every kind of load") {
     add_all_loads(rotor);
     SystemContext<Plane> contexts[3];
     int next = 0;
-    for (const Formulation formulation :
-         {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+    for (const Formulation formulation : formulations())
       make_context(rotor, formulation, Rk4{1e-5}, contexts[next++]);
     randomize_state(random, contexts[0]);
     copy_state(contexts[0], contexts[1]);

@@ -116,8 +116,7 @@ TEST_CASE("the axial force of a steadily rotating blade is the centrifugal one")
 }
 
 TEST_CASE("the hub's reaction carries the roots of the blades and the hub") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const bool is_driven : {true, false}) {
       Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.1);
       scenario.rotor.gravity = Position{0.0, -9.81};

@@ -265,8 +265,7 @@ TEST_CASE("angular momentum changes by the moments of drive, roots and loads") {
 }
 
 TEST_CASE("the torque of a spin-up is what the roots of the blades and the hub take") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+  for (const Formulation formulation : formulations()) {
     Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
     scenario.rotor.hub.inertia = 2.0;
     Simulation simulation(scenario, serial(formulation));

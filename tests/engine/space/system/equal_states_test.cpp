@@ -43,8 +43,7 @@ std::uint64_t end_of(const EqualStatesCase& which, const RunSetup& setup) {
 TEST_CASE("a run in space has one state, whatever executes it") {
   using Kind = graph::ExecutorKind;
   for (const EqualStatesCase& which : equal_states_cases())
-    for (const Formulation formulation :
-         {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+    for (const Formulation formulation : formulations()) {
       CAPTURE(which.name);
       CAPTURE(name_of(formulation));
       RunSetup setup{which.method, 1e-10};
