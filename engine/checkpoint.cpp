@@ -3,8 +3,6 @@
 
 #include "engine/checkpoint.h"
 
-#include <zlib.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -17,6 +15,7 @@
 
 #include "engine/output_file.h"
 #include "engine/support/byte_order.h"
+#include "engine/support/hash.h"
 #include "engine/support/instructions.h"
 #include "engine/support/log.h"
 #include "models/count_text.h"
@@ -31,11 +30,6 @@ constexpr std::string_view kMagic = "SPOKECKP";
 constexpr std::uint32_t kFormat = 5;
 constexpr std::size_t kHeader = 8 + 4 + 8;
 constexpr std::size_t kFrame = kHeader + 4;
-
-std::uint32_t checksum_of(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
   throw InputError(name + ": " + reason, {.file = name});

@@ -2,8 +2,6 @@
 
 #include "engine/sensor_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -14,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/support/hash.h"
 #include "models/count_text.h"
 #include "models/error.h"
 
@@ -21,11 +20,6 @@ namespace spoke {
 namespace {
 
 constexpr std::size_t kBuffer = 64 * 1024;  // bytes of rows that are written together
-
-std::uint32_t add_to_checksum(std::uint32_t checksum, std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(checksum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
 
 void append_number(std::string& text, double number) {
   std::array<char, 32> buffer;
@@ -54,7 +48,7 @@ void read_marked(const std::string& file, const SensorFileMark& mark, const Take
     if (count == 0)
       refuse_sensors(file, "it has " + counted(static_cast<std::int64_t>(done), "byte") +
                                ", the checkpoint was made behind " + std::to_string(mark.bytes));
-    checksum = add_to_checksum(checksum, {piece.data(), count});
+    checksum = checksum_of({piece.data(), count}, checksum);
     take(std::string_view(piece.data(), count));
     done += count;
   }
@@ -117,7 +111,7 @@ void SensorFile::flush() {
     }
     throw;
   }
-  checksum_ = add_to_checksum(checksum_, lines_);
+  checksum_ = checksum_of(lines_, checksum_);
   lines_.clear();
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/kernels/kinematics.h"
-#include "models/system/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -56,11 +56,11 @@ void visit_beyond(const PlacedLoad<Plane, Load>& placed, double x, const BodyDat
       if (point.x >= x) visit(placed.sections[k], point.weight);
       continue;
     }
-    const std::size_t of_rule = k % GaussRule::kPoints;
-    const double place = x + GaussRule::places[of_rule] * (end - x);
+    const std::size_t of_rule = k % GaussRule<4>::kPoints;
+    const double place = x + GaussRule<4>::places[of_rule] * (end - x);
     const FlexibleBody& model = *body.model->body;
     visit(make_section(model, body.layout, place / model.length),
-          GaussRule::weights[of_rule] * (end - x));
+          GaussRule<4>::weights[of_rule] * (end - x));
   }
 }
 

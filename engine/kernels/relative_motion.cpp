@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "models/system/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -110,7 +110,7 @@ RelativeMotion calc_shown_motion(const Subsystem<Plane>& subsystem,
 
 // By Gauss's rule of three points, which is exact for the square of a slope.
 Foreshortening calc_foreshortening(const BodyData<Plane>& body, double station) noexcept {
-  using Rule = GaussRuleOfThree;
+  using Rule = GaussRule<3>;
   const FlexibleBody& model = *body.model->body;
   const CoordinateBlock& c = body.coordinates;
   Foreshortening sum;

@@ -6,7 +6,7 @@
 
 #include "engine/kernels/blade_loads.h"
 #include "engine/kernels/kinematics.h"
-#include "models/system/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -19,9 +19,9 @@ template <class Density>
 void add_stretch(const FlexibleBody& body, const FlexLayout& layout, double from, double to,
                  const Density& density, std::vector<MassPoint>& points) {
   if (to <= from) return;
-  for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
-    const double x = from + GaussRule::places[k] * (to - from);
-    points.push_back({GaussRule::weights[k] * (to - from) * density(x), 0.0,
+  for (std::size_t k = 0; k < GaussRule<4>::kPoints; ++k) {
+    const double x = from + GaussRule<4>::places[k] * (to - from);
+    points.push_back({GaussRule<4>::weights[k] * (to - from) * density(x), 0.0,
                       make_section(body, layout, x / body.length)});
   }
 }

@@ -6,7 +6,7 @@
 #include "engine/space/plane_coordinates.h"
 #include "engine/space/tension_weights.h"
 #include "engine/support/wide_kernels.h"
-#include "models/space/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
@@ -175,11 +175,11 @@ double sum_slope_products(const FlexibleBody& body, const double* q, const doubl
   const BeamElement& last = body.beam[static_cast<std::size_t>(element)];
   const PlaneCoordinates x = in_axes_of(last, body.is_straight, q);
   const PlaneCoordinates y = in_axes_of(last, body.is_straight, p);
-  for (int k = 0; k < GaussRule::kPoints; ++k) {
-    const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], last.length);
+  for (int k = 0; k < GaussRule<6>::kPoints; ++k) {
+    const Eigen::Vector4d h = hermite_slope(xi * GaussRule<6>::places[k], last.length);
     const Double2 slope_x = h[2] * x.rise + h[1] * x.slope[0] + h[3] * x.slope[1];
     const Double2 slope_y = h[2] * y.rise + h[1] * y.slope[0] + h[3] * y.slope[1];
-    sum += (GaussRule::weights[k] * xi * last.length) * slope_x * slope_y;
+    sum += (GaussRule<6>::weights[k] * xi * last.length) * slope_x * slope_y;
   }
   return total(sum);
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "engine/space/element_products.h"
-#include "models/space/gauss_rule.h"
 #include "models/space/rotation_vector.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
@@ -37,10 +37,10 @@ ElementShape displacement_shape(double xi, double l, const Position& o) {
 /// See Section::slopes.
 std::array<double, 6> integrate_slopes(double xi, double length) {
   std::array<double, 6> sums{};
-  for (std::size_t k = 0; k < GaussRule::places.size(); ++k) {
-    const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], length);
+  for (std::size_t k = 0; k < GaussRule<6>::places.size(); ++k) {
+    const Eigen::Vector4d h = hermite_slope(xi * GaussRule<6>::places[k], length);
     const double shape[] = {h[2], h[1], h[3]};
-    const double weight = GaussRule::weights[k] * xi * length;
+    const double weight = GaussRule<6>::weights[k] * xi * length;
     std::size_t at = 0;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j) sums[at++] += weight * shape[i] * shape[j];

@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <array>
 #include <cerrno>
@@ -15,6 +14,7 @@
 #include <utility>
 
 #include "engine/support/byte_order.h"
+#include "engine/support/hash.h"
 #include "engine/support/instructions.h"
 #include "models/error.h"
 
@@ -25,17 +25,7 @@ constexpr std::string_view kMagic = "SPOKESTUDY1\n";
 constexpr std::size_t kFrame = 8;                         // length and checksum of a record
 constexpr std::size_t kMostBytes = std::size_t{1} << 31;  // of a record
 
-std::uint32_t checksum_of(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
-
-/// FNV-1a.
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return hash;
-}
+std::uint64_t hash_of(std::string_view text) { return hash_bytes(text.data(), text.size()); }
 
 std::string framed(std::string_view content) {
   ByteWriter writer;

@@ -8,14 +8,13 @@
 #include <span>
 #include <type_traits>
 
+#include "engine/support/hash.h"
+
 namespace spoke {
 namespace {
 
 std::uint64_t hash(std::uint64_t value, const double* first, int count) {
-  constexpr std::uint64_t kPrime = 1099511628211u;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(first);
-  for (std::size_t k = 0; k < count * sizeof(double); ++k) value = (value ^ bytes[k]) * kPrime;
-  return value;
+  return hash_bytes(first, static_cast<std::size_t>(count) * sizeof(double), value);
 }
 
 /// A whole number; -1 for what a file may hold instead of one.
@@ -165,8 +164,7 @@ void hash_joint(const BodyData<Space>& body, std::uint64_t& value) {
 
 template <class World>
 std::uint64_t hash_state(const StepData<World>& data) {
-  std::uint64_t value = 14695981039346656037u;
-  value = hash(value, data.hub_coordinates.q, World::kTwist);
+  std::uint64_t value = hash_bytes(data.hub_coordinates.q, World::kTwist * sizeof(double));
   value = hash(value, data.hub_coordinates.v, World::kTwist);
   if constexpr (has_attitude<World>) value = hash(value, &data.hub_attitude.reference.w, 4);
   for (const SubsystemData<World>& subsystem : data.subsystems)

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "models/space/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
@@ -34,9 +34,9 @@ Slice make_slice(const Beam& beam, const BodyGeometry& geometry, double station,
 template <class Visit>
 void visit_slices(const Beam& beam, const BodyGeometry& geometry, double from, double to,
                   Visit&& visit) {
-  for (int i = 0; i < GaussRule::kPoints; ++i)
-    visit(make_slice(beam, geometry, from + GaussRule::places[i] * (to - from),
-                     GaussRule::weights[i] * (to - from)));
+  for (int i = 0; i < GaussRule<6>::kPoints; ++i)
+    visit(make_slice(beam, geometry, from + GaussRule<6>::places[i] * (to - from),
+                     GaussRule<6>::weights[i] * (to - from)));
 }
 
 /// A point mass in B, as a slice that has nothing but mass.

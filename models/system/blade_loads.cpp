@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/system/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -58,9 +58,9 @@ std::vector<PlacedPoint> place(double from, double to, const Mesh& mesh) {
     if (share <= 1e-9) continue;  // round-off
     const double inboard = (e % mesh.elements + begin) * mesh.length;
     const std::array<double, 2> stretch{inboard, inboard + share * mesh.length};
-    for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
-      points.push_back(place(e, begin + GaussRule::places[k] * share,
-                             GaussRule::weights[k] * share * mesh.length, mesh));
+    for (std::size_t k = 0; k < GaussRule<4>::kPoints; ++k) {
+      points.push_back(place(e, begin + GaussRule<4>::places[k] * share,
+                             GaussRule<4>::weights[k] * share * mesh.length, mesh));
       points.back().point.stretch = stretch;
     }
   }

@@ -20,7 +20,7 @@ struct LoadPoint {
   double s = 0.0;       ///< within the element, 0 at its inboard end, 1 at the outboard end
   double x = 0.0;       ///< undeformed place in the body frame [m]
   double weight = 1.0;  ///< of a point load 1, else the length that the point stands for [m]
-  /// Of a load per length: between which places the points of one GaussRule lie, this among them,
+  /// Of a load per length: between which places the points of one Gauss rule lie, this among them,
   /// in the body frame [m]. Of a point load nothing.
   std::array<double, 2> stretch{};
 
@@ -54,7 +54,7 @@ struct BodyLoad<Space> {
     double s = 0.0;
     double weight = 1.0;
     space::Position place = space::Position::Zero();
-    /// Of a load per length: between which places of the element the points of one GaussRule lie,
+    /// Of a load per length: between which places of the element the points of one Gauss rule lie,
     /// this among them, and the beam's length between them [m]. Of a point load nothing.
     double begin = 0.0, end = 0.0;
     double length = 0.0;

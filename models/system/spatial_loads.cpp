@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "models/system/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -99,9 +99,9 @@ void add_distributed_load(const spatial::DistributedLoad& load, const spatial::T
       if (length <= 0.0) continue;
       const double from = point_at(*body, e, begin, 0.0).s;
       const double end = point_at(*body, e, begin + length, 0.0).s;
-      for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
+      for (std::size_t k = 0; k < GaussRule<4>::kPoints; ++k) {
         Point& point = made.points.emplace_back(point_at(
-            *body, e, begin + GaussRule::places[k] * length, GaussRule::weights[k] * length));
+            *body, e, begin + GaussRule<4>::places[k] * length, GaussRule<4>::weights[k] * length));
         point.begin = from;
         point.end = end;
         point.length = length;
@@ -141,9 +141,9 @@ BodyLoad<Space> take_outboard(const BodyLoad<Space>& load, double along) {
     // A stretch that the place parts: the points of the rule on the rest of it.
     const double cut = std::max(point.begin, along - point.element);
     if (cut >= point.end - kSlack) continue;
-    const std::size_t of_rule = k % GaussRule::kPoints;
+    const std::size_t of_rule = k % GaussRule<4>::kPoints;
     const double share = (point.end - cut) / (point.end - point.begin);
-    point.s = cut + GaussRule::places[of_rule] * (point.end - cut);
+    point.s = cut + GaussRule<4>::places[of_rule] * (point.end - cut);
     point.weight *= share;
     taken.points.push_back(point);
   }
