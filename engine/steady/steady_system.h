@@ -10,6 +10,7 @@
 #include "engine/columns/sensor_columns.h"
 #include "engine/steady/steady_loads.h"
 #include "engine/steady/steady_model.h"
+#include "engine/steady/tree_names.h"
 #include "engine/step/step_context.h"
 #include "graph/step_graph.h"
 
@@ -20,15 +21,6 @@ template <class World>
 struct SystemMaker {
   std::function<void(System<World>&)> fill;
   std::function<std::vector<SensorColumn>(const System<World>&, StepData<World>&)> place_sensors;
-};
-
-/// Names of a tree: its own, those of its bodies and of the joints that carry them.
-struct TreeNames {
-  std::string tree;
-  std::vector<std::string> bodies;
-  std::vector<std::string> joints;
-  std::string sensors;   ///< what the names of its sensors begin with: "blade1"
-  double azimuth = 0.0;  ///< [rad]
 };
 
 template <class World>

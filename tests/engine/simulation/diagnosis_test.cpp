@@ -52,7 +52,8 @@ std::string diverge_unchecked(const Scenario& scenario, const RunnerOptions& opt
   StepRunner runner(context, options);
   const auto fail = [&](StepOutcome outcome, std::int64_t step) {
     const double time = static_cast<double>(step) * integration.step;
-    return std::string(diagnose(scenario, context, {outcome, time, step, {}}).what());
+    return std::string(
+        diagnose(scenario, context, name_trees(scenario.rotor), {outcome, time, step, {}}).what());
   };
   const StepOutcome start = runner.start();
   if (start != StepOutcome::done) return fail(start, 0);

@@ -271,3 +271,26 @@ duration = 10.0
           simulation.marker({0, 0, 1.0});
         }).find("there is no state to evaluate") != std::string::npos);
 }
+
+TEST_CASE("an iteration in space that does not converge is named with a body and what to set") {
+  const std::string text = make_text(kDrivenHub, kBooms + kHinges, kGravity);
+  Scenario scenario = make_scenario(text, IntegrationMethod::generalized_alpha, 0.1, 1.0);
+  scenario.integration.max_iterations = 1;
+  Divergence at;
+  std::string message;
+  try {
+    Simulation(scenario, kSerial).run_until(1.0);
+  } catch (const DivergenceError& error) {
+    at = error.divergence();
+    message = error.what();
+  }
+  CAPTURE(message);
+  CHECK(at.quantity == "change of a coordinate");
+  CHECK(at.subsystem.starts_with("blade "));
+  CHECK(at.node == at.subsystem + " / " + at.body + " / recovery");
+  for (const std::string& part :
+       {std::string("the iteration still changes a coordinate by "),
+        std::string("after 1 iteration, most in " + at.subsystem + " / " + at.body),
+        std::string("set integration.step to 0.05 or less")})
+    CHECK(message.find(part) != std::string::npos);
+}
