@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "models/support/gauss_rule.h"
+
 namespace spoke {
 namespace {
 
@@ -16,16 +18,12 @@ using Vector4 = Eigen::Vector4d;
 constexpr std::array<int, 2> kAxial{0, 3};
 constexpr std::array<int, 4> kBending{1, 2, 4, 5};
 
-/// Places and weights of the four Gauss points in 0 to 1.
+/// Places and weights of Gauss's rule of four points, in pairs.
 const std::array<std::array<double, 2>, 4> kGauss = [] {
-  const double a = std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
-  const double b = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
-  const double weight_a = (18.0 + std::sqrt(30.0)) / 72.0;
-  const double weight_b = (18.0 - std::sqrt(30.0)) / 72.0;
-  return std::array<std::array<double, 2>, 4>{{{(1 - b) / 2, weight_b},
-                                               {(1 - a) / 2, weight_a},
-                                               {(1 + a) / 2, weight_a},
-                                               {(1 + b) / 2, weight_b}}};
+  std::array<std::array<double, 2>, 4> pairs{};
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    pairs[k] = {GaussRule<4>::places[k], GaussRule<4>::weights[k]};
+  return pairs;
 }();
 
 /// Adds an element's bending matrix to the band, without the coordinates fixed by the frame.
