@@ -147,11 +147,11 @@ void add_row(const PassesModel& model, const PassesSpan& span, std::size_t k, co
       {span.name, graph::duration_text(model.steps[k]), figure(cell.passes),
        has_before ? figure(span.before[k]) : "", course.diverged ? "diverged" : percent(cell.error),
        graph::duration_text(evaluation), span.from > 0.0 ? "" : graph::duration_text(course.time)});
-  nlohmann::json result{{"model", span.name},    {"step_s", model.steps[k]},
-                        {"passes", cell.passes}, {"diverged", course.diverged},
-                        {"error", cell.error},   {"evaluation_s", evaluation},
-                        {"seconds", course.time}};
-  if (has_before) result["passes_before"] = span.before[k];
+  Json result{{"model", span.name},    {"step_s", model.steps[k]},
+              {"passes", cell.passes}, {"diverged", course.diverged},
+              {"error", cell.error},   {"evaluation_s", evaluation},
+              {"seconds", course.time}};
+  if (has_before) result.set("passes_before", span.before[k]);
   report.add_result(std::move(result));
 }
 

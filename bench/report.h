@@ -4,11 +4,12 @@
 // the end, and the same for machines as JSON.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "bench/interleaved.h"
+#include "engine/support/machine.h"
+#include "models/support/json.h"
 
 namespace spoke::bench {
 
@@ -42,7 +43,7 @@ class Report {
   void add_remark(const std::string& text);
   void add_target(const Target& target);
   /// One result, for the JSON only; its question is added.
-  void add_result(nlohmann::json result);
+  void add_result(Json result);
   /// A timing as a result of `model`, for the JSON only.
   void add_timing(const std::string& model, const Timing& timing);
 
@@ -52,7 +53,11 @@ class Report {
 
  private:
   std::string question_;
-  nlohmann::json json_;
+  bool is_quick_;
+  Machine machine_;
+  double load_average_;  ///< negative: not known
+  Json results_ = Json::array();
+  Json targets_in_json_ = Json::array();
   std::vector<Target> targets_;
 };
 

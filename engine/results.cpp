@@ -10,6 +10,7 @@
 #include "engine/support/instructions.h"
 #include "engine/support/machine_json.h"
 #include "models/error.h"
+#include "models/reader/scenario_json.h"
 
 namespace spoke {
 namespace {
@@ -111,7 +112,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
   std::vector<std::string> warnings;
   for (const Warning& warning : simulation.warnings()) warnings.push_back(warning.text);
   summary.set("warnings", warnings);
-  summary.update({{"scenario", Json::parse(scenario.to_json())},
+  summary.update({{"scenario", scenario_to_json(scenario)},
                   {"model", describe_model(simulation.size())},
                   {"machine", describe_machine(this_machine())},
                   {"formulation", name_of(simulation.options().formulation)},

@@ -5,6 +5,7 @@
 #include "engine/compare/conclusion.h"
 #include "engine/compare/files.h"
 #include "engine/support/machine_json.h"
+#include "models/reader/scenario_json.h"
 
 namespace spoke::compare {
 namespace {
@@ -74,7 +75,7 @@ std::string make_json(const Comparison& comparison) {
   const Json json = {{"version", SPOKE_VERSION},
                      {"kind", "compare"},
                      {"conclusion", make_conclusion(comparison)},
-                     {"scenario", Json::parse(comparison.scenario.to_json())},
+                     {"scenario", scenario_to_json(comparison.scenario)},
                      {"machine", describe_machine(comparison.machine)},
                      {"load_average",
                       {{"before", load_or_null(comparison.loads.before)},

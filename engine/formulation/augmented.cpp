@@ -128,7 +128,7 @@ void allocate(const System<World>& system, const StepData<World>& data,
   work.first_hub_multiplier = next;
   for (int c = 0; c < d; ++c) next += is_prescribed(system.hub, c);
   work.matrix.setZero(next, next);
-  work.factor = Eigen::PartialPivLU<Eigen::MatrixXd>(next);
+  work.factor = LuFactors(next);
   work.right.setZero(next);
   work.solution.setZero(next);
 }
@@ -150,7 +150,7 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
   }
   copy_lower_to_upper(work);
   work.factor.compute(work.matrix);
-  work.solution.noalias() = work.factor.solve(work.right);
+  work.factor.solve(work.right, work.solution);
 
   HubSolution<World>& solution = data.hub_solution;
   solution.acceleration = work.solution.head<d>();

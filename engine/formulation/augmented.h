@@ -10,9 +10,9 @@
 // springs and dampers in M and their forces in Q (docs/formulation.md, section 11).
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "engine/formulation/subsystem.h"
+#include "engine/support/dense.h"
 #include "engine/table/step_data.h"
 
 namespace spoke::augmented {
@@ -24,7 +24,7 @@ struct Work {
   std::vector<std::vector<int>> first_joint;  ///< first row of each joint's multipliers
   int first_hub_multiplier = 0;
   Eigen::MatrixXd matrix;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor;
+  LuFactors factor;
   Eigen::VectorXd right;
   Eigen::VectorXd solution;
 };

@@ -9,7 +9,6 @@
 //   D lambda = Phi_Y Y'' + Phi M^-1 Q - gamma + R^T H q_J'',    (R^T H)^T lambda + k^ q_J'' = tau
 // Sources: subsystem/invert_body, effective_inertia and recovery.
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
 #include <memory>
@@ -17,9 +16,6 @@
 #include "engine/table/step_data.h"
 
 namespace spoke::subsystem {
-
-/// Takes the place of the matrix.
-using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
 
 /// Dense elastic blocks by body type: explicit, implicit.
 using DenseBlocks = std::array<std::shared_ptr<const Eigen::MatrixXd>, 2>;

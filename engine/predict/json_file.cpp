@@ -5,6 +5,7 @@
 #include "engine/predict/conclusion.h"
 #include "engine/predict/files.h"
 #include "engine/support/machine_json.h"
+#include "models/reader/scenario_json.h"
 
 namespace spoke::predict {
 namespace {
@@ -108,7 +109,7 @@ std::string make_json(const Prediction& prediction) {
       {"version", SPOKE_VERSION},
       {"kind", "predict"},
       {"conclusion", make_conclusion(prediction)},
-      {"scenario", Json::parse(prediction.scenario.to_json())},
+      {"scenario", scenario_to_json(prediction.scenario)},
       {"machine", describe_machine(prediction.machine)},
       {"load_average",
        {{"before", load_or_null(prediction.load_before)},

@@ -5,6 +5,7 @@
 #include "engine/reproduce/remarks.h"
 #include "engine/reproduce/tables.h"
 #include "engine/support/machine_json.h"
+#include "models/reader/scenario_json.h"
 
 namespace spoke::reproduce {
 namespace {
@@ -149,7 +150,7 @@ std::string make_json(const Reproduction& all) {
        {{"before", load_or_null(all.loads.before)}, {"after", load_or_null(all.loads.after)}}},
       {"rounds", all.rounds},
       {"warm_up_batches", compare::kWarmUpBatches},
-      {"scenario", Json::parse(all.scenario.to_json())},
+      {"scenario", scenario_to_json(all.scenario)},
       {"table_2", describe_counts()},
       {"fig_8", describe_drive(all)},
       {"fig_9", describe_deflections(all)},

@@ -7,7 +7,7 @@
 
 #include "engine/run_report/base64.h"
 #include "engine/run_report/scene_data.h"
-#include "engine/support/json.h"
+#include "models/support/json.h"
 
 namespace spoke::run_report {
 namespace {

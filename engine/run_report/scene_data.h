@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/scene/scene.h"
-#include "engine/support/json.h"
+#include "models/support/json.h"
 #include "models/tree/mass_properties.h"
 
 namespace spoke::run_report {

@@ -2,8 +2,6 @@
 
 #include "engine/steady/find_equilibrium.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,6 +10,7 @@
 
 #include "engine/steady/alike_trees.h"
 #include "engine/steady/derivatives.h"
+#include "engine/support/dense.h"
 #include "models/error.h"
 
 namespace spoke::steady {
@@ -76,13 +75,18 @@ class Search {
     if (!is_singular) return;
     least_squares_.compute(slope);
     const Eigen::Index rank = std::min(least_squares_.rank(), n - 1);
-    loose = least_squares_.colsPermutation().indices()[rank];
+    loose = least_squares_.pivot(rank);
   }
 
   VectorXd correct(const VectorXd& force) const {
     const VectorXd scaled = scale_.asDiagonal() * force;
-    return scale_.asDiagonal() *
-           (is_singular ? VectorXd(least_squares_.solve(scaled)) : VectorXd(lu_.solve(scaled)));
+    VectorXd correction(scaled.size());
+    if (is_singular) {
+      correction = least_squares_.solve(scaled);
+    } else {
+      lu_.solve(scaled, correction);
+    }
+    return scale_.asDiagonal() * correction;
   }
 
   /// One step with a line search, in which the correction that would follow must shrink.
@@ -123,8 +127,8 @@ class Search {
   std::size_t tree_;
   SteadyModel& model_;
   VectorXd scale_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least_squares_;
+  LuFactors lu_;
+  LeastSquares least_squares_;
 };
 
 [[noreturn]] void give_up(std::size_t tree, const Search& search, double share,

@@ -1,6 +1,5 @@
 // Puts the state-space matrices together.
 
-#include <Eigen/LU>
 #include <utility>
 
 #include "engine/linearize.h"
@@ -10,6 +9,7 @@
 #include "engine/steady/output_derivatives.h"
 #include "engine/steady/steady_speed.h"
 #include "engine/steady/steady_warnings.h"
+#include "engine/support/dense.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 
@@ -194,7 +194,7 @@ Part Assembly::make_whole_part() {
 /// The part's rows of A and B: x'' = -M^-1 (K x + C x' - F u).
 void Assembly::add_part(const Part& part, Index coordinate, Index input) {
   const Index n = part.M.rows();
-  const Eigen::PartialPivLU<MatrixXd> mass(part.M);
+  const LuFactors mass(part.M);
   const MatrixXd by_x = -mass.solve(part.K), by_rate = -mass.solve(part.C);
   MatrixXd by_input(n, part.F.cols());
   if (part.F.cols() > 0) by_input = mass.solve(part.F);  // Eigen takes blocks of what is empty

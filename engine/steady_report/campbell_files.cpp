@@ -8,7 +8,7 @@
 
 #include "engine/steady_report/mode_files.h"
 #include "engine/support/csv_cell.h"
-#include "engine/support/json.h"
+#include "models/support/json.h"
 
 namespace spoke::steady_report {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/support/json.h"
 #include "engine/support/plain_zero.h"
+#include "models/support/json.h"
 
 namespace spoke::steady_report {
 namespace {

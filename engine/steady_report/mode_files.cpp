@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "engine/support/csv_cell.h"
-#include "engine/support/json.h"
 #include "engine/support/plain_zero.h"
+#include "models/support/json.h"
 
 namespace spoke::steady_report {
 namespace {

@@ -14,8 +14,8 @@
 #include "engine/steady/steady_warnings.h"
 #include "engine/steady_report/steady_scene.h"
 #include "engine/support/csv_cell.h"
-#include "engine/support/json.h"
 #include "engine/support/plain_zero.h"
+#include "models/support/json.h"
 
 namespace spoke::steady_report {
 namespace {

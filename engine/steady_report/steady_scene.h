@@ -7,7 +7,7 @@
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
 #include "engine/scene/scene.h"
-#include "engine/support/json.h"
+#include "models/support/json.h"
 
 namespace spoke::steady_report {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/study/files.h"
-#include "engine/support/json.h"
+#include "models/support/json.h"
 
 namespace spoke::study {
 namespace {

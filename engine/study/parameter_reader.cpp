@@ -15,25 +15,24 @@ constexpr std::array<std::string_view, 6> kSources = {"values", "range",       "
                                                       "normal", "log_uniform", "expression"};
 
 /// A number, text or flag of a list. Texts and flags count as their place in the list.
-Level read_level(const toml::node& node, std::size_t place, const TomlSection& section) {
-  if (const auto* integer = node.as_integer()) return {static_cast<double>(integer->get()), {}};
-  if (const auto* number = node.as_floating_point()) {
-    if (!std::isfinite(number->get()))
+Level read_level(const TomlValue& value, std::size_t place, const TomlSection& section) {
+  if (const auto* integer = value.as_integer()) return {static_cast<double>(*integer), {}};
+  if (const auto* number = value.as_floating_point()) {
+    if (!std::isfinite(*number))
       section.fail_at("values." + std::to_string(place + 1),
-                      "is " + describe(node) + ", expected a finite number");
-    return {number->get(), {}};
+                      "is " + describe(value) + ", expected a finite number");
+    return {*number, {}};
   }
-  if (const auto* text = node.as_string())
-    return {static_cast<double>(place), quote_as_toml(text->get())};
-  if (const auto* flag = node.as_boolean())
-    return {static_cast<double>(place), flag->get() ? "true" : "false"};
+  if (const auto* text = value.as_text()) return {static_cast<double>(place), quote_as_toml(*text)};
+  if (const auto* flag = value.as_flag())
+    return {static_cast<double>(place), *flag ? "true" : "false"};
   section.fail_at("values." + std::to_string(place + 1),
-                  "is " + describe(node) + ", expected a number, text in quotes, true or false");
+                  "is " + describe(value) + ", expected a number, text in quotes, true or false");
 }
 
 void read_values(const TomlSection& section, Parameter& parameter) {
-  for (const toml::node& node : section.values("values"))
-    parameter.levels.push_back(read_level(node, parameter.levels.size(), section));
+  for (const TomlValue& value : section.values("values"))
+    parameter.levels.push_back(read_level(value, parameter.levels.size(), section));
   const auto is_text = [](const Level& level) { return !level.text.empty(); };
   const auto texts = std::count_if(parameter.levels.begin(), parameter.levels.end(), is_text);
   if (texts != 0 && texts != std::ssize(parameter.levels))

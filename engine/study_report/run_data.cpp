@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/support/json.h"
+#include "models/support/json.h"
 
 namespace spoke::study_report {
 namespace {

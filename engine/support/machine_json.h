@@ -2,8 +2,8 @@
 
 // The machine in the JSON files that Spoke writes.
 
-#include "engine/support/json.h"
 #include "engine/support/machine.h"
+#include "models/support/json.h"
 
 namespace spoke {
 

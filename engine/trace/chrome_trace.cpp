@@ -13,9 +13,9 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/support/json.h"
 #include "engine/trace/page_data.h"
 #include "engine/trace/statistics.h"
+#include "models/support/json.h"
 
 namespace spoke::trace {
 namespace {

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "engine/support/json.h"
 #include "engine/support/machine_json.h"
+#include "models/support/json.h"
 
 namespace spoke::trace {
 namespace {

@@ -2,9 +2,6 @@
 
 #include "engine/vibration/eigenvalues.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +9,7 @@
 #include <random>
 #include <utility>
 
+#include "engine/support/dense.h"
 #include "engine/vibration/choose_roots.h"
 #include "engine/vibration/rigid_motions.h"
 
@@ -60,19 +58,19 @@ void normalise(const Pencil& pencil, Root& root) {
 /// K + shift^2 M factorised, with the least shift of some that makes it positive definite.
 struct ShiftedFactor {
   double square = 0.0;
-  Eigen::LLT<MatrixXd> factor;
+  CholeskyFactor factor;
 };
 ShiftedFactor factorise(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil) {
   const VectorXd diagonal = K.diagonal();
   if (pencil.is_held() && diagonal.minCoeff() > 0.0) {
     const VectorXd balance = diagonal.cwiseSqrt().cwiseInverse();
-    const Eigen::LLT<MatrixXd> balanced(balance.asDiagonal() * K * balance.asDiagonal());
-    if (balanced.info() == Eigen::Success && balanced.rcond() > 1e-13)
-      return {0.0, Eigen::LLT<MatrixXd>(K)};
+    const CholeskyFactor balanced(balance.asDiagonal() * K * balance.asDiagonal());
+    if (balanced.is_positive_definite() && balanced.rcond() > 1e-13)
+      return {0.0, CholeskyFactor(K)};
   }
   for (double shift = kShift * pencil.softest();; shift *= 4.0) {
-    ShiftedFactor shifted{shift * shift, Eigen::LLT<MatrixXd>(K + shift * shift * M)};
-    if (shifted.factor.info() == Eigen::Success || !std::isfinite(shift)) return shifted;
+    ShiftedFactor shifted{shift * shift, CholeskyFactor(K + shift * shift * M)};
+    if (shifted.factor.is_positive_definite() || !std::isfinite(shift)) return shifted;
   }
 }
 
@@ -81,25 +79,23 @@ ShiftedFactor factorise(const MatrixXd& K, const MatrixXd& M, const Pencil& penc
 std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil,
                                  Index count) {
   const ShiftedFactor shifted = factorise(K, M, pencil);
-  const MatrixXd half = shifted.factor.matrixL().solve(M);
-  const MatrixXd flexibility = shifted.factor.matrixL().solve(half.transpose());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 *
-                                                       (flexibility + flexibility.transpose()));
-  const VectorXd& inverse = solver.eigenvalues();
+  const MatrixXd half = shifted.factor.solve_lower(M);
+  const MatrixXd flexibility = shifted.factor.solve_lower(half.transpose());
+  const SymmetricEigen eigen = solve_symmetric(0.5 * (flexibility + flexibility.transpose()));
+  const VectorXd& inverse = eigen.values;
   const auto& factor = shifted.factor;
   const double square = shifted.square;
   // Round-off of the inverse of K, whose trace this is; coordinates by themselves may have little
   // mass.
-  const double trace = factor.matrixL().solve(MatrixXd::Identity(K.rows(), K.rows())).squaredNorm();
-  const Spectrum spectrum{
-      (square - inverse.array().inverse()).cast<Complex>().sqrt(),
-      [&](Index k) -> VectorXcd {
-        return factor.matrixU().solve(solver.eigenvectors().col(k)).cast<Complex>();
-      },
-      [=](Complex s) {
-        const double distance = std::abs(square - s * s);
-        return 10.0 * kDigit * trace * distance * distance;
-      }};
+  const double trace = factor.solve_lower(MatrixXd::Identity(K.rows(), K.rows())).squaredNorm();
+  const Spectrum spectrum{(square - inverse.array().inverse()).cast<Complex>().sqrt(),
+                          [&](Index k) -> VectorXcd {
+                            return factor.solve_upper(eigen.vectors.col(k)).cast<Complex>();
+                          },
+                          [=](Complex s) {
+                            const double distance = std::abs(square - s * s);
+                            return 10.0 * kDigit * trace * distance * distance;
+                          }};
   return choose_roots(pencil, spectrum, rigid_motions(pencil, std::sqrt(square)), count).roots;
 }
 
@@ -159,9 +155,9 @@ Spectrum make_spectrum(const VectorXcd& eigenvalues, double shift,
 /// roots of least magnitude, which stiff coordinates would take away from the matrix itself.
 std::vector<Root> find_small(const Pencil& pencil, const Inverse& inverse, Index count) {
   const Index n = pencil.size();
-  const Eigen::EigenSolver<MatrixXd> solver(inverse * MatrixXd::Identity(2 * n, 2 * n));
-  const Spectrum spectrum = make_spectrum(solver.eigenvalues(), inverse.shift(), [&](Index k) {
-    return VectorXcd(solver.eigenvectors().col(k).head(n));
+  const GeneralEigen eigen = solve_general(inverse * MatrixXd::Identity(2 * n, 2 * n));
+  const Spectrum spectrum = make_spectrum(eigen.values, inverse.shift(), [&](Index k) {
+    return VectorXcd(eigen.vectors.col(k).head(n));
   });
   return choose_roots(pencil, spectrum, rigid_motions(pencil, inverse.shift()), count).roots;
 }
@@ -227,18 +223,14 @@ class BlockSpace {
 };
 
 /// Eigenvalues of the inverse as a space has them, and their vectors in the basis.
-struct RitzPairs {
-  VectorXcd inverse;
-  MatrixXcd vectors;
-};
+using RitzPairs = GeneralEigen;
 RitzPairs find_pairs(const BlockSpace& space) {
-  const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(space.basis().transpose() * space.image()));
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  return solve_general(space.basis().transpose() * space.image());
 }
 
 /// What is left of the equation of the inverse by a pair, its vector being of length one.
 double find_remainder(const BlockSpace& space, const RitzPairs& pairs, Index k) {
-  const VectorXcd x = pairs.vectors.col(k), y = pairs.inverse[k] * x;
+  const VectorXcd x = pairs.vectors.col(k), y = pairs.values[k] * x;
   const double real = (space.image() * x.real() - space.basis() * y.real()).squaredNorm();
   const double imag = (space.image() * x.imag() - space.basis() * y.imag()).squaredNorm();
   return std::sqrt(real + imag) / x.norm();
@@ -250,7 +242,7 @@ bool have_converged(const BlockSpace& space, const RitzPairs& pairs,
                     const std::vector<Checked>& checked) {
   const double lost = 100.0 * kDigit * space.image().colwise().norm().maxCoeff();
   return std::all_of(checked.begin(), checked.end(), [&](const Checked& pair) {
-    const double digits = pair.is_double ? 0.0 : 1e-11 * std::abs(pairs.inverse[pair.column]);
+    const double digits = pair.is_double ? 0.0 : 1e-11 * std::abs(pairs.values[pair.column]);
     return find_remainder(space, pairs, pair.column) <= digits + lost;
   });
 }
@@ -273,7 +265,7 @@ std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, Index co
       return x;
     };
     ChosenRoots chosen =
-        choose_roots(pencil, make_spectrum(pairs.inverse, inverse.shift(), vector), rigid, count);
+        choose_roots(pencil, make_spectrum(pairs.values, inverse.shift(), vector), rigid, count);
     if (space.is_all() ||
         (std::ssize(chosen.roots) == count && have_converged(space, pairs, chosen.checked)))
       return std::move(chosen.roots);

@@ -2,10 +2,11 @@
 
 #include "engine/vibration/extreme_root.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include "engine/support/dense.h"
 
 namespace spoke::vibration {
 namespace {
@@ -81,10 +82,9 @@ class KrylovSpace {
 };
 
 std::complex<double> choose(const MatrixXd& projected, const RootMeasure& measure) {
-  const Eigen::EigenSolver<MatrixXd> solver(projected, false);
   std::complex<double> found = 0.0;
   double most = 0.0;
-  for (const std::complex<double>& s : solver.eigenvalues()) {
+  for (const std::complex<double>& s : find_eigenvalues(projected)) {
     if (s.imag() < 0.0 || measure(s) <= most) continue;
     most = measure(s);
     found = s;

@@ -166,7 +166,7 @@ MatrixXd BalancedFactor::solve(const MatrixXd& right) const {
 double BalancedFactor::rcond() const {
   if (rows() == 0) return 1.0;
   // The estimate passes by a pivot of zero, that of what nothing holds.
-  const VectorXd pivots = factor_.matrixLU().diagonal().cwiseAbs();
+  const VectorXd pivots = factor_.pivots().cwiseAbs();
   const double least = pivots.minCoeff() / pivots.maxCoeff();
   return least > 0.0 ? std::min(least, factor_.rcond()) : 0.0;
 }

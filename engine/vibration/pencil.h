@@ -4,11 +4,11 @@
 // ever forming a matrix of all.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <optional>
 #include <vector>
 
 #include "engine/steady/linear_model.h"
+#include "engine/support/dense.h"
 
 namespace spoke::vibration {
 
@@ -82,7 +82,7 @@ class BalancedFactor {
 
  private:
   Eigen::VectorXd balance_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
+  LuFactors factor_;
 };
 
 /// What M, C and K count in a sum of them.

@@ -2,17 +2,13 @@
 
 // A TOML document with overrides, and the places of its keys for messages.
 
-#include <toml++/toml.h>
-
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
-namespace spoke {
+#include "models/reader/toml_value.h"
 
-/// A value as an error message quotes it: -8, "clampd", an array of 3 values, a table.
-std::string describe(const toml::node& node);
+namespace spoke {
 
 /// A TOML text and the overrides of its keys. Keys are named by paths of names and of indices from
 /// 1: "hub.drive.speed", "blades.2.length".
@@ -26,26 +22,26 @@ class TomlDocument {
   /// Throws InputError, its text beginning "--set blade.bodies=8: ".
   void set(const std::string& assignment);
 
-  const toml::table& root() const { return root_; }
+  const TomlTable& root() const { return *root_.as_table(); }
 
   /// Where a key is said: the override that gave it its value, else file:line:column as far as
   /// known.
-  std::string place(const std::string& path, const toml::source_position& position) const;
+  std::string place(const std::string& path, const TomlPosition& position) const;
   /// Throws InputError "place: path: what".
-  [[noreturn]] void fail(const std::string& path, const toml::source_position& position,
+  [[noreturn]] void fail(const std::string& path, const TomlPosition& position,
                          const std::string& what) const;
 
  private:
   using Names = std::vector<std::string>;
 
-  toml::node& find_or_make(toml::node& parent, const Names& names, std::size_t depth,
-                           const std::string& where);
+  TomlValue& find_or_make(TomlValue& parent, const Names& names, std::size_t depth,
+                          const std::string& where);
   void remember(const std::string& path, const std::string& where);
   /// What gave a key its value, "--set KEY=VALUE"; empty: the file.
   std::string find_override(const std::string& path) const;
 
   std::string name_;
-  toml::table root_;
+  TomlValue root_;                                ///< a table
   std::map<std::string, std::string> overrides_;  ///< path of a key: the override that made it
 };
 

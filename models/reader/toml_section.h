@@ -24,7 +24,7 @@ class TomlSection {
   TomlSection(const TomlDocument& document, const Keys& known);
 
   const std::string& path() const { return path_; }
-  bool has(std::string_view key) const { return table_->contains(key); }
+  bool has(std::string_view key) const { return table_->find(key) != nullptr; }
   bool is_array(std::string_view key) const;
   bool is_text(std::string_view key) const;
   bool is_table(std::string_view key) const;
@@ -49,7 +49,7 @@ class TomlSection {
   std::vector<std::vector<double>> rows(std::string_view key, const Quantity& quantity,
                                         std::size_t count, std::size_t other_count = 0) const;
   /// An array of one value or more, of any types.
-  const toml::array& values(std::string_view key) const;
+  const TomlArray& values(std::string_view key) const;
   /// An array of numbers, each greater than the one before.
   std::vector<double> increasing_numbers(std::string_view key, const Quantity& quantity) const;
 
@@ -75,22 +75,22 @@ class TomlSection {
   [[noreturn]] void fail_expected(std::string_view key, const std::string& expected) const;
 
  private:
-  TomlSection(const TomlDocument& document, const toml::table& table, std::string path,
-              const toml::source_position& position, const Keys& known);
+  TomlSection(const TomlDocument& document, const TomlTable& table, std::string path,
+              const TomlPosition& position, const Keys& known);
 
   void check_keys(const Keys& known) const;
   std::string path_of(std::string_view key) const;
-  const toml::source_position& position(std::string_view key) const;
-  const toml::node& required(std::string_view key, const std::string& expected) const;
-  void flatten(const toml::array& array, const std::string& path, const Quantity& quantity,
+  const TomlPosition& position(std::string_view key) const;
+  const TomlValue& required(std::string_view key, const std::string& expected) const;
+  void flatten(const TomlArray& array, const std::string& path, const Quantity& quantity,
                std::vector<double>& numbers) const;
-  double checked_number(const toml::node& node, const std::string& path,
+  double checked_number(const TomlValue& node, const std::string& path,
                         const Quantity& quantity) const;
 
   const TomlDocument* document_;
-  const toml::table* table_;
+  const TomlTable* table_;
   std::string path_;
-  toml::source_position position_;  ///< for complaints about what is missing
+  TomlPosition position_;  ///< for complaints about what is missing
 };
 
 /// "a", "b" or "c".

@@ -1,12 +1,11 @@
 // Effective mass and force of a subsystem, (P 10), with D = Phi M^-1 Phi^T formed and factorised
 // whole: docs/formulation.md, section 4.2.
 
-#include <Eigen/Cholesky>
-
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/subsystem/joint_coordinates.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_solve.h"
+#include "engine/support/dense.h"
 
 namespace spoke::subsystem {
 namespace {
@@ -73,16 +72,16 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   // (1) D = Phi M^-1 Phi^T and Phi M^-1 Q - gamma, joint by joint.
   assemble(subsystem, data, work);
   // (2) D^-1 of the root joints' rows and of Phi M^-1 Q - gamma. Phi_Y has rows at roots only.
-  const Cholesky factor(work.D);
+  factorise_cholesky(work.D);
   Eigen::MatrixXd& solution = work.solution;
   solution.leftCols<d>().setZero();
   for (std::size_t j = 0; j < work.bodies.size(); ++j)
     if (subsystem.bodies[j].parent < 0)
       solution.block<d, d>(d * static_cast<Eigen::Index>(j), 0).setIdentity();
-  factor.solveInPlace(solution);
+  solve_cholesky(work.D, solution);
   if (work.columns.cols() > 0) {
     work.inverse_columns = work.columns;
-    factor.solveInPlace(work.inverse_columns);
+    solve_cholesky(work.D, work.inverse_columns);
     eliminate_coordinates(subsystem, data, work);
   }
 

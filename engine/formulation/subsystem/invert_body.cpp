@@ -4,6 +4,7 @@
 #include "engine/formulation/dense_body.h"
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/tree_joints.h"
+#include "engine/support/dense.h"
 
 namespace spoke::subsystem {
 
@@ -44,7 +45,7 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
   constexpr int d = World::kTwist;
   // (1) M of (P 3), then its Cholesky factor in place.
   calc_dense_mass(data, *work.elastic[implicit], implicit, work.mass);
-  const Cholesky factor(work.mass);
+  factorise_cholesky(work.mass);
   // (2) The right-hand sides J^T and Q.
   Eigen::MatrixXd &J = work.jacobians, &columns = work.inverse_columns;
   for (int h = 0; h < work.biases.cols(); ++h) {
@@ -54,7 +55,7 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
   columns.leftCols(J.rows()) = J.transpose();
   calc_dense_force(data, columns.col(J.rows()));
   // (3) M^-1 [J^T, Q], and J times that: the body's share of Phi M^-1 Phi^T and of Phi M^-1 Q.
-  factor.solveInPlace(columns);
+  solve_cholesky(work.mass, columns);
   work.products.noalias() = J.lazyProduct(columns);
 }
 

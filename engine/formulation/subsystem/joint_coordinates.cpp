@@ -2,6 +2,8 @@
 
 #include "engine/formulation/subsystem/joint_coordinates.h"
 
+#include "engine/support/dense.h"
+
 namespace spoke::subsystem {
 namespace {
 
@@ -25,7 +27,8 @@ void eliminate_coordinates(const Subsystem<World>& subsystem, const SubsystemDat
   work.response.noalias() = -work.columns.transpose().lazyProduct(work.solution);
   for (std::size_t j = 0; j < work.bodies.size(); ++j)
     add_forces(joint_of(subsystem, data, j), work.first_coordinate[j], work);
-  Cholesky(work.inertia).solveInPlace(work.response);
+  factorise_cholesky(work.inertia);
+  solve_cholesky(work.inertia, work.response);
   work.solution.noalias() += work.inverse_columns.lazyProduct(work.response);
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -46,21 +47,31 @@ class Json {
 
   static Json array(std::initializer_list<Json> elements = {});
   static Json object();
-  /// The value of a text that is JSON; throws std::exception on others.
+  /// The value of a text of any origin, without what is nested 32 levels deep or more; null if the
+  /// text is not JSON.
   static Json parse(std::string_view text);
+
+  bool is_object() const;
 
   /// Of an array.
   void push_back(Json element);
   /// Of an object: adds a member, or gives it another value.
   void set(std::string_view key, Json value);
   void update(Json members);
+  /// Of an object: adds an element to the array under a key, which is made if there is none.
+  void append(std::string_view key, Json element);
+  /// Of an object: takes a member away if it is there.
+  void erase(std::string_view key);
 
   /// On one line.
   std::string dump() const;
+  /// On one line, members of objects sorted by their keys.
+  std::string dump_sorted() const;
   /// On several lines, indented by 2, with a line end.
   std::string dump_lines() const;
 
  private:
+  friend struct JsonChange;
   struct Value;
   struct Signed {
     std::int64_t value;
@@ -79,6 +90,16 @@ class Json {
 struct Json::Member {
   std::string_view key;
   mutable Json value;  ///< moved from by the object that takes it
+};
+
+/// What has become of a part of a value.
+struct JsonChange {
+  std::string place;   ///< "/blades/0/length"; ends in "/-" behind the last element of an array
+  std::string before;  ///< on one line, in ASCII; empty: there is none
+  std::string after;
+
+  /// The first one on the way from one value to another; nothing if they are equal.
+  static std::optional<JsonChange> find_first(const Json& before, const Json& after);
 };
 
 }  // namespace spoke

@@ -1,12 +1,10 @@
 // JSON values by nlohmann's library.
 
-#include "engine/support/json.h"
+#include "models/support/json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
-
-#include "engine/support/plain_zero.h"
 
 namespace spoke {
 namespace {
@@ -20,7 +18,7 @@ bool is_plain(const std::string& text) {
 }
 
 /// As dump() of the library, which takes a page's longest texts apart letter by letter.
-void append(const ordered_json& value, std::string& text) {
+void append_text(const ordered_json& value, std::string& text) {
   bool is_first = true;
   const auto separate = [&text, &is_first] {
     if (!std::exchange(is_first, false)) text += ',';
@@ -29,16 +27,16 @@ void append(const ordered_json& value, std::string& text) {
     text += '{';
     for (const auto& [key, member] : value.items()) {
       separate();
-      append(key, text);
+      append_text(key, text);
       text += ':';
-      append(member, text);
+      append_text(member, text);
     }
     text += '}';
   } else if (value.is_array()) {
     text += '[';
     for (const ordered_json& element : value) {
       separate();
-      append(element, text);
+      append_text(element, text);
     }
     text += ']';
   } else if (value.is_string() && is_plain(value.get_ref<const std::string&>())) {
@@ -46,6 +44,12 @@ void append(const ordered_json& value, std::string& text) {
   } else {
     text += value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   }
+}
+
+/// A part of a value, in ASCII; empty if there is none.
+std::string dump_at(const ordered_json::json_pointer& place, const ordered_json& value) {
+  if (!value.contains(place)) return {};
+  return value.at(place).dump(-1, ' ', true, ordered_json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -61,13 +65,14 @@ std::unique_ptr<Json::Value> Json::make(Source&& source) {
 
 Json::Json() : value_(make(nullptr)) {}
 Json::Json(bool value) : value_(make(value)) {}
-Json::Json(double value) : value_(make(plain_zero(value))) {}
+// A sum of -0.0 and 0.0 has no sign.
+Json::Json(double value) : value_(make(value + 0.0)) {}
 Json::Json(float value) : value_(make(value + 0.0F)) {}
 Json::Json(Signed number) : value_(make(number.value)) {}
 Json::Json(Unsigned number) : value_(make(number.value)) {}
 Json::Json(std::string_view text) : value_(make(text)) {}
 Json::Json(const std::vector<double>& numbers) : value_(make(ordered_json::array())) {
-  for (const double number : numbers) value_->json.push_back(plain_zero(number));
+  for (const double number : numbers) value_->json.push_back(number + 0.0);
 }
 Json::Json(const std::vector<int>& numbers) : value_(make(numbers)) {}
 Json::Json(const std::vector<std::string>& texts) : value_(make(texts)) {}
@@ -94,10 +99,17 @@ Json Json::array(std::initializer_list<Json> elements) {
 Json Json::object() { return std::initializer_list<Member>{}; }
 
 Json Json::parse(std::string_view text) {
+  // A text of another origin may be nested without end.
+  const auto is_shallow = [](int depth, ordered_json::parse_event_t, ordered_json&) {
+    return depth < 32;
+  };
   Json value;
-  value.value_->json = ordered_json::parse(text);
+  ordered_json parsed = ordered_json::parse(text, is_shallow, false);
+  if (!parsed.is_discarded()) value.value_->json = std::move(parsed);
   return value;
 }
+
+bool Json::is_object() const { return value_->json.is_object(); }
 
 void Json::push_back(Json element) { value_->json.push_back(std::move(element.value_->json)); }
 
@@ -107,14 +119,36 @@ void Json::set(std::string_view key, Json value) {
 
 void Json::update(Json members) { value_->json.update(members.value_->json); }
 
+void Json::append(std::string_view key, Json element) {
+  value_->json[std::string(key)].push_back(std::move(element.value_->json));
+}
+
+void Json::erase(std::string_view key) { value_->json.erase(std::string(key)); }
+
 std::string Json::dump() const {
   std::string text;
-  append(value_->json, text);
+  append_text(value_->json, text);
   return text;
+}
+
+std::string Json::dump_sorted() const {
+  return nlohmann::json(value_->json)
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string Json::dump_lines() const {
   return value_->json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::optional<JsonChange> JsonChange::find_first(const Json& before, const Json& after) {
+  const ordered_json& old = before.value_->json;
+  const ordered_json& current = after.value_->json;
+  const ordered_json changes = ordered_json::diff(old, current);
+  if (changes.empty()) return {};
+  auto place = changes[0]["path"].get<std::string>();
+  if (place.ends_with("/-")) return JsonChange{std::move(place), {}, {}};
+  const ordered_json::json_pointer pointer(place);
+  return JsonChange{std::move(place), dump_at(pointer, old), dump_at(pointer, current)};
 }
 
 }  // namespace spoke
