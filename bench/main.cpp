@@ -36,7 +36,6 @@ constexpr std::array kQuestions{
              measure_passes, true},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",
              measure_step_graphs},
-    Question{"predict", "how far predicted times are from measured ones", measure_predict},
     Question{"executors", "what two threads gain on rotors, by executor", measure_executors},
     Question{"tracing", "what recording nodes costs, switched off and on", measure_tracing},
     Question{"start_up", "what the program takes beyond its integration", measure_start_up},

@@ -5,10 +5,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "engine/cli/build_simulation.h"
@@ -133,7 +131,7 @@ void warm_up(Subject& subject, std::int64_t batch) {
     measure_nodes(simulation, std::min(batch, steps - simulation.steps()));
 }
 
-/// Times the nodes of all subjects, over the same steps, and the runtimes in every few rounds.
+/// Times the nodes of all subjects, over the same steps.
 class SubjectTimer {
  public:
   explicit SubjectTimer(Subjects& subjects)
@@ -141,31 +139,22 @@ class SubjectTimer {
     warm_up(subjects.all, batch_);
     if (!subjects.of_auto) return;
     warm_up(*subjects.of_auto, batch_);
-    of_auto_.emplace(subjects.of_auto->simulation, false);
+    of_auto_.emplace(subjects.of_auto->simulation);
   }
 
   void measure() {
     all_.measure(batch_);
     if (of_auto_) of_auto_->measure(batch_);
-    if (rounds_++ % 4 == 0) measure_runtimes();
   }
   void summarise(predict::Prediction& prediction) const {
     prediction.run.nodes = all_.summarise();
     if (of_auto_) prediction.auto_run->nodes = of_auto_->summarise();
-    prediction.runtime = graph::median(runtimes_);
   }
 
  private:
-  void measure_runtimes() {
-    runtimes_.push_back(graph::measure_runtime_costs());
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));  // until no thread spins any more
-  }
-
   std::int64_t batch_;
   predict::NodeTimer all_;
   std::optional<predict::NodeTimer> of_auto_;
-  int rounds_ = 0;
-  std::vector<graph::RuntimeCosts> runtimes_;
 };
 
 /// Executors on the numbers of threads that this machine has, in child processes; in the same
@@ -273,6 +262,7 @@ int predict(const Arguments& arguments) {
   SubjectTimer timer(subjects);
   const auto measurements = measure(task, subjects, timer, machine.cores);
   timer.summarise(prediction);
+  prediction.runtime = graph::measure_runtime_costs();
   prediction.load_after = load_average();
   prediction.capacity.after = measure_capacity().after;
   show_progress("predicting");

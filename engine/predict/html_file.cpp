@@ -139,18 +139,14 @@ constexpr const char* kMethod =
     "the same ones as the measured processes and in the same rounds: of the graph of one pass, and "
     "of that of the window of steps which auto chooses in a run, or of one window for all if that "
     "was asked for; a process that is much slower than serial makes fewer steps in a round. A "
-    "simulator then runs the graph on any number of processors equal to this one: "
-    "flow_graph and auto by work stealing, as oneTBB does it, with the calibrated costs of "
-    "starting a cluster, alone or while other threads do or search for work, and of handing it to "
-    "another processor; openmp_levels level by level, the costliest thread of each and a barrier. "
-    "A node waits for declared data that another processor wrote last: for the first line of each "
-    "part, as far as its processor does not look ahead, and in proportion to their size. A barrier "
-    "is taken to grow as the logarithm of the threads. The band of an executor is what its "
-    "measured points have: their quartiles, and beyond them their largest deviation once more with "
-    "each doubling of threads; it stays within the bounds of any greedy schedule, max(T1/P, Tinf) "
-    "and (T1 - Tinf)/P + Tinf, which are also the band where nothing was measured, unless the "
-    "runtime's costs are beyond them. That processors "
-    "share cache capacity, memory and power is not modelled.";
+    "simulator then runs the graph on any number of processors equal to this one: flow_graph and "
+    "auto by the schedule that auto ranks its plans with, in which each node, each cluster and "
+    "each "
+    "handover to another processor has its measured cost; openmp_levels level by level, the "
+    "costliest thread of each and a barrier, which is taken to grow as the logarithm of the "
+    "threads. The band is that of any greedy schedule, from max(T1/P, Tinf) to "
+    "(T1 - Tinf)/P + Tinf or what the runtime's costs make of it. That data move between "
+    "processors, and that these share cache capacity, memory and power, is not modelled.";
 
 }  // namespace
 
@@ -160,9 +156,10 @@ std::string make_html(const Prediction& prediction) {
                     fmt::format("What more threads would give, predicted from one thread{}",
                                 prediction.rounds > 0 ? " and checked on this machine" : ""));
   page.add_notes(make_conclusions(prediction));
-  page.add_figure(render(speedup_chart(prediction)),
-                  "Both axes are logarithmic. Bands: as far as measured points were off, more with "
-                  "each doubling of threads. Dashed: bounds. Points: measured here.");
+  page.add_figure(
+      render(speedup_chart(prediction)),
+      "Both axes are logarithmic. Bands: bounds of any greedy schedule. Dashed: bounds of "
+      "any schedule. Points: measured here.");
   if (prediction.rounds > 0) {
     const report::BarChart check = check_chart(prediction);
     page.add_figure(render(check), report::caption_of(check.value));

@@ -48,16 +48,12 @@ std::int64_t choose_steps(Simulation& simulation, double seconds) {
 }
 
 void NodeTimer::measure(std::int64_t steps) {
-  const std::int64_t by_levels = by_levels_ ? steps / 2 : 0;
-  serial_.push_back(measure_nodes(simulation_, steps - by_levels));
-  if (by_levels > 0)
-    levels_.push_back(measure_nodes(simulation_, by_levels, graph::NodeOrder::levels));
+  rounds_.push_back(measure_nodes(simulation_, steps));
   steps_ += steps;
 }
 
 Nodes NodeTimer::summarise() const {
-  Nodes nodes{medians_of(serial_), {}, {}, steps_};
-  if (!levels_.empty()) nodes.level_costs = medians_of(levels_).costs;
+  Nodes nodes{medians_of(rounds_), {}, steps_};
   const std::vector<double>& times = nodes.serial.run_times;
   const double median = compare::median(times);
   if (median > 0.0)

@@ -5,7 +5,6 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/compare/statistics.h"
 
@@ -28,7 +27,7 @@ graph::PredictedRun per_step(graph::PredictedRun run, const NodeMeasurement& nod
 class StepPredictor {
  public:
   StepPredictor(RunGraph& run, const graph::StepGraph& graph, const graph::RuntimeCosts& runtime)
-      : run_(run), predictor_(graph, run.nodes.costs(), runtime, run.nodes.spread) {
+      : run_(run), predictor_(graph, run.nodes.serial.costs, runtime, run.nodes.spread) {
     run.work = run.nodes.serial.runs_per_step * predictor_.work();
     run.span = run.nodes.serial.runs_per_step * predictor_.span();
   }
@@ -58,50 +57,6 @@ Point* find_point(Prediction& prediction, const compare::Configuration& configur
       if (series.executor == configuration.executor && configuration.threads == point.threads)
         return &point;
   return nullptr;
-}
-
-/// What measured times are by predicted ones, at the least and at the most.
-struct Deviation {
-  double low = 1.0, high = 1.0;
-};
-
-/// Of points on several threads, per doubling of these: at the most that of threads that take
-/// turns. What is beyond that, as where threads that spin are put to sleep by other programs, says
-/// nothing about more of them.
-Deviation deviation_of(const Series& series) {
-  constexpr double kTurns = 2.0;
-  Deviation deviation;
-  for (const Point& point : series.points) {
-    if (!point.measured || point.threads == 1) continue;
-    const double share = 1.0 / std::log2(point.threads);
-    const auto factor = [&](double measured) {
-      return std::clamp(std::pow(measured / point.step.expected, share), 1.0 / kTurns, kTurns);
-    };
-    deviation.low = std::min(deviation.low, factor(point.measured->step.low));
-    deviation.high = std::max(deviation.high, factor(point.measured->step.high));
-  }
-  return deviation;
-}
-
-void narrow_band(const Deviation& deviation, Point& point) {
-  graph::PredictedRun& step = point.step;
-  if (point.measured) {
-    step.optimistic = std::min(step.expected, point.measured->step.low);
-    step.pessimistic = std::max(step.expected, point.measured->step.high);
-  } else if (point.threads > 1) {
-    const double doublings = std::log2(point.threads);
-    const auto reach = [&](double factor) { return step.expected * std::pow(factor, doublings); };
-    // Where the runtime's costs are beyond the bound of a greedy schedule, that bounds nothing.
-    const bool is_bound = step.pessimistic > step.expected;
-    step.optimistic = std::max(step.optimistic, reach(deviation.low));
-    step.pessimistic =
-        is_bound ? std::min(step.pessimistic, reach(deviation.high)) : reach(deviation.high);
-  }
-}
-
-bool was_measured(const Series& series) {
-  return std::any_of(series.points.begin(), series.points.end(),
-                     [](const Point& point) { return point.measured && point.threads > 1; });
 }
 
 }  // namespace
@@ -170,12 +125,6 @@ void add_measured(Prediction& prediction, const std::vector<compare::Measurement
     if (point == nullptr || measurement.step_times.size() < 2) continue;
     point->measured = {quartiles_of(measurement.step_times),
                        quartiles_of(compare::ratios(serial->step_times, measurement.step_times))};
-  }
-  if (prediction.serial.measured) narrow_band({}, prediction.serial);
-  for (Series& series : prediction.series) {
-    if (!was_measured(series)) continue;
-    const Deviation deviation = deviation_of(series);
-    for (Point& point : series.points) narrow_band(deviation, point);
   }
 }
 

@@ -90,9 +90,7 @@ void predict(Prediction& prediction, const graph::StepGraph& graph,
              const graph::StepGraph* auto_graph, const std::vector<int>& threads);
 
 /// Puts measurements, as by compare::measure(), beside the points they belong to. Those that gave
-/// no time in several rounds are left out. Of an executor with measured points, the band is then
-/// what these have: a measured point's that of its quartiles; a further point's their largest
-/// deviations, once more with each doubling of threads beyond theirs, and within its bounds.
+/// no time in several rounds are left out.
 void add_measured(Prediction& prediction, const std::vector<compare::Measurement>& measurements);
 
 }  // namespace spoke::predict

@@ -99,16 +99,9 @@ std::vector<report::Fact> make_facts(const Prediction& prediction) {
   if (prediction.capacity.is_known()) facts.emplace_back("capacity", prediction.capacity.text());
   add_run(prediction.run, "a run", facts);
   if (prediction.auto_run) add_run(*prediction.auto_run, "auto", facts);
-  facts.emplace_back(
-      "flow graph",
-      fmt::format("{} a cluster, {} more if it is spawned, {} a handover to another thread",
-                  graph::duration_text(flow_graph.per_cluster),
-                  graph::duration_text(flow_graph.spawn),
-                  graph::duration_text(flow_graph.handover)));
-  facts.emplace_back(
-      "data",
-      fmt::format("{} and {:.3g} ns a byte, if another processor wrote it last",
-                  graph::duration_text(runtime.transfer.latency), runtime.transfer.per_byte * 1e9));
+  facts.emplace_back("flow graph", fmt::format("{} a cluster, {} a handover to another thread",
+                                               graph::duration_text(flow_graph.per_cluster),
+                                               graph::duration_text(flow_graph.handover)));
   if (!prediction.ranks.empty())
     facts.emplace_back("network",
                        fmt::format("{} a message between processes, {}",

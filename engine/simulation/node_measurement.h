@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "graph/plan/node_order.h"
-
 namespace spoke {
 
 class Simulation;
@@ -19,12 +17,11 @@ struct NodeMeasurement {
   double runs_per_step = 0.0;     ///< of the graph, mean
 };
 
-/// Makes `steps` steps as Simulation::run_until() does, to the same bits, but on one thread, nodes
-/// in `order`, in half of the runs with a time stamp between any two, 8 bytes each meanwhile.
-/// Throws DivergenceError, and InputError unless 1 <= steps <= planned_steps() - steps(); should be
-/// 2 windows or more.
-NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps,
-                              graph::NodeOrder order = graph::NodeOrder::serial);
+/// Makes `steps` steps as Simulation::run_until() does, to the same bits, but on one thread, in
+/// half of the runs with a time stamp between any two nodes, 8 bytes each meanwhile. Throws
+/// DivergenceError, and InputError unless 1 <= steps <= planned_steps() - steps(); should be 2
+/// windows or more.
+NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps);
 
 /// Of the executor auto on several threads: builds the graph of the window that it chooses for
 /// simulations that are long enough to plan for, without planning; Simulation::run_graph() is then

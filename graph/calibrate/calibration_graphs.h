@@ -6,9 +6,8 @@
 
 namespace spoke::graph {
 
-/// `count` times one node that some busy ones wait for, two if not told otherwise; a last one joins
-/// the last of them.
-StepGraph make_fork_joins(int count, double busy, int branches = 2);
+/// `count` times one node that two busy ones wait for; a last one joins the last of them.
+StepGraph make_fork_joins(int count, double busy);
 
 /// Levels of two empty nodes, each of which waits for both nodes of the level before.
 StepGraph make_ladder(int levels);

@@ -46,13 +46,10 @@ std::vector<double> in_seconds(const std::vector<std::uint64_t>& ticks) {
 
 }  // namespace
 
-MeasuringExecutor::MeasuringExecutor(const StepGraph& graph, NodeOrder order)
-    : graph_(graph), costs_(graph, order) {}
-
 void MeasuringExecutor::run() {
   if (has_stamps(runs())) return costs_.run();
   const std::uint64_t begin = time_stamp();
-  for (const NodeId node : costs_.order()) graph_.run_node(node);
+  for (const NodeId node : graph_.serial_order()) graph_.run_node(node);
   plain_ticks_.push_back(time_stamp() - begin);
 }
 

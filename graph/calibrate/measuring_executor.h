@@ -10,14 +10,14 @@
 
 namespace spoke::graph {
 
-/// Runs the nodes serially, in one order or another, and measures what each of them costs and what
+/// Runs the nodes serially, and measures what each of them costs and what
 /// is done between two runs. So what runs by an executor can be measured at work.
 /// Time stamps stand between the nodes of half of the runs only; the others tell what all nodes
 /// cost together, undisturbed.
 class MeasuringExecutor final : public Executor {
  public:
   /// Refers to `graph`, which must outlive it.
-  explicit MeasuringExecutor(const StepGraph& graph, NodeOrder order = NodeOrder::serial);
+  explicit MeasuringExecutor(const StepGraph& graph) : graph_(graph), costs_(graph) {}
 
   void run() override;
   void run_while(const std::function<bool()>& more) override;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "graph/plan/node_order.h"
 #include "graph/step_graph.h"
 
 namespace spoke::graph {
@@ -14,15 +13,14 @@ namespace spoke::graph {
 class NodeCosts {
  public:
   /// Refers to `graph`, which must outlive it.
-  explicit NodeCosts(const StepGraph& graph, NodeOrder order = NodeOrder::serial);
+  explicit NodeCosts(const StepGraph& graph) : graph_(graph) {}
 
-  /// Runs every node once, in that order, with a time stamp between any two.
+  /// Runs every node once, in serial order, with a time stamp between any two.
   void run();
 
   /// The number of runs so far, and the time they took [s].
   int runs() const { return runs_; }
   double seconds() const { return seconds_; }
-  const std::vector<NodeId>& order() const { return order_; }
 
   /// Per node its cost [s], less that of the stamp: the mean over the cheaper three quarters of the
   /// runs. That leaves out interruptions, but not that a node may be idle in some runs and busy in
@@ -31,7 +29,6 @@ class NodeCosts {
 
  private:
   const StepGraph& graph_;
-  std::vector<NodeId> order_;
   std::vector<std::uint64_t> ticks_;  // per run and place in the order
   int runs_ = 0;
   double seconds_ = 0.0;

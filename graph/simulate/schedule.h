@@ -10,13 +10,12 @@
 namespace spoke::graph {
 
 /// What running a plan costs beside its nodes' bodies [s]: by default what oneTBB takes on common
-/// processors. Plans that are tried on real runs need no more; predictions measure it
-/// (calibrate/runtime_costs.h).
+/// processors. Plans that are tried on real runs need no more; predictions measure what a cluster
+/// and a handover take (calibrate/runtime_costs.h).
 struct Overheads {
   double per_node = 2e-9;      ///< calling a node within its cluster
-  double per_cluster = 60e-9;  ///< starting a cluster with which its processor goes on
+  double per_cluster = 80e-9;  ///< starting a cluster
   double handover = 0.8e-6;    ///< a cluster starts on another processor than made it ready
-  double spawn = 45e-9;        ///< what a cluster takes longer that was spawned to the ready deque
 };
 
 /// Where and when a cluster runs [s from the start of the run]; its overheads are part of it, a

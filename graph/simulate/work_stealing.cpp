@@ -19,10 +19,9 @@ namespace {
 class WorkStealer {
  public:
   WorkStealer(const Plan& plan, std::span<const double> node_costs, int processors,
-              const Overheads& overheads, DataTraffic* traffic)
+              const Overheads& overheads)
       : plan_(plan),
         overheads_(overheads),
-        traffic_(traffic),
         durations_(cluster_times(plan, node_costs, overheads)),
         processors_(index_of(processors)),
         schedule_{processors, 0.0, std::vector<Slot>(durations_.size())} {
@@ -72,10 +71,7 @@ class WorkStealer {
   };
 
   void start(int cluster, int processor, double now) {
-    double end = now + durations_[index_of(cluster)];
-    if (traffic_) {
-      for (const NodeId node : plan_.nodes(cluster)) end += traffic_->run(node, processor);
-    }
+    const double end = now + durations_[index_of(cluster)];
     schedule_.slots[index_of(cluster)] = {processor, now, end};
     events_.push({end, processor, cluster});
     processors_[index_of(processor)].state = State::working;
@@ -105,7 +101,7 @@ class WorkStealer {
     const int cluster = own.back();
     own.pop_back();
     --spawned_;
-    start(cluster, processor, now + overheads_.spawn);
+    start(cluster, processor, now);
   }
 
   void let_idle_steal(double now) {
@@ -132,7 +128,6 @@ class WorkStealer {
 
   const Plan& plan_;
   const Overheads overheads_;
-  DataTraffic* traffic_;
   std::vector<double> durations_;
   std::vector<int> waiting_for_;
   std::vector<Processor> processors_;
@@ -144,9 +139,9 @@ class WorkStealer {
 }  // namespace
 
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
-                                int processors, const Overheads& overheads, DataTraffic* traffic) {
+                                int processors, const Overheads& overheads) {
   assert(processors >= 1);
-  return WorkStealer(plan, node_costs, processors, overheads, traffic).run();
+  return WorkStealer(plan, node_costs, processors, overheads).run();
 }
 
 }  // namespace spoke::graph

@@ -4,7 +4,6 @@
 
 #include <span>
 
-#include "graph/simulate/data_traffic.h"
 #include "graph/simulate/schedule.h"
 
 namespace spoke::graph {
@@ -16,9 +15,8 @@ namespace spoke::graph {
 /// turn, and takes the oldest cluster there. Clusters without predecessors are spawned by processor
 /// 0.
 ///
-/// With `traffic`, processors wait for data that others have written. Event-driven; near-linear.
+/// Event-driven; near-linear.
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
-                                int processors, const Overheads& overheads,
-                                DataTraffic* traffic = nullptr);
+                                int processors, const Overheads& overheads);
 
 }  // namespace spoke::graph

@@ -18,13 +18,6 @@ struct PredictedRun {
   int clusters = 0;  ///< of the plan that is run; 1: serially; 0: the executor knows no plans
 };
 
-/// What the nodes cost on one thread, by index of the node [s], in the orders that executors run
-/// them.
-struct OrderedCosts {
-  std::vector<double> serial;
-  std::vector<double> levels;  ///< for openmp_levels; empty: that one is not predicted
-};
-
 /// What the costs of nodes may be off by, as factors.
 struct CostSpread {
   double low = 1.0;   ///< <= 1
@@ -32,20 +25,22 @@ struct CostSpread {
 };
 
 /// Predicts how long executors take for a run on any number of processors, equal to the one on
-/// which nodes and runtimes were measured. Data that another processor wrote last are waited for
-/// (DataTraffic); what processors share beyond that, cache capacity and memory, is not modelled.
-/// For the bounds nodes are at their cheapest and at their dearest.
+/// which nodes and runtimes were measured, by the same schedule that the executor auto ranks its
+/// plans with: costs of nodes, of clusters, and of handovers. That data move between processors,
+/// and what these share, is not modelled. For the bounds nodes are at their cheapest and at their
+/// dearest.
 class RunPredictor {
  public:
-  /// Refers to `graph`, which must outlive it.
-  RunPredictor(const StepGraph& graph, OrderedCosts node_costs, const RuntimeCosts& runtime,
+  /// Refers to `graph`, which must outlive it. `node_costs`: on one thread, by index of the node
+  /// [s].
+  RunPredictor(const StepGraph& graph, std::vector<double> node_costs, const RuntimeCosts& runtime,
                CostSpread spread = {});
 
   double work() const;  ///< T1 [s]
   double span() const;  ///< Tinf [s]
 
   /// Whether runs of this executor can be predicted: serial, flow_graph, auto, and openmp_levels if
-  /// its barrier and the nodes in its order were measured.
+  /// its barrier was measured.
   bool can_predict(ExecutorKind kind) const;
   /// Precondition: can_predict(kind), threads >= 1. Each thread has a processor of its own. `auto`
   /// runs the plan that the simulator finds best, or serially if no plan is faster.
@@ -59,7 +54,7 @@ class RunPredictor {
   PredictedRun predict_levels(int threads) const;
 
   const StepGraph& graph_;
-  OrderedCosts node_costs_;
+  std::vector<double> node_costs_;
   RuntimeCosts runtime_;
   CostSpread spread_;
   Plan single_nodes_;

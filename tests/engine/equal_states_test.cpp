@@ -143,7 +143,7 @@ void check_plans(const Scenario& scenario, Formulation formulation) {
     expected.resize(alone.size());  // behind the state stand observations
     CHECK(expected == alone);
     for (const int processors : {2, 3, 6, 12}) {
-      const graph::Overheads overheads{2e-9, 0.2e-6, 1e-6, 0.0};
+      const graph::Overheads overheads{2e-9, 0.2e-6, 1e-6};
       const auto costs = invent_costs(repetition.graph(), static_cast<std::uint32_t>(processors));
       for (graph::Candidate& candidate :
            graph::find_candidates(repetition.graph(), costs, processors, overheads, 6)) {

@@ -35,7 +35,7 @@ Prediction predict_with(double handover, const std::vector<int>& threads = {1, 2
   Prediction prediction{.scenario = {}};
   prediction.run = run_of(single, 1);
   prediction.auto_run = run_of(window, kSteps);
-  prediction.runtime.flow_graph = {2e-9, 0.0, handover, 0.0};
+  prediction.runtime.flow_graph = {2e-9, 0.0, handover};
   predict::predict(prediction, single, &window, threads);
   return prediction;
 }
@@ -111,53 +111,6 @@ TEST_CASE("without measured points the band is that between the bounds by work a
     const double greedy = share + (1.0 - 1.0 / point.threads) * span;
     CHECK(point.step.pessimistic == approx(std::max(point.step.expected, greedy)));
   }
-}
-
-TEST_CASE("measured points fill the band of their executor") {
-  Prediction prediction = predict_with(0.0, {1, 2, 4});
-  const double two = series_of(ExecutorKind::flow_graph, prediction).points[1].step.expected;
-  const double four = series_of(ExecutorKind::flow_graph, prediction).points[2].step.expected;
-  const double most = series_of(ExecutorKind::flow_graph, prediction).points[2].step.pessimistic;
-  add_measured(prediction,
-               {measurement_of(ExecutorKind::serial, 1, {12e-6, 12e-6}),
-                measurement_of(ExecutorKind::flow_graph, 2, {1.1 * two, 1.1 * two, 1.1 * two})});
-  const auto& points = series_of(ExecutorKind::flow_graph, prediction).points;
-  CHECK(points[1].step.optimistic == two);
-  CHECK(points[1].step.pessimistic == approx(1.1 * two));
-  CHECK(points[2].step.optimistic == four);
-  CHECK(points[2].step.pessimistic == approx(std::min(most, 1.21 * four)));
-  const auto& others = series_of(ExecutorKind::automatic, prediction).points;
-  CHECK(others[1].step.pessimistic > 1.001 * others[1].step.expected);  // nothing measured
-}
-
-TEST_CASE("a band has width where costs of the runtime are beyond the bound of a greedy schedule") {
-  Prediction prediction = predict_with(0.0, {1, 2, 4});
-  Series* flow_graph = nullptr;
-  for (Series& series : prediction.series)
-    if (series.executor == ExecutorKind::flow_graph) flow_graph = &series;
-  REQUIRE(flow_graph != nullptr);
-  graph::PredictedRun& four = flow_graph->points[2].step;
-  four.expected = four.pessimistic = 10.0 * four.pessimistic;
-  const double two = flow_graph->points[1].step.expected;
-  add_measured(prediction,
-               {measurement_of(ExecutorKind::serial, 1, {12e-6, 12e-6}),
-                measurement_of(ExecutorKind::flow_graph, 2, {1.5 * two, 1.5 * two, 1.5 * two})});
-  CHECK(four.pessimistic == approx(2.25 * four.expected));
-}
-
-TEST_CASE("a measurement that is out of all proportion does not grow with the threads") {
-  Prediction prediction = predict_with(0.0, {1, 2, 64});
-  Series* flow_graph = nullptr;
-  for (Series& series : prediction.series)
-    if (series.executor == ExecutorKind::flow_graph) flow_graph = &series;
-  REQUIRE(flow_graph != nullptr);
-  graph::PredictedRun& most = flow_graph->points[2].step;
-  most.expected = most.pessimistic = 10.0 * most.pessimistic;  // its bound bounds nothing
-  const double slow = 5000.0 * flow_graph->points[1].step.expected;
-  add_measured(prediction, {measurement_of(ExecutorKind::serial, 1, {12e-6, 12e-6}),
-                            measurement_of(ExecutorKind::flow_graph, 2, {slow, slow, slow})});
-  CHECK(flow_graph->points[1].step.pessimistic == approx(slow));
-  CHECK(most.pessimistic == approx(64.0 * most.expected));
 }
 
 TEST_CASE("at capacity a bound has less than the number of threads, as far as it was measured") {

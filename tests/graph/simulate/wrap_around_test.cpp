@@ -18,7 +18,7 @@ using spoke::testing::approx;
 
 namespace {
 
-constexpr Overheads kSome{2e-9, 200e-9, 1e-6, 0.0};
+constexpr Overheads kSome{2e-9, 200e-9, 1e-6};
 
 // Per processor the clusters that it ran, by their starts; of two that cost nothing by number.
 ProcessorLists lists_of(const Schedule& schedule) {
@@ -77,7 +77,7 @@ TEST_CASE("order by lists: the makespan remains, and no edge is implied by other
     const StepGraph graph = build_graph(source);
     const auto costs = random_costs(seed, graph);
     const Plan plan = plan_of_single_nodes(graph);
-    const Overheads none{0.0, 0.0, 0.0, 0.0};
+    const Overheads none{0.0, 0.0, 0.0};
     const Schedule schedule = simulate_work_stealing(plan, costs, 2, none);
     const Plan ordered = order_by_lists(plan, costs, lists_of(schedule));
     const Schedule again = simulate_work_stealing(ordered, costs, 2, none);
