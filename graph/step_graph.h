@@ -119,8 +119,8 @@ class SPOKE_EXPORT StepGraphBuilder {
   explicit StepGraphBuilder(std::string subsystem_word = "subsystem");
 
   /// Adds a part. Its memory must outlive the graph and stay where it is; ranges of different parts
-  /// must not overlap (see bytes_of()). The ranges serve check_declarations(); no edge is derived
-  /// from them. `record_size`: see Part.
+  /// must not overlap (see bytes_of()). The ranges serve check_declarations() of
+  /// graph/declaration_check.h; no edge is derived from them. `record_size`: see Part.
   PartId add_part(std::string name, std::vector<std::span<std::byte>> memory,
                   std::size_t record_size = 0);
 

@@ -16,7 +16,6 @@
 #include "engine/compare/probe.h"
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/inverse_part.h"
-#include "engine/reproduce/remarks.h"
 #include "engine/reproduce/tables.h"
 #include "engine/results.h"
 #include "models/paper_rotor.h"
@@ -128,7 +127,7 @@ int reproduce(const Arguments& arguments) {
   print_title(all.scenario.title);
   print_table(reproduce::method_table(all));
   print("\n");
-  for (const std::string& doubt : reproduce::doubts_of(all)) print_line("note", doubt);
+  if (reproduce::is_disturbed(all)) print_line("note", reproduce::kDisturbed);
   print_line("written", (folder / "reproduce.html").string() + ", reproduce.json");
   return 0;
 }

@@ -1,8 +1,8 @@
 // The fields of reproduce.json.
 
+#include "engine/reproduce/claims.h"
 #include "engine/reproduce/files.h"
 #include "engine/reproduce/paper.h"
-#include "engine/reproduce/remarks.h"
 #include "engine/reproduce/tables.h"
 #include "engine/support/machine_json.h"
 
@@ -19,6 +19,20 @@ Json describe(const Operations& operations) {
           {"additions", operations.additions},
           {"others", operations.others},
           {"total", operations.total()}};
+}
+
+Json describe(const std::vector<Claim>& claims) {
+  Json list = Json::array();
+  for (const Claim& claim : claims) {
+    const auto& ratio = claim.measured;
+    list.push_back({{"what", claim.what},
+                    {"paper", or_null(claim.paper)},
+                    {"here", or_null(claim.here)},
+                    {"quartiles", ratio ? Json::array({ratio->low, ratio->high}) : Json()},
+                    {"holds_if", text_of(claim.condition)},
+                    {"holds", or_null(claim.holds)}});
+  }
+  return list;
 }
 
 Json describe_counts() {
@@ -38,7 +52,7 @@ Json describe_counts() {
     here.set(name_of(formulation), parts);
   }
   const paper::InverseSizes sizes = paper::inverse_sizes();
-  return {{"remark", remark_on_counts()},
+  return {{"claims", describe(claims_on_counts())},
           {"paper", printed},
           {"paper_total", paper::kTable2Total},
           {"inverse_by_n3_3",
@@ -56,7 +70,7 @@ Json describe_drive(const Reproduction& all) {
     speed.push_back(point.motion.speed);
     acceleration.push_back(point.motion.acceleration);
   }
-  return {{"remark", remark_on_drive(all)},
+  return {{"claims", describe(claims_on_drive(all))},
           {"t_s", t},
           {"angle_rad", angle},
           {"speed_rad_s", speed},
@@ -87,7 +101,7 @@ Json describe_deflections(const Reproduction& all) {
                 {"at_s", exact::kLagTime},
                 {"largest_after_ramp_m", exact::kResidual}};
   exact.update(describe_points(exact::points()));
-  return {{"remark", remark_on_deflection(all)}, {"models", models}, {"exact", exact}};
+  return {{"models", models}, {"exact", exact}};
 }
 
 Json describe(const Reproduction& all, Work work, const compare::Measurement& measurement) {
@@ -126,7 +140,7 @@ Json describe_methods(const Reproduction& all) {
                        {"step_s", or_null(time.seconds)},
                        {"ratio", or_null(time.ratio)},
                        {"run_s", or_null(time.run)}});
-  return {{"remark", remark_on_methods(all)},
+  return {{"claims", describe(claims_on_methods(all))},
           {"methods", methods},
           {"implicit",
            {{"step_s", all.implicit.step},
@@ -153,9 +167,10 @@ std::string make_json(const Reproduction& all) {
       {"table_2", describe_counts()},
       {"fig_8", describe_drive(all)},
       {"fig_9", describe_deflections(all)},
-      {"fig_10", {{"remark", remark_on_subsystem_threads(all)}}},
-      {"fig_11", {{"remark", remark_on_layers(all)}}},
-      {"fig_12", {{"remark", remark_on_inverse(all)}, {"inverse_share_serial", all.inverse_share}}},
+      {"fig_10", {{"claims", describe(claims_on_subsystem_threads(all))}}},
+      {"fig_11", {{"claims", describe(claims_on_layers(all))}}},
+      {"fig_12",
+       {{"claims", describe(claims_on_inverse(all))}, {"inverse_share_serial", all.inverse_share}}},
       {"table_3", describe_methods(all)},
       {"timings",
        {{"steps", describe_timings(all, Work::steps)},

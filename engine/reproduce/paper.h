@@ -43,6 +43,9 @@ inline constexpr std::array kTable3{
     StepTime{"conventional", 17.92, 36.57}, StepTime{"subsystem", 4.93, 10.06},
     StepTime{"parallel", 1.78, 3.64}, StepTime{"layered parallel", 0.49, 1.0}};
 
+/// Of the hub in Fig. 8 [rad/s]: not printed; of Wu and Haug (1988), whose rotor it is.
+inline constexpr double kFinalSpeed = 4.0;
+
 /// Section 5.2: scheme 2 on 3x4 threads takes about as many times what it takes on 3x1.
 inline constexpr double kScheme2Slowdown = 1.8;
 

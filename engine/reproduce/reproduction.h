@@ -35,5 +35,9 @@ struct Reproduction {
 inline bool is_disturbed(const Reproduction& all) {
   return is_busy(all.loads.before, all.machine.cores);
 }
+inline constexpr const char* kDisturbed =
+    "The machine was busy with other things: times are disturbed, and what is said of threads "
+    "stays "
+    "open.";
 
 }  // namespace spoke::reproduce
