@@ -175,7 +175,6 @@ so. If the simulation diverges meanwhile, the steps before are written.
 Output files, in the folder of --out:
   trace.json  Chrome trace events, for https://ui.perfetto.dev and chrome://tracing
   graph.dot   the step graph, coloured by share of the time, with its longest path
-  graph.svg   the same as a picture, if Graphviz is installed
   trace.html  graph and threads side by side, in one page, if the program was built with it
 
 Example:

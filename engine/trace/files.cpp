@@ -10,18 +10,17 @@
 #include "engine/results.h"
 #include "engine/trace/chrome_trace.h"
 #include "engine/trace/graph_picture.h"
-#include "engine/trace/graphviz.h"
 #include "engine/trace/page_data.h"
 #include "models/error.h"
 
 namespace spoke::trace {
 
-std::vector<std::string> file_names() {
-  return {"trace.json", "graph.dot", "graph.svg", "trace.html"};
-}
+std::vector<std::string> file_names() { return {"trace.json", "graph.dot", "trace.html"}; }
 
 void remove_files(const std::filesystem::path& folder) {
-  for (const std::string& file : file_names()) {
+  std::vector<std::string> names = file_names();
+  names.emplace_back("graph.svg");  // what Graphviz made of an earlier graph.dot
+  for (const std::string& file : names) {
     std::error_code error;
     std::filesystem::remove(folder / file, error);
     if (error)
@@ -35,11 +34,6 @@ WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder
   WrittenFiles written{{"trace.json", "graph.dot"}, {}};
   write_file(folder / "trace.json", make_chrome_trace(trace));
   write_file(folder / "graph.dot", make_dot(trace));
-  const std::string fault = draw(folder / "graph.dot", folder / "graph.svg");
-  if (fault.empty())
-    written.names.emplace_back("graph.svg");
-  else
-    written.remarks.push_back("no graph.svg: " + fault);
   if (!viewer_page.empty()) {
     write_file(folder / "trace.html", make_trace_page(viewer_page, make_page_data(trace)));
     written.names.emplace_back("trace.html");

@@ -20,13 +20,13 @@ struct WrittenFiles {
 /// Of all files that write_files() may write.
 std::vector<std::string> file_names();
 
-/// Removes those files that write_files() writes, if they are there: of an earlier trace. Throws
-/// InputError if one cannot be removed.
+/// Removes those files that write_files() writes, and graph.svg, if they are there: of an earlier
+/// trace. Throws InputError if one cannot be removed.
 void remove_files(const std::filesystem::path& folder);
 
-/// Writes trace.json, graph.dot, graph.svg if Graphviz is installed, and trace.html from the page
-/// of graph/viewer, unless that is empty. The folder must exist. Throws InputError if a file cannot
-/// be written. Precondition: there is a step.
+/// Writes trace.json, graph.dot, and trace.html from the page of graph/viewer, unless that is
+/// empty. The folder must exist. Throws InputError if a file cannot be written. Precondition: there
+/// is a step.
 WrittenFiles write_files(const Trace& trace, const std::filesystem::path& folder,
                          std::string_view viewer_page);
 

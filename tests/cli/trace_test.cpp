@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -56,10 +55,6 @@ TEST_CASE("trace writes its files and prints a summary") {
   CHECK(trace["spoke"]["settings"]["formulation"] == "subsystem");
   CHECK(trace["spoke"]["graph"]["name"].size() == 61);
   CHECK(file_text(results / "graph.dot").starts_with("digraph"));
-  // With Graphviz there is a picture, without a line that says so.
-  const bool has_picture = fs::exists(results / "graph.svg");
-  CHECK(has_picture != contains(ended.out, "no graph.svg: "));
-  if (has_picture) CHECK(contains(file_text(results / "graph.svg"), "</svg>"));
 }
 
 TEST_CASE("trace of a window of steps, and of what auto has not chosen yet") {
@@ -125,20 +120,6 @@ TEST_CASE("too few steps for a window are traced without, and what ran them is n
                 folder);
   CHECK(contains(
       one.out, "1 step is less than half a window of 9 steps, so it was traced without windows\n"));
-}
-
-TEST_CASE("without Graphviz all but the picture is written, and a line says so") {
-  const WorkFolder folder;
-  const std::string old_path = std::getenv("PATH");
-  setenv("PATH", folder.path().c_str(), 1);
-  const Ended ended =
-      run_spoke({"trace", shipped("wu_haug_rotor"), "--steps", "1", "--out", "o"}, folder);
-  setenv("PATH", old_path.c_str(), 1);
-  CHECK(ended.status == 0);
-  CHECK(contains(ended.out, "no graph.svg: Graphviz is not installed"));
-  CHECK(fs::exists(folder.path() / "o" / "graph.dot"));
-  CHECK_FALSE(fs::exists(folder.path() / "o" / "graph.svg"));
-  CHECK_FALSE(fs::exists(folder.path() / "o" / "graph.svg.tmp"));
 }
 
 TEST_CASE("a full buffer drops whole steps and says how many") {
