@@ -7,6 +7,7 @@
 
 #include "engine/compare/conclusion.h"
 #include "engine/compare/files.h"
+#include "engine/compare/page.h"
 #include "engine/compare/table.h"
 #include "engine/report/chart.h"
 #include "engine/report/markup.h"
@@ -103,28 +104,15 @@ std::string caption_of_speedups(const Comparison& comparison, const Model& model
   return has_pale ? "Pale bars have more threads than processors." : "";
 }
 
-std::string load_text(const Loads& loads) {
-  if (loads.before < 0.0) return "not known";
-  return fmt::format("{:.2f} before, {:.2f} after", loads.before, loads.after);
+std::vector<report::Fact> facts_of(const Comparison& comparison) {
+  return {{"capacity", comparison.capacity.is_known() ? comparison.capacity.text() : "-"},
+          {"integrator",
+           fmt::format("{}, step {:.6g} s", name_of(comparison.scenario.integration.method),
+                       comparison.step_size)}};
 }
 
-void add_facts(report::Page& page, const Comparison& comparison) {
-  const Machine& machine = comparison.machine;
-  page.add_facts({{"processor", machine.cpu},
-                  {"processors available", std::to_string(machine.cores)},
-                  {"load average", load_text(comparison.loads)},
-                  {"capacity", comparison.capacity.is_known() ? comparison.capacity.text() : "-"},
-                  {"system", machine.os},
-                  {"compiler", machine.compiler},
-                  {"integrator",
-                   fmt::format("{}, step {:.6g} s", name_of(comparison.scenario.integration.method),
-                               comparison.step_size)},
-                  {"spoke", SPOKE_VERSION}});
-}
-
-void add_method(report::Page& page, const Comparison& comparison) {
-  page.add_heading("How this was measured");
-  page.add_paragraph(fmt::format(
+std::string method_of(const Comparison& comparison) {
+  return fmt::format(
       "Every configuration simulates the same steps from t = 0 in a process of its own. After {} "
       "untimed batches of steps, fewer of what is slow, come up to {}; in each, every "
       "process runs one batch while all others are halted. Speedups are ratios of times within a "
@@ -134,19 +122,18 @@ void add_method(report::Page& page, const Comparison& comparison) {
       "one thread's work when all ran the same loop, before or after the rounds. Bits are equal if "
       "the state is the same as "
       "serial's after every batch, to the last bit.",
-      kWarmUpBatches, counted(comparison.rounds, "round")));
+      kWarmUpBatches, counted(comparison.rounds, "round"));
 }
 
 }  // namespace
 
 std::string make_html(const Comparison& comparison) {
-  report::Page page(
-      comparison.scenario.title.empty() ? comparison.scenario.name : comparison.scenario.title,
-      fmt::format("{} to run a step, compared in {}",
-                  counted(std::ssize(comparison.results), "way"),
-                  counted(comparison.rounds, "round")));
+  report::Page page =
+      make_page(comparison.scenario, fmt::format("{} to run a step, compared in {}",
+                                                 counted(std::ssize(comparison.results), "way"),
+                                                 counted(comparison.rounds, "round")));
   page.add_notes(make_conclusions(comparison));
-  add_facts(page, comparison);
+  add_facts(page, facts_of(comparison), comparison.machine, comparison.loads);
   for (const Model& model : comparison.models) {
     page.add_heading(fmt::format("Formulation {}", name_of(model.formulation)));
     page.add_figure(render(speedup_chart(comparison, model)),
@@ -160,7 +147,7 @@ std::string make_html(const Comparison& comparison) {
     page.add_heading("All formulations");
     page.add_figure(render(times), report::caption_of(times.value));
   }
-  add_method(page, comparison);
+  add_method(page, "How this was measured", method_of(comparison));
   return page.html();
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/compare/page.h"
 #include "engine/predict/conclusion.h"
 #include "engine/predict/files.h"
 #include "engine/predict/table.h"
@@ -118,22 +119,6 @@ report::BarChart check_chart(const Prediction& prediction) {
   return chart;
 }
 
-void add_facts(report::Page& page, const Prediction& prediction) {
-  std::vector<report::Fact> facts = make_facts(prediction);
-  const Machine& machine = prediction.machine;
-  const std::string load = prediction.load_before < 0.0
-                               ? "not known"
-                               : fmt::format("{:.2f} before, {:.2f} after", prediction.load_before,
-                                             prediction.load_after);
-  facts.insert(facts.end(), {{"processor", machine.cpu},
-                             {"processors available", std::to_string(machine.cores)},
-                             {"load average", load},
-                             {"system", machine.os},
-                             {"compiler", machine.compiler},
-                             {"spoke", SPOKE_VERSION}});
-  page.add_facts(facts);
-}
-
 constexpr const char* kMethod =
     "The nodes of the step graph were timed one by one on one thread while it made real steps, "
     "the same ones as the measured processes and in the same rounds: of the graph of one pass, and "
@@ -151,10 +136,10 @@ constexpr const char* kMethod =
 }  // namespace
 
 std::string make_html(const Prediction& prediction) {
-  const Scenario& scenario = prediction.scenario;
-  report::Page page(scenario.title.empty() ? scenario.name : scenario.title,
-                    fmt::format("What more threads would give, predicted from one thread{}",
-                                prediction.rounds > 0 ? " and checked on this machine" : ""));
+  report::Page page =
+      compare::make_page(prediction.scenario,
+                         fmt::format("What more threads would give, predicted from one thread{}",
+                                     prediction.rounds > 0 ? " and checked on this machine" : ""));
   page.add_notes(make_conclusions(prediction));
   page.add_figure(
       render(speedup_chart(prediction)),
@@ -164,11 +149,11 @@ std::string make_html(const Prediction& prediction) {
     const report::BarChart check = check_chart(prediction);
     page.add_figure(render(check), report::caption_of(check.value));
   }
-  add_facts(page, prediction);
+  compare::add_facts(page, make_facts(prediction), prediction.machine,
+                     {prediction.load_before, prediction.load_after});
   page.add_table(make_table(prediction));
   if (!prediction.ranks.empty()) page.add_table(make_rank_table(prediction));
-  page.add_heading("How this was predicted");
-  page.add_paragraph(kMethod);
+  compare::add_method(page, "How this was predicted", kMethod);
   return page.html();
 }
 

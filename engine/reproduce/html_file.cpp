@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/compare/page.h"
 #include "engine/reproduce/charts.h"
 #include "engine/reproduce/claims.h"
 #include "engine/reproduce/files.h"
@@ -13,22 +14,12 @@ namespace {
 
 using report::Page;
 
-void add_facts(Page& page, const Reproduction& all) {
-  const Machine& machine = all.machine;
+std::vector<report::Fact> facts_of(const Reproduction& all) {
   const Integration& integration = all.scenario.integration;
-  page.add_facts(
-      {{"processor", machine.cpu},
-       {"processors available", std::to_string(machine.cores)},
-       {"load average", all.loads.before < 0.0 ? "not known"
-                                               : fmt::format("{:.2f} before, {:.2f} after",
-                                                             all.loads.before, all.loads.after)},
-       {"system", machine.os},
-       {"compiler", machine.compiler},
-       {"steps timed", fmt::format("{}, step {:.6g} s, from t = 0", name_of(integration.method),
-                                   integration.step)},
-       {"rounds", std::to_string(all.rounds)},
-       {"the paper's machine", std::string(paper::kMachine)},
-       {"spoke", SPOKE_VERSION}});
+  return {{"steps timed", fmt::format("{}, step {:.6g} s, from t = 0", name_of(integration.method),
+                                      integration.step)},
+          {"rounds", std::to_string(all.rounds)},
+          {"the paper's machine", std::string(paper::kMachine)}};
 }
 
 /// Of times, some of which a build without OpenMP cannot measure.
@@ -115,7 +106,7 @@ std::string make_html(const Reproduction& all) {
   Page page("The paper's evaluation, on this machine",
             "Han, Song and Kim 2017: three blades of four bodies of four elements");
   if (is_disturbed(all)) page.add_note(kDisturbed, report::Tone::warning);
-  add_facts(page, all);
+  compare::add_facts(page, facts_of(all), all.machine, all.loads);
   add_model(page, all);
   add_threads(page, all);
   add_methods(page, all);
