@@ -1,10 +1,9 @@
 // Prints a Campbell diagram as tables, and writes campbell.csv, campbell.json and campbell.html.
 
-#include "engine/cli/campbell_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/cli/progress_line.h"
+#include "engine/cli/commands.h"
+#include "engine/cli/progress.h"
 #include "engine/cli/report.h"
 #include "engine/cli/standard_streams.h"
 #include "engine/cli/steady_task.h"

@@ -1,7 +1,5 @@
 // Prints the model, its natural frequencies and the limit of rk4.
 
-#include "engine/cli/check_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <system_error>
 
 #include "engine/cli/build_simulation.h"
+#include "engine/cli/commands.h"
 #include "engine/cli/print_space.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"

@@ -1,15 +1,14 @@
 // From the options to configurations, rounds, a table and the files of a comparison.
 
-#include "engine/cli/compare_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/cli/commands.h"
 #include "engine/cli/interruption.h"
 #include "engine/cli/measure_child_command.h"
-#include "engine/cli/progress_line.h"
+#include "engine/cli/progress.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/standard_streams.h"

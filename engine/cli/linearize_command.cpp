@@ -1,9 +1,8 @@
 // Writes the matrices A.mtx, B.mtx, C.mtx and D.mtx, and linear.json.
 
-#include "engine/cli/linearize_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/cli/commands.h"
 #include "engine/cli/report.h"
 #include "engine/cli/steady_task.h"
 #include "engine/steady_report/linear_files.h"

@@ -1,9 +1,8 @@
 // Prints modes, and writes modes.json, modes.csv and modes.html.
 
-#include "engine/cli/modes_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/cli/commands.h"
 #include "engine/cli/report.h"
 #include "engine/cli/steady_task.h"
 #include "engine/steady_report/mode_files.h"

@@ -1,7 +1,5 @@
 // Times nodes and measured processes in the same rounds, predicts, and writes table and files.
 
-#include "engine/cli/predict_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -10,9 +8,10 @@
 #include <vector>
 
 #include "engine/cli/build_simulation.h"
+#include "engine/cli/commands.h"
 #include "engine/cli/interruption.h"
 #include "engine/cli/measure_child_command.h"
-#include "engine/cli/progress_line.h"
+#include "engine/cli/progress.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/standard_streams.h"

@@ -1,15 +1,14 @@
 // Computes and measures each part of the paper's evaluation, and writes page and numbers.
 
-#include "engine/cli/reproduce_command.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
 
+#include "engine/cli/commands.h"
 #include "engine/cli/interruption.h"
 #include "engine/cli/measure_child_command.h"
-#include "engine/cli/progress_line.h"
+#include "engine/cli/progress.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/standard_streams.h"

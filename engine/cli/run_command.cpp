@@ -1,7 +1,5 @@
 // The loop of a run: rows, pictures, checkpoints, traces, and the lines that are printed.
 
-#include "engine/cli/run_command.h"
-
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -13,8 +11,9 @@
 #include <utility>
 
 #include "engine/cli/checkpoints.h"
+#include "engine/cli/commands.h"
 #include "engine/cli/interruption.h"
-#include "engine/cli/progress_bar.h"
+#include "engine/cli/progress.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/shared_run.h"

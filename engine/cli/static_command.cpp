@@ -1,7 +1,6 @@
 // Prints an equilibrium, and writes static.json, section_forces.csv and static.html.
 
-#include "engine/cli/static_command.h"
-
+#include "engine/cli/commands.h"
 #include "engine/cli/report.h"
 #include "engine/cli/steady_task.h"
 #include "engine/steady_report/static_files.h"

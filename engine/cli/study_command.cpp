@@ -1,18 +1,17 @@
 // Makes the runs of a study, and writes what they say.
 
-#include "engine/cli/study_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <chrono>
 #include <filesystem>
 #include <optional>
 
+#include "engine/cli/commands.h"
 #include "engine/cli/interruption.h"
+#include "engine/cli/progress.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/standard_streams.h"
-#include "engine/cli/study_progress.h"
 #include "engine/output_file.h"
 #include "engine/report/markup.h"
 #include "engine/study/analyse.h"

@@ -1,7 +1,5 @@
 // Runs to the time asked for, and records the steps that follow.
 
-#include "engine/cli/trace_command.h"
-
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -11,7 +9,8 @@
 #include <utility>
 
 #include "engine/cli/build_simulation.h"
-#include "engine/cli/progress_line.h"
+#include "engine/cli/commands.h"
+#include "engine/cli/progress.h"
 #include "engine/cli/report.h"
 #include "engine/cli/results_folder.h"
 #include "engine/cli/standard_streams.h"
