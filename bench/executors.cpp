@@ -27,11 +27,11 @@
 #include <thread>
 #include <vector>
 
-#include "bench/interleaved.h"
 #include "bench/openmp_kinds.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "engine/compare/interleaved.h"
 #include "engine/simulation.h"
 #include "graph/machine/duration_text.h"
 

@@ -12,10 +12,10 @@
 #include <stdexcept>
 
 #include "bench/evaluated_model.h"
-#include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "engine/compare/interleaved.h"
 #include "engine/support/instructions.h"
 #include "graph/machine/duration_text.h"
 #include "models/system/spatial_system.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/interleaved.h"
+#include "engine/compare/interleaved.h"
 
 namespace spoke::bench {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "bench/busy_graph.h"
-#include "bench/interleaved.h"
 #include "bench/openmp_kinds.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "engine/compare/interleaved.h"
 #include "graph/executor.h"
 #include "graph/machine/duration_text.h"
 

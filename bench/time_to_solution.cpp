@@ -12,10 +12,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "engine/compare/interleaved.h"
 #include "engine/simulation.h"
 #include "graph/machine/duration_text.h"
 

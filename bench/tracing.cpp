@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "engine/compare/interleaved.h"
 #include "engine/run/step_recording.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/interleaved.h"
+#include "engine/compare/interleaved.h"
 
 namespace spoke::bench {
 

@@ -19,10 +19,10 @@
 #include <stdexcept>
 
 #include "bench/evaluated_model.h"
-#include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
+#include "engine/compare/interleaved.h"
 #include "engine/results.h"
 #include "engine/run_report/tip_deflections.h"
 #include "engine/simulation.h"

@@ -26,12 +26,13 @@ Figures calc_figures(const Result& result, const Model& model, int processors,
                      const Capacity& capacity) {
   const std::vector<double>& times = result.measurement.step_times;
   const int threads = std::min(result.measurement.configuration.threads.total(), processors);
+  const Quartiles speedup = quartiles_of(result.speedups);
   Figures figures{.mean = mean(times),
                   .deviation = standard_deviation(times),
                   .median = median(times),
-                  .speedup = median(result.speedups),
-                  .speedup_low = quantile(result.speedups, 0.25),
-                  .speedup_high = quantile(result.speedups, 0.75)};
+                  .speedup = speedup.median,
+                  .speedup_low = speedup.low,
+                  .speedup_high = speedup.high};
   figures.bound = std::max(model.serial_step / threads, model.span_step);
   figures.ratio_to_bound = figures.median / figures.bound;
   if (capacity.is_known())

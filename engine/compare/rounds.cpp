@@ -181,19 +181,17 @@ std::vector<Measurement> measure(const std::vector<Configuration>& configuration
   assert(!configurations.empty());
   std::vector<Contender> contenders =
       start_all(configurations, make_command, batch_size, effort, progress);
-  for (int round = 0; round < effort.rounds; ++round) {
-    if (before_round) before_round();
-    for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
-      // The first to take a turn moves on with the rounds.
-      Contender& contender =
-          contenders[(turn + static_cast<std::size_t>(round)) % contenders.size()];
-      if (!contender.takes_part()) continue;
-      progress("round " + std::to_string(round + 1) + " of " + std::to_string(effort.rounds) +
-               ": " + full_name(contender.measurement.configuration));
-      take_turn(contender, round, effort);
-      require_reference(contender);
-    }
-  }
+  bench::take_turns(
+      contenders.size(), effort.rounds,
+      [&](std::size_t k, int round) {
+        Contender& contender = contenders[k];
+        if (!contender.takes_part()) return;
+        progress(bench::describe_turn(round, effort.rounds,
+                                      full_name(contender.measurement.configuration)));
+        take_turn(contender, round, effort);
+        require_reference(contender);
+      },
+      before_round);
   progress("");
   std::vector<Measurement> measurements;
   for (Contender& contender : contenders) measurements.push_back(std::move(contender.measurement));

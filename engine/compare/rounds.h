@@ -10,6 +10,7 @@
 
 #include "engine/compare/child.h"
 #include "engine/compare/configuration.h"
+#include "engine/compare/interleaved.h"
 
 namespace spoke::compare {
 
@@ -57,8 +58,7 @@ struct Effort {
 using MakeCommand = std::function<Command(const Configuration&)>;
 /// Steps in one batch of a formulation.
 using BatchSize = std::function<std::int64_t(Formulation)>;
-/// Says what is being done.
-using Progress = std::function<void(const std::string&)>;
+using bench::Progress;
 
 /// Takes part in every round before the configurations do; all processes are halted meanwhile.
 using BeforeRound = std::function<void()>;

@@ -26,6 +26,10 @@ double quantile(std::span<const double> values, double share) {
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
 
+Quartiles quartiles_of(std::span<const double> values) {
+  return {quantile(values, 0.25), median(values), quantile(values, 0.75), values.size()};
+}
+
 std::optional<double> standard_deviation(std::span<const double> values) {
   if (values.size() < 2) return std::nullopt;
   const double middle = mean(values);

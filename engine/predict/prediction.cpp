@@ -11,11 +11,6 @@
 namespace spoke::predict {
 namespace {
 
-Quartiles quartiles_of(std::span<const double> values) {
-  return {compare::quantile(values, 0.25), compare::median(values),
-          compare::quantile(values, 0.75)};
-}
-
 /// A run's times as a step's.
 graph::PredictedRun per_step(graph::PredictedRun run, const NodeMeasurement& nodes) {
   for (double* seconds : {&run.expected, &run.optimistic, &run.pessimistic})
@@ -123,8 +118,9 @@ void add_measured(Prediction& prediction, const std::vector<compare::Measurement
   for (const compare::Measurement& measurement : measurements) {
     Point* const point = find_point(prediction, measurement.configuration);
     if (point == nullptr || measurement.step_times.size() < 2) continue;
-    point->measured = {quartiles_of(measurement.step_times),
-                       quartiles_of(compare::ratios(serial->step_times, measurement.step_times))};
+    point->measured = {
+        compare::quartiles_of(measurement.step_times),
+        compare::quartiles_of(compare::ratios(serial->step_times, measurement.step_times))};
   }
 }
 

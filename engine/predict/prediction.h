@@ -7,16 +7,14 @@
 #include <vector>
 
 #include "engine/compare/rounds.h"
+#include "engine/compare/statistics.h"
 #include "engine/predict/nodes.h"
 #include "engine/predict/ranks.h"
 #include "engine/support/machine.h"
 
 namespace spoke::predict {
 
-/// A median and quartiles over rounds.
-struct Quartiles {
-  double low = 0.0, median = 0.0, high = 0.0;
-};
+using compare::Quartiles;
 
 /// What was measured of an executor on some threads.
 struct Measured {

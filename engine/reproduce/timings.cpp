@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include "engine/compare/statistics.h"
-
 namespace spoke::reproduce {
 
 using compare::Configuration;
@@ -73,9 +71,7 @@ const Measurement* Timings::measurement(Work work, const Configuration& configur
 std::optional<Spread> Timings::find(Work work, const Configuration& configuration) const {
   const Measurement* found = measurement(work, configuration);
   if (found == nullptr) return {};
-  const std::vector<double>& times = found->step_times;
-  return Spread{compare::median(times), compare::quantile(times, 0.25),
-                compare::quantile(times, 0.75), times.size()};
+  return compare::quartiles_of(found->step_times);
 }
 
 std::optional<Ratio> Timings::ratio(Work work, const Configuration& above,
@@ -83,9 +79,7 @@ std::optional<Ratio> Timings::ratio(Work work, const Configuration& above,
   const Measurement* first = measurement(work, above);
   const Measurement* second = measurement(work, below);
   if (first == nullptr || second == nullptr) return {};
-  const std::vector<double> ratios = compare::ratios(first->step_times, second->step_times);
-  return Ratio{compare::median(ratios), compare::quantile(ratios, 0.25),
-               compare::quantile(ratios, 0.75), ratios.size()};
+  return compare::quartiles_of(compare::ratios(first->step_times, second->step_times));
 }
 
 Side side_of(const Ratio& ratio, double limit) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/compare/rounds.h"
+#include "engine/compare/statistics.h"
 
 namespace spoke::reproduce {
 
@@ -30,21 +31,14 @@ compare::Configuration scheme(int number, graph::Threads threads);
 compare::Configuration serial(Formulation formulation);
 compare::Configuration automatic(Formulation formulation);
 
-/// Time per step, or of a run.
-struct Spread {
-  double median = 0.0;           ///< [s]
-  double low = 0.0, high = 0.0;  ///< quartiles [s]
-  std::size_t rounds = 0;
-};
+/// Time per step, or of a run [s].
+using Spread = compare::Quartiles;
 
 /// From so many rounds on there are quartiles, and what follows from them.
 inline constexpr std::size_t kLeastRounds = 3;
 
-/// One time by another of the same round: median and quartiles over the rounds.
-struct Ratio {
-  double median = 0.0, low = 0.0, high = 0.0;
-  std::size_t rounds = 0;
-};
+/// One time by another of the same round.
+using Ratio = compare::Quartiles;
 
 /// What a ratio says of a limit.
 enum class Side {

@@ -22,6 +22,14 @@ TEST_CASE("mean, median and quantiles") {
   CHECK(median(Values{3.0, 1.0, 100.0}) == 3.0);
 }
 
+TEST_CASE("quartiles are of all values, and say how many") {
+  const Quartiles quartiles = quartiles_of(Values{5.0, 1.0, 3.0, 2.0, 4.0});
+  CHECK(quartiles.low == 2.0);
+  CHECK(quartiles.median == 3.0);
+  CHECK(quartiles.high == 4.0);
+  CHECK(quartiles.rounds == 5);
+}
+
 TEST_CASE("the standard deviation is that of a sample") {
   CHECK(*standard_deviation(Values{2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0}) ==
         approx(std::sqrt(32.0 / 7.0)));

@@ -110,7 +110,7 @@ TEST_CASE("claims on the inverse part: its share, and whether it falls with inne
 TEST_CASE("a table of claims has a row each, with what is not there left open") {
   using Cells = std::vector<std::string>;
   const report::Table table = claim_table(
-      {{"a", 2.0, 1.5, Ratio{1.5, 1.4, 1.6, 3}, {Condition::Kind::above, 1.0, 0.0}, true},
+      {{"a", 2.0, 1.5, Ratio{1.4, 1.5, 1.6, 3}, {Condition::Kind::above, 1.0, 0.0}, true},
        {"b", 1.0, {}, {}, {Condition::Kind::below, 0.0, 0.97}, {}},
        {"c", {}, 0.0014, {}, {}, {}}});
   REQUIRE(table.rows.size() == 3);
