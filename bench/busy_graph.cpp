@@ -1,4 +1,4 @@
-// Busy nodes: calibrates how many operations a second take, and builds the graph of such nodes.
+// Calibrates the operations of busy nodes per second, and builds graphs of such nodes.
 
 #include "bench/busy_graph.h"
 
@@ -25,7 +25,7 @@ struct Busy {
   }
 };
 
-// The least of many short measurements: the time on an undisturbed processor.
+// Returns the least of many short measurements: the time on an undisturbed processor.
 double seconds_per_operation() {
   using Clock = std::chrono::steady_clock;
   constexpr Busy sample{20000};

@@ -15,9 +15,9 @@ struct StepShape {
   std::string name() const { return std::to_string(blades) + "x" + std::to_string(bodies); }
 };
 
-/// A graph shaped like one pass of the structured formulation, of nodes that do nothing but keep
-/// their processor busy for `node_seconds` each, by a fixed number of operations. It refers to
-/// nothing.
+/// Makes a graph shaped like one pass of the structured formulation, whose nodes only keep their
+/// processor busy for `node_seconds` each, by a fixed number of operations. It refers to no other
+/// object.
 graph::StepGraph make_busy_graph(const StepShape& shape, double node_seconds);
 
 }  // namespace spoke::bench

@@ -90,7 +90,7 @@ std::vector<ModelPointer<World>> make_models(const System<World>& system,
   source.disturb();
   std::vector<ModelPointer<World>> models;
   for (const Formulation formulation : formulations) {
-    // rk4's table is the one without an implicit method's extras; its step is not used.
+    // rk4's table has no extras of an implicit method; its step is not used.
     models.push_back(std::make_shared<EvaluatedModel<World>>(system, formulation, Rk4{1e-5}));
     models.back()->take_state(source);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// A model whose accelerations are evaluated by themselves, without steps.
+// A model whose accelerations are evaluated alone, without steps.
 
 #include <Eigen/Core>
 #include <memory>
@@ -12,7 +12,7 @@
 namespace spoke::bench {
 
 /// A system whose accelerations can be evaluated: one pass of the step graph that only evaluates
-/// (explicit, no integration), run by the serial executor. Of either world.
+/// (explicit, no integration), run by the serial executor, in either world.
 template <class World>
 class EvaluatedModel {
  public:
@@ -26,7 +26,7 @@ class EvaluatedModel {
   void take_state(const EvaluatedModel& other);
 
   void evaluate();
-  /// Of all deformations, with the padding's zeros.
+  /// Returns the accelerations of all deformations, with the padding's zeros.
   Eigen::VectorXd accelerations() const;
 
  private:
@@ -38,7 +38,7 @@ class EvaluatedModel {
 template <class World>
 using ModelPointer = std::shared_ptr<EvaluatedModel<World>>;
 
-/// The given formulations of one system, ready to evaluate at the same state: the one that it
+/// Makes the given formulations of one system, ready to evaluate at the same state: the one that it
 /// reaches at 5 s of its motion, each coordinate then disturbed by up to a tenth.
 template <class World>
 std::vector<ModelPointer<World>> make_models(const System<World>& system,

@@ -4,8 +4,8 @@
 // (step_graphs) show what an executor can do; only here do costs of nodes, memory and the choices
 // that "auto" makes from its own timings meet.
 //
-// Of every executor there is one simulation of the model. The planned duration is beyond reach, so
-// that "auto" finds planning worth while and steps never run out. All are brought to the same step
+// Each executor has one simulation of the model. The planned duration is beyond reach, so that
+// "auto" finds planning worth while and steps never run out. All are brought to the same step
 // before they take turns, each turn about 20 ms of steps: the spin-up is then over in the small
 // models, and the number of iterations is about the same in all. Each turn comes after a pause and
 // some steps more, which wake threads and bring the model's data. The OpenMP kinds go in a second
@@ -27,7 +27,7 @@
 #include <thread>
 #include <vector>
 
-#include "bench/interleaved.h"
+#include "bench/compare/interleaved.h"
 #include "bench/openmp_kinds.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
@@ -43,12 +43,12 @@ constexpr double kBatchSeconds = 20e-3;
 constexpr double kMostWarmUp = 2.0;       // s, for "auto" to settle
 constexpr double kPlannedDuration = 1e6;  // s
 
-/// A scenario and how it is solved.
+/// A scenario and the settings of its solution.
 struct Model {
   std::string name;
   Scenario scenario;
   Formulation formulation = Formulation::structured;
-  double promised_speedup = 0.0;  ///< by auto; 0: nothing but that it is no slower
+  double promised_speedup = 0.0;  ///< speedup promised by auto; 0: only that it is no slower
 };
 
 Model rotor_model(const RotorSize& size, Formulation formulation = Formulation::structured,
@@ -70,7 +70,7 @@ Model unequal_model() {
   return model;
 }
 
-/// The hub's rotation is an unknown that couples the blades; to some 2 rad/s.
+/// The hub's rotation is an unknown that couples the blades; it reaches some 2 rad/s.
 Model torque_model() {
   Model model = rotor_model({3, 4, 4});
   model.name = "(3,4,4) structured, torque";
@@ -131,7 +131,7 @@ class Runner {
     simulation_.run_until(simulation_.time() +
                           static_cast<double>(steps) * simulation_.step_size());
   }
-  /// In batches, for what an executor does at the begin of a call to be as in the timed ones.
+  /// Advances in batches, so that calls of the executor are like the timed ones.
   void advance_to(std::int64_t step, std::int64_t batch) {
     show_progress(name_ + ": to step " + std::to_string(step));
     while (simulation_.steps() < step) advance(std::min(batch, step - simulation_.steps()));
@@ -175,7 +175,7 @@ RunnerPointer make_runner(const Model& model, ExecutorKind kind, graph::Threads 
   return std::make_shared<Runner>(model, kind, threads);
 }
 
-/// Steps that take kBatchSeconds, by what they cost now.
+/// Returns how many steps take kBatchSeconds, by their present cost.
 std::int64_t steps_per_batch(Runner& runner) {
   std::int64_t steps = 1;
   double seconds = seconds_of([&] { runner.advance(steps); });
@@ -195,7 +195,7 @@ Alternative make_alternative(const RunnerPointer& runner, std::int64_t batch) {
           0};
 }
 
-/// The same with a pause before its turn, and some steps that wake its threads.
+/// Makes an alternative with a pause before its turn, and some steps that wake its threads.
 Alternative after_pause(const RunnerPointer& runner, std::int64_t batch) {
   Alternative alternative = make_alternative(runner, batch);
   alternative.prepare = [runner, steps = (batch + 2) / 3] {
@@ -221,13 +221,13 @@ void require_same_state(const Model& model, const std::vector<RunnerPointer>& ru
   }
 }
 
-/// Of one model: serial first, then auto, flow_graph and the kinds of OpenMP.
+/// The timings of one model: serial first, then auto, flow_graph and the kinds of OpenMP.
 struct Measured {
   std::vector<Timing> timings;
-  std::string chosen;  ///< by auto
+  std::string chosen;  ///< plan chosen by auto
   std::int64_t steps = 0;
 
-  /// Over serial; 0 without that kind.
+  /// Returns the speedup over serial; 0 without that kind.
   double speedup(ExecutorKind kind) const {
     for (const Timing& timing : timings)
       if (timing.name.starts_with(name_of(kind))) return 1.0 / timing.ratio;
@@ -276,7 +276,7 @@ Measured measure_model(const Model& model, const QuestionOptions& options) {
   return measured;
 }
 
-/// Speedup over the reference: median and quartiles.
+/// Returns the speedup over the reference: median and quartiles.
 std::string speedup_with_spread(Timing timing) {
   timing.ratio = 1.0 / timing.ratio;
   timing.ratio_low = 1.0 / timing.ratio_low;
@@ -285,7 +285,7 @@ std::string speedup_with_spread(Timing timing) {
   return ratio_with_spread(timing);
 }
 
-/// What was promised of single models.
+/// Adds the targets promised for single models.
 void add_targets(const Model& model, const Measured& measured, Report& report) {
   const double speedup = measured.speedup(ExecutorKind::automatic);
   report.add_target(at_least("auto is never slower than serial, " + model.name, speedup, 0.97));
@@ -336,7 +336,7 @@ void compare_executors(const QuestionOptions& options, Report& report) {
                near_best, count - 1));
 }
 
-/// Nested teams of more threads than processors.
+/// Measures nested teams of more threads than processors.
 void measure_nested_teams(const Model& model, const QuestionOptions& options, Report& report) {
   const std::vector<RunnerPointer> runners{
       make_runner(model, ExecutorKind::serial, 1),
@@ -354,7 +354,7 @@ void measure_nested_teams(const Model& model, const QuestionOptions& options, Re
       at_least("openmp_scheme1 3x4 / serial, " + model.name, 1.0 / timings[1].ratio, 1.0 / 3.0));
 }
 
-/// More threads than processors.
+/// Measures more threads than processors.
 void measure_oversubscription(const Model& model, const QuestionOptions& options, Report& report) {
   constexpr std::array kCounts{kThreads, 6, 12};
   for (const ExecutorKind kind : {ExecutorKind::automatic, ExecutorKind::flow_graph}) {

@@ -1,8 +1,8 @@
 // What does one evaluation of the accelerations cost, by formulation and size? One pass of the step
 // graph that only evaluates (explicit, no integration), run by the serial executor, on the paper's
 // model in the state that it reaches at 5 s of its spin-up, each coordinate then disturbed by up to
-// a tenth. Undisturbed, elastic forces cancel but for a ten-millionth, and what is left, the
-// accelerations, would agree to as many digits fewer.
+// a tenth. Undisturbed, elastic forces cancel except for a ten-millionth, and the accelerations,
+// which remain, would agree to as many digits fewer.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "bench/compare/interleaved.h"
 #include "bench/evaluated_model.h"
-#include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
@@ -28,8 +28,8 @@ constexpr RotorSize kWide{24, 8, 8};
 constexpr RotorSize kFine{3, 4, 64};
 constexpr std::array kSizes{kSmall, RotorSize{3, 4, 16}, RotorSize{3, 16, 4}, kFine, kWide};
 
-/// The conditioning of a clamped body falls with E^3, and every formulation loses those digits
-/// alike; relative to the largest acceleration.
+/// Returns a tolerance relative to the largest acceleration. The condition number of a clamped body
+/// grows with E^3, and every formulation loses those digits alike.
 double tolerance_for(int elements) { return 1e-11 * std::max(1.0, std::pow(elements / 4.0, 3)); }
 
 /// Evaluates all models and demands that they agree with the last one. Returns the largest
@@ -63,10 +63,9 @@ std::string scientific(double value) {
   return text.data();
 }
 
-/// The formulations to compare at a size; a quick run leaves out what takes seconds.
+/// Returns the formulations to compare at a size; a quick run leaves out those that take seconds.
 std::vector<Formulation> formulations_for(const RotorSize& size, bool quick) {
-  std::vector<Formulation> all{Formulation::structured, Formulation::subsystem,
-                               Formulation::augmented};
+  std::vector<Formulation> all(formulations().begin(), formulations().end());
   const bool slow = size.total_elements() > 300;
   if (quick && slow) all.pop_back();
   return all;
@@ -111,7 +110,7 @@ void compare_formulations(const QuestionOptions& options, Report& report) {
     const std::vector<Timing> timings =
         compare(size.name(), make_system(paper_rotor(size).rotor), tolerance_for(size.elements),
                 formulations_for(size, options.quick), effort, table, report);
-    // Of augmented, only the bodies' terms have kernels for wider vectors.
+    // In augmented, only the bodies' terms have kernels for wider vectors.
     const double over_augmented = kernels_in_use() == Kernels::baseline ? 100.0 : 250.0;
     if (&size == &kSizes.front())
       add_small_targets(size.name(), timings, 10.0, over_augmented, report);
@@ -125,8 +124,8 @@ void compare_formulations(const QuestionOptions& options, Report& report) {
   report.add_table(table);
 }
 
-/// Timings of the structured formulation: per size without and with stiffening, in turns.
-/// Ratios: without, to the smallest size; with, to the same size without.
+/// Measures the structured formulation: for each size without and with stiffening, in turns. Ratios
+/// without stiffening are to the smallest size; with it, to the same size without.
 std::vector<Timing> measure_structured(const QuestionOptions& options) {
   std::vector<Alternative> alternatives;
   for (const RotorSize& size : kSizes)
@@ -159,7 +158,7 @@ void add_structured_targets(const std::vector<Timing>& timings, Report& report) 
       at_most("structured, stiffening on / off, worst size, times", most_stiffening, 1.2));
 }
 
-/// Splits the cost into one of a body and one of an element, by the sizes that differ in E only.
+/// Splits the cost into that of a body and that of an element, by the sizes that differ in E only.
 void add_cost_split(const std::vector<Timing>& timings, Report& report) {
   double small = 0.0, fine = 0.0;
   for (std::size_t k = 0; k < kSizes.size(); ++k) {

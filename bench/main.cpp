@@ -36,7 +36,6 @@ constexpr std::array kQuestions{
              measure_passes, true},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",
              measure_step_graphs},
-    Question{"predict", "how far predicted times are from measured ones", measure_predict},
     Question{"executors", "what two threads gain on rotors, by executor", measure_executors},
     Question{"tracing", "what recording nodes costs, switched off and on", measure_tracing},
     Question{"start_up", "what the program takes beyond its integration", measure_start_up},
@@ -78,7 +77,7 @@ void add_options(CLI::App& program, Arguments& arguments) {
       });
   program.add_option("--json", arguments.json, "Write results, machine and version to FILE, too")
       ->type_name("FILE")
-      ->check([](const std::string& file) {  // now, rather than after minutes
+      ->check([](const std::string& file) {  // checked now rather than after minutes
         return std::ofstream(file, std::ios::app) ? std::string() : "cannot write " + file;
       });
   program.add_flag("--quick", arguments.options.quick,

@@ -1,6 +1,6 @@
 #pragma once
 
-// The OpenMP executors of this build, which several questions of the benchmarks ask for.
+// The OpenMP executors of this build, for several questions of the benchmarks.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace spoke::bench {
 
-/// The OpenMP executors of this build. Their threads spin on after a run and disturb others: they
-/// are measured behind a pause.
+/// Returns the OpenMP executors of this build. Their threads spin on after a run and disturb
+/// others: they are measured behind a pause.
 inline std::vector<graph::ExecutorKind> openmp_kinds() {
   using graph::ExecutorKind;
   std::vector<ExecutorKind> kinds;

@@ -9,21 +9,21 @@
 
 namespace spoke::bench {
 
-/// Blades, bodies per blade, finite elements per body: the (N, M, E) of the tables.
+/// A number of blades, bodies per blade, finite elements per body: the (N, M, E) of the tables.
 struct RotorSize {
   int blades = 3;
   int bodies = 4;
   int elements = 4;
 
   int total_elements() const { return blades * bodies * elements; }
-  /// "(3,4,4)".
+  /// Returns "(3,4,4)".
   std::string name() const;
 };
 
-/// A rotor of models/ in another size, with further assignments to its keys.
+/// Reads a rotor of models/ in another size, with further assignments to its keys.
 Scenario sized_rotor(const std::string& file, const RotorSize& size, bool stiffening,
                      std::vector<std::string> assignments = {});
-/// The paper's rotor (models/paper_rotor.toml) in another size.
+/// Reads the paper's rotor (models/paper_rotor.toml) in another size.
 Scenario paper_rotor(const RotorSize& size, bool stiffening = false);
 
 }  // namespace spoke::bench

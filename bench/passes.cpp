@@ -1,7 +1,7 @@
 // How many passes does a step of generalized_alpha need, by model and step, and at the steps that
-// accuracy allows? A pass is one evaluation of the accelerations with what corrects the
-// coordinates, so that passes a step set what a step costs. The error is that of the whole history
-// of a displacement: the largest distance from a run at a much smaller step, by the largest
+// accuracy allows? A pass is one evaluation of the accelerations and the correction of the
+// coordinates, so the number of passes sets the cost of a step. The error is that of the whole
+// history of a displacement: the largest distance from a run at a much smaller step, by the largest
 // displacement in that run. From the errors follow, by interpolation, the steps at which a run is
 // accurate to 1 % and to 0.1 %; these runs are made and timed. All serial, through
 // spoke::Simulation; times are of the processor.
@@ -31,13 +31,14 @@ namespace {
 
 constexpr double kPercent = 1e-2;
 constexpr double kPermille = 1e-3;
-constexpr double kReferenceError = 0.1 * kPermille;  // that a converged answer may have
+constexpr double kReferenceError = 0.1 * kPermille;  // error that a converged answer may have
 constexpr double kYardstickStep = 1e-6;              // s, stable
 constexpr int kYardstickSteps = 5000;
 
 const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
 
-/// That this process has used [s]: a busy neighbour takes less of it than of the time of day.
+/// Returns the processor time that this process has used [s]: a busy neighbour disturbs it less
+/// than the time of day.
 double processor_time() {
   return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
@@ -47,7 +48,7 @@ Simulation simulate(const PassesModel& model, double step) {
   scenario.integration.method = IntegrationMethod::generalized_alpha;
   scenario.integration.step = step;
   scenario.integration.duration = model.duration;
-  scenario.limits.step_error = 0.0;  // errors are what is looked for
+  scenario.limits.step_error = 0.0;  // off, since errors are wanted here
   return Simulation(scenario, kSerial);
 }
 
@@ -55,12 +56,12 @@ double passes_a_step(const Simulation& simulation) {
   return static_cast<double>(simulation.evaluations()) / static_cast<double>(simulation.steps());
 }
 
-/// What a run showed, at times that all runs of a model have in common.
+/// The sensors of a run, at times that all runs of a model have in common.
 struct Course {
-  std::vector<std::vector<double>> values;  ///< of the model's sensors, from t = 0 on
+  std::vector<std::vector<double>> values;  ///< values of the model's sensors, from t = 0 on
   std::vector<std::int64_t> evaluations;    ///< until then
   std::int64_t stride = 1;                  ///< steps from one time to the next
-  double time = 0.0;                        ///< that it took [s]
+  double time = 0.0;                        ///< time that the run took [s]
   bool diverged = false;
 };
 
@@ -95,19 +96,20 @@ Course record(const PassesModel& model, double step) {
   return course;
 }
 
-/// The first time of a span, as an index.
+/// Returns the index of the first time of a span.
 std::size_t first_of(const PassesSpan& span, const PassesModel& model) {
   return static_cast<std::size_t>(std::llround(span.from / model.steps.back()));
 }
 
 double passes_in(const Course& course, std::size_t first) {
   const std::size_t last = course.evaluations.size() - 1;
-  if (last <= first) return std::numeric_limits<double>::quiet_NaN();  // it diverged before
+  if (last <= first) return std::numeric_limits<double>::quiet_NaN();  // since it diverged before
   return static_cast<double>(course.evaluations[last] - course.evaluations[first]) /
          static_cast<double>(course.stride * static_cast<std::int64_t>(last - first));
 }
 
-/// The largest distance between two courses from an index on, by the second one's largest value.
+/// Returns the largest distance between two courses from an index on, by the second one's largest
+/// value.
 double error_of(const Course& course, const Course& reference, std::size_t first) {
   if (course.diverged) return std::numeric_limits<double>::infinity();
   double distance = 0.0, largest = 0.0;
@@ -132,11 +134,11 @@ struct Cell {
   double error = 0.0;
 };
 
-/// A model with what was found of it.
+/// A model with its results.
 struct Finding {
   PassesModel model;
-  std::vector<Cell> whole;                         ///< of its first span, by step
-  double percent_step = 0.0, permille_step = 0.0;  ///< [s], of runs that are so accurate
+  std::vector<Cell> whole;                         ///< cells of its first span, by step
+  double percent_step = 0.0, permille_step = 0.0;  ///< steps of runs that are so accurate [s]
 };
 
 void add_row(const PassesModel& model, const PassesSpan& span, std::size_t k, const Cell& cell,
@@ -147,15 +149,15 @@ void add_row(const PassesModel& model, const PassesSpan& span, std::size_t k, co
       {span.name, graph::duration_text(model.steps[k]), figure(cell.passes),
        has_before ? figure(span.before[k]) : "", course.diverged ? "diverged" : percent(cell.error),
        graph::duration_text(evaluation), span.from > 0.0 ? "" : graph::duration_text(course.time)});
-  nlohmann::json result{{"model", span.name},    {"step_s", model.steps[k]},
-                        {"passes", cell.passes}, {"diverged", course.diverged},
-                        {"error", cell.error},   {"evaluation_s", evaluation},
-                        {"seconds", course.time}};
-  if (has_before) result["passes_before"] = span.before[k];
+  Json result{{"model", span.name},    {"step_s", model.steps[k]},
+              {"passes", cell.passes}, {"diverged", course.diverged},
+              {"error", cell.error},   {"evaluation_s", evaluation},
+              {"seconds", course.time}};
+  if (has_before) result.set("passes_before", span.before[k]);
   report.add_result(std::move(result));
 }
 
-/// The largest step of all below which errors are as small as asked, by interpolation of the
+/// Returns the largest step below which all errors are as small as asked, by interpolation of the
 /// logarithms; the largest of all if they are everywhere.
 double find_step(const PassesModel& model, const std::vector<Cell>& cells, double error) {
   const auto worse = std::find_if(cells.begin(), cells.end(),
@@ -168,7 +170,7 @@ double find_step(const PassesModel& model, const std::vector<Cell>& cells, doubl
   return model.steps[k - 1] * std::pow(model.steps[k] / model.steps[k - 1], share);
 }
 
-/// By Richardson: what the run that errors are taken from is itself off, from the two smallest
+/// Estimates by Richardson's method the error of the reference run itself, from the two smallest
 /// steps' errors and the order that they show.
 double error_of_reference(const Finding& finding) {
   const PassesModel& model = finding.model;
@@ -213,7 +215,7 @@ class Yardstick {
  public:
   Yardstick() : simulation_(make_scenario(), kSerial) {}
 
-  double time() {  // least of some [s]
+  double time() {  // least of several times [s]
     double least = std::numeric_limits<double>::infinity();
     for (int turn = 0; turn < 5; ++turn) {
       const double begin = processor_time();
@@ -240,7 +242,7 @@ struct Solution {
   double step = 0.0;    ///< [s]
   double passes = 0.0;  ///< a step
   double time = 0.0;    ///< [s]
-  double ratio = 0.0;   ///< to the yardstick's time
+  double ratio = 0.0;   ///< its time relative to the yardstick's
 };
 
 /// Runs at a step, as often as the time allows, in turns with the yardstick; the least counts.
@@ -299,7 +301,7 @@ void solve_both(const Finding& finding, double seconds, Yardstick& yardstick, Ta
                  model.permille.time / fine.ratio, model.least_speedup));
 }
 
-/// What was promised of all steps from one on.
+/// Adds the target promised for all steps from one on.
 void add_target_of_all_steps(const Finding& finding, Report& report) {
   const PassesModel& model = finding.model;
   if (!(model.most_passes_from > 0.0)) return;

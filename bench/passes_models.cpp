@@ -1,10 +1,10 @@
-// Fast rotors, a slow one, hubs driven by torques and free ones. Files that are shipped are run as
-// they are; what is made of them says so.
+// Fast rotors, a slow one, hubs driven by torques and free ones. Shipped files are run unchanged
+// unless the model says otherwise.
 //
-// What was needed before is what this question found with the program of commit a861078, whose
+// The numbers before were measured by this question with the program of commit a861078, whose
 // iteration had a constant matrix on its left without any term of rotation; it is in no program any
-// more. Passes do not depend on the machine; times are by that of the yardstick (passes.cpp) in the
-// same run.
+// more. Passes do not depend on the machine; times are relative to that of the yardstick
+// (passes.cpp) in the same run.
 
 #include "bench/passes_models.h"
 
@@ -48,7 +48,7 @@ PassesModel articulated_rotor() {
   return model;
 }
 
-/// A motor that lets go at 36 rad/s and brakes beyond.
+/// The rotor driven by a motor that lets go at 36 rad/s and brakes beyond.
 PassesModel articulated_by_torque() {
   PassesModel model =
       whole_run("articulated, motor",
@@ -80,7 +80,7 @@ PassesModel drone_rotor() {
   return model;
 }
 
-/// Blades of much more inertia than the hub that the motor turns.
+/// Blades with much more inertia than the hub that the motor turns.
 PassesModel drone_rotor_by_torque() {
   PassesModel model =
       whole_run("drone rotor, motor",
@@ -98,8 +98,8 @@ PassesModel drone_rotor_by_torque() {
   return model;
 }
 
-/// The same blades on a free hub of 0.8 kg, spun up within half a second while their lift rises to
-/// the weight.
+/// The drone's blades on a free hub of 0.8 kg, spun up within half a second while their lift rises
+/// to the weight.
 PassesModel free_drone_rotor() {
   PassesModel model = whole_run(
       "drone rotor, free hub",
@@ -215,8 +215,9 @@ Scenario quadcopter_scenario() {
   return parse_scenario(text, "quadcopter");
 }
 
-/// A body with four arms, each with a rotor on a shaft: the spin is that of joints. The tip that is
-/// compared is a blade's, seen from the body, which is where the shaft has turned it.
+/// A body with four arms, each with a rotor on a shaft: the spin is that of joints. The
+/// displacement compared is that of a blade's tip relative to the body, which includes the turn of
+/// the shaft.
 PassesModel quadcopter() {
   PassesModel model =
       whole_run("quadcopter", quadcopter_scenario, {"arm1.tip.x", "arm1.tip.y", "arm1.tip.z"});

@@ -1,6 +1,6 @@
 """What does Python cost beside the C++ that it calls?
 
-    PYTHONPATH=build/release/python python3 bench/python_steps.py build/release/engine/cli/spoke
+    PYTHONPATH=build/release/python python3 bench/python_steps.py build/release/program/cli/spoke
 
 A step: the time of a call that does nothing but go through the same binding as `step()`, by median,
 beside the time of a step. The target is 1 us at most.

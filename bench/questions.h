@@ -7,7 +7,7 @@
 namespace spoke::bench {
 
 struct QuestionOptions {
-  bool quick = false;  ///< a smoke run: few rounds, the slowest alternatives left out
+  bool quick = false;  ///< whether it is a smoke run: few rounds, the slowest alternatives left out
 };
 
 /// What does one evaluation of the accelerations cost, by formulation and size?
@@ -28,9 +28,6 @@ void measure_passes(const QuestionOptions& options, Report& report);
 
 /// What do two threads gain on graphs shaped like a step, by executor, size and cost of a node?
 void measure_step_graphs(const QuestionOptions& options, Report& report);
-
-/// How far are predicted times of a run from measured ones, on one and two threads?
-void measure_predict(const QuestionOptions& options, Report& report);
 
 /// What do two threads gain on whole steps of rotors, by executor?
 void measure_executors(const QuestionOptions& options, Report& report);

@@ -14,21 +14,14 @@
 #include <stdexcept>
 
 #include "bench/progress.h"
-#include "engine/support/machine.h"
 
 namespace spoke::bench {
 namespace {
 
-/// Mean number of runnable processes over the last minute; negative if it is not known.
+/// Returns the mean number of runnable processes over the last minute; negative if it is not known.
 double load_average() {
   double load = -1.0;
   return getloadavg(&load, 1) == 1 ? load : -1.0;
-}
-
-nlohmann::json describe_machine() {
-  const Machine machine = this_machine();
-  return {{"cpu", machine.cpu}, {"cores", machine.cores},       {"memory", machine.memory},
-          {"os", machine.os},   {"compiler", machine.compiler}, {"load_average", load_average()}};
 }
 
 std::string bounds(const Target& target) {
@@ -71,21 +64,16 @@ Target at_most(std::string text, double measured, double greatest) {
 }
 
 Report::Report(bool quick)
-    : json_{{"version", SPOKE_VERSION},           {"build", SPOKE_BUILD_FLAGS},
-            {"machine", describe_machine()},      {"quick", quick},
-            {"results", nlohmann::json::array()}, {"targets", nlohmann::json::array()}} {}
+    : is_quick_(quick), machine_(this_machine()), load_average_(load_average()) {}
 
 void Report::print_header() const {
-  const nlohmann::json& machine = json_["machine"];
-  const double load = machine["load_average"];
-  fmt::print("Spoke {} benchmarks ({}, {})\n", SPOKE_VERSION, SPOKE_BUILD_FLAGS,
-             machine["compiler"].get<std::string>());
-  fmt::print("{}, {} cores, load average {}\n", machine["cpu"].get<std::string>(),
-             machine["cores"].get<int>(), load < 0.0 ? "unknown" : figure(load));
+  fmt::print("Spoke {} benchmarks ({}, {})\n", SPOKE_VERSION, SPOKE_BUILD_FLAGS, machine_.compiler);
+  fmt::print("{}, {} cores, load average {}\n", machine_.cpu, machine_.cores,
+             load_average_ < 0.0 ? "unknown" : figure(load_average_));
   fmt::print(
       "Times are the least of all rounds. Ratios are medians of the ratios within interleaved "
       "rounds,\nin brackets their quartiles.\n");
-  if (json_["quick"].get<bool>())
+  if (is_quick_)
     fmt::print("A quick run: few rounds, slow alternatives left out. Judge nothing by it.\n");
 }
 
@@ -109,18 +97,18 @@ void Report::add_remark(const std::string& text) {
 
 void Report::add_target(const Target& target) {
   targets_.push_back(target);
-  nlohmann::json json{{"question", question_},
-                      {"target", target.text},
-                      {"measured", target.measured},
-                      {"reached", target.reached()}};
-  if (!std::isinf(target.least)) json["at_least"] = target.least;
-  if (!std::isinf(target.greatest)) json["at_most"] = target.greatest;
-  json_["targets"].push_back(std::move(json));
+  Json json{{"question", question_},
+            {"target", target.text},
+            {"measured", target.measured},
+            {"reached", target.reached()}};
+  if (!std::isinf(target.least)) json.set("at_least", target.least);
+  if (!std::isinf(target.greatest)) json.set("at_most", target.greatest);
+  targets_in_json_.push_back(std::move(json));
 }
 
-void Report::add_result(nlohmann::json result) {
-  result["question"] = question_;
-  json_["results"].push_back(std::move(result));
+void Report::add_result(Json result) {
+  result.set("question", question_);
+  results_.push_back(std::move(result));
 }
 
 void Report::add_timing(const std::string& model, const Timing& timing) {
@@ -130,7 +118,7 @@ void Report::add_timing(const std::string& model, const Timing& timing) {
               {"least_s", timing.least},
               {"median_s", timing.median},
               {"ratio", timing.ratio},
-              {"ratio_quartiles", {timing.ratio_low, timing.ratio_high}}});
+              {"ratio_quartiles", std::vector{timing.ratio_low, timing.ratio_high}}});
 }
 
 void Report::print_summary() const {
@@ -142,8 +130,20 @@ void Report::print_summary() const {
 }
 
 void Report::write_json(const std::filesystem::path& file) const {
+  const Json json{{"version", SPOKE_VERSION},
+                  {"build", SPOKE_BUILD_FLAGS},
+                  {"machine",
+                   {{"cpu", machine_.cpu},
+                    {"cores", machine_.cores},
+                    {"memory", machine_.memory},
+                    {"os", machine_.os},
+                    {"compiler", machine_.compiler},
+                    {"load_average", load_average_}}},
+                  {"quick", is_quick_},
+                  {"results", results_},
+                  {"targets", targets_in_json_}};
   std::ofstream stream(file);
-  stream << json_.dump(2) << '\n';
+  stream << json.dump_lines();
   if (!stream.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 

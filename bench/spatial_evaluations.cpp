@@ -1,16 +1,16 @@
 // What does one evaluation of the accelerations cost in space, against the plane? As in
-// formulations.cpp one pass that only evaluates, by the serial executor, in the state reached at 5
-// s and then disturbed; structured formulation. Straight blades are those of the planar rotor, with
-// a stiffness in the second plane. Of general ones, the twisted are the same blades with a twist,
-// so that their directions no longer decouple, and those of the wind turbine have sections that
-// change by station.
+// formulations.cpp, one pass that only evaluates is run by the serial executor, in the state
+// reached at 5 s and then disturbed, with the structured formulation. Straight blades are those of
+// the planar rotor, with a stiffness in the second plane. Twisted ones are these blades with a
+// twist, so that their directions no longer decouple, and those of the wind turbine have sections
+// that change by station.
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "bench/compare/interleaved.h"
 #include "bench/evaluated_model.h"
-#include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
@@ -48,7 +48,7 @@ Alternative in_space(const std::string& name, const std::string& file, const Rot
 
 constexpr const char* kStraight = "spatial_wu_haug.toml";
 
-/// The plane's cost, and what it is compared with.
+/// Compares a cost in space with the plane's.
 void compare_with_plane(const Effort& effort, Report& report) {
   const std::vector<Alternative> alternatives{
       in_plane(kSmall, false, 0),
@@ -74,7 +74,7 @@ void compare_with_plane(const Effort& effort, Report& report) {
                             std::max(timings[4].ratio, timings[5].ratio), 10.0));
 }
 
-/// What kernels for wider vectors gain, where the processor has them.
+/// Compares kernels for wider vectors with the others, where the processor has them.
 void compare_kernels(const Effort& effort, Report& report) {
   const Kernels before = use_kernels(Kernels::avx512);
   const Kernels last = kernels_in_use();

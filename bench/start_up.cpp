@@ -24,7 +24,7 @@ struct Command {
   std::string name;
   std::vector<std::string> words;
   bool integrates = true;
-  double most = 0.0;             ///< promised [s]; 0: nothing is
+  double most = 0.0;             ///< promised time [s]; 0: none
   std::vector<double> beyond{};  ///< times of the process without its integration [s]
   std::vector<double> whole{};   ///< [s]
 };
@@ -41,7 +41,7 @@ std::vector<Command> make_commands(const fs::path& folder) {
           {"--version", {"--version"}, false}};
 }
 
-/// What the run says that its integration took [s].
+/// Returns the time of the integration that the run reports [s].
 double integration_time(const fs::path& folder) {
   std::ifstream file(folder / "summary.json");
   return nlohmann::json::parse(file).at("wall_time_s").get<double>();

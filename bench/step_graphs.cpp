@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/busy_graph.h"
-#include "bench/interleaved.h"
+#include "bench/compare/interleaved.h"
 #include "bench/openmp_kinds.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
@@ -37,14 +37,14 @@ void settle(Executor& executor) {
   while (executor.tuning()) executor.run();
 }
 
-/// An alternative that owns its executor, settled.
+/// Makes an alternative that owns its executor, settled.
 Alternative make_alternative(const StepGraph& graph, ExecutorKind kind, int threads) {
   const std::shared_ptr<Executor> executor = graph::make_executor(graph, kind, threads);
   settle(*executor);
   return {std::string(name_of(kind)), [executor] { executor->run(); }, {}, 1.0, 0};
 }
 
-/// The same with a pause before its turn: threads of other runtimes go on spinning for a while
+/// Adds a pause before an alternative's turn: threads of other runtimes go on spinning for a while
 /// after their turn and would take the processor from this one.
 Alternative after_pause(const Alternative& plain, double seconds_per_run) {
   const int batch = static_cast<int>(std::clamp(kBatch / seconds_per_run, 1.0, 10000.0));
@@ -88,7 +88,7 @@ Speedups measure_speedups(const StepGraph& graph, const QuestionOptions& options
   return speedups;
 }
 
-/// What was promised of a shape and a cost of nodes; 0: nothing but A.
+/// Returns the speedup promised for a shape and a cost of nodes; 0: only target A.
 double promised(const StepShape& shape, double node_seconds) {
   if (shape.blades == 24) return node_seconds < 1e-6 ? 1.55 : node_seconds < 2e-6 ? 1.85 : 0.0;
   if (shape.blades == 96) return node_seconds < 1e-6 ? 1.70 : 1.93;
@@ -125,7 +125,7 @@ void compare_executors(const QuestionOptions& options, Report& report) {
   report.add_table(table);
 }
 
-/// Of the flow graph of single nodes, one thread: what a node costs that does nothing.
+/// Measures the cost of an empty node in the flow graph of single nodes on one thread.
 void measure_empty_nodes(const QuestionOptions& options, Report& report) {
   const StepGraph graph = make_busy_graph(kShapes[2], 0.0);
   const std::vector<Timing> timings =
@@ -136,7 +136,7 @@ void measure_empty_nodes(const QuestionOptions& options, Report& report) {
                             timings[1].median / graph.node_count() * 1e6, 0.15));
 }
 
-/// More threads than processors.
+/// Measures more threads than processors.
 void measure_oversubscription(const QuestionOptions& options, Report& report) {
   const std::string graph_name = kShapes[2].name() + ", nodes of 1 us";
   const StepGraph graph = make_busy_graph(kShapes[2], 1e-6);

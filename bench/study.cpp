@@ -1,10 +1,10 @@
 // How many runs a second does a study make? One process on two threads, and two ranks where there
 // is an mpirun, against two processes at once that make half of the runs each on one thread; and
 // one process on one thread against the steps of its simulations, built beforehand: reading,
-// building and writing are what a study costs beside them. That one is made within this program,
-// where both have the same code: as the program `spoke` has it laid out, steps differ by some per
-// cent. Ranks make more runs than threads: mpirun takes a third of a second to start them, which is
-// no part of a rate. Each comparison within one round.
+// building and writing are what a study costs beside them. That comparison runs within this
+// program, where both sides have the same code: in the program `spoke`, another code layout changes
+// steps by some per cent. Ranks make more runs than threads: mpirun takes a third of a second to
+// start them, which is no part of a rate. Each comparison is made within one round.
 
 #include <algorithm>
 #include <cstdlib>
@@ -21,9 +21,9 @@
 #include "bench/results_folder.h"
 #include "bench/whole_processes.h"
 #include "engine/simulation.h"
-#include "engine/study/runner.h"
-#include "engine/study/study_reader.h"
 #include "graph/machine/duration_text.h"
+#include "program/study/runner.h"
+#include "program/study/study_reader.h"
 
 namespace spoke::bench {
 namespace {
@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 const std::string kModel = SPOKE_MODELS_DIR "/wu_haug_rotor.toml";
 constexpr double kLow = 6.0, kMiddle = 7.0, kHigh = 8.0;  // lengths of the blades [m]
 
-/// A study of so many values of the blades' length.
+/// Writes a study of so many values of the blades' length.
 std::string write_study(const fs::path& folder, const std::string& name, int runs, double low,
                         double high) {
   const fs::path file = folder / (name + ".toml");
@@ -71,7 +71,7 @@ std::vector<Built> build_all(int runs) {
   return all;
 }
 
-/// The steps of a study and nothing else.
+/// Makes only the steps of a study.
 void step_all(std::vector<Built>& all) {
   for (Built& built : all) {
     double least = 0.0;
@@ -85,7 +85,7 @@ void step_all(std::vector<Built>& all) {
 
 bool has_mpirun() { return std::system("command -v mpirun >/dev/null 2>&1") == 0; }
 
-/// Through a shell: the program's command line behind mpirun's.
+/// Runs through a shell: the program's command line behind mpirun's.
 void run_on_two_ranks(const std::vector<std::string>& words) {
   std::string command =
       "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2 "

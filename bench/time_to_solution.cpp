@@ -1,7 +1,7 @@
 // How long does the 20 s spin-up of the paper's model take, at 0.1 % accuracy of its own converged
 // answer? Spoke's way is generalized_alpha with the structured formulation, at the largest of some
-// steps that is accurate enough; the paper's way is rk4 with the subsystem formulation, at the
-// largest step that it is stable at, where it is far more accurate than asked. All serial, through
+// steps that is accurate enough; the paper's way is rk4 with the subsystem formulation, at its
+// largest stable step, where it is far more accurate than asked. All runs are serial, through
 // spoke::Simulation.
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bench/interleaved.h"
+#include "bench/compare/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
@@ -23,10 +23,10 @@ namespace spoke::bench {
 namespace {
 
 constexpr double kDuration = 20.0;       // s
-constexpr double kAccuracy = 1e-3;       // of the largest deflection
-constexpr double kReferenceStep = 5e-4;  // s, of the converged answer
-constexpr double kSampling = 0.005;      // s, a whole number of reference steps and of rk4's
-constexpr double kShortSpan = 0.05;      // s, that slow alternatives are timed over
+constexpr double kAccuracy = 1e-3;       // as a fraction of the largest deflection
+constexpr double kReferenceStep = 5e-4;  // s, step of the converged answer
+constexpr double kSampling = 0.005;      // s, a whole multiple of reference steps and of rk4's
+constexpr double kShortSpan = 0.05;      // s, over which slow alternatives are timed
 constexpr std::string_view kSensor = "blade1.tip.y";
 
 // All divide the duration and are whole numbers of reference steps.
@@ -71,7 +71,8 @@ TipCurve record(Simulation& simulation, int stride, const std::string& what) {
   return curve;
 }
 
-/// Largest difference over the times that both have, relative to the reference's largest value.
+/// Returns the largest difference over the times that both have, relative to the reference's
+/// largest value.
 double difference(const TipCurve& curve, const TipCurve& reference) {
   const double finer = std::min(curve.interval, reference.interval);
   const double coarser = std::max(curve.interval, reference.interval);
@@ -103,8 +104,8 @@ ExplicitStep find_explicit_step() {
   return {static_cast<int>(std::ceil(kSampling / bound))};
 }
 
-/// The converged answer. Another integrator, of another order, must find the same; running to the
-/// end at rk4's largest stable step, it also shows that this step is stable.
+/// Makes the converged answer. Another integrator, of another order, must find the same; running to
+/// the end at rk4's largest stable step, it also shows that this step is stable.
 TipCurve converge(ExplicitStep step, Report& report) {
   Simulation reference = make_simulation(IntegrationMethod::generalized_alpha, kReferenceStep,
                                          Formulation::structured);
@@ -132,7 +133,7 @@ struct Solution {
   std::uint64_t state_hash = 0;
 };
 
-/// Tries the candidates, largest first; all are shown.
+/// Tries the candidates, largest first; the report shows all.
 Solution find_largest_step(const TipCurve& reference, Report& report) {
   Table table{"Error of generalized_alpha over the 20 s, relative to the largest lag",
               {"step", "steps", "evaluations", "per step", "error", ""},
@@ -163,7 +164,8 @@ Solution find_largest_step(const TipCurve& reference, Report& report) {
 
 using SimulationSlot = std::shared_ptr<std::optional<Simulation>>;
 
-/// The whole 20 s at the step that was found, from a simulation set up before the clock starts.
+/// Runs the whole 20 s at the step that was found, from a simulation set up before the clock
+/// starts.
 Alternative whole_run(std::string name, double step, Formulation formulation,
                       const SimulationSlot& slot) {
   Alternative alternative;
@@ -175,7 +177,7 @@ Alternative whole_run(std::string name, double step, Formulation formulation,
   return alternative;
 }
 
-/// rk4 goes on for a short span each time; reported is the time scaled to 20 s.
+/// Continues rk4 for a short span each time; the time scaled to 20 s is reported.
 Alternative short_runs(std::string name, ExplicitStep step, double span, Formulation formulation,
                        const SimulationSlot& slot) {
   const auto steps = static_cast<int>(std::lround(span / step.size()));
@@ -235,7 +237,7 @@ void demand(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error("what was timed is not what was asked: " + what);
 }
 
-/// The timed runs must have computed what was judged accurate.
+/// Demands that the timed runs computed the solution that was judged accurate.
 void require_agreement(const Solution& solution, const Slots& slots) {
   demand((*slots.ours)->state_hash() == solution.state_hash &&
              (*slots.with_sensors)->state_hash() == solution.state_hash,
@@ -247,7 +249,8 @@ void require_agreement(const Solution& solution, const Slots& slots) {
          "the formulations did not make the same steps of rk4");
   const double paper = (*slots.paper)->sensor(kSensor);
   const double structured = (*slots.explicit_structured)->sensor(kSensor);
-  // Early in the spin-up the deflection is small, and its last digits are the blade length's.
+  // Early in the spin-up the deflection is small, and its last digits are lost beside the blade's
+  // length.
   demand(std::abs(paper - structured) < 1e-6 * std::abs(structured) + 1e-12,
          "rk4 + subsystem differs from rk4 + structured");
 }

@@ -1,10 +1,10 @@
 // What does recording which node ran when cost? Whole steps of rotors whose nodes take 1 us on
-// average on this machine, and shorter ones beside them: by a loop that has no recorder to ask for
-// and by the executor serial, switched off; then by each executor switched off and on. Only two
+// average on this machine, and shorter ones beside them: first by a loop without a recorder and by
+// the executor serial with recording off; then by each executor with recording off and on. Only two
 // alternatives take turns at a time, so that each finds the threads and caches as the other left
 // them. Graphs of artificial nodes say less here: a time stamp keeps the processor from beginning a
-// node before the one before it is through, which such nodes, each a chain of operations that needs
-// nothing from the others, lose a tenth by.
+// node before the last one has ended, which costs such nodes, independent chains of operations, a
+// tenth.
 
 #include <array>
 #include <memory>
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/interleaved.h"
+#include "bench/compare/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
@@ -30,15 +30,15 @@ using graph::ExecutorKind;
 using graph::NodeId;
 using graph::StepGraph;
 
-constexpr int kPasses = 2;  // of a step, for every alternative alike
+constexpr int kPasses = 2;  // passes of a step, for every alternative alike
 
-// What recording costs is promised for nodes that take at least that long on average [s].
+// The cost of recording is promised for nodes that take at least that long on average [s].
 constexpr double kLongNode = 1e-6;
 
 struct Case {
   RotorSize size;
   Formulation formulation = Formulation::structured;
-  bool is_promised = true;  // nodes are long enough
+  bool is_promised = true;  // whether nodes are long enough for the promise
 };
 
 /// An executor that is recorded.
@@ -60,7 +60,7 @@ Effort effort_of(const QuestionOptions& options) {
   return options.quick ? Effort{5, 1e-3, 0.3} : Effort{401, 2e-3, 4.0};
 }
 
-/// What the executor serial was before it could record.
+/// The executor serial as it was before it could record.
 class PlainLoop final : public Executor {
  public:
   explicit PlainLoop(const StepGraph& graph) : graph_(graph) {}
@@ -74,7 +74,7 @@ class PlainLoop final : public Executor {
   const StepGraph& graph_;
 };
 
-/// A rotor that is stepped on, in batches.
+/// A rotor that makes steps in batches.
 class Model {
  public:
   explicit Model(const Case& which) {
@@ -124,7 +124,7 @@ class Model {
   std::unique_ptr<StepRecording> recording_;
 };
 
-/// What a node of a rotor takes on average, of a few steps of the executor serial [s].
+/// Returns the mean time of a rotor's node in a few steps of the executor serial [s].
 double mean_node(const Case& which) {
   Model model(which);
   model.use(ExecutorKind::serial, 1);
@@ -133,7 +133,7 @@ double mean_node(const Case& which) {
   return timings[0].median / model.graph().node_count();
 }
 
-/// Of rotors of more and more elements per body, the first whose nodes take so long.
+/// Returns the first of rotors with more and more elements per body whose nodes take so long.
 Case with_long_nodes(Formulation formulation, int fewest_elements, int more) {
   Case which{{3, 4, fewest_elements}, formulation};
   while (mean_node(which) < kLongNode) which.size.elements += more;
@@ -148,9 +148,9 @@ std::vector<Case> make_cases() {
 
 using ModelPointer = std::shared_ptr<Model>;
 
-/// A batch; the first part of it, untimed, wakes what slept. Making room for the records empties
-/// caches and lets a thread fall asleep, so that comes before, and with recording switched off too:
-/// what is measured is recording, not the making of room.
+/// Makes an alternative of one batch; its first part, untimed, wakes sleeping threads. Making room
+/// for the records empties caches and lets a thread fall asleep, so it comes before, also with
+/// recording off: only recording is to be measured.
 Alternative make_alternative(const ModelPointer& model, bool is_recorded, int steps) {
   const auto prepare = [model, is_recorded, steps] {
     const int first = (steps + 3) / 4;
@@ -168,7 +168,7 @@ ModelPointer make_model(const Case& which, ExecutorKind kind, int threads) {
   return model;
 }
 
-/// The loop and the executor serial.
+/// Measures the loop and the executor serial.
 std::vector<Timing> measure_off(const Case& which, int steps, const Effort& effort) {
   const auto loop = std::make_shared<Model>(which);
   loop->use_plain_loop();
@@ -177,7 +177,7 @@ std::vector<Timing> measure_off(const Case& which, int steps, const Effort& effo
                  effort);
 }
 
-/// An executor switched off and on. Both take the same memory and plan.
+/// Measures an executor with recording off and on. Both take the same memory and plan.
 std::vector<Timing> measure_on(const Case& which, const Recorded& recorded, int steps,
                                const Effort& effort) {
   const ModelPointer model = make_model(which, recorded.kind, recorded.threads);
@@ -187,7 +187,7 @@ std::vector<Timing> measure_on(const Case& which, const Recorded& recorded, int 
 
 std::string cost(const Timing& timing) { return figure(100.0 * (timing.ratio - 1.0)) + " %"; }
 
-/// A table's row and the report's targets of one rotor, as its executors are measured.
+/// Measures the executors of one rotor, and adds its row of the table and its targets.
 void measure_rotor(const Case& which, const Effort& effort, Table& table, Report& report) {
   const std::string model = which.size.name() + " " + std::string(name_of(which.formulation));
   const int steps = 40;

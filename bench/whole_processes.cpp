@@ -47,7 +47,7 @@ double seconds_of_process(const std::vector<std::string>& arguments) {
 BusyProcess::BusyProcess() : process_(fork()) {
   if (process_ < 0) throw std::runtime_error("no process can be made");
   if (process_ > 0) return;
-  alarm(3600);  // should this process be killed
+  alarm(3600);  // in case this process is killed
   std::atomic<unsigned> count = 0;
   while (true) count.fetch_add(1, std::memory_order_relaxed);
 }

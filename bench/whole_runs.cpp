@@ -1,8 +1,8 @@
 // What does `auto` gain, or cost, a user who starts `spoke run`? Pairs of whole processes, auto
 // against serial, one right after the other, on runs that take serial 0.1 to 10 s, on the machine
-// as it is and beside a process that keeps one processor busy. What another thread is worth in the
+// as it is and beside a process that keeps one processor busy. The worth of another thread in the
 // quiet part is measured before and after each row, and targets of speed hold where both were above
-// 1.8: the machine may be busy otherwise, or two processors be one core.
+// 1.8: otherwise the machine may be busy, or two processors be one core.
 
 #include <spdlog/fmt/fmt.h>
 
@@ -40,7 +40,7 @@ std::vector<Model> make_models(bool quick) {
           {"(96,8,8)", "large_rotor", {"blade.count=96"}, false}};
 }
 
-/// How long runs take serially, how many pairs of them are made, and what is promised.
+/// The serial time of runs, the number of pairs, and the promise.
 struct Length {
   double seconds;
   int pairs;
@@ -68,7 +68,7 @@ std::vector<std::string> arguments_of(const Model& model, double duration,
   return arguments;
 }
 
-/// Of the simulation, that takes about so many seconds serially [s].
+/// Returns the duration of a simulation that takes about `seconds` serially [s].
 double duration_for(const Model& model, double seconds) {
   double duration = 5.0;
   double taken = 0.0;

@@ -4,11 +4,11 @@
 //   ratio = time of a step / (evaluations in the step x time of a bare evaluation)
 //
 // A step is one that `spoke run` makes with the serial executor: predicted and corrected, checked,
-// recorded, with the sensors of every step handed to what gathers their extremes and the largest
-// deflections of the tips. Rows are counted but not written: `spoke run` leaves writing out of the
-// time that it says it took. rk4 makes four evaluations in a step, generalized_alpha as many as it
+// recorded, with the sensors of every step handed to the collectors of their extremes and of the
+// tips' largest deflections. Rows are counted but not written: `spoke run` leaves writing out of
+// the time that it reports. rk4 makes four evaluations in a step, generalized_alpha as many as it
 // iterates. A bare evaluation is what `formulations` measures: one pass of the step graph in the
-// structured formulation that only evaluates, and nobody is told.
+// structured formulation that only evaluates, and no observer is called.
 //
 // The rotor is the paper's with geometric stiffening, as models/wu_haug_rotor.toml has it. Timed
 // are the whole 20 s of generalized_alpha, for the evaluations in a step change on the way, and the
@@ -18,15 +18,15 @@
 #include <memory>
 #include <stdexcept>
 
+#include "bench/compare/interleaved.h"
 #include "bench/evaluated_model.h"
-#include "bench/interleaved.h"
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
 #include "engine/results.h"
-#include "engine/run_report/tip_deflections.h"
 #include "engine/simulation.h"
 #include "graph/machine/duration_text.h"
+#include "program/run_report/tip_deflections.h"
 
 namespace spoke::bench {
 namespace {
@@ -34,11 +34,11 @@ namespace {
 constexpr std::array kSizes{RotorSize{3, 4, 4}, RotorSize{3, 16, 4}, RotorSize{24, 8, 8}};
 constexpr double kMostRatio = 1.4;
 
-/// How an integrator's steps are measured.
+/// The steps of an integrator, and how they are measured.
 struct Steps {
   IntegrationMethod method;
-  double size;  ///< [s]; of rk4 stable at every size of the rotor
-  int count;    ///< from rest
+  double size;  ///< [s]; for rk4 stable at every size of the rotor
+  int count;    ///< number of steps from rest
 };
 constexpr std::array kSteps{Steps{IntegrationMethod::generalized_alpha, 0.005, 4000},
                             Steps{IntegrationMethod::rk4, 1e-5, 1000}};
@@ -84,7 +84,7 @@ class RepeatedSteps {
   double evaluations_per_step() const { return static_cast<double>(evaluations_) / count_; }
 
  private:
-  /// The steps that will be timed must lead to the state of steps that are made one by one.
+  /// Demands that the timed steps lead to the state of steps that are made one by one.
   void require_agreement() {
     for (int k = 0; k < count_; ++k) simulation_.step();
     const std::uint64_t expected = simulation_.state_hash();
@@ -106,7 +106,7 @@ class RepeatedSteps {
   std::int64_t evaluations_ = 0;
 };
 
-/// Reported is the time per evaluation.
+/// Makes an alternative whose reported time is that per evaluation.
 Alternative make_alternative(const std::shared_ptr<RepeatedSteps>& steps, const Steps& how) {
   return {std::string(name_of(how.method)), [steps] { steps->run(); },
           [steps] { steps->go_back(); }, 1.0 / (steps->count() * steps->evaluations_per_step()), 0};

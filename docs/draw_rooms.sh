@@ -1,17 +1,27 @@
 #!/usr/bin/env bash
-# Draws the map of docs/architecture.md: the rooms of tests/include_order.txt, and which includes
-# which, from the include lines. An arrow that others imply is left out. Writes
-# docs/pictures/rooms.dot, and rooms.svg by Graphviz (Debian: graphviz).
+# Draws the maps of docs/architecture.md from the include lines: rooms.svg, the folders at the top and
+# which of them includes which; and rooms_graph.svg and so on, the rooms of tests/include_order.txt inside
+# one of them. An arrow that others imply is left out. Writes docs/pictures/rooms*.dot, and the
+# pictures by Graphviz (Debian: graphviz).
 #   draw_rooms.sh           draws
-#   draw_rooms.sh --check   fails if the two files are not what would be drawn; needs no Graphviz
+#   draw_rooms.sh --check   fails if the files are not what would be drawn; needs no Graphviz
 set -euo pipefail
 export LC_ALL=C
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
-picture=docs/pictures/rooms
+pictures=docs/pictures
+libraries='graph models engine program bench'
 
-# What a room is for, in few words: ROOM, a tab, words. Rooms without need no explanation.
+# What a folder or room is for, in few words: ROOM, a tab, words. Rooms without need no explanation.
 notes() {
   cat <<'END'
+graph	the task-graph runtime
+models	what is simulated
+engine	how it is simulated
+program	the commands, what they write
+bench	the laboratory: what measures
+package	the library for other programs
+python	the Python package
+examples	programs that use the library
 graph/structure/	orders, reachability
 graph/machine/	processors, clocks
 graph/plan/	clusters of nodes
@@ -19,20 +29,22 @@ graph/execute/	oneTBB, OpenMP, serial
 graph/simulate/	schedules on P processors
 graph/calibrate/	what runs cost here
 graph/tune/	auto
-graph/viewer/	the page of a trace
 models/reader/	scenario files
-models/system/	constants of bodies
-models/support/	vectors of two and four
+models/system/	constants of a whole system
+models/support/	vectors of two and four, quantities
+models/plane/	bodies in the plane
 models/space/	bodies, joints in space
+models/tree/	trees of bodies
 engine/support/	memory, vectors, log
-engine/body/	elastic blocks of a body
+engine/body/	types of a body, by world
 engine/tree/	elimination of joints
 engine/table/	all that changes in a step
+engine/plane/	kernels of planar bodies
 engine/space/	kernels of spatial bodies
-engine/kernels/	terms of bodies and hub
+engine/kernels/	what serves both worlds
+engine/columns/	columns of sensors
 engine/formulation/	(P 7) to (P 11)
 engine/integrator/	rk4, generalized_alpha
-engine/space/integrator/	orientations in steps
 engine/step/	the nodes and their graph
 engine/steady/	equilibrium, linear model
 engine/vibration/	modes and their names
@@ -40,92 +52,132 @@ engine/run/	steps, windows, recording
 engine/simulation/	behind Simulation
 engine/scene/	models as they are drawn
 engine/vtk/	files for ParaView
-engine/report/	pages and charts
-engine/study/	many runs, and what they say
-engine/run_report/	report.html of a run
-engine/compare/	executors compared
-engine/reproduce/	the paper's evaluation
-engine/predict/	times on more threads
-engine/trace/	files of traced steps
-engine/cli/	the program
+program/ranks/	processes of MPI
+program/report/	pages and charts
+program/viewer/	the page of a trace
+program/study/	many runs, and what they say
+program/study_report/	report.html of a study
+program/run_report/	report.html of a run
+program/steady_report/	files and pages of modes
+program/trace/	files of traced steps
+program/cli/	the command line
+bench/compare/	executors compared
+bench/reproduce/	the paper's evaluation
+bench/predict/	times on more threads
+bench/programs/	spoke-compare and so on
 END
 }
 
 # "FILE HEADER" for each include line of a file of ours.
 include_lines() {
-  grep -rHoE --include='*.h' --include='*.cpp' '^#include "(graph|models|engine)/[^"]*"' \
-    graph models engine | sed -E 's/:#include "/ /; s/"$//' | sort
+  grep -rHoE --include='*.h' --include='*.cpp' "^#include \"(${libraries// /|})/[^\"]*\"" \
+    $libraries | sed -E 's/:#include "/ /; s/"$//' | sort
 }
 
-make_dot() {
-  include_lines | awk -v notes="$(notes)" "$(cat tests/rooms.awk)"'
-    { from = room_of($1); to = room_of($2); if (from != to) arrow[from, to] = path[from, to] = 1 }
+# "FOLDER FOLDER" for each arrow of the first map that is not between sources of $libraries: bindings
+# include the engine; examples include what the package hands out, the libraries' headers and objects.
+outer_arrows() {
+  grep -rhoE --include='*.h' --include='*.cpp' "^#include \"(${libraries// /|})/" python |
+    sed -E 's/#include "(.*)\//python \1/' | sort -u
+  if grep -rqE --include='*.cpp' '^#include <spoke/' examples; then echo 'examples package'; fi
+  printf 'package %s\n' graph models engine
+}
 
-    # Rooms stand below those that they are included by: one sweep from below finds all paths.
-    function find_paths(   m, f, t) {
-      for (m = 1; m <= rooms; ++m)
-        for (f = 1; f <= rooms; ++f)
-          if ((room[f], room[m]) in path)
-            for (t = 1; t <= rooms; ++t)
-              if ((room[m], room[t]) in path) path[room[f], room[t]] = 1
-    }
-    function library_of(name) { sub(/\/.*/, "", name); return name }
-    function is_implied(from, to,   k) {
-      for (k = 1; k <= rooms; ++k)
-        if ((from, room[k]) in arrow && (room[k], to) in path) return 1
-      return 0
-    }
-    function read_notes(   lines, count, k, pair) {
-      count = split(notes, lines, "\n")
-      for (k = 1; k <= count; ++k) {
-        split(lines[k], pair, "\t")
-        if (!(pair[1] in rank)) { print "a note on no room: " pair[1] > "/dev/stderr"; exit 1 }
-        note[pair[1]] = pair[2]
-      }
-    }
-    # Folders are boxes, files that other rooms or programs include are plain names.
-    function draw_library(library, role, fill,   k, name, text) {
-      printf "  subgraph cluster_%s {\n    label = <<b>%s/</b>  %s>; bgcolor = \"%s\"\n", library, library, role, fill
-      for (k = 1; k <= rooms; ++k) {
-        if (index(room[k], library "/") != 1) continue
-        name = substr(room[k], length(library) + 2)
-        text = name ~ /\/$/ ? "<b>" name "</b>" : name
-        if (room[k] in note) text = text "<br/><font point-size=\"11\">" note[room[k]] "</font>"
-        printf "    \"%s\" [label = <%s>%s]\n", room[k], text, name ~ /\/$/ ? "" : "; shape = plaintext; style = \"\""
-      }
-      print "  }"
-    }
+# What both maps share, in awk: arrow[FROM, TO] and box[1 ... boxes] are drawn, without the arrows that
+# others imply.
+draw='
+  function has_path(from, to,   k) {
+    if ((from, to) in known) return known[from, to]
+    known[from, to] = 0
+    for (k = 1; k <= boxes; ++k)
+      if ((from, box[k]) in arrow && (box[k] == to || has_path(box[k], to))) return known[from, to] = 1
+    return 0
+  }
+  function is_implied(from, to,   k) {
+    for (k = 1; k <= boxes; ++k)
+      if (box[k] != to && (from, box[k]) in arrow && has_path(box[k], to)) return 1
+    return 0
+  }
+  function read_notes(   lines, count, k, pair) {
+    count = split(notes, lines, "\n")
+    for (k = 1; k <= count; ++k) { split(lines[k], pair, "\t"); note[pair[1]] = pair[2] }
+  }
+  # Folders are boxes, files that other rooms or programs include are plain names.
+  function draw_box(name, title, is_folder,   text) {
+    text = is_folder ? "<b>" title "</b>" : title
+    if (name in note) text = text "<br/><font point-size=\"11\">" note[name] "</font>"
+    printf "  \"%s\" [label = <%s>%s]\n", name, text, is_folder ? "" : "; shape = plaintext; style = \"\""
+  }
+  function draw_arrows(   f, t) {
+    for (f = 1; f <= boxes; ++f)
+      for (t = 1; t <= boxes; ++t)
+        if ((box[f], box[t]) in arrow && !is_implied(box[f], box[t]))
+          printf "  \"%s\" -> \"%s\"\n", box[f], box[t]
+  }
+  function draw_head() {
+    print "// Written by docs/draw_rooms.sh."
+    print "digraph rooms {"
+    print "  graph [fontname = \"Helvetica\"; fontsize = 14; color = \"#888888\"; ranksep = 0.35; nodesep = 0.2]"
+    print "  node [fontname = \"Helvetica\"; fontsize = 13; shape = box; style = \"rounded,filled\"; fillcolor = \"" fill "\"; height = 0.3; margin = \"0.1,0.05\"]"
+    print "  edge [arrowsize = 0.7; color = \"#555555\"]"
+  }'
+
+# The first map: folders at the top of the tree.
+draw_folders() {
+  { include_lines | sed -E 's#^([a-z]+)/[^ ]* ([a-z]+)/.*#\1 \2#'; outer_arrows; } | sort -u |
+    awk -v notes="$(notes)" -v fill='#fdf4e3' "$draw"'
+      $1 != $2 { arrow[$1, $2] = 1 }
+      END {
+        read_notes()
+        boxes = split("examples python bench program package engine models graph", box, " ")
+        draw_head()
+        for (k = 1; k <= boxes; ++k) draw_box(box[k], box[k] "/", 1)
+        draw_arrows()
+        print "}"
+      }'
+}
+
+# The map of one folder: its rooms.
+draw_library() {
+  include_lines | awk -v notes="$(notes)" -v library="$1/" -v fill="$2" "$(cat tests/rooms.awk)"'
+    { from = room_of($1); to = room_of($2); if (from != to) arrow[from, to] = 1 }'"$draw"'
     END {
       read_notes()
-      find_paths()
-      print "// Written by docs/draw_rooms.sh."
-      print "digraph rooms {"
-      print "  graph [fontname = \"Helvetica\"; fontsize = 14; color = \"#888888\"; ranksep = 0.35; nodesep = 0.2]"
-      print "  node [fontname = \"Helvetica\"; fontsize = 13; shape = box; style = \"rounded,filled\"; fillcolor = white; height = 0.3; margin = \"0.1,0.05\"]"
-      print "  edge [arrowsize = 0.7; color = \"#555555\"]"
-      draw_library("engine", "how it is simulated", "#fdf4e3")
-      draw_library("graph", "the task-graph runtime", "#e8effa")
-      draw_library("models", "what is simulated", "#e9f3e6")
-      for (f = 1; f <= rooms; ++f)
-        for (t = 1; t <= rooms; ++t)
-          if ((room[f], room[t]) in arrow && !is_implied(room[f], room[t]))
-            printf "  \"%s\" -> \"%s\"%s\n", room[f], room[t], library_of(room[f]) == library_of(room[t]) ? "" : " [color = \"#a0a0a0\"]"
+      for (name in note) if (name ~ "/" && !(name in rank)) { print "a note on no room: " name > "/dev/stderr"; exit 1 }
+      for (k = 1; k <= rooms; ++k) if (index(room[k], library) == 1 && room[k] != library) box[++boxes] = room[k]
+      draw_head()
+      for (k = 1; k <= boxes; ++k) {
+        title = substr(box[k], length(library) + 1)
+        sub(/\{.*/, " what the table keeps", title)  # files of a folder that stand before the others
+        draw_box(box[k], title, box[k] ~ /\/$/)
+      }
+      draw_arrows()
       print "}"
     }' tests/include_order.txt -
 }
 
-# The picture names the graph that it was drawn from.
-mark_of() { echo "<!-- rooms.dot: $(cksum <"$1") -->"; }
+# A picture names the graph that it was drawn from.
+mark_of() { echo "<!-- $(basename "$1"): $(cksum <"$1") -->"; }
 
-dot_file=$(mktemp)
-trap 'rm -f "$dot_file"' EXIT
-make_dot >"$dot_file"
-if [ "${1:-}" = --check ]; then
-  diff $picture.dot "$dot_file" && tail -1 $picture.svg | grep -qxF -e "$(mark_of "$dot_file")" ||
-    { echo "The picture of the rooms is not that of the include lines: run docs/draw_rooms.sh"; exit 1; }
-else
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
+draw_folders >"$made/rooms.dot"
+draw_library graph '#e8effa' >"$made/rooms_graph.dot"
+draw_library models '#e9f3e6' >"$made/rooms_models.dot"
+draw_library engine '#fdf4e3' >"$made/rooms_engine.dot"
+draw_library program '#f6eaf6' >"$made/rooms_program.dot"
+draw_library bench '#f4f4f4' >"$made/rooms_bench.dot"
+if [ "${1:-}" != --check ]; then
   command -v dot >/dev/null || { echo "draw_rooms.sh needs Graphviz (Debian: graphviz)"; exit 1; }
-  dot -Tsvg "$dot_file" -o $picture.svg
-  mark_of "$dot_file" >>$picture.svg
-  cp "$dot_file" $picture.dot
 fi
+for dot_file in "$made"/*.dot; do
+  picture=$pictures/$(basename "$dot_file" .dot)
+  if [ "${1:-}" = --check ]; then
+    diff "$picture.dot" "$dot_file" && tail -1 "$picture.svg" | grep -qxF -e "$(mark_of "$dot_file")" ||
+      { echo "The pictures of the rooms are not those of the include lines: run docs/draw_rooms.sh"; exit 1; }
+  else
+    dot -Tsvg "$dot_file" -o "$picture.svg"
+    mark_of "$dot_file" >>"$picture.svg"
+    cp "$dot_file" "$picture.dot"
+  fi
+done

@@ -1,9 +1,6 @@
-// The bytes of a checkpoint file (docs/checkpoint.md): what is written, and what is checked when
-// they are read.
+// Writes the bytes of a checkpoint file, and checks them on reading (docs/checkpoint.md).
 
 #include "engine/checkpoint.h"
-
-#include <zlib.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -17,6 +14,7 @@
 
 #include "engine/output_file.h"
 #include "engine/support/byte_order.h"
+#include "engine/support/hash.h"
 #include "engine/support/instructions.h"
 #include "engine/support/log.h"
 #include "models/count_text.h"
@@ -26,16 +24,11 @@ namespace spoke {
 namespace {
 
 // The frame, which all formats share: magic, format, length of the content, content, checksum of
-// all before it.
+// all bytes before it.
 constexpr std::string_view kMagic = "SPOKECKP";
 constexpr std::uint32_t kFormat = 5;
 constexpr std::size_t kHeader = 8 + 4 + 8;
 constexpr std::size_t kFrame = kHeader + 4;
-
-std::uint32_t checksum_of(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
   throw InputError(name + ": " + reason, {.file = name});
@@ -116,7 +109,7 @@ std::string hexadecimal(std::uint32_t number) {
   return text;
 }
 
-/// All of a checkpoint; of what begins otherwise only the beginning, for a device may have no end.
+/// Reads a whole checkpoint; from other files only the beginning, since a device may have no end.
 std::string read_bytes(std::istream& stream) {
   std::string bytes(kMagic.size(), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -126,7 +119,7 @@ std::string read_bytes(std::istream& stream) {
   return bytes;
 }
 
-/// The content of an intact frame of this format.
+/// Returns the content of an intact frame of this format.
 std::string_view require_frame(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) refuse(name, "is empty, expected a checkpoint");
   if (!kMagic.starts_with(bytes.substr(0, kMagic.size())))

@@ -8,8 +8,8 @@
 
 #include "models/count_text.h"
 #include "models/error.h"
-#include "models/reader/quantity.h"
 #include "models/scenario.h"
+#include "models/support/quantity.h"
 #include "models/tree/tree.h"
 
 namespace spoke {
@@ -38,7 +38,7 @@ void require_blade(int blade, std::size_t count) {
                      range_text(0, static_cast<std::int64_t>(count) - 1));
 }
 
-/// Stations at which the bodies of a blade end, from its root on [m].
+/// Returns the stations at which the bodies of a blade end, from its root on [m].
 std::vector<double> find_ends(const Blade& blade) {
   std::vector<double> ends{0.0};
   for (int j = 1; j <= blade.bodies; ++j)

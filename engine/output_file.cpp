@@ -34,24 +34,24 @@ auto without_interruption(const Call& call) {
   return result;
 }
 
-/// Devices and pipes cannot be synchronised, and need not.
+/// Whether a file is synchronised with the disk: devices and pipes cannot be, and need not.
 bool is_synchronised(int descriptor) {
   return without_interruption([&] { return fsync(descriptor); }) == 0 || errno == EINVAL ||
          errno == EROFS;
 }
 
-/// Also of pipes; of a link, what it leads to.
+/// Whether a file is a device or a pipe, or a link to one.
 bool is_device(const std::string& file) {
   struct stat status {};
   return stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// Lets a new name in a folder survive a crash.
+/// Synchronises a folder, so that a new name in it survives a crash.
 void sync_folder(const std::string& file) {
   std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (folder.empty()) folder = ".";
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0 && errno == EACCES) return;  // may be written to, not read
+  if (descriptor < 0 && errno == EACCES) return;  // the folder may be written to, but not read
   if (descriptor < 0) fail(file);
   const bool is_done = is_synchronised(descriptor);
   const int reason = errno;
@@ -60,7 +60,7 @@ void sync_folder(const std::string& file) {
   if (!is_done) fail(file);
 }
 
-/// The names of files that are not finished. Handlers of signals read it, so nothing here waits.
+/// The names of files that are not finished. Handlers of signals read them, so nothing here waits.
 std::array<std::atomic<const char*>, 32> unfinished_files{};
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
@@ -130,7 +130,7 @@ void remove_unfinished_files() noexcept {
     if (const char* const name = file.load()) unlink(name);
 }
 
-/// Messages name the file that was asked for.
+/// Runs `work`; messages of its errors name the file that was asked for.
 template <class Work>
 void ReplacedFile::name_the_file(const Work& work) const {
   try {

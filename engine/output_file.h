@@ -12,14 +12,15 @@
 
 namespace spoke {
 
-/// A file that is written from front to back, without a buffer, by the system's calls. What cannot
-/// be done throws InputError, "FILE: cannot be written: REASON", with the system's reason.
+/// A file that is written from front to back, without a buffer, by system calls. All functions
+/// throw InputError, "FILE: cannot be written: REASON" with the reason of the system, if their work
+/// cannot be done.
 class SPOKE_EXPORT OutputFile {
  public:
-  /// What becomes of a file of that name.
+  /// Treatment of an existing file of that name.
   enum class Start {
-    empty,    ///< made, or emptied
-    existing  ///< must be there; goes on at its end
+    empty,    ///< the file is made, or emptied
+    existing  ///< the file must exist; writing goes on at its end
   };
   /// Opens the file.
   explicit OutputFile(std::string file, Start start = Start::empty);
@@ -27,18 +28,18 @@ class SPOKE_EXPORT OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// If not all of it can be written, size() tells how much was. A file that was removed meanwhile
-  /// is an error, here and below.
+  /// Appends bytes. If not all can be written, size() tells how much was. A file that was removed
+  /// meanwhile is an error here and below.
   void append(std::string_view bytes);
-  /// Cuts off what stands behind the first `size` bytes.
+  /// Removes all bytes behind the first `size` ones.
   void cut(std::uint64_t size);
-  /// Returns when the disk has what was written.
+  /// Returns when all that was written is on the disk.
   void sync();
-  /// Not to be used afterwards.
+  /// Closes the file, which must not be used afterwards.
   void close();
 
   std::uint64_t size() const { return size_; }  ///< [bytes]
-  /// As it was given.
+  /// Returns the path as it was given.
   const std::string& path() const { return file_; }
 
  private:
@@ -49,11 +50,11 @@ class SPOKE_EXPORT OutputFile {
   std::uint64_t size_ = 0;
 };
 
-/// A file that is removed if the process ends by a signal while this lives, where the program has
-/// arranged for remove_unfinished_files(): what has not taken its place yet.
+/// A file that is removed if the process ends by a signal while this object lives: one that has not
+/// taken its final place yet. The program must call remove_unfinished_files() on the signal.
 class SPOKE_EXPORT UnfinishedFile {
  public:
-  /// Not the file itself is made.
+  /// Notes the name; does not make the file.
   explicit UnfinishedFile(std::string file);
   ~UnfinishedFile();
   UnfinishedFile(const UnfinishedFile&) = delete;
@@ -61,32 +62,32 @@ class SPOKE_EXPORT UnfinishedFile {
 
  private:
   std::string file_;
-  int slot_ = -1;  ///< where it is noted; negative: nowhere, there are too many
+  int slot_ = -1;  ///< where it is noted; negative: nowhere, since there are too many
 };
 
 /// Removes all UnfinishedFiles of the process. May be called in a handler of a signal that then
 /// ends the process.
 SPOKE_EXPORT void remove_unfinished_files() noexcept;
 
-/// What a new file has to outlive.
+/// Events that a new file has to survive.
 enum class Outlives {
-  process,  ///< a program that fails or is killed
-  machine   ///< a crash or power cut, too: the disk is waited for, some milliseconds
+  process,  ///< failure or end of the program
+  machine   ///< also a crash or power cut: waits for the disk, some milliseconds
 };
-/// A file that takes the place of another one, or of none, as a whole: readers, and programs that
-/// start after what it outlives, see the old file or the new one. Devices and pipes keep their
-/// place, and are written to. Throws InputError if it cannot be written.
+/// A file that takes the place of another one, or of none, as a whole. Readers see the old file or
+/// the new one; so do programs that start after an event that it outlives. Devices and pipes keep
+/// their place, and are written to. Throws InputError if it cannot be written.
 class SPOKE_EXPORT ReplacedFile {
  public:
-  /// Opens a file beside `file`, of that name and ".tmp".
+  /// Opens a file beside `file`, with ".tmp" added to the name.
   explicit ReplacedFile(std::string file);
-  /// Removes what has not taken the place.
+  /// Removes the temporary file unless it has taken its place.
   ~ReplacedFile();
   ReplacedFile(const ReplacedFile&) = delete;
   ReplacedFile& operator=(const ReplacedFile&) = delete;
 
   void append(std::string_view bytes);
-  /// Takes the place, once.
+  /// Puts the file in its place. Must be called once at most.
   void commit(Outlives outlives = Outlives::machine);
 
  private:
@@ -94,7 +95,7 @@ class SPOKE_EXPORT ReplacedFile {
   void name_the_file(const Work& work) const;
 
   std::string file_, temporary_;
-  std::optional<UnfinishedFile> unfinished_;  ///< the temporary one, if it is one
+  std::optional<UnfinishedFile> unfinished_;  ///< the temporary file, if there is one
   std::unique_ptr<OutputFile> output_;
 };
 

@@ -1,4 +1,5 @@
-// Extremes of the sensors, times of output rows, and the fields of summary.json.
+// Collects extremes of the sensors, chooses times of output rows, and fills the fields of
+// summary.json.
 
 #include "engine/results.h"
 
@@ -10,6 +11,7 @@
 #include "engine/support/instructions.h"
 #include "engine/support/machine_json.h"
 #include "models/error.h"
+#include "models/reader/scenario_json.h"
 
 namespace spoke {
 namespace {
@@ -41,7 +43,7 @@ Json describe_sensors(const Simulation& simulation, const SensorStatistics& stat
   return sensors;
 }
 
-/// What is known of the error of a step; nothing of rk4.
+/// Describes the error of a step; nothing for rk4.
 Json describe_accuracy(const Simulation& simulation) {
   const StepAccuracy accuracy = simulation.step_accuracy();
   if (accuracy.place.empty()) return nullptr;
@@ -56,7 +58,7 @@ const char* status_of(const RunOutcome& outcome) {
   return outcome.interruption.empty() ? "completed" : "interrupted";
 }
 
-/// That simulate the model together.
+/// Returns the number of processes that simulate the model together.
 int count_processes(const SimulationOptions& options) {
   return options.exchange ? options.exchange->count() : 1;
 }
@@ -111,7 +113,7 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
   std::vector<std::string> warnings;
   for (const Warning& warning : simulation.warnings()) warnings.push_back(warning.text);
   summary.set("warnings", warnings);
-  summary.update({{"scenario", Json::parse(scenario.to_json())},
+  summary.update({{"scenario", scenario_to_json(scenario)},
                   {"model", describe_model(simulation.size())},
                   {"machine", describe_machine(this_machine())},
                   {"formulation", name_of(simulation.options().formulation)},

@@ -2,8 +2,6 @@
 
 #include "engine/sensor_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -14,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/support/hash.h"
 #include "models/count_text.h"
 #include "models/error.h"
 
@@ -21,11 +20,6 @@ namespace spoke {
 namespace {
 
 constexpr std::size_t kBuffer = 64 * 1024;  // bytes of rows that are written together
-
-std::uint32_t add_to_checksum(std::uint32_t checksum, std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(checksum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
-}
 
 void append_number(std::string& text, double number) {
   std::array<char, 32> buffer;
@@ -37,8 +31,8 @@ void append_number(std::string& text, double number) {
   throw InputError(file + ": cannot be continued: " + reason);
 }
 
-/// Hands the marked beginning of a file on, piece by piece. Throws InputError if the file is
-/// shorter, cannot be read, or holds something else.
+/// Calls `take` for the marked beginning of a file, piece by piece. Throws InputError if the file
+/// is shorter, cannot be read, or holds other bytes.
 template <class Take>
 void read_marked(const std::string& file, const SensorFileMark& mark, const Take& take) {
   errno = 0;
@@ -54,7 +48,7 @@ void read_marked(const std::string& file, const SensorFileMark& mark, const Take
     if (count == 0)
       refuse_sensors(file, "it has " + counted(static_cast<std::int64_t>(done), "byte") +
                                ", the checkpoint was made behind " + std::to_string(mark.bytes));
-    checksum = add_to_checksum(checksum, {piece.data(), count});
+    checksum = checksum_of({piece.data(), count}, checksum);
     take(std::string_view(piece.data(), count));
     done += count;
   }
@@ -63,7 +57,7 @@ void read_marked(const std::string& file, const SensorFileMark& mark, const Take
                              " bytes are not those that stood there when the checkpoint was made");
 }
 
-/// The file with the marked beginning of `source`, and nothing behind.
+/// Opens `file` to write behind the mark. Throws unless `source` begins with the marked bytes.
 OutputFile open_behind(const std::string& file, const SensorFileMark& mark,
                        const std::string& source) {
   read_marked(source, mark, [](std::string_view) {});
@@ -113,11 +107,11 @@ void SensorFile::flush() {
     const std::size_t rows = written.rfind('\n') + 1;  // 0 if there is none
     try {
       output_.cut(before + rows);
-    } catch (const InputError&) {  // a device; what matters is why it takes no more
+    } catch (const InputError&) {  // a device: the first error matters
     }
     throw;
   }
-  checksum_ = add_to_checksum(checksum_, lines_);
+  checksum_ = checksum_of(lines_, checksum_);
   lines_.clear();
 }
 

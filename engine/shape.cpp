@@ -1,4 +1,4 @@
-// Positions, velocities and tensions along a blade, from the bodies' coordinates.
+// Calculates positions, velocities and tensions along a blade from the coordinates of its bodies.
 
 #include "engine/shape.h"
 
@@ -11,7 +11,7 @@
 namespace spoke {
 namespace {
 
-/// A node's coordinates u, v, psi, or their rates.
+/// Returns the coordinates u, v, psi of a node, or their rates.
 std::array<double, kTwist> node_values(const BodyData<Plane>& body, int node, const double* flex) {
   std::array<double, kTwist> values;
   for (int c = 0; c < kTwist; ++c)
@@ -19,7 +19,7 @@ std::array<double, kTwist> node_values(const BodyData<Plane>& body, int node, co
   return values;
 }
 
-/// int a'(x) b'(x) dx over one element of length l, for Hermite deflections a and b.
+/// Returns int a'(x) b'(x) dx over one element of length l, for Hermite deflections a and b.
 double integrate_slopes(double l, const std::array<double, kTwist>& a1,
                         const std::array<double, kTwist>& a2, const std::array<double, kTwist>& b1,
                         const std::array<double, kTwist>& b2) {
@@ -29,7 +29,7 @@ double integrate_slopes(double l, const std::array<double, kTwist>& a1,
   return (36.0 * a * b / l - 3.0 * turned + l * own) / 30.0;
 }
 
-/// What foreshortening takes off places and velocities, in the hub frame.
+/// Reduction of places and velocities by foreshortening, in the hub frame.
 struct Offset {
   Position p = Position::Zero();
   Position v = Position::Zero();
@@ -38,8 +38,8 @@ struct Offset {
 /// Walks along one body, node by node.
 class BodyWalk {
  public:
-  /// `turned`: the body's frame from the undeformed blade's.
-  BodyWalk(const BodyData<Plane>& body, const Pose& pose, const Rotation& turned,
+  /// `turned`: the frame of the body from that of the undeformed blade.
+  BodyWalk(const BodyData<Plane>& body, const plane::Pose& pose, const plane::Rotation& turned,
            const Twist& twist, const Offset& before)
       : body_(body),
         pose_(pose),
@@ -47,7 +47,7 @@ class BodyWalk {
         twist_(twist),
         before_(before) {}
 
-  /// The node's place and velocity; the nodes in order from 0.
+  /// Returns place and velocity of a node. Must be called for nodes in order from 0.
   ShapeNode node(int k) {
     const auto q = node_values(body_, k, body_.coordinates.q);
     const auto v = node_values(body_, k, body_.coordinates.v);
@@ -70,12 +70,12 @@ class BodyWalk {
     node.angle = angle_ + q[2];
     return node;
   }
-  /// Of the element before the last node [m].
+  /// Returns the stretch of the element before the last node [m].
   double stretch() const { return stretch_; }
-  /// By which it bends [rad].
+  /// Returns the angle by which this element bends [rad].
   double turn() const { return turn_; }
   double element_length() const { return body_.model->body->length / body_.model->body->elements; }
-  /// Up to the last node.
+  /// Returns the offset of the last node.
   Offset offset() const {
     const Position shortened{shortening_, 0.0}, rate{shortening_rate_, 0.0};
     return {before_.p + pose_.R * shortened,
@@ -86,7 +86,7 @@ class BodyWalk {
   double speed() const { return twist_[kRotation]; }
 
   const BodyData<Plane>& body_;
-  const Pose& pose_;
+  const plane::Pose& pose_;
   double angle_;
   const Twist& twist_;
   Offset before_;
@@ -94,18 +94,18 @@ class BodyWalk {
   double shortening_ = 0.0, shortening_rate_ = 0.0, stretch_ = 0.0, turn_ = 0.0;
 };
 
-/// EA of an element [N].
-double mean_axial_stiffness(const Blade& blade, const FlexibleBody& body, int element) {
+/// Returns the mean EA of an element [N].
+double mean_axial_stiffness(const Blade& blade, const plane::FlexibleBody& body, int element) {
   if (body.pieces.empty()) return blade.youngs_modulus * blade.area;
   const double l = body.length / body.elements;
   return mean_axial_stiffness(body.pieces, element * l, (element + 1) * l);
 }
 
-/// EI in the middle of an element [N m^2].
-double bending_stiffness(const Blade& blade, const FlexibleBody& body, int element) {
+/// Returns EI in the middle of an element [N m^2].
+double bending_stiffness(const Blade& blade, const plane::FlexibleBody& body, int element) {
   if (body.pieces.empty()) return blade.youngs_modulus * blade.second_moment;
   const double middle = (element + 0.5) * body.length / body.elements;
-  const BeamPiece& piece = piece_at(body.pieces, middle);
+  const plane::BeamPiece& piece = piece_at(body.pieces, middle);
   return piece.at(piece.bending_stiffness, middle);
 }
 
@@ -122,8 +122,8 @@ void calc_shape(const Blade& blade, const Subsystem<Plane>& subsystem, Subsystem
   shape.bending_moments.clear();
   Offset offset;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    const FlexibleBody& body = *data.bodies[j].model->body;
-    const Rotation turned = subsystem.root.R.inverse() * data.poses[j].R;
+    const plane::FlexibleBody& body = *data.bodies[j].model->body;
+    const plane::Rotation turned = subsystem.root.R.inverse() * data.poses[j].R;
     BodyWalk walk(data.bodies[j], data.poses[j], turned, data.twists[j], offset);
     const ShapeNode first = walk.node(0);
     if (j == 0) shape.nodes.push_back(first);

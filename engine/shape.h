@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the nodes of a blade stand, for pictures and for files of other programs.
+// The deformed shape of a blade, for pictures and for files of other programs.
 
 #include <vector>
 
@@ -19,24 +19,25 @@ struct ShapeNode {
   Position p{0.0, 0.0};             ///< place in the hub frame [m]
   Position displacement{0.0, 0.0};  ///< from its undeformed place [m]
   Position velocity{0.0, 0.0};      ///< relative to the inertial frame [m/s]
-  double angle = 0.0;               ///< of the section from its undeformed direction [rad]
+  double angle = 0.0;               ///< rotation of the section from its undeformed direction [rad]
 };
 
-/// A blade at one time. Nodes count from 0 at the root; the last node of a body is the first one of
-/// the next. Element e of body j joins nodes j elements + e and the next.
+/// The shape of a blade at one time. Nodes count from 0 at the root; the last node of a body is the
+/// first one of the next. Element e of body j joins node j elements + e and the next one.
 struct BladeShape {
   int bodies = 0;                    ///< of the blade
   int elements = 0;                  ///< of each body
   std::vector<ShapeNode> nodes;      ///< bodies * elements + 1
-  std::vector<double> axial_forces;  ///< of each element its mean, positive in tension [N]
-  /// Of each element in its middle, positive where the blade bends counterclockwise [N m].
+  std::vector<double> axial_forces;  ///< mean of each element, positive in tension [N]
+  /// In the middle of each element, positive where the blade bends counterclockwise [N m].
   std::vector<double> bending_moments;
 };
 
-/// The shape of a blade at the state in the table, whose kinematics it recalculates. The tip is
-/// where the tip's sensors have it: bodies with geometric stiffening are foreshortened, node by
-/// node. The axial force is that of the element's stretch, EA (u_2 - u_1)/l, the bending moment
-/// that of its curvature, EI (psi_2 - psi_1)/l. `shape` keeps its memory from call to call.
+/// Calculates the shape of a blade at the state in the table, whose kinematics it recalculates. The
+/// tip is where the sensors of the tip have it: bodies with geometric stiffening are foreshortened,
+/// node by node. The axial force is that of the stretch of the element, EA (u_2 - u_1)/l, the
+/// bending moment that of its curvature, EI (psi_2 - psi_1)/l. `shape` keeps its memory from call
+/// to call.
 void calc_shape(const Blade& blade, const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
                 BladeShape& shape);
 

@@ -1,5 +1,4 @@
-// Building, stepping and saving a simulation; simulation_queries.cpp has what it tells of its
-// bodies.
+// Builds, steps and saves a simulation; queries of its bodies are in simulation_queries.cpp.
 
 #include "engine/simulation.h"
 
@@ -8,7 +7,7 @@
 #include <utility>
 
 #include "engine/equilibrium.h"
-#include "engine/kernels/natural_frequencies.h"
+#include "engine/plane/natural_frequencies.h"
 #include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/step/model_memory.h"
@@ -67,7 +66,7 @@ LinearProperties Simulation::linear_properties() const {
     return {limits.lowest, limits.highest, limits.rk4.step};
   }
   const Rotor& rotor = core_->scenario.rotor;
-  const FrequencyRange range = calc_frequency_range(rotor);
+  const plane::FrequencyRange range = plane::calc_frequency_range(rotor);
   return {range.lowest, range.highest, calc_rk4_step_with_drag(range, rotor)};
 }
 

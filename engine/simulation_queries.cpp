@@ -1,4 +1,4 @@
-// What a simulation knows of its hub, bodies, markers and joints.
+// Answers queries about hub, bodies, markers and joints of a simulation.
 
 #include <utility>
 
@@ -11,10 +11,11 @@ namespace spoke {
 namespace {
 
 template <class World>
-const BodyData<World>& find_body(const SystemContext<World>& context, int blade, int body) {
-  const auto& blades = context.data.subsystems;
-  require_range("the index of the blade", blade, 0, static_cast<std::int64_t>(blades.size()) - 1);
-  const auto& bodies = blades[static_cast<std::size_t>(blade)].bodies;
+const BodyData<World>& find_body(const SystemContext<World>& context, int subsystem, int body) {
+  const auto& subsystems = context.data.subsystems;
+  require_range("the index of the blade", subsystem, 0,
+                static_cast<std::int64_t>(subsystems.size()) - 1);
+  const auto& bodies = subsystems[static_cast<std::size_t>(subsystem)].bodies;
   require_range("the index of the body", body, 0, static_cast<std::int64_t>(bodies.size()) - 1);
   return bodies[static_cast<std::size_t>(body)];
 }

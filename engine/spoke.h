@@ -1,7 +1,7 @@
 #pragma once
 
-// The one header for programs that embed Spoke. Installed as <spoke/spoke.h>, with what it
-// includes.
+// The one header for programs that embed Spoke. Installed as <spoke/spoke.h>, with the headers that
+// it includes.
 
 #include "engine/campbell.h"
 #include "engine/checkpoint.h"

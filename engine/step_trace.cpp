@@ -1,4 +1,4 @@
-// Slices of one step, and traces joined.
+// Finds the slices of one step, and joins traces.
 
 #include "engine/step_trace.h"
 

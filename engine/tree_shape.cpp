@@ -1,4 +1,4 @@
-// Places, deformations and forces of the bodies of a tree, from its coordinates.
+// Calculates places, deformations and forces of the bodies of a subsystem from its coordinates.
 
 #include "engine/tree_shape.h"
 
@@ -6,7 +6,7 @@
 #include <array>
 
 #include "engine/kernels/kinematics.h"
-#include "engine/kernels/spatial_samples.h"
+#include "engine/kernels/samples.h"
 #include "engine/space/element_products.h"
 #include "models/system/spatial_system.h"
 
@@ -16,13 +16,13 @@ namespace {
 using space::Position;
 using space::Rotation;
 
-/// What foreshortening takes off places and velocities.
+/// Reduction of places and velocities by foreshortening.
 struct Offset {
   Position p = Position::Zero();
   Position v = Position::Zero();
 };
 
-/// Coordinates of both nodes of an element, in B.
+/// Coordinates of both nodes of an element, in the frame B of the body.
 struct ElementFlex {
   std::array<double, 2 * space::kTwist> values;
 
@@ -33,7 +33,7 @@ struct ElementFlex {
         if (at >= 0) values[static_cast<std::size_t>(space::kTwist * node + c)] = flex[at];
       }
   }
-  /// (v, tz) of both nodes in the element's axes, or (w, -ty).
+  /// Returns (v, tz) of both nodes in the axes of the element, or (w, -ty).
   Eigen::Vector4d bending(const space::BeamElement& element, int direction) const {
     Eigen::Vector4d x;
     for (int node = 0; node < 2; ++node) {
@@ -47,7 +47,7 @@ struct ElementFlex {
   }
 };
 
-/// int (a' b') dx over an element, across it in both directions [m].
+/// Returns int (a' b') dx over an element, across it in both directions [m].
 double integrate_slopes(const space::BeamElement& element, const ElementFlex& a,
                         const ElementFlex& b) {
   double sum = 0.0;
@@ -69,17 +69,18 @@ ElementForces calc_forces(const space::BeamElement& element, const ElementFlex& 
   return {force.x(), force.tail<2>().norm(), moment.x(), moment.tail<2>().norm()};
 }
 
-/// Walks through a tree from the hub on, in the table's hub frame H.
-class TreeWalk {
+/// Walks through a subsystem from the hub on, in the hub frame H of the table.
+class SubsystemWalk {
  public:
-  TreeWalk(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data, TreeShape& shape)
+  SubsystemWalk(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                TreeShape& shape)
       : subsystem_(subsystem), data_(data), shape_(shape) {
     shape.bodies.resize(data.bodies.size());
     offsets_.resize(data.bodies.size());
     for (std::size_t j = 0; j < data.bodies.size(); ++j) rigid_.push_back(find_rigid(j));
   }
 
-  /// Body j, in order.
+  /// Adds body j. Must be called in order of bodies.
   void add(std::size_t j) {
     const space::Body& body = *data_.bodies[j].model->body;
     shape_.bodies[j].nodes.clear();
@@ -94,7 +95,7 @@ class TreeWalk {
  private:
   const TreeBody<Space>& model(std::size_t j) const { return subsystem_.bodies[j]; }
 
-  /// Where the body would be if none were deformed, the joints standing as they do.
+  /// Returns the pose of the body if none were deformed and the joints stood as they do.
   space::Pose find_rigid(std::size_t j) const {
     const space::JointMotion& joint = data_.joints[j];
     const Rotation own = data_.bodies[j].work.handles[0].turn.R;
@@ -111,7 +112,7 @@ class TreeWalk {
     return model(p).body->rigid()->outboard[h - 1];
   }
 
-  /// What the foreshortening of what carries the body takes off it.
+  /// Returns the offset of a body by the foreshortening of its carriers.
   Offset carried_offset(std::size_t j) const {
     if (model(j).parent < 0) return {};
     const auto p = static_cast<std::size_t>(model(j).parent);
@@ -157,8 +158,8 @@ class TreeWalk {
             space::calc_rotation_vector_motion({q[3], q[4], q[5]}, {v[3], v[4], v[5]})};
   }
 
-  /// A node that moves as given against the body; `frame` takes the body's axes to those that the
-  /// scenario gives it.
+  /// Adds a node that moves as given against the body; `frame` takes the axes of the body to those
+  /// of the scenario.
   void add_node(std::size_t j, const Rotation& frame, const Position& place,
                 const space::HandleMotion& motion, const Offset& offset) {
     const space::Pose &pose = data_.poses[j], &rigid = rigid_[j];
@@ -185,7 +186,7 @@ class TreeWalk {
   std::vector<std::vector<Offset>> offsets_;  ///< by body and node
 };
 
-/// From the table's hub frame to the scenario's.
+/// Turns a node from the hub frame of the table to that of the scenario.
 void turn(const spatial::Tensor& R, TreeNode& node) {
   for (spatial::Vector* v :
        {&node.p, &node.displacement, &node.rotation, &node.velocity, &node.angular_velocity})
@@ -199,7 +200,7 @@ void calc_shape(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,
                 const spatial::Tensor& to_hub, TreeShape& shape) {
   update_kinematics(subsystem, data);
   calc_poses(subsystem, data, data.poses);
-  TreeWalk walk(subsystem, data, shape);
+  SubsystemWalk walk(subsystem, data, shape);
   for (std::size_t j = 0; j < data.bodies.size(); ++j) walk.add(j);
   for (TreeBodyShape& body : shape.bodies)
     for (TreeNode& node : body.nodes) turn(to_hub, node);

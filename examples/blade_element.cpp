@@ -17,7 +17,7 @@ constexpr double air = 1.225, chord = 0.12, speed = 60.0;         // kg/m^3, m, 
 constexpr double hub_radius = 0.3, length = 1.7, radius = 2.0;    // m
 constexpr double root_twist = 0.26, tip_twist = 0.10;             // rad
 constexpr double lift_slope = 5.7, drag_0 = 0.011, drag_2 = 0.4;  // cd = drag_0 + drag_2 alpha^2
-constexpr double width = length / strips;                         // of a strip [m]
+constexpr double width = length / strips;                         // width of a strip [m]
 
 double radius_of(double strip) { return hub_radius + (strip + 0.5) * width; }
 double twist_at(double r) {
@@ -27,8 +27,8 @@ double twist_at(double r) {
 /// Downwash by strip [m/s].
 using Inflow = std::vector<double>;
 
-/// Force of the air on a strip whose section moves as given. The section's y axis leads to the
-/// leading edge, and its twist is in its frame: alpha is what is left of the pitch.
+/// Returns the force of the air on a strip whose section moves as given. The section's y axis leads
+/// to the leading edge, and its twist is in its frame: alpha is the rest of the pitch.
 Eigen::Vector3d strip_force(const spoke::MarkerMotion& section, double downwash) {
   const Eigen::Vector3d wind = Eigen::Vector3d(0.0, 0.0, -downwash) - section.velocity;
   const Eigen::Vector3d y = section.rotation.col(1), z = section.rotation.col(2);
@@ -42,7 +42,7 @@ Eigen::Vector3d strip_force(const spoke::MarkerMotion& section, double downwash)
          (lift_slope * alpha * lift + (drag_0 + drag_2 * alpha * alpha) * drag);
 }
 
-/// The air loads of a blade, which set in over a tenth of a second.
+/// Makes the air loads of a blade, which rise over a tenth of a second.
 std::shared_ptr<const spoke::Load> make_air(const std::vector<spoke::Marker>& markers,
                                             const Inflow& inflow) {
   return spoke::make_load(
@@ -54,9 +54,9 @@ std::shared_ptr<const spoke::Load> make_air(const std::vector<spoke::Marker>& ma
       });
 }
 
-/// Where momentum and blade elements agree, for small angles: the thrust of a ring of width dr,
-/// 4 pi air v^2 r dr, is that of the strips. With x = r/R, the solidity s = blades chord/(pi R) and
-/// the slope a,  v/(speed R) = s a/16 [(1 + 32 twist x/(s a))^1/2 - 1].
+/// The state in which momentum and blade elements agree, for small angles: the thrust of a ring of
+/// width dr, 4 pi air v^2 r dr, is that of the strips. With x = r/R, the solidity s = blades
+/// chord/(pi R) and the slope a,  v/(speed R) = s a/16 [(1 + 32 twist x/(s a))^1/2 - 1].
 struct Hover {
   double thrust = 0.0;  ///< [N]
   double torque = 0.0;  ///< [N m]

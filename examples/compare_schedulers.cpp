@@ -1,4 +1,4 @@
-// All executors on one model: what a step takes, and that the bits are the same.
+// All executors on one model: the time of a step, and a check that the bits are the same.
 
 #include <spoke/spoke.h>
 

@@ -39,7 +39,7 @@ class SharedList final : public graph::Executor {
   graph::Threads threads() const override { return threads_; }
 
  private:
-  // The mutex makes what a node has written visible to those that wait for it.
+  // The mutex makes a node's writes visible to those that wait for it.
   void work(int thread) {
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -61,7 +61,7 @@ class SharedList final : public graph::Executor {
   const graph::StepGraph& graph_;
   int threads_, left_ = 0;
   bool is_ending_ = false;
-  std::vector<std::size_t> waits_for_;  // by node: predecessors that have not run
+  std::vector<std::size_t> waits_for_;  // by node, the number of predecessors that have not run
   std::vector<graph::NodeId> ready_;
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -10,7 +10,7 @@ namespace graph = spoke::graph;
 using Plate = std::vector<double>;  // temperatures, row by row
 constexpr int rows = 128, columns = 1024, strips = 8, size = rows * columns / strips, sweeps = 10;
 
-/// In a strip of `to` each point becomes the mean of its neighbours; the plate's edge stays.
+/// Sets each point of a strip of `to` to the mean of its neighbours; the plate's edge stays.
 void relax(const Plate& from, Plate& to, int strip) noexcept {
   for (int k = strip * size; k < (strip + 1) * size; ++k) {
     const int row = k / columns, column = k % columns;
@@ -20,10 +20,10 @@ void relax(const Plate& from, Plate& to, int strip) noexcept {
   }
 }
 
-/// Sweeps from one plate to the other and back. A strip waits for itself and its neighbours.
+/// Builds sweeps from one plate to the other and back. A strip waits for itself and its neighbours.
 graph::StepGraph build_sweeps(Plate (&plates)[2]) {
   graph::StepGraphBuilder builder("strip");
-  std::vector<graph::PartId> parts[2];  // of each plate, by strip
+  std::vector<graph::PartId> parts[2];  // parts of each plate, by strip
   for (const int p : {0, 1})
     for (int i = 0; i < strips; ++i) {
       const std::string name = "plate " + std::to_string(p + 1) + ", " + std::to_string(i + 1);

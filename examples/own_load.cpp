@@ -8,7 +8,7 @@
 
 constexpr double air = 1.225, chord = 0.05, drag_coefficient = 0.02;
 
-/// Strip theory on one blade of 4 bodies of 2 m: two strips of 1 m on each body.
+/// Makes a load by strip theory on one blade of 4 bodies of 2 m: two strips of 1 m on each body.
 std::shared_ptr<const spoke::Load> make_drag(int blade) {
   std::vector<spoke::Marker> strips;
   for (int body = 0; body < 4; ++body)

@@ -1,4 +1,4 @@
-// Rollouts: from one state, which constant torque brings the hub nearest to 1.5 rad/s in 3 s?
+// Rollouts from one state: which constant torque brings the hub nearest to 1.5 rad/s in 3 s?
 
 #include <spoke/spoke.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a node declares what it reads and writes.
+// Declarations of the parts that a node reads and writes.
 
 #include <compare>
 #include <cstddef>
@@ -13,25 +13,25 @@ namespace spoke::graph {
 
 /// Handle of one part of the step's data, given out by StepGraphBuilder::add_part().
 struct PartId {
-  int index = -1;  ///< in the order of addition
-  /// By index.
+  int index = -1;  ///< place in the order of addition
+  /// Orders handles by index.
   friend auto operator<=>(const PartId&, const PartId&) = default;
 };
 
-/// The parts a node reads. Made by reads().
+/// The parts a node reads. reads() makes it.
 struct Reads {
   std::vector<PartId> parts;  ///< in any order
 };
 
-/// The parts a node writes. Made by writes(). A part that is read as well is updated in place;
-/// one that is only written must be written in full.
+/// The parts a node writes. writes() makes it. A part that is read as well is updated in place; one
+/// that is only written must be written in full.
 struct Writes {
   std::vector<PartId> parts;  ///< in any order
 };
 
 namespace detail {
 
-/// A template, for compilers then look into it only where it is used.
+/// A template, so that compilers look into it only where it is used.
 template <class Parts>
 void append(std::vector<PartId>& list, const Parts& parts) {
   if constexpr (std::is_same_v<Parts, PartId>) {
@@ -50,26 +50,28 @@ std::vector<PartId> joined(const Parts&... parts) {
 
 }  // namespace detail
 
-/// Declares what a node reads: single parts and ranges of parts (vector, array, span), mixed.
+/// Declares the parts that a node reads: single parts and ranges of parts (vector, array, span),
+/// mixed.
 template <class... Parts>
 Reads reads(const Parts&... parts) {
   return {detail::joined(parts...)};
 }
 
-/// Declares what a node writes: single parts and ranges of parts (vector, array, span), mixed.
+/// Declares the parts that a node writes: single parts and ranges of parts (vector, array, span),
+/// mixed.
 template <class... Parts>
 Writes writes(const Parts&... parts) {
   return {detail::joined(parts...)};
 }
 
-/// The memory of `count` objects in a row, as a range of a part. Any bits must be a value of them,
-/// for check_declarations() overwrites what a node must not read: numbers and enumerations, but no
-/// bool and no pointer that is followed.
+/// Returns the memory of `count` objects in a row, as a range of a part. Any bits must be a valid
+/// value, since check_declarations() overwrites data that a node must not read: numbers and
+/// enumerations, but no bool and no pointer that is followed.
 template <class T>
 std::span<std::byte> bytes_of(T& first, std::size_t count) {
   return {reinterpret_cast<std::byte*>(&first), count * sizeof(T)};
 }
-/// The memory of the elements of a range (array, vector, span), or of one object.
+/// Returns the memory of the elements of a range (array, vector, span), or of one object.
 template <class Data>
 std::span<std::byte> bytes_of(Data&& data) {
   if constexpr (std::ranges::contiguous_range<Data>) {

@@ -3,6 +3,7 @@
 // Lists of lists in one array.
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -15,15 +16,16 @@ namespace spoke::graph {
 template <class T>
 class CompressedRows {
  public:
-  /// Of no rows.
+  /// Makes a list of no rows.
   CompressedRows() = default;
-  /// Row i is values[begins[i]] up to, without, values[begins[i + 1]].
+  /// Takes arrays in which row i is values[begins[i]] up to, without, values[begins[i + 1]].
   CompressedRows(std::vector<std::size_t> begins, std::vector<T> values)
       : begins_(std::move(begins)), values_(std::move(values)) {}
 
   std::size_t row_count() const { return begins_.size() - 1; }
   std::size_t size() const { return values_.size(); }
   std::span<const T> row(std::size_t index) const {
+    assert(index < row_count());
     return {values_.data() + begins_[index], values_.data() + begins_[index + 1]};
   }
 
@@ -51,7 +53,8 @@ class CompressedRows {
   std::vector<T> values_;
 };
 
-/// The transpose: row j lists, ascending, the rows of `rows` that contain j (each as often).
+/// Returns the transpose: row j lists, ascending, the rows of `rows` that contain j, each as often
+/// as it does.
 CompressedRows<int> transpose(const CompressedRows<int>& rows);
 
 }  // namespace spoke::graph

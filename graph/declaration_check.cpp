@@ -61,10 +61,10 @@ class PartsMemory {
 
 // Poison differs from place to place, so that poison copied from elsewhere is told from poison that
 // was left where it is. As doubles, one pattern is not-a-numbers, the other finite numbers of 1 to
-// 1.5, which show what not-a-numbers hide: a comparison with one is false whatever the value was,
-// and a sum with one is that same not-a-number, as if nothing had been added. As whole numbers, one
-// is negative and the other positive. The two differ in every byte, so that no byte that an honest
-// node has written looks like both; and no byte is zero, so that a flag is set.
+// 1.5, which show accesses that not-a-numbers hide: a comparison with one is false whatever the
+// value was, and a sum with one is that same not-a-number, as if nothing had been added. As whole
+// numbers, one is negative and the other positive. The two differ in every byte, so that no byte
+// that an honest node has written looks like both; and no byte is zero, so that a flag is set.
 using Word = std::array<std::byte, sizeof(std::uint64_t)>;
 struct PoisonWords {
   Word not_a_number, finite;
@@ -84,7 +84,8 @@ PoisonWords make_poison_words(std::uint64_t place) {
 struct Poison {
   std::array<Image, 2> patterns;
   std::vector<bool>
-      begins_word;  // per byte; a range may begin and end within a word, as a flag does
+      // Whether a word begins at the byte; a range may begin and end within a word, as a flag does.
+      begins_word;
 };
 Poison make_poison(std::span<const Part> parts) {
   Poison poison;
@@ -107,7 +108,7 @@ Poison make_poison(std::span<const Part> parts) {
   return poison;
 }
 
-// How a node declares one part.
+// The declaration of one part by the node.
 struct Declared {
   bool read = false;
   bool written = false;
@@ -154,12 +155,12 @@ class Checker {
   PartsMemory memory_;
   Poison poison_;
   Image before_;                  // the node
-  Image after_;                   // its ordinary run
-  std::array<Image, 2> results_;  // of its last run with each poison
+  Image after_;                   // memory after its ordinary run
+  std::array<Image, 2> results_;  // results of its last run with each poison
 
-  NodeId node_;                     // being checked
+  NodeId node_;                     // the node being checked
   std::vector<Declared> declared_;  // per part
-  std::vector<bool> left_alone_;    // per byte: only to be written, and not written
+  std::vector<bool> left_alone_;    // bytes only to be written that were not written
   std::vector<DeclarationFault> faults_;
 };
 
@@ -183,7 +184,7 @@ void Checker::check(NodeId node) {
   find_undeclared_writes();
   find_unwritten_outputs();
   if (outputs_differ(results_[0]) || outputs_differ(results_[1])) find_undeclared_reads();
-  // The next node finds what this one left in its ordinary run.
+  // The next node finds the results of this one's ordinary run.
   for (std::size_t part = 0; part < part_count(); ++part) memory_.load(part, after_);
 }
 
@@ -210,16 +211,16 @@ void Checker::find_undeclared_writes() {
   }
 }
 
-// A byte that shows either poison unchanged was not written. One poison would not do: sums with a
-// not-a-number look unchanged.
+// Whether a byte looks unwritten: one that shows either poison unchanged was not written. One
+// poison would not do: sums with a not-a-number look unchanged.
 bool Checker::looks_unwritten(std::size_t byte) const {
   return results_[0][byte] == poison_.patterns[0][byte] &&
          results_[1][byte] == poison_.patterns[1][byte];
 }
 
-// Marks the bytes of a part that were left alone, and counts them. What a node computes from poison
-// may show some of its bytes by chance: where a word has bytes that differ from run to run, it
-// counts as a whole.
+// Marks the bytes of a part that were left alone, and counts them. Values computed from poison may
+// show some of its bytes by chance: where a word has bytes that differ from run to run, it counts
+// as a whole.
 std::size_t Checker::mark_unwritten(std::size_t part) {
   std::size_t count = 0;
   for (std::size_t begin = memory_.begin(part), end = begin; begin < memory_.end(part);
@@ -270,8 +271,8 @@ bool Checker::outputs_depend_on(const std::vector<bool>& poisoned) {
   return false;
 }
 
-// The outputs are known to differ with everything undeclared poisoned: poisons part after part to
-// name the one that is read.
+// Poisons part after part to name the one that is read. Precondition: the outputs differ with
+// everything undeclared poisoned.
 void Checker::find_undeclared_reads() {
   std::vector<bool> poisoned(part_count(), false);
   if (outputs_depend_on(poisoned)) {

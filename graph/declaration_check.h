@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether the nodes of a graph read and write what they declare, and nothing else.
+// Checks that the nodes of a graph read and write the parts that they declare, and nothing else.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace spoke::graph {
 
-/// How a node departs from its declaration.
+/// A way in which a node departs from its declaration.
 enum class FaultKind {
   undeclared_read,    ///< the node's result depends on a part it does not declare as read
   undeclared_write,   ///< the node changes a part it does not declare as written
@@ -21,11 +21,11 @@ enum class FaultKind {
 
 /// One place where a node does not keep to its declaration.
 struct DeclarationFault {
-  FaultKind kind;         ///< how
-  NodeId node;            ///< index -1 if the fault is not one of a node
-  PartId part;            ///< index -1 if no single part can be named
-  std::string node_name;  ///< as by StepGraph::name_of()
-  std::string part_name;  ///< as it was added
+  FaultKind kind;         ///< kind of the departure
+  NodeId node;            ///< the node at fault; index -1: the fault is not one of a node
+  PartId part;            ///< the part concerned; index -1: no single part can be named
+  std::string node_name;  ///< name by StepGraph::name_of()
+  std::string part_name;  ///< name with which it was added
   std::string message;    ///< one sentence for people, with the names
 };
 
@@ -34,12 +34,12 @@ struct DeclarationFault {
 /// effect on memory, however the body comes by its data: run again with everything undeclared
 /// replaced by poison (bits that are not-a-numbers as doubles, then finite numbers), a node must
 /// give the same bits and leave the poison alone. Parts must hold data of which any bits are a
-/// value. Serial, in any build type; afterwards the parts hold what one
-/// ordinary serial run leaves. If parts overlap, that is reported and no node is run. Each body
-/// runs three times (more often if at fault), which must not matter to memory outside the parts.
+/// value. Serial, in any build type; afterwards the parts hold the results of one ordinary serial
+/// run. If parts overlap, that is reported and no node is run. Each body runs three times (more
+/// often if at fault), which must not matter to memory outside the parts.
 SPOKE_EXPORT std::vector<DeclarationFault> check_declarations(const StepGraph& graph);
 
-/// The same for one node; those before it in the serial order run once, ordinarily, those behind it
+/// Checks one node alone; those before it in the serial order run once, ordinarily, those behind it
 /// do not run.
 SPOKE_EXPORT std::vector<DeclarationFault> check_declaration(const StepGraph& graph, NodeId node);
 

@@ -17,11 +17,12 @@ constexpr bool kHasOpenMp = true;
 constexpr bool kHasOpenMp = false;
 #endif
 
-// Those that need OpenMP stand last.
+// Kinds that need OpenMP stand last.
 constexpr std::array kKinds{ExecutorKind::automatic,      ExecutorKind::flow_graph,
                             ExecutorKind::serial,         ExecutorKind::openmp_scheme1,
-                            ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels};
-constexpr std::size_t kOpenMpKinds = 3;
+                            ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels,
+                            ExecutorKind::openmp_tasks};
+constexpr std::size_t kOpenMpKinds = 4;
 
 std::string known_names() {
   std::string names;
@@ -102,6 +103,8 @@ std::string_view name_of(ExecutorKind kind) {
       return "openmp_scheme2";
     case ExecutorKind::openmp_levels:
       return "openmp_levels";
+    case ExecutorKind::openmp_tasks:
+      return "openmp_tasks";
   }
   return "unknown";
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which thread ran which node when, in one run of a graph. Simulation::trace() makes traces of
+// Traces one run of a graph: which thread ran which node when. Simulation::trace() makes traces of
 // whole steps.
 
 #include <vector>
@@ -12,16 +12,16 @@ namespace spoke::graph {
 
 /// One run of a node.
 struct NodeRun {
-  NodeId node;         ///< of the graph
-  int thread = 0;      ///< of the executor; 0: the one that called it
-  double begin = 0.0;  ///< from the start of the run [s]
-  double end = 0.0;    ///< from the start of the run [s]
+  NodeId node;         ///< node of the graph
+  int thread = 0;      ///< thread of the executor; 0: the one that called it
+  double begin = 0.0;  ///< beginning, from the start of the run [s]
+  double end = 0.0;    ///< end, from the start of the run [s]
 };
 
 /// One run of a graph.
 struct RunTrace {
-  std::vector<NodeRun> nodes;  ///< each node once, by begin
-  double duration = 0.0;       ///< from before the first node to after the last [s]
+  std::vector<NodeRun> nodes;  ///< each node once, sorted by begin
+  double duration = 0.0;       ///< time from before the first node to after the last [s]
 };
 
 /// Runs `graph` once by `executor`, which make_executor() has made for it, and records which thread

@@ -1,4 +1,4 @@
-// Derives edges from declared reads and writes, and drops those that others imply.
+// Derives edges from declared reads and writes, and drops implied ones.
 
 #include "graph/step_graph.h"
 
@@ -24,12 +24,12 @@ void sort_unique(std::vector<Id>& list) {
 
 // The accesses to one part that a next access may have to wait for.
 struct LatestAccesses {
-  NodeId writer;                // the last one; index -1 = none yet
-  std::vector<NodeId> readers;  // since that write
+  NodeId writer;                // last writer; index -1 = none yet
+  std::vector<NodeId> readers;  // readers since that write
 };
 
-// Sequential task flow: a node that reads a part waits for its last writer; a node that writes one
-// waits for its last writer and for all nodes that have read it since.
+// Derives predecessors by sequential task flow: a node that reads a part waits for its last writer;
+// a node that writes one waits for its last writer and for all nodes that have read it since.
 NodeLists derive_predecessors(const std::vector<Node>& nodes, std::size_t part_count) {
   NodeLists predecessors(nodes.size());
   std::vector<LatestAccesses> latest(part_count);
@@ -99,7 +99,7 @@ std::string name_of(const NodeLabel& label, std::string_view subsystem_word) {
   return name;
 }
 
-// Not in the header: what makes a span of a vector takes long to compile.
+// This is not in the header, since spans of vectors take long to compile.
 std::span<const Node> StepGraph::nodes() const { return nodes_; }
 std::span<const Part> StepGraph::parts() const { return parts_; }
 std::span<const NodeId> StepGraph::serial_order() const { return serial_order_; }
@@ -133,6 +133,7 @@ NodeId StepGraphBuilder::add_declared_node(Node node, std::function<void()> body
 }
 
 NodeId StepGraphBuilder::repeat_node(NodeId node, int pass) {
+  assert(pass >= 0);
   Node copy = nodes_.at(index_of(node));
   copy.label.pass = pass;
   nodes_.push_back(std::move(copy));

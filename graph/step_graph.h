@@ -1,6 +1,6 @@
 #pragma once
 
-// The step graph: nodes, what they read and write, and the edges that follow.
+// The step graph: nodes, the parts they read and write, and the edges that follow.
 
 #include <compare>
 #include <cstddef>
@@ -21,75 +21,75 @@ namespace spoke::graph {
 
 /// Handle of one node: its place in the order of insertion, 0-based.
 struct NodeId {
-  int index = -1;  ///< in the order of insertion
-  /// By index.
+  int index = -1;  ///< place in the order of insertion
+  /// Orders handles by index.
   friend auto operator<=>(const NodeId&, const NodeId&) = default;
 };
 
-/// A node's coordinates: what it does, for which subsystem and body, and in which of several passes
-/// (0-based, -1 = none).
+/// A node's coordinates: its task, its subsystem and body, and its pass (0-based, -1 = none).
 struct NodeLabel {
-  std::string stage;   ///< what it does
-  int subsystem = -1;  ///< of which one; -1: of none
-  int body = -1;       ///< of the subsystem
-  int pass = -1;       ///< of several
+  std::string stage;   ///< task of the node
+  int subsystem = -1;  ///< index of its subsystem; -1: none
+  int body = -1;       ///< index of its body within the subsystem
+  int pass = -1;       ///< pass, if there are several
 };
 
-/// A node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", or "hub solve" for
-/// a node of no subsystem and no body; one of several passes ends in " (pass 4)". `subsystem_word`
-/// replaces "subsystem".
+/// Returns a node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", or "hub
+/// solve" for a node of no subsystem and no body; one of several passes ends in " (pass 4)".
+/// `subsystem_word` replaces "subsystem".
 SPOKE_EXPORT std::string name_of(const NodeLabel& label,
                                  std::string_view subsystem_word = "subsystem");
 
 /// A part of the step's data: one or several ranges of memory under one name.
 struct Part {
   std::string name;                          ///< unique, for people
-  std::vector<std::span<std::byte>> memory;  ///< where it lies
-  std::size_t record_size = 0;  ///< bytes of a record, if a node touches one of many; 0: all
+  std::vector<std::span<std::byte>> memory;  ///< ranges of memory
+  std::size_t record_size = 0;  ///< bytes of a record, if each node accesses one of many; 0: all
 };
 
 /// A node as it was declared. `reads` and `writes` are sorted and free of repetitions; a part in
 /// both is updated in place.
 struct Node {
   NodeLabel label;             ///< its coordinates
-  std::vector<PartId> reads;   ///< what it needs
-  std::vector<PartId> writes;  ///< what it changes
+  std::vector<PartId> reads;   ///< parts that it needs
+  std::vector<PartId> writes;  ///< parts that it changes
 };
 
 /// One integration step as a graph of nodes, immutable. Its edges follow from the declared reads
-/// and writes in the order of insertion, and are transitively reduced. Made by StepGraphBuilder;
-/// run by an Executor (graph/executor.h).
+/// and writes in the order of insertion, and are transitively reduced. StepGraphBuilder makes it;
+/// an Executor runs it (graph/executor.h).
 class SPOKE_EXPORT StepGraph {
  public:
-  int node_count() const { return static_cast<int>(nodes_.size()); }  ///< of all passes
-  /// Without implied edges.
+  int node_count() const { return static_cast<int>(nodes_.size()); }  ///< nodes of all passes
+  /// Returns the number of edges, implied ones left out.
   int edge_count() const { return static_cast<int>(successors_.size()); }
 
-  /// All nodes in the order of insertion, which is a topological order.
+  /// Returns all nodes in the order of insertion, which is a topological order.
   std::span<const Node> nodes() const;
-  /// One of them.
+  /// Returns one of the nodes.
   const Node& node(NodeId id) const { return nodes_[static_cast<std::size_t>(id.index)]; }
-  /// What the nodes read and write, in the order of addition.
+  /// Returns the parts that nodes read and write, in the order of addition.
   std::span<const Part> parts() const;
-  /// One of them.
+  /// Returns one of the parts.
   const Part& part(PartId id) const { return parts_[static_cast<std::size_t>(id.index)]; }
 
-  /// The nodes that wait for `node`; ascending, without implied edges, as all these lists.
+  /// Returns the nodes that wait for `node`, ascending, without implied edges.
   std::span<const NodeId> successors(NodeId node) const {
     return successors_.row(static_cast<std::size_t>(node.index));
   }
-  /// Those it waits for.
+  /// Returns the nodes that `node` waits for, ascending, without implied edges.
   std::span<const NodeId> predecessors(NodeId node) const {
     return predecessors_.row(static_cast<std::size_t>(node.index));
   }
 
-  /// A topological order for one thread, depth first: a node is followed by what it made ready,
-  /// so that one subsystem is worked on while its data are in cache.
+  /// Returns a topological order for one thread, depth first: a node is followed by the nodes it
+  /// made ready, so that one subsystem is worked on while its data are in cache.
   std::span<const NodeId> serial_order() const;
 
-  /// The node's name for people, e.g. "blade 2 / body 3 / inverse".
+  /// Returns the name of the node for people, e.g. "subsystem 2 / body 3 / inverse".
   std::string name_of(NodeId node) const;
-  /// What a subsystem is called in names, e.g. "blade".
+  /// Returns the word for a subsystem in the names of nodes; "subsystem" unless another one was
+  /// given.
   const std::string& subsystem_word() const { return subsystem_word_; }
 
   /// Runs the body of one node, whose predecessors must have run.
@@ -101,9 +101,9 @@ class SPOKE_EXPORT StepGraph {
   friend class StepGraphBuilder;
   StepGraph() = default;
 
-  // Nodes that repeat another share its body: a graph of many passes stays small in cache.
+  // Nodes that repeat another node share its body: a graph of many passes stays small in cache.
   std::vector<std::function<void()>> bodies_;
-  std::vector<std::uint32_t> body_of_;  // per node, its place in bodies_
+  std::vector<std::uint32_t> body_of_;  // place of each node's body in bodies_
   CompressedRows<NodeId> successors_;   // per node
   CompressedRows<NodeId> predecessors_;
   std::vector<NodeId> serial_order_;
@@ -115,12 +115,12 @@ class SPOKE_EXPORT StepGraph {
 /// Collects parts and nodes in the order of the algorithm, then builds the graph.
 class SPOKE_EXPORT StepGraphBuilder {
  public:
-  /// `subsystem_word`: what a subsystem is called in the names of nodes, e.g. "blade".
+  /// `subsystem_word`: the word for a subsystem in the names of nodes.
   explicit StepGraphBuilder(std::string subsystem_word = "subsystem");
 
   /// Adds a part. Its memory must outlive the graph and stay where it is; ranges of different parts
-  /// must not overlap (see bytes_of()). The ranges serve check_declarations() and predictions of
-  /// run times; no edge is derived from them. `record_size`: see Part.
+  /// must not overlap (see bytes_of()). The ranges serve check_declarations(); no edge
+  /// is derived from them. `record_size`: see Part.
   PartId add_part(std::string name, std::vector<std::span<std::byte>> memory,
                   std::size_t record_size = 0);
 
@@ -134,11 +134,11 @@ class SPOKE_EXPORT StepGraphBuilder {
                              std::forward<Body>(body));
   }
 
-  /// Adds a node that does in pass `pass` what `node` does: with its body and declaration, and its
-  /// label but for the pass.
+  /// Adds a node that repeats `node` in pass `pass`: with its body, declaration and label except
+  /// for the pass.
   NodeId repeat_node(NodeId node, int pass);
 
-  /// Added so far.
+  /// Returns the number of nodes added so far.
   int node_count() const { return static_cast<int>(nodes_.size()); }
 
   /// Builds the graph of everything added; the builder is empty afterwards.
@@ -154,9 +154,9 @@ class SPOKE_EXPORT StepGraphBuilder {
   std::vector<std::uint32_t> body_of_;
 };
 
-/// Whether of every two nodes that access one part, one of them writing, the one added first comes
-/// first along the edges. Computed from edges and declarations alone, not from how the edges were
-/// derived. True of every graph a builder makes.
+/// Returns whether, of every two nodes that access one part, one of them writing, the one added
+/// first comes first along the edges. It is computed from edges and declarations alone, not
+/// from how the edges were derived. It holds for every graph that a builder makes.
 SPOKE_EXPORT bool conflicts_are_ordered(const StepGraph& graph);
 
 }  // namespace spoke::graph

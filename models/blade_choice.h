@@ -1,6 +1,6 @@
 #pragma once
 
-// Which blades of a rotor something is on.
+// The choice of the blades that a load or sensor is on.
 
 #include <cstddef>
 
@@ -10,15 +10,15 @@ namespace spoke {
 /// files and in the names of sensors. Whole numbers do not convert: an index, from 0, is no number.
 class BladeChoice {
  public:
-  /// Every blade of the rotor.
+  /// Returns the choice of every blade of the rotor.
   static constexpr BladeChoice all() { return BladeChoice(true, 0); }
-  /// Blade `number`, from 1: rotor.blades[number - 1].
+  /// Returns the choice of blade `number`, from 1: rotor.blades[number - 1].
   static constexpr BladeChoice number(int number) { return BladeChoice(false, number); }
 
   constexpr bool is_all() const { return is_all_; }  ///< whether it is every blade
-  /// From 1; 0 if it is every blade.
+  /// Returns the number from 1; 0 if it is every blade.
   constexpr int number() const { return number_; }
-  /// Whether rotor.blades[index] is one of them.
+  /// Returns whether rotor.blades[index] is one of them.
   constexpr bool holds(std::size_t index) const {
     return is_all_ || static_cast<std::size_t>(number_) == index + 1;
   }

@@ -8,10 +8,11 @@
 
 namespace spoke {
 
-/// "1 step", "2 steps"; "1 body", "0 bodies"; "1 pass", "3 passes". The noun is in the singular.
+/// Returns "1 step", "2 steps"; "1 body", "0 bodies"; "1 pass", "3 passes". The noun is in the
+/// singular.
 std::string counted(std::int64_t number, std::string_view noun);
 
-/// The whole numbers from first to last: "0 to 4", "1"; "none" if there are none.
+/// Returns the whole numbers from first to last: "0 to 4", "1"; "none" if there are none.
 std::string range_text(std::int64_t first, std::int64_t last);
 
 }  // namespace spoke

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "models/count_text.h"
-#include "models/reader/quantity.h"
+#include "models/support/quantity.h"
 #include "spoke/error.h"
 
 namespace spoke {
@@ -18,8 +18,8 @@ namespace {
 
 bool same_sign(double a, double b) { return (a > 0.0 && b > 0.0) || (a < 0.0 && b < 0.0); }
 
-/// Slope at a point between two chords: their weighted harmonic mean (Fritsch & Butland 1984), 0
-/// at an extreme of the points. h: lengths [s], m: slopes of the chords before and after.
+/// Returns the slope at a point between two chords: their weighted harmonic mean (Fritsch & Butland
+/// 1984), 0 at an extreme of the points. h: lengths [s], m: slopes of the chords before and after.
 double inner_slope(double h0, double h1, double m0, double m1) {
   if (!same_sign(m0, m1)) return 0.0;
   const double w0 = 2.0 * h1 + h0;
@@ -27,8 +27,8 @@ double inner_slope(double h0, double h1, double m0, double m1) {
   return (w0 + w1) / (w0 / m0 + w1 / m1);
 }
 
-/// Slope at an end: of the parabola through the first three points, limited so that the curve
-/// stays monotone. h0, m0: the chord at the end, h1, m1: its neighbour.
+/// Returns the slope at an end: that of the parabola through the first three points, limited so
+/// that the curve stays monotone. h0, m0: the chord at the end, h1, m1: its neighbour.
 double end_slope(double h0, double h1, double m0, double m1) {
   const double slope = ((2.0 * h0 + h1) * m0 - h0 * m1) / (h0 + h1);
   if (!same_sign(slope, m0)) return 0.0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Curves over time, for drives and loads; of a torque, over speed.
+// Curves over time, for drives and loads; curves of a torque run over speed.
 
 #include <cstddef>
 #include <vector>
@@ -14,29 +14,31 @@ namespace spoke {
 /// from the first point to the last, never overshoots the points; constant before and after.
 class SPOKE_EXPORT Curve {
  public:
-  /// Zero.
+  /// Makes the curve that is zero.
   Curve() : Curve(0.0) {}
-  /// A constant.
+  /// Makes a constant curve.
   explicit Curve(double value) : Curve({0.0}, {value}) {}
-  /// times: strictly increasing [s]; values: as many, in any unit. Throws InputError unless the
-  /// sizes are equal and not zero, times increase, and all is finite.
+  /// Makes a curve through points. times: strictly increasing [s]; values: as many, in any unit.
+  /// Throws InputError unless the sizes are equal and not zero, times increase, and all is finite.
   Curve(std::vector<double> times, std::vector<double> values);
 
-  // At a time that is not a number all three are none: nodes of a graph ask for it where a motion
-  // has diverged.
+  // At a time that is not a number, these three functions return none: nodes of a graph call them
+  // so where a motion has diverged.
 
-  /// At time t [s].
+  /// Returns the value at time t [s], in the unit of the values.
   double value(double t) const;
-  /// At the first and the last point the one-sided derivative inside; 0 before and after.
+  /// Returns the derivative [unit/s]: at the first and the last point the one-sided one inside; 0
+  /// before and after.
   double derivative(double t) const;
-  /// Within the segment that holds t; 0 before and after the points.
+  /// Returns the second derivative [unit/s^2] within the segment that holds t; 0 before and after
+  /// the points.
   double second_derivative(double t) const;
-  /// Integral from 0 to t [unit of values * s].
+  /// Returns the integral from 0 to t [unit of values * s].
   double integral(double t) const;
 
-  /// Of its points [s].
+  /// Returns the times of its points [s].
   const std::vector<double>& times() const { return times_; }
-  /// At its points.
+  /// Returns the values at its points.
   const std::vector<double>& values() const { return values_; }
 
  private:
@@ -51,10 +53,10 @@ class SPOKE_EXPORT Curve {
     }
   };
 
-  /// The segment that holds t. Precondition: first time <= t < last time.
+  /// Returns the segment that holds t. Precondition: first time <= t < last time.
   std::size_t segment(double t) const;
   Cubic cubic(std::size_t segment) const;
-  /// Integral from the first point to t.
+  /// Returns the integral from the first point to t.
   double primitive(double t) const;
 
   std::vector<double> times_;
@@ -63,7 +65,7 @@ class SPOKE_EXPORT Curve {
   std::vector<double> integrals_;  ///< integral from the first point to each point
 };
 
-/// The smooth rise of drives, loads and gravity from 0 at t = 0 to 1 at t = duration [s]:
+/// Returns the smooth rise of drives, loads and gravity from 0 at t = 0 to 1 at t = duration [s]:
 /// t/T - sin(2 pi t/T)/(2 pi); 1 at all times if the duration is 0.
 SPOKE_EXPORT double calc_rise(double t, double duration);
 

@@ -16,7 +16,7 @@ struct Overloaded : Cases... {
   using Cases::operator()...;
 };
 template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // Clang 14 does not deduce it
+Overloaded(Cases...) -> Overloaded<Cases...>;  // for Clang 14
 
 /// The ramp of (P 12), its factor corrected to Ts/(2 pi), as a fraction of the way from rest to
 /// full speed: for tau = t/Ts from 0 to 1, in units of ws Ts [rad], ws [rad/s] and ws/Ts [rad/s^2].

@@ -1,6 +1,6 @@
 #pragma once
 
-// What moves the hub.
+// Drives: prescribed motions of the hub and torques on it.
 
 #include <string_view>
 #include <variant>
@@ -13,7 +13,7 @@ namespace spoke {
 /// Smooth start to a constant speed (Wu & Haug 1988; (P 12), whose factor is Ts/(2 pi)):
 /// phidot = speed/ramp (t - ramp/(2 pi) sin(2 pi t/ramp)) up to the end of the ramp, then speed.
 struct SpinUp {
-  double speed = 0.0;  ///< reached at the end of the ramp [rad/s]
+  double speed = 0.0;  ///< speed at the end of the ramp [rad/s]
   double ramp = 1.0;   ///< [s]
 };
 
@@ -27,7 +27,7 @@ struct SpinUpHoldSpinDown {
 
 /// The hub's speed is a given curve [rad/s].
 struct SpeedTable {
-  Curve speed;  ///< over time [rad/s]
+  Curve speed;  ///< hub speed over time [rad/s]
 };
 
 /// The hub stands still.
@@ -40,16 +40,17 @@ struct ConstantSpeed {
 
 /// A torque acts on the hub [N m]; its rotation is an unknown of (P 9).
 struct TorqueDrive {
-  Curve torque;                ///< over time [N m]
+  Curve torque;                ///< torque over time [N m]
   double initial_speed = 0.0;  ///< [rad/s]
 };
 
 /// A torque that depends on the hub's speed acts on the hub: a motor or a generator. Its rotation
 /// is an unknown of (P 9).
 struct TorqueBySpeed {
-  Curve torque;                ///< over the hub's speed: rad/s in place of s [N m]
+  Curve torque;                ///< torque over the hub's speed [N m], rad/s in place of s
   double initial_speed = 0.0;  ///< [rad/s]
-  double ramp = 0.0;           ///< of the torque's smooth rise, calc_rise() [s]; 0: at once
+  /// Duration of the torque's smooth rise, calc_rise() [s]; 0: at once.
+  double ramp = 0.0;
 };
 
 /// Nothing acts on the hub's rotation.
@@ -57,7 +58,7 @@ struct FreeDrive {
   double initial_speed = 0.0;  ///< [rad/s]
 };
 
-/// What turns the hub.
+/// The drive of a hub: one of the kinds above.
 using Drive = std::variant<SpinUp, SpinUpHoldSpinDown, SpeedTable, TorqueDrive, FreeDrive,
                            FixedDrive, ConstantSpeed, TorqueBySpeed>;
 
@@ -68,21 +69,21 @@ struct DriveMotion {
   double acceleration = 0.0;  ///< [rad/s^2]
 };
 
-/// Whether the drive prescribes the hub's rotation (else the rotation is solved for).
+/// Returns whether the drive prescribes the hub's rotation (else the rotation is solved for).
 SPOKE_EXPORT bool prescribes_motion(const Drive& drive);
 
-/// The prescribed rotation at time t [s]. Precondition: prescribes_motion(drive).
+/// Returns the prescribed rotation at time t [s]. Precondition: prescribes_motion(drive).
 SPOKE_EXPORT DriveMotion calc_motion(const Drive& drive, double t);
 
-/// The torque that the drive applies at time t to a hub of this speed [rad/s] [N m]; 0 for drives
-/// that prescribe the motion.
+/// Returns the torque [N m] that the drive applies at time t [s] to a hub of this speed [rad/s]; 0
+/// for drives that prescribe the motion.
 SPOKE_EXPORT double calc_torque(const Drive& drive, double t, double speed);
 
-/// The hub's speed at t = 0 [rad/s].
+/// Returns the hub's speed at t = 0 [rad/s].
 SPOKE_EXPORT double calc_initial_speed(const Drive& drive);
 
-/// The drive's kind in scenario files: spin_up, spin_up_hold_spin_down, table, torque, free, fixed,
-/// constant or torque_by_speed.
+/// Returns the drive's kind as in scenario files: spin_up, spin_up_hold_spin_down, table, torque,
+/// free, fixed, constant or torque_by_speed.
 SPOKE_EXPORT std::string_view name_of(const Drive& drive);
 
 }  // namespace spoke

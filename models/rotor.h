@@ -14,16 +14,17 @@
 
 namespace spoke {
 
-/// Where a flexible body's floating frame sits (its reference conditions).
+/// The reference conditions of a flexible body: where its floating frame is.
 enum class ReferenceFrame {
-  clamped,  ///< at the inboard node, along its tangent: u_0 = v_0 = psi_0 = 0
-  chord,    ///< at the inboard node, through the outboard node: u_0 = v_0 = v_E = 0
+  clamped,  ///< frame at the inboard node, along its tangent: u_0 = v_0 = psi_0 = 0
+  chord,    ///< frame at the inboard node, through the outboard node: u_0 = v_0 = v_E = 0
 };
 
-/// What a blade is made of from root to tip: values at stations, linear between them. As many of
-/// each as there are stations.
+/// Properties of a blade from root to tip: values at stations, linear between them. Each array has
+/// as many values as there are stations.
 struct BladeSections {
-  std::vector<double> station;            ///< from the root, ascending from 0 to the length [m]
+  /// Distances from the root, ascending from 0 to the length [m].
+  std::vector<double> station;
   std::vector<double> mass_per_length;    ///< rhoA [kg/m]
   std::vector<double> axial_stiffness;    ///< EA [N]
   std::vector<double> bending_stiffness;  ///< EI in the plane [N m^2]
@@ -34,9 +35,9 @@ struct BladeSections {
 
 /// A small mass on the axis of a blade.
 struct PointMass {
-  double position = 0.0;  ///< from the blade's root [m]
+  double position = 0.0;  ///< distance from the blade's root [m]
   double mass = 0.0;      ///< [kg]
-  double inertia = 0.0;   ///< about its centre, for rotation in the plane [kg m^2]
+  double inertia = 0.0;   ///< moment of inertia about its centre, in the plane [kg m^2]
 
   /// Whether all values are equal.
   friend bool operator==(const PointMass&, const PointMass&) = default;
@@ -53,27 +54,28 @@ struct Blade {
   double youngs_modulus = 0.0;  ///< [Pa]
   /// Whether rotation stiffens the bending within a body.
   bool geometric_stiffening = true;
-  /// Of each of its bodies.
+  /// Reference frame of each of its bodies.
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
   double azimuth = 0.0;  ///< direction of the undeformed blade in the hub frame [rad]
-  /// If the blade is not uniform; density, area, second_moment and youngs_modulus are then 0.
+  /// Sections of a blade that is not uniform; density, area, second_moment and youngs_modulus are
+  /// then 0.
   BladeSections sections{};
-  std::vector<PointMass> point_masses{};  ///< that it carries besides its own mass
+  std::vector<PointMass> point_masses{};  ///< point masses besides its own mass
 };
 
-/// How the hub is held.
+/// The support of the hub.
 enum class HubSupport {
   axle,  ///< rotates about a fixed point
   free,  ///< moves in the plane
 };
 
-/// What the blades are fixed to.
+/// The hub, to which the blades are fixed.
 struct Hub {
   HubSupport support = HubSupport::axle;  ///< how it is held
-  double radius = 0.0;                    ///< from the hub's axis to the blade roots [m]
-  double mass = 0.0;                      ///< [kg]; > 0 for a free hub
-  double inertia = 1.0;                   ///< about the hub's axis [kg m^2]
-  Drive drive{};                          ///< what turns it; SpinUp unless set
+  double radius = 0.0;                    ///< distance from the hub's axis to the blade roots [m]
+  double mass = 0.0;                      ///< mass [kg]; > 0 for a free hub
+  double inertia = 1.0;                   ///< moment of inertia about the hub's axis [kg m^2]
+  Drive drive{};                          ///< drive of the hub; SpinUp unless set
 };
 
 /// Damping D = mass_factor Mff + stiffness_factor K of the deformation coordinates (Rayleigh).
@@ -91,74 +93,79 @@ enum class LoadFrame {
 
 /// A force and a moment at a point of a blade, scaled by a function of time.
 struct PointLoad {
-  BladeChoice blade = BladeChoice::all();  ///< on which it acts
+  BladeChoice blade = BladeChoice::all();  ///< blades on which it acts
   /// Distance from the blade's root [m], anywhere on the blade; none: the tip of each blade loaded.
   std::optional<double> position = std::nullopt;
-  LoadFrame frame = LoadFrame::hub;  ///< in which the force is resolved
+  LoadFrame frame = LoadFrame::hub;  ///< frame in which the force is resolved
   Position force{0.0, 0.0};          ///< [N]
-  double moment = 0.0;               ///< about z [N m]
-  double ramp = 0.0;                 ///< of the smooth rise from 0, calc_rise() [s]; 0: at once
-  Curve factor{1.0};                 ///< dimensionless function of time
+  double moment = 0.0;               ///< moment about z [N m]
+  /// Duration of the smooth rise from 0, calc_rise() [s]; 0: at once.
+  double ramp = 0.0;
+  Curve factor{1.0};  ///< dimensionless function of time
 };
 
 /// A force and a moment per length of a blade, between two stations, scaled by a function of time.
 struct DistributedLoad {
-  BladeChoice blade = BladeChoice::all();   ///< on which it acts
-  double from = 0.0;                        ///< its inner end, distance from the root [m]
-  std::optional<double> to = std::nullopt;  ///< its outer end [m]; none: the tip
-  LoadFrame frame = LoadFrame::hub;         ///< in which the force is resolved
-  Position force_per_length{0.0, 0.0};      ///< [N/m]
-  double moment_per_length = 0.0;           ///< about z [N]
-  double ramp = 0.0;                        ///< as in PointLoad [s]
-  Curve factor{1.0};                        ///< dimensionless function of time
+  BladeChoice blade = BladeChoice::all();  ///< blades on which it acts
+  double from = 0.0;                       ///< distance of its inner end from the root [m]
+  /// Distance of its outer end from the root [m]; none: the tip.
+  std::optional<double> to = std::nullopt;
+  LoadFrame frame = LoadFrame::hub;     ///< frame in which the force is resolved
+  Position force_per_length{0.0, 0.0};  ///< [N/m]
+  double moment_per_length = 0.0;       ///< moment about z per length [N]
+  double ramp = 0.0;                    ///< duration of the smooth rise, as in PointLoad [s]
+  Curve factor{1.0};                    ///< dimensionless function of time
 };
 
-/// The frame in which drag rests.
+/// The frame relative to which drag takes velocities.
 enum class DragFrame {
   inertial,  ///< air at rest
-  hub,       ///< what turns and moves with the hub
+  hub,       ///< air that turns and moves with the hub
 };
 
 /// Drag at a point of a blade, and per length between two stations: with u the velocity of a
 /// section relative to the frame, the force is -(linear + quadratic |u|) u, on the blade alone. It
 /// has no moment.
 struct Drag {
-  BladeChoice blade = BladeChoice::all();  ///< on which it acts
+  BladeChoice blade = BladeChoice::all();  ///< blades on which it acts
   DragFrame relative_to = DragFrame::inertial;
-  /// Of the point, distance from the root [m]; none: the tip of each blade loaded.
+  /// Distance of the point from the root [m]; none: the tip of each blade loaded.
   std::optional<double> position = std::nullopt;
-  double linear = 0.0;                      ///< at the point [N s/m]
-  double quadratic = 0.0;                   ///< at the point [N s^2/m^2]
-  double from = 0.0;                        ///< inner end of what is per length [m]
-  std::optional<double> to = std::nullopt;  ///< its outer end [m]; none: the tip
-  double linear_per_length = 0.0;           ///< [N s/m^2]
-  double quadratic_per_length = 0.0;        ///< [N s^2/m^3]
-  double ramp = 0.0;                        ///< as in PointLoad [s]
-  Curve factor{1.0};                        ///< dimensionless function of time
+  double linear = 0.0;     ///< linear coefficient at the point [N s/m]
+  double quadratic = 0.0;  ///< quadratic coefficient at the point [N s^2/m^2]
+  /// Distance of the inner end of the part per length from the root [m].
+  double from = 0.0;
+  /// Distance of its outer end from the root [m]; none: the tip.
+  std::optional<double> to = std::nullopt;
+  double linear_per_length = 0.0;     ///< [N s/m^2]
+  double quadratic_per_length = 0.0;  ///< [N s^2/m^3]
+  double ramp = 0.0;                  ///< duration of the smooth rise, as in PointLoad [s]
+  Curve factor{1.0};                  ///< dimensionless function of time
 };
 
 /// A force at a point that is fixed to the hub, and a torque, scaled by a function of time.
 struct HubLoad {
-  Position position{0.0, 0.0};       ///< of the point in the hub's frame [m]
-  LoadFrame frame = LoadFrame::hub;  ///< in which the force is resolved: hub or inertial
+  Position position{0.0, 0.0};       ///< place of the point in the hub's frame [m]
+  LoadFrame frame = LoadFrame::hub;  ///< frame in which the force is resolved: hub or inertial
   Position force{0.0, 0.0};          ///< [N]
-  double torque = 0.0;               ///< about z, besides that of the force [N m]
-  double ramp = 0.0;                 ///< as in PointLoad [s]
+  double torque = 0.0;               ///< torque about z, besides that of the force [N m]
+  double ramp = 0.0;                 ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};                 ///< dimensionless function of time
 };
 
-/// A hub with its blades, and what acts on them.
+/// A hub with its blades, and the loads on them.
 struct Rotor {
-  Hub hub;                     ///< in the middle
+  Hub hub;                     ///< the hub in the middle
   std::vector<Blade> blades;   ///< one or more
-  Position gravity{0.0, 0.0};  ///< acceleration, inertial frame [m/s^2]
-  double gravity_ramp = 0.0;   ///< of its smooth rise from 0, calc_rise() [s]; 0: at once
-  Damping damping;             ///< of all bodies
+  Position gravity{0.0, 0.0};  ///< gravitational acceleration, inertial frame [m/s^2]
+  /// Duration of gravity's smooth rise from 0, calc_rise() [s]; 0: at once.
+  double gravity_ramp = 0.0;
+  Damping damping;  ///< damping of all bodies
   // Loads given as data; spoke::Load is for functions.
-  std::vector<PointLoad> loads;                    ///< at points of blades
+  std::vector<PointLoad> loads;                    ///< loads at points of blades
   std::vector<DistributedLoad> distributed_loads;  ///< along blades
-  std::vector<Drag> drags;                         ///< against the motion of blades
-  std::vector<HubLoad> hub_loads;                  ///< on the hub
+  std::vector<Drag> drags;                         ///< drag against the motion of blades
+  std::vector<HubLoad> hub_loads;                  ///< loads on the hub
 };
 
 }  // namespace spoke

@@ -15,13 +15,13 @@
 
 namespace spoke {
 
-/// How a step is made.
+/// The method that makes a step.
 enum class IntegrationMethod {
-  generalized_alpha,  ///< implicit, of second order
-  rk4,                ///< explicit, of fourth order
+  generalized_alpha,  ///< implicit, second order
+  rk4,                ///< explicit, fourth order
 };
 
-/// To what the implicit iteration of a step goes on.
+/// The accuracy to which the implicit iteration of a step goes on.
 enum class IterationGoal {
   error,      ///< a small share of the step's own error, or the tolerance if that is less
   tolerance,  ///< the tolerance
@@ -29,52 +29,59 @@ enum class IterationGoal {
 
 /// How the motion is integrated.
 struct Integration {
-  IntegrationMethod method = IntegrationMethod::generalized_alpha;  ///< of a step
-  double step = 0.005;           ///< [s]; shortened to divide the duration
-  double duration = 1.0;         ///< [s]
-  double spectral_radius = 0.8;  ///< of generalized_alpha at infinite frequency, 0 to 1
-  double tolerance = 1e-10;  ///< of the implicit iteration: last change of a coordinate [m, rad]
-  int iterations = 0;        ///< fixed number of iterations per step; 0: iterate to tolerance
-  int max_iterations = 30;   ///< per step, before the step is given up
-  /// None: the error where the tolerance is the default, else the tolerance; see goal_of().
+  IntegrationMethod method = IntegrationMethod::generalized_alpha;  ///< method of a step
+  double step = 0.005;    ///< [s]; shortened to divide the duration
+  double duration = 1.0;  ///< [s]
+  /// Spectral radius of generalized_alpha at infinite frequency, 0 to 1.
+  double spectral_radius = 0.8;
+  /// Largest last change of a coordinate in the implicit iteration [m, rad].
+  double tolerance = 1e-10;
+  int iterations = 0;       ///< fixed number of iterations per step; 0: iterate to tolerance
+  int max_iterations = 30;  ///< most iterations of a step before it is given up
+  /// The goal of the iteration; none: the error where the tolerance is the default, else the
+  /// tolerance; see goal_of().
   std::optional<IterationGoal> iterate_to = std::nullopt;
 };
-/// What is iterated to.
+/// Returns the goal of the iteration in force.
 SPOKE_EXPORT IterationGoal goal_of(const Integration& integration);
 
-/// What becomes of a simulation whose energy grows beyond the work done on it.
+/// The consequence of an energy that grows beyond the work done on the model.
 enum class EnergyGrowth {
-  warn,  ///< it goes on, with a warning in Simulation::warnings()
-  stop,  ///< it ends with DivergenceError
+  warn,  ///< the simulation goes on, with a warning in Simulation::warnings()
+  stop,  ///< the simulation ends with DivergenceError
 };
 
-/// Beyond which results are to be doubted.
+/// Limits beyond which results are doubtful.
 struct Limits {
-  double deflection = 0.1;      ///< of a body in its frame, by its length; 0: none
-  double energy_growth = 0.01;  ///< by the largest energy so far; 0: none
-  EnergyGrowth on_energy_growth = EnergyGrowth::warn;  ///< beyond that limit
-  double step_error = 2e-4;  ///< estimated, of a step: by a radian or the length; 0: none
-  double momentum = 0.01;    ///< residual of a free model by its largest momentum; 0: none
+  /// Deflection of a body in its frame, as a fraction of its length; 0: none.
+  double deflection = 0.1;
+  double energy_growth = 0.01;  ///< growth as a fraction of the largest energy so far; 0: none
+  EnergyGrowth on_energy_growth = EnergyGrowth::warn;  ///< consequence of growth beyond that limit
+  /// Estimated error of a step, in radians or as a fraction of a length; 0: none.
+  double step_error = 2e-4;
+  /// Residual of a free model's momentum, as a fraction of its largest momentum; 0: none.
+  double momentum = 0.01;
 };
 
-/// Where a simulation starts.
+/// The state that a simulation starts from.
 enum class InitialState {
-  undeformed,   ///< joints where they are said to be, the hub with the speed that its drive has
-  equilibrium,  ///< of steady rotation
+  undeformed,   ///< joints at their initial coordinates, the hub at the speed of its drive
+  equilibrium,  ///< equilibrium of steady rotation
 };
 
-/// The state at t = 0. From an equilibrium (docs/modes.md), what rises has risen: ramps of loads,
-/// gravity and drive count as over, unless a spin-up is to begin from rest.
+/// The state at t = 0. At an equilibrium (docs/modes.md), ramps of loads, gravity and drive count
+/// as over, unless a spin-up is to begin from rest.
 struct Initial {
   InitialState state = InitialState::undeformed;
-  /// Of the equilibrium [rad/s]: of a drive by torque, or none, any; else one that the drive has at
-  /// its start or after its ramp up. None: after its ramp up.
+  /// Speed of the equilibrium [rad/s]. A hub driven by a torque, or by nothing, can have any; other
+  /// drives only the speed at their start or after their ramp up. None: the speed after the ramp
+  /// up.
   std::optional<double> speed = std::nullopt;
 };
 
-/// What is written.
+/// The results that are written.
 struct Output {
-  double interval = 0.05;  ///< between rows of sensors.csv [s]; 0: every step
+  double interval = 0.05;  ///< time between rows of sensors.csv [s]; 0: every step
 };
 
 /// One "key=value" of the command line, overriding a key of the file.
@@ -83,45 +90,46 @@ using Overrides = std::vector<std::string>;
 /// Everything about a simulation that a scenario file says. Simulation checks what is filled in
 /// code as the reader checks a file.
 struct SPOKE_EXPORT Scenario {
-  std::string title;        ///< for people
+  std::string title;        ///< title for people
   std::string name;         ///< the file's name without folder and ending; names the results folder
-  Rotor rotor;              ///< what is simulated, in the plane
-  Integration integration;  ///< how, and for how long
-  Limits limits;            ///< beyond which results are doubted
-  Output output;            ///< what spoke run writes
-  /// What is measured besides the sensors that every simulation has.
+  Rotor rotor;              ///< the rotor in the plane
+  Integration integration;  ///< how the motion is integrated, and for how long
+  Limits limits;            ///< limits beyond which results are doubtful
+  Output output;            ///< the results that spoke run writes
+  /// Sensors besides those that every simulation has.
   std::vector<Sensor> sensors;
-  /// What is simulated, in space. `rotor` then has no blades.
+  /// The model in space, if the simulation is one in space; `rotor` then has no blades.
   std::optional<spatial::Model> space;
-  Initial initial;  ///< where it starts
+  Initial initial;  ///< the state at t = 0
 
-  /// Every key with the value in force (defaults included), as a JSON object shaped like the file;
-  /// blades always one by one, under "blades".
+  /// Returns every key with the value in force (defaults included), as a JSON object shaped like
+  /// the file; blades are always one by one, under "blades".
   std::string to_json() const;
 };
 
-/// The names that scenario files use: "generalized_alpha", "rk4".
+/// Returns the name that scenario files use: "generalized_alpha", "rk4".
 SPOKE_EXPORT std::string_view name_of(IntegrationMethod method);
-/// "error", "tolerance".
+/// Returns "error" or "tolerance".
 SPOKE_EXPORT std::string_view name_of(IterationGoal goal);
-/// "warn", "stop".
+/// Returns "warn" or "stop".
 SPOKE_EXPORT std::string_view name_of(EnergyGrowth growth);
-/// "undeformed", "equilibrium".
+/// Returns "undeformed" or "equilibrium".
 SPOKE_EXPORT std::string_view name_of(InitialState state);
-/// "axle", "free".
+/// Returns "axle" or "free".
 SPOKE_EXPORT std::string_view name_of(HubSupport support);
-/// "clamped", "chord".
+/// Returns "clamped" or "chord".
 SPOKE_EXPORT std::string_view name_of(ReferenceFrame frame);
-/// "inertial", "hub", "section".
+/// Returns "inertial", "hub" or "section".
 SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
-/// "inertial", "hub".
+/// Returns "inertial" or "hub".
 SPOKE_EXPORT std::string_view name_of(DragFrame frame);
 
 /// Reads and validates a scenario. Throws InputError, its text "file:line:column: key: what is
 /// wrong, what is expected".
 SPOKE_EXPORT Scenario read_scenario(const std::string& file, const Overrides& overrides = {});
 
-/// The same from a string; `name` stands for the file in messages.
+/// Reads and validates a scenario from a string; `name` stands for the file in messages. Throws
+/// InputError as read_scenario() does.
 SPOKE_EXPORT Scenario parse_scenario(const std::string& text, const std::string& name,
                                      const Overrides& overrides = {});
 

@@ -17,7 +17,7 @@ constexpr Components kWrench{{{"x", "N"}, {"y", "N"}, {"moment", "N m"}}};
 constexpr Components kMomentum{{{"x", "kg m/s"}, {"y", "kg m/s"}, {"angular", "kg m^2/s"}}};
 constexpr std::array<SensorComponent, 1> kEnergy{{{"", "J"}}};
 
-// In space.
+// Components in space.
 using Six = std::array<SensorComponent, 6>;
 
 constexpr Six kDisplacement6{{{"x", "m"},

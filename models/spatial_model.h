@@ -1,8 +1,8 @@
 #pragma once
 
-// The description of a model in space, as an engineer gives it: a hub with blades, and trees of
-// bodies for what is no blade. build_trees() (models/tree/tree.h) makes one kind of tree of
-// both. Vectors are of three components; frames are right-handed.
+// The description of a model in space, as an engineer gives it: a hub with blades, and subsystems,
+// which are other trees of bodies. build_trees() (models/tree/tree.h) makes trees of both. Vectors
+// are of three components; frames are right-handed.
 
 #include <Eigen/Core>
 #include <array>
@@ -31,45 +31,53 @@ using Offset = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 /// Six by six components in section axes, in the order (x, y, z, about x, about y, about z).
 using SectionMatrix = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
-/// What a beam is made of from root to tip: values at stations, linear between them (the axis: a
-/// natural cubic spline). As many of each as there are stations; what is optional may be empty.
+/// Properties of a beam from root to tip: values at stations, linear between them (the axis: a
+/// natural cubic spline). Each array has as many values as there are stations; optional ones may be
+/// empty.
 ///
 /// A beam's frame has x along the undeformed beam from the root, for a blade y in the plane of
 /// rotation and z along the axis of rotation. Stations are x coordinates. The section axes are the
 /// normal of the section, and two axes in the section, y and z: those of the beam turned about +x
 /// by `twist`. "Lag" is bending that moves the beam along the section's y, "flap" along its z.
 struct Sections {
-  std::vector<double> station;  ///< from the root, ascending from 0 to the length [m]
+  std::vector<double> station;  ///< stations from the root, ascending from 0 to the length [m]
 
-  // The stiffness: either these ...
+  // The stiffness, either by these arrays ...
   std::vector<double> axial_stiffness;    ///< EA [N]
   std::vector<double> flap_stiffness;     ///< EI, int E z^2 dA about the tension centre [N m^2]
   std::vector<double> lag_stiffness;      ///< EI, int E y^2 dA about the tension centre [N m^2]
   std::vector<double> torsion_stiffness;  ///< GJ [N m^2]
   std::vector<double> flap_shear_stiffness{};  ///< GA along z [N]; empty: no shear deformation
   std::vector<double> lag_shear_stiffness{};   ///< GA along y [N]; empty: no shear deformation
-  std::vector<Offset> tension_center{};  ///< from the axis, section axes [m]; empty: on the axis
-  std::vector<Offset> shear_center{};    ///< likewise
-  /// ... or this, which maps strains (stretch, two shears, twist, two curvatures: about y, about z)
-  /// to the force and moment of the section about its point of the axis [N, N m, N m^2].
+  /// Place from the axis, section axes [m]; empty: on the axis.
+  std::vector<Offset> tension_center{};
+  /// Place from the axis, section axes [m]; empty: on the axis.
+  std::vector<Offset> shear_center{};
+  /// ... or by this one, which maps strains (stretch, two shears, twist, two curvatures: about y,
+  /// about z) to the force and moment of the section about its point of the axis [N, N m, N m^2].
   std::vector<SectionMatrix> stiffness_6x6{};
 
-  // The mass, per length along the axis: either these ...
+  // The mass per length along the axis, either by these arrays ...
   std::vector<double> mass_per_length;  ///< [kg/m]
-  /// int rho z^2 dA and int rho y^2 dA, about the mass centre [kg m]. Empty: as of sections of one
-  /// material, mass_per_length EI/EA.
+  /// int rho z^2 dA about the mass centre [kg m]. Empty: mass_per_length EI/EA, the value for
+  /// sections of one material.
   std::vector<double> flap_inertia{};
-  std::vector<double> lag_inertia{};  ///< likewise
-  std::vector<Offset> mass_center{};  ///< from the axis, section axes [m]; empty: on the axis
-  /// ... or this, of a slice of unit length about its point of the axis [kg/m, kg, kg m].
+  /// int rho y^2 dA about the mass centre [kg m]. Empty: by the rule of flap_inertia.
+  std::vector<double> lag_inertia{};
+  std::vector<Offset> mass_center{};  ///< place from the axis, section axes [m]; empty: on the axis
+  /// ... or by this one, the mass matrix of a slice of unit length about its point of the axis
+  /// [kg/m, kg, kg m].
   std::vector<SectionMatrix> mass_6x6{};
 
   // The shape.
-  std::vector<double> twist{};    ///< about +x, from the beam's y to the section's [rad]; empty: 0
+  /// Angle about +x from the beam's y to the section's [rad]; empty: 0.
+  std::vector<double> twist{};
   std::vector<double> sweep{};    ///< y coordinate of the axis [m]; empty: 0
   std::vector<double> prebend{};  ///< z coordinate of the axis [m]; empty: 0
-  std::vector<double> chord{};    ///< along the section's y, to be shown [m]; may be empty
-  std::vector<double> thickness{};  ///< along the section's z, to be shown [m]; may be empty
+  /// Extent along the section's y, for drawings only [m]; may be empty.
+  std::vector<double> chord{};
+  /// Extent along the section's z, for drawings only [m]; may be empty.
+  std::vector<double> thickness{};
 
   /// Whether all values are equal.
   friend bool operator==(const Sections&, const Sections&) = default;
@@ -79,25 +87,25 @@ struct Sections {
 struct PointMass {
   double position = 0.0;            ///< station on the beam [m]
   double mass = 0.0;                ///< [kg]
-  Vector offset = Vector::Zero();   ///< of its centre from the beam's axis, beam frame [m]
-  Tensor inertia = Tensor::Zero();  ///< about its centre, beam axes [kg m^2]; may be zero
+  Vector offset = Vector::Zero();   ///< offset of its centre from the beam's axis, beam frame [m]
+  Tensor inertia = Tensor::Zero();  ///< inertia about its centre, beam axes [kg m^2]; may be zero
 
   friend bool operator==(const PointMass&, const PointMass&) = default;
 };
 
 /// A slender beam, straight or not, cut into flexible bodies.
 struct Beam {
-  double length = 0.0;  ///< along its x axis [m]
-  /// Flexible bodies along the beam; where joints part it, each part has as many as keep bodies as
-  /// short as that, and one or more.
+  double length = 0.0;  ///< length along its x axis [m]
+  /// Flexible bodies along the beam. Where joints part it, each part has one or more, as many as
+  /// keep each no longer than length/bodies.
   int bodies = 4;
-  /// Finite elements per body; more where a body carries many other ones, as these are at nodes.
+  /// Finite elements per body; more where a body carries many others, since each is at a node.
   int elements = 4;
-  Sections sections{};  ///< what it is made of
-  /// Of each of its bodies.
+  Sections sections{};  ///< properties along the beam
+  /// Reference frame of each of its bodies.
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
   bool geometric_stiffening = true;       ///< whether rotation stiffens bending within a body
-  std::vector<PointMass> point_masses{};  ///< that it carries besides its own mass
+  std::vector<PointMass> point_masses{};  ///< point masses besides its own mass
 
   friend bool operator==(const Beam&, const Beam&) = default;
 };
@@ -105,131 +113,132 @@ struct Beam {
 /// A rigid body. Its frame is that of the joint that carries it, at joint coordinates of zero.
 struct RigidBody {
   double mass = 0.0;                ///< [kg]
-  Vector center = Vector::Zero();   ///< of mass, body frame [m]
-  Tensor inertia = Tensor::Zero();  ///< about the centre of mass, body axes [kg m^2]
+  Vector center = Vector::Zero();   ///< centre of mass, body frame [m]
+  Tensor inertia = Tensor::Zero();  ///< inertia about the centre of mass, body axes [kg m^2]
 };
 
-/// What a joint lets move.
+/// The kind of motion that a joint allows.
 enum class JointKind {
-  fixed,        ///< nothing
+  fixed,        ///< no motion
   revolute,     ///< rotation about an axis
   universal,    ///< rotation about a first axis, then about a second one that turns with it
-  spherical,    ///< rotation
+  spherical,    ///< any rotation
   prismatic,    ///< translation along an axis
   cylindrical,  ///< rotation about an axis, and translation along it, in this order
 };
 
-/// How many coordinates a joint of this kind has: 0 to 3.
+/// Returns the number of coordinates of a joint of this kind: 0 to 3.
 SPOKE_EXPORT int count_coordinates(JointKind kind);
-/// How many axes it has: 0 to 2.
+/// Returns the number of its axes: 0 to 2.
 SPOKE_EXPORT int count_axes(JointKind kind);
 
-/// What keeps a coordinate of a joint within bounds, smoothly: with d the distance beyond a bound,
-/// the force towards it is stiffness d^2/(2 width) up to d = width, stiffness (d - width/2) beyond;
-/// the damper sets in by the same law.
+/// A stop that keeps a coordinate of a joint within bounds, smoothly: with d the distance beyond a
+/// bound, the force towards it is stiffness d^2/(2 width) up to d = width, stiffness (d - width/2)
+/// beyond; the damper sets in by the same law.
 struct Stop {
   double lower = 0.0;      ///< [rad, m]
   double upper = 0.0;      ///< [rad, m]
   double stiffness = 0.0;  ///< [N m/rad, N/m]
   double damping = 0.0;    ///< [N m s/rad, N s/m]
-  double width = 0.0;      ///< over which it sets in [rad, m]
+  double width = 0.0;      ///< distance over which it sets in [rad, m]
 };
 
 /// The coordinate follows a curve over time [rad, m]; a curve of one point is a constant.
 struct MotionTable {
-  Curve value;  ///< over time
+  Curve value;  ///< coordinate over time
 };
 
 /// The coordinate is mean + cosine cos(psi) + sine sin(psi), with psi the azimuth: the hub's angle,
-/// of a blade's joints the blade's azimuth added. Collective and cyclic pitch.
+/// for a blade's joints plus the blade's azimuth. It describes collective and cyclic pitch.
 struct AzimuthMotion {
   double mean = 0.0;    ///< [rad, m]
   double cosine = 0.0;  ///< [rad, m]
   double sine = 0.0;    ///< [rad, m]
 };
 
-/// The coordinate follows what the embedding program says while it simulates.
+/// The coordinate follows values that the embedding program sets while it simulates.
 struct ProgramMotion {
-  double initial = 0.0;  ///< until it has said something [rad, m]
+  double initial = 0.0;  ///< value until the program sets one [rad, m]
 };
 
-/// A motion that is prescribed.
+/// A prescribed motion.
 using Motion = std::variant<MotionTable, AzimuthMotion, ProgramMotion>;
 
-/// One coordinate of a joint: an angle [rad], or a way [m]; of a spherical joint a component, in
-/// the child's axes, of the rotation vector from parent to child. It is free, with what acts on it,
-/// or its motion is prescribed and nothing else is given.
+/// One coordinate of a joint: an angle [rad], a displacement [m], or for a spherical joint a
+/// component, in the child's axes, of the rotation vector from parent to child. It is free, with
+/// the springs, dampers and efforts given, or its motion is prescribed and nothing else is given.
 struct JointCoordinate {
-  double stiffness = 0.0;  ///< of a spring [N m/rad, N/m]; of a spherical joint equal in all three
-  double damping = 0.0;    ///< [N m s/rad, N s/m]; likewise
-  double rest = 0.0;       ///< where the spring is at rest [rad, m]; spherical: 0
-  double initial = 0.0;    ///< at t = 0 [rad, m]
-  double initial_speed = 0.0;                   ///< at t = 0 [rad/s, m/s]
-  Curve effort{};                               ///< torque or force that acts, over time [N m, N]
-  std::optional<Stop> stop = std::nullopt;      ///< none of a spherical joint
-  std::optional<Motion> motion = std::nullopt;  ///< none of a spherical joint
+  double stiffness = 0.0;  ///< spring [N m/rad, N/m]; equal in all three of a spherical joint
+  double damping = 0.0;    ///< damper [N m s/rad, N s/m]; equal in all three of a spherical joint
+  double rest = 0.0;       ///< coordinate at which the spring is relaxed [rad, m]; spherical: 0
+  double initial = 0.0;    ///< coordinate at t = 0 [rad, m]
+  double initial_speed = 0.0;  ///< its rate at t = 0 [rad/s, m/s]
+  /// Torque or force on the coordinate over time [N m, N].
+  Curve effort{};
+  std::optional<Stop> stop = std::nullopt;      ///< stop; none for a spherical joint
+  std::optional<Motion> motion = std::nullopt;  ///< prescribed motion; none for a spherical joint
 };
 
-/// What joins a body, the child, to a place of another one, the parent, or to the hub.
+/// A joint, which joins a body, the child, to a place on another one, the parent, or on the hub.
 ///
-/// The joint's frame is the parent's frame (of a beam: its axes at the place on the undeformed
+/// The joint's frame is the parent's frame (on a beam: its axes at the place on the undeformed
 /// beam, which move with the section there), moved by `offset` and turned by `orientation`. The
 /// child's frame is the joint's where all coordinates are zero.
 struct Joint {
-  std::string name{};                   ///< of sensors and messages; may be empty
-  JointKind kind = JointKind::fixed;    ///< what it lets move
-  Vector offset = Vector::Zero();       ///< parent's frame [m]
+  std::string name{};                   ///< name in sensors and messages; may be empty
+  JointKind kind = JointKind::fixed;    ///< kind of motion that it allows
+  Vector offset = Vector::Zero();       ///< offset in the parent's frame [m]
   Vector orientation = Vector::Zero();  ///< rotation vector, parent's frame [rad]
-  /// Those in use are the first count_axes(kind); joint frame, of any length but zero.
+  /// Axes in the joint frame, of any length but zero; the first count_axes(kind) are in use.
   std::array<Vector, 2> axes{Vector::Zero(), Vector::Zero()};
-  /// Those in use are the first count_coordinates(kind).
+  /// Coordinates; the first count_coordinates(kind) are in use.
   std::array<JointCoordinate, 3> coordinates{};
 };
 
-/// A joint of a blade; what lies outboard of it is its child.
+/// A joint of a blade; the part outboard of it is its child.
 struct BladeJoint {
   double station = 0.0;  ///< distance from the root, less than the length [m]
-  Joint joint{};         ///< what moves there
+  Joint joint{};         ///< the joint at that station
 };
 
 /// A blade of the rotor. Blades stand around the hub's axis: with z' along that axis and x', y' the
 /// hub's x and y taken along by the smallest rotation of z to z', the blade's frame is x' y' z'
 /// turned about z' by the azimuth, then about -y by the precone.
 struct Blade {
-  Beam beam{};                       ///< what it is made of
-  double azimuth = 0.0;              ///< of the undeformed blade in the hub's frame [rad]
+  Beam beam{};                       ///< the beam along the blade
+  double azimuth = 0.0;              ///< direction of the undeformed blade in the hub's frame [rad]
   double precone = 0.0;              ///< angle that lifts the tip along the hub's axis [rad]
-  std::vector<BladeJoint> joints{};  ///< in order from root to tip
+  std::vector<BladeJoint> joints{};  ///< joints in order from root to tip
 };
 
 /// A body of a subsystem.
 struct Body {
-  std::string name{};                     ///< unlike that of any other of the subsystem
-  std::variant<Beam, RigidBody> shape{};  ///< what it is
+  std::string name{};                     ///< name, unlike that of any other body of the subsystem
+  std::variant<Beam, RigidBody> shape{};  ///< a beam or a rigid body
 };
 
 /// A joint of a subsystem. Every body is the child of one joint.
 struct SubsystemJoint {
   std::string parent = "hub";  ///< name of a body, or "hub"
   std::string child{};         ///< name of a body; joined at its root
-  /// Where on a parent that is a beam [m]; none: its tip.
+  /// Station on a parent that is a beam [m]; none: its tip.
   std::optional<double> station = std::nullopt;
-  Joint joint{};  ///< what moves there
+  Joint joint{};  ///< the joint at that place
 };
 
-/// Bodies that are no blade: a tree on the hub, by names.
+/// A subsystem that is no blade: a tree of named bodies on the hub.
 struct Subsystem {
-  std::string name{};                    ///< unlike that of any other
+  std::string name{};                    ///< name, unlike that of any other subsystem
   std::vector<Body> bodies{};            ///< one or more
-  std::vector<SubsystemJoint> joints{};  ///< as many
+  std::vector<SubsystemJoint> joints{};  ///< joints, one for each body
 };
 
-/// The prescribed motion of what holds the hub's axle: a table of components over time.
+/// A vector by a table of its components over time, for the motion of the hub's mount.
 struct VectorTable {
   std::array<Curve, 3> components{};  ///< x, y, z [m, rad]
 };
 
-/// constant + rate t + amplitude sin(frequency t + phase).
+/// A vector constant + rate t + amplitude sin(frequency t + phase).
 struct VectorHarmonic {
   Vector constant = Vector::Zero();   ///< [m, rad]
   Vector rate = Vector::Zero();       ///< [m/s, rad/s]
@@ -241,25 +250,27 @@ struct VectorHarmonic {
 /// A vector that is a function of time.
 using VectorCourse = std::variant<VectorTable, VectorHarmonic>;
 
-/// How the axle's mount moves: a ship, a helicopter in manoeuvre, a shake table.
+/// The motion of the axle's mount: a ship, a helicopter in manoeuvre, a shake table.
 struct MountMotion {
-  VectorCourse translation{};  ///< of the hub's origin, inertial frame [m]
+  VectorCourse translation{};  ///< translation of the hub's origin, inertial frame [m]
   VectorCourse rotation{};     ///< rotation vector, inertial frame [rad]
 };
 
-/// What blades and subsystems are fixed to. Its frame is the inertial one at t = 0, but for the
-/// mount's motion.
+/// The hub, to which blades and subsystems are fixed. Its frame is the inertial one at t = 0, but
+/// for the mount's motion.
 struct Hub {
-  HubSupport support = HubSupport::axle;  ///< how it is held: turns about an axis, or free in space
-  Vector axis = Vector::UnitZ();        ///< of the drive and of the blades, of any length but zero
-  double radius = 0.0;                  ///< from the hub's origin to the blades' roots [m]
-  double mass = 0.0;                    ///< [kg]; > 0 if free
-  Vector center = Vector::Zero();       ///< of mass, hub frame [m]
-  Tensor inertia = Tensor::Identity();  ///< about the centre of mass, hub axes [kg m^2]
-  Drive drive = FreeDrive{};            ///< what turns it about its axis; a free hub: no motion
-  std::optional<MountMotion> mount = std::nullopt;  ///< of an axle; none: at rest
-  Vector velocity = Vector::Zero();                 ///< of a free hub at t = 0 [m/s]
-  Vector angular_velocity = Vector::Zero();         ///< of a free hub at t = 0 [rad/s]
+  HubSupport support = HubSupport::axle;  ///< how it is held: an axle, or free in space
+  /// Axis of the drive and of the blades, of any length but zero.
+  Vector axis = Vector::UnitZ();
+  double radius = 0.0;                  ///< distance from the hub's axis to the blades' roots [m]
+  double mass = 0.0;                    ///< mass [kg]; > 0 if free
+  Vector center = Vector::Zero();       ///< centre of mass, hub frame [m]
+  Tensor inertia = Tensor::Identity();  ///< inertia about the centre of mass, hub axes [kg m^2]
+  Drive drive = FreeDrive{};            ///< drive about its axis; FreeDrive for a free hub
+  std::optional<MountMotion> mount = std::nullopt;  ///< motion of an axle's mount; none: at rest
+  Vector velocity = Vector::Zero();                 ///< velocity of a free hub at t = 0 [m/s]
+  /// Angular velocity of a free hub at t = 0 [rad/s].
+  Vector angular_velocity = Vector::Zero();
 };
 
 /// Frame in which a load is resolved.
@@ -270,64 +281,69 @@ enum class LoadFrame {
   section,   ///< follows the loaded cross section of a beam
 };
 
-/// Where a load is: on blades, or on a body of a subsystem.
+/// The place of a load: on blades, or on a body of a subsystem.
 struct LoadPlace {
-  BladeChoice blade = BladeChoice::all();  ///< if there is no subsystem
-  std::string subsystem{};                 ///< its name; empty: on blades
-  std::string body{};                      ///< of the subsystem
+  BladeChoice blade = BladeChoice::all();  ///< blades on which it acts, if it names no subsystem
+  std::string subsystem{};                 ///< name of the subsystem; empty: on blades
+  std::string body{};                      ///< name of the body of the subsystem
 };
 
 /// A force and a moment at a point of a beam or of a rigid body, scaled by a function of time.
 struct PointLoad {
-  LoadPlace place{};  ///< on which it acts
-  /// On a beam: distance from its root [m]; none: the tip of each.
+  LoadPlace place{};  ///< place where it acts
+  /// Distance from the root of a beam [m]; none: the tip of each beam.
   std::optional<double> position = std::nullopt;
-  Vector point = Vector::Zero();     ///< on a rigid body: in its frame [m]
-  LoadFrame frame = LoadFrame::hub;  ///< in which force and moment are resolved
+  Vector point = Vector::Zero();     ///< point in the frame of a rigid body [m]
+  LoadFrame frame = LoadFrame::hub;  ///< frame in which force and moment are resolved
   Vector force = Vector::Zero();     ///< [N]
-  Vector moment = Vector::Zero();    ///< besides that of the force [N m]
-  double ramp = 0.0;                 ///< of the smooth rise from 0, calc_rise() [s]; 0: at once
-  Curve factor{1.0};                 ///< dimensionless function of time
+  Vector moment = Vector::Zero();    ///< moment besides that of the force [N m]
+  /// Duration of the smooth rise from 0, calc_rise() [s]; 0: at once.
+  double ramp = 0.0;
+  Curve factor{1.0};  ///< dimensionless function of time
 };
 
 /// A force and a moment per length of a beam, between two stations.
 struct DistributedLoad {
-  LoadPlace place{};                          ///< on which it acts: beams
-  double from = 0.0;                          ///< its inner end, distance from the root [m]
-  std::optional<double> to = std::nullopt;    ///< its outer end [m]; none: the tip
-  LoadFrame frame = LoadFrame::hub;           ///< in which force and moment are resolved
+  LoadPlace place{};  ///< beams on which it acts
+  double from = 0.0;  ///< distance of its inner end from the root [m]
+  /// Distance of its outer end from the root [m]; none: the tip.
+  std::optional<double> to = std::nullopt;
+  LoadFrame frame = LoadFrame::hub;           ///< frame in which force and moment are resolved
   Vector force_per_length = Vector::Zero();   ///< [N/m]
   Vector moment_per_length = Vector::Zero();  ///< [N]
-  double ramp = 0.0;                          ///< as in PointLoad [s]
+  double ramp = 0.0;                          ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};                          ///< dimensionless function of time
 };
 
 /// A force at a point that is fixed to the hub, and a torque: a thruster, a reaction wheel.
 struct HubLoad {
-  Vector position = Vector::Zero();  ///< of the point in the hub's frame [m]
-  LoadFrame frame = LoadFrame::hub;  ///< in which force and torque are resolved: hub or inertial
-  Vector force = Vector::Zero();     ///< [N]
-  Vector torque = Vector::Zero();    ///< besides that of the force [N m]
-  double ramp = 0.0;                 ///< as in PointLoad [s]
-  Curve factor{1.0};                 ///< dimensionless function of time
+  Vector position = Vector::Zero();  ///< place of the point in the hub's frame [m]
+  /// Frame in which force and torque are resolved: hub or inertial.
+  LoadFrame frame = LoadFrame::hub;
+  Vector force = Vector::Zero();   ///< [N]
+  Vector torque = Vector::Zero();  ///< torque besides that of the force [N m]
+  double ramp = 0.0;               ///< duration of the smooth rise, as in PointLoad [s]
+  Curve factor{1.0};               ///< dimensionless function of time
 };
 
-/// A hub with what it carries, and what acts on all.
+/// A hub with the bodies it carries, and the loads on them.
 struct Model {
-  Hub hub{};                            ///< in the middle
-  std::vector<Blade> blades{};          ///< of the rotor
-  std::vector<Subsystem> subsystems{};  ///< what is no blade; there is a blade or a subsystem
-  Vector gravity = Vector::Zero();      ///< acceleration, inertial frame [m/s^2]
-  double gravity_ramp = 0.0;            ///< of its smooth rise from 0, calc_rise() [s]
-  Damping damping{};                    ///< of all flexible bodies
-  std::vector<PointLoad> loads{};       ///< at points
+  Hub hub{};                    ///< the hub in the middle
+  std::vector<Blade> blades{};  ///< blades of the rotor
+  /// Subsystems that are no blades; there is a blade or a subsystem.
+  std::vector<Subsystem> subsystems{};
+  Vector gravity = Vector::Zero();  ///< gravitational acceleration, inertial frame [m/s^2]
+  /// Duration of gravity's smooth rise from 0, calc_rise() [s].
+  double gravity_ramp = 0.0;
+  Damping damping{};                                 ///< damping of all flexible bodies
+  std::vector<PointLoad> loads{};                    ///< loads at points
   std::vector<DistributedLoad> distributed_loads{};  ///< along beams
-  std::vector<HubLoad> hub_loads{};                  ///< on the hub
+  std::vector<HubLoad> hub_loads{};                  ///< loads on the hub
 };
 
-/// The names that scenario files use: "fixed", "revolute", ...
+/// Returns the name that scenario files use: "fixed", "revolute", ...
 SPOKE_EXPORT std::string_view name_of(JointKind kind);
-/// "inertial", "hub", "body", "section".
+/// Returns "inertial", "hub", "body" or "section".
 SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
 
 }  // namespace spoke::spatial

@@ -1,15 +1,17 @@
-// The speeds at which each kind of drive can start, and what a start at an equilibrium leaves out.
+// The speeds at which each kind of drive can start, and the ramps that a start at an equilibrium
+// leaves out.
 
 #include "models/start.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <sstream>
 
 namespace spoke {
 namespace {
 
-/// The one that a ramp up leads to; none of drives without one.
+/// Returns the speed that a ramp up leads to; none for drives without a ramp.
 std::optional<double> speed_after_ramp(const Drive& drive) {
   if (const auto* up = std::get_if<SpinUp>(&drive)) return up->speed;
   if (const auto* up_and_down = std::get_if<SpinUpHoldSpinDown>(&drive)) return up_and_down->speed;
@@ -20,7 +22,8 @@ bool is_free_in_space(const Scenario& scenario) {
   return scenario.space && scenario.space->hub.support == HubSupport::free;
 }
 
-/// The speed that is said elsewhere: of the drive, or of a free hub in space about its axis.
+/// Returns the speed that other keys give: that of the drive, or of a free hub in space about its
+/// axis.
 double said_speed(const Scenario& scenario) {
   if (is_free_in_space(scenario))
     return scenario.space->hub.angular_velocity.dot(scenario.space->hub.axis.normalized());
@@ -33,7 +36,7 @@ std::string text_of(double speed) {
   return text.str();
 }
 
-/// Of a hub whose rotation is not prescribed.
+/// Finds a fault of the start for a hub whose rotation is not prescribed.
 StartFault find_free_speed_fault(const Scenario& scenario) {
   const bool is_torque = !std::holds_alternative<FreeDrive>(drive_of(scenario));
   const bool is_said = said_speed(scenario) != 0.0;
@@ -55,7 +58,7 @@ StartFault find_prescribed_speed_fault(const Drive& drive, double speed) {
                        text_of(first) + " at its start" + other + " (rad/s)"};
 }
 
-/// A free hub that tumbles has no steady motion about its axis.
+/// Whether a free hub tumbles, so that it has no steady motion about its axis.
 bool tumbles(const Scenario& scenario) {
   if (!is_free_in_space(scenario)) return false;
   const spatial::Hub& hub = scenario.space->hub;
@@ -82,7 +85,7 @@ template <class Loads>
 void skip_ramps(Loads& loads) {
   for (auto& load : loads) load.ramp = 0.0;
 }
-/// Of a rotor in the plane or a model in space.
+/// Ends the ramps of loads and gravity, for a rotor in the plane or a model in space.
 template <class Model>
 void skip_all_ramps(Model& model) {
   model.gravity_ramp = 0.0;
@@ -128,6 +131,7 @@ StartFault find_start_fault(const Scenario& scenario) {
 }
 
 double start_speed(const Scenario& scenario) {
+  assert(scenario.initial.state == InitialState::equilibrium);
   if (scenario.initial.speed) return *scenario.initial.speed;
   return speed_after_ramp(drive_of(scenario)).value_or(said_speed(scenario));
 }

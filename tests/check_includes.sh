@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks who includes whom: the order of tests/include_order.txt, that no two files with their headers
 # include each other in a circle, and that libraries stay where they belong.
-#   check_includes.sh [ROOT]     ROOT: a tree with graph, models, engine and tests/include_order.txt
+#   check_includes.sh [ROOT]     ROOT: a tree with folders of $libraries and tests/include_order.txt
 set -u
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 cd "${1:-$here/..}" || exit 2
@@ -17,18 +17,19 @@ refuse() {
   failures=$((failures + 1))
 }
 
-sources() { find "$@" -name '*.h' -o -name '*.cpp'; }
+sources() { find "$@" -name '*.h' -o -name '*.cpp' 2>/dev/null; }
+libraries='graph models engine program bench'
 
-refuse '(engine|models|Eigen)/' 'graph/ knows no physics' $(sources graph)
-refuse '(engine|graph)/' 'models/ knows neither engine nor graph' $(sources models)
-refuse '(tests|bench|examples)/' 'engine/ knows no user of its' $(sources engine)
-refuse '(oneapi/)?tbb/|omp\.h' 'threads belong to graph/' $(sources engine models)
+refuse '(engine|models|program|bench|Eigen)/' 'graph/ knows no physics' $(sources graph)
+refuse '(engine|graph|program|bench)/' 'models/ knows neither engine nor graph' $(sources models)
+refuse '(program|bench|python|tests|examples)/' 'engine/ knows no user of its' $(sources engine)
+refuse '(oneapi/)?tbb/|omp\.h' 'threads belong to graph/' $(sources engine models program)
 refuse '(oneapi/)?tbb/|omp\.h' 'no runtime in a header of graph/' $(find graph -name '*.h')
-refuse '(toml\+\+|spdlog|CLI|nlohmann)' 'no library but Eigen in the headers of models/ and engine/' \
-  $(find models engine -maxdepth 2 -name '*.h' ! -name 'toml_*' ! -name '*_json.h' ! -path 'engine/cli/*')
+refuse '(toml\+\+|spdlog|CLI|nlohmann)/' 'no library but Eigen in a header, where each source pays for it' \
+  $(find $(ls -d models engine graph bench program 2>/dev/null) -name '*.h')
 
 # Rooms and circles. Of each include line of a file of ours: file and header.
-grep -HoE '^#include "(graph|models|engine)/[^"]*"' $(sources graph models engine) /dev/null |
+grep -HoE "^#include \"(${libraries// /|})/[^\"]*\"" $(sources $libraries) /dev/null |
   sed -E 's/:#include "/ /; s/"$//' |
   awk "$(cat "$here/rooms.awk")"'
     function unit_of(file) { sub(/\.[a-z]+$/, "", file); return file }
@@ -58,7 +59,8 @@ grep -HoE '^#include "(graph|models|engine)/[^"]*"' $(sources graph models engin
     }' tests/include_order.txt - || failures=$((failures + 1))
 
 # Every room exists.
-for room in $(grep -v '^#' tests/include_order.txt); do
+for room in $(grep -v '^#' tests/include_order.txt |
+  sed -E ':more; s#(^| )([^ {]*)\{([^,}]*),([^}]*)\}#\1\2\3 \2{\4}#; t more; s/[{}]//g'); do
   case $room in
     */ | *.h) [ -e "$room" ] ;;
     *) [ -e "$room.h" ] || [ -e "$room.cpp" ] ;;

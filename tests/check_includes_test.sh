@@ -46,6 +46,8 @@ fresh_tree && lay graph/low/a.h engine/kernels/c.h
 expect 1 'graph/ knows no physics'
 fresh_tree && lay engine/kernels/c.cpp oneapi/tbb/flow_graph.h
 expect 1 'threads belong to graph/'
+fresh_tree && lay engine/kernels/c.h nlohmann/json.hpp
+expect 1 'no library but Eigen in a header'
 fresh_tree && echo 'graph/none/' >>"$tree/tests/include_order.txt"
 expect 1 'no such room: graph/none/'
 exit $((failures > 0))

@@ -1,6 +1,6 @@
 #pragma once
 
-// The types of a body's constants and terms, by world: what kernels keep in the table.
+// The types of a body's constants and terms, by world: those that kernels keep in the table.
 
 namespace spoke {
 

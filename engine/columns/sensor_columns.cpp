@@ -3,29 +3,30 @@
 #include "engine/columns/sensor_columns.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <set>
 #include <utility>
 
-#include "engine/kernels/section_balance.h"
+#include "engine/plane/section_balance.h"
 
 namespace spoke {
 namespace {
 
-/// Blades that a sensor reads on: of one of the whole system, all.
-struct BladeRange {
+/// The subsystems on which a sensor reads; all of them for a sensor of the whole system.
+struct SubsystemRange {
   std::size_t first, end;
 };
 
-BladeRange blades_of(const Sensor& sensor, std::size_t blades) {
-  if (sensor.blade.is_all() || !is_of_blade(sensor.quantity)) return {0, blades};
+SubsystemRange subsystems_of(const Sensor& sensor, std::size_t subsystems) {
+  if (sensor.blade.is_all() || !is_of_blade(sensor.quantity)) return {0, subsystems};
   const auto first = static_cast<std::size_t>(sensor.blade.number()) - 1;
   return {first, first + 1};
 }
 
-/// Whether a blade takes a reading for it; else it is in the table anyway.
+/// Whether subsystems take a reading for the quantity; otherwise the table has it anyway.
 bool needs_reading(SensorQuantity quantity) {
   return quantity != SensorQuantity::hub_reaction && quantity != SensorQuantity::kinetic_energy;
 }
@@ -34,7 +35,7 @@ bool needs_reading(SensorQuantity quantity) {
 class MassPointMaker {
  public:
   MassPoints outboard_of(double from, const BodyData<Plane>& body) {
-    const FlexibleBody& model = *body.model->body;
+    const plane::FlexibleBody& model = *body.model->body;
     MassPoints& made = made_[{&model, from}];
     if (!made)
       made = std::make_shared<const std::vector<MassPoint>>(
@@ -43,10 +44,10 @@ class MassPointMaker {
   }
 
  private:
-  std::map<std::pair<const FlexibleBody*, double>, MassPoints> made_;
+  std::map<std::pair<const plane::FlexibleBody*, double>, MassPoints> made_;
 };
 
-/// What a reading integrates over.
+/// Returns the mass points that a reading integrates over.
 std::vector<MassPoints> find_masses(const Reading<Plane>& reading, const SubsystemData<Plane>& data,
                                     MassPointMaker& maker) {
   std::vector<MassPoints> masses;
@@ -58,7 +59,8 @@ std::vector<MassPoints> find_masses(const Reading<Plane>& reading, const Subsyst
   return masses;
 }
 
-/// Where two bodies meet, the inner one: what acts there then is outboard of the section.
+/// Makes a reading. Where two bodies meet it is on the inner one: loads that act there are then
+/// outboard of the section.
 Reading<Plane> make_reading(const Sensor& sensor, const Blade& blade,
                             const SubsystemData<Plane>& data) {
   constexpr double kSlack = 1e-9;
@@ -74,24 +76,24 @@ Reading<Plane> make_reading(const Sensor& sensor, const Blade& blade,
   return reading;
 }
 
-/// The readings of a sensor, and where they are.
+/// Adds the readings of a sensor, and returns their places.
 std::vector<std::size_t> add_readings(const Sensor& sensor, const Rotor& rotor,
                                       MassPointMaker& maker, StepData<Plane>& data) {
   std::vector<std::size_t> places;
   if (!needs_reading(sensor.quantity)) return places;
-  const auto [first, end] = blades_of(sensor, data.subsystems.size());
+  const auto [first, end] = subsystems_of(sensor, data.subsystems.size());
   for (std::size_t i = first; i < end; ++i) {
-    SubsystemData<Plane>& blade = data.subsystems[i];
-    Reading<Plane> reading = make_reading(sensor, rotor.blades[i], blade);
-    reading.masses = find_masses(reading, blade, maker);
-    blade.readings.push_back(std::move(reading));
-    places.push_back(blade.reading_count);
-    blade.reading_count += kTwist;
+    SubsystemData<Plane>& subsystem = data.subsystems[i];
+    Reading<Plane> reading = make_reading(sensor, rotor.blades[i], subsystem);
+    reading.masses = find_masses(reading, subsystem, maker);
+    subsystem.readings.push_back(std::move(reading));
+    places.push_back(subsystem.reading_count);
+    subsystem.reading_count += kTwist;
   }
   return places;
 }
 
-/// Of the hub, then of the blades in their order.
+/// Returns the sum of the momentum of the hub, then of the subsystems in their order.
 double calc_total_momentum(const SensorColumn& column, const Hub& hub, std::int64_t step,
                            const StepData<Plane>& data) {
   const SystemRecord<Plane>& record = of_step(data.records, step);
@@ -108,29 +110,29 @@ double calc_hub_reaction(const SensorColumn& column, const SystemRecord<Plane>& 
   Twist wrench = record.reaction;
   wrench[kRotation] += record.applied_torque;
   if (column.frame == SensorFrame::inertial)
-    wrench = Rotation::from_angle(record.position[kRotation]) * wrench;
+    wrench = plane::Rotation::from_angle(record.position[kRotation]) * wrench;
   return wrench[static_cast<Eigen::Index>(column.component)];
 }
 
 }  // namespace
 
-void add_columns(const Sensor& sensor, std::size_t blade,
+void add_columns(const Sensor& sensor, std::size_t subsystem,
                  std::span<const SensorComponent> components,
                  const std::vector<std::size_t>& places, std::vector<SensorColumn>& columns) {
-  const std::string prefix = prefix_of(sensor, static_cast<int>(blade));
+  const std::string prefix = prefix_of(sensor, static_cast<int>(subsystem));
   std::size_t number = 0;
   for (const SensorComponent& component : components) {
     std::string name = prefix;
     if (!component.name.empty()) name += '.' + std::string(component.name);
     columns.push_back({std::move(name), std::string(component.unit), sensor.quantity,
-                       frame_of(sensor), number++, blade, places});
+                       frame_of(sensor), number++, subsystem, places});
   }
 }
 
-std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades) {
+std::size_t count_readings(std::span<const Sensor> sensors, std::size_t subsystems) {
   std::size_t count = 0;
   for (const Sensor& sensor : sensors) {
-    const auto [first, end] = blades_of(sensor, blades);
+    const auto [first, end] = subsystems_of(sensor, subsystems);
     if (needs_reading(sensor.quantity)) count += kTwist * (end - first);
   }
   return count;
@@ -138,6 +140,7 @@ std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades) 
 
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const Rotor& rotor,
                                         StepData<Plane>& data) {
+  assert(data.subsystems.size() == rotor.blades.size() && "allocated");
   std::vector<SensorColumn> columns;
   MassPointMaker maker;
   for (const Sensor& sensor : sensors) {
@@ -147,22 +150,22 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const R
       add_columns(sensor, 0, components, places, columns);
       continue;
     }
-    const auto [first, end] = blades_of(sensor, data.subsystems.size());
+    const auto [first, end] = subsystems_of(sensor, data.subsystems.size());
     for (std::size_t i = first; i < end; ++i)
       add_columns(sensor, i, components,
                   places.empty() ? places : std::vector<std::size_t>{places[i - first]}, columns);
   }
-  for (SubsystemData<Plane>& blade : data.subsystems)
-    blade.reading_ring =
-        ArenaVector<double>(blade.reading_count * blade.samples.size(), 0.0, *blade.arena);
+  for (SubsystemData<Plane>& subsystem : data.subsystems)
+    subsystem.reading_ring = ArenaVector<double>(subsystem.reading_count * subsystem.samples.size(),
+                                                 0.0, *subsystem.arena);
   return columns;
 }
 
 std::size_t count_mass_bytes(const StepData<Plane>& data) {
   std::set<const void*> counted;
   std::size_t bytes = 0;
-  for (const SubsystemData<Plane>& blade : data.subsystems)
-    for (const Reading<Plane>& reading : blade.readings)
+  for (const SubsystemData<Plane>& subsystem : data.subsystems)
+    for (const Reading<Plane>& reading : subsystem.readings)
       for (const MassPoints& points : reading.masses) {
         bytes += sizeof(MassPoints);
         if (counted.insert(points.get()).second) bytes += points->size() * sizeof(MassPoint);
@@ -172,9 +175,9 @@ std::size_t count_mass_bytes(const StepData<Plane>& data) {
 
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
                 const StepData<Plane>& data) {
-  switch (column.quantity) {  // a hub alone has momentum, but no blade
+  switch (column.quantity) {  // a hub alone has momentum, but no subsystem
     case SensorQuantity::kinetic_energy:
-      return of_step(data.subsystems[column.blade].samples, step).kinetic;
+      return of_step(data.subsystems[column.subsystem].samples, step).kinetic;
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
@@ -182,8 +185,8 @@ double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
     default:
       break;
   }
-  const SubsystemData<Plane>& blade = data.subsystems[column.blade];
-  const double value = readings_of(blade, step)[column.places[0] + column.component];
+  const SubsystemData<Plane>& subsystem = data.subsystems[column.subsystem];
+  const double value = readings_of(subsystem, step)[column.places[0] + column.component];
   const bool turns_with_hub = column.quantity == SensorQuantity::displacement &&
                               column.frame == SensorFrame::inertial &&
                               column.component == kRotation;

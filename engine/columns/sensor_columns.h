@@ -1,6 +1,7 @@
 #pragma once
 
-// The scenario's sensors: where they are on the blades, and the columns that show them.
+// The scenario's sensors in the plane: their places on the subsystems, and the columns that show
+// them.
 
 #include <span>
 #include <string>
@@ -19,29 +20,29 @@ struct SensorColumn {
   SensorQuantity quantity = SensorQuantity::displacement;
   SensorFrame frame = SensorFrame::hub;
   std::size_t component = 0;
-  std::size_t blade = 0;            ///< of a sensor of a blade
-  std::vector<std::size_t> places;  ///< of its readings: on that blade, or on every one
+  std::size_t subsystem = 0;        ///< number of the subsystem; 0 for a sensor of the whole system
+  std::vector<std::size_t> places;  ///< places of its readings: on that subsystem, or on every one
 };
 
-/// Appends the columns of a sensor on a blade, or tree; `places`: see SensorColumn.
-void add_columns(const Sensor& sensor, std::size_t blade,
+/// Appends the columns of a sensor on a subsystem; `places`: see SensorColumn.
+void add_columns(const Sensor& sensor, std::size_t subsystem,
                  std::span<const SensorComponent> components,
                  const std::vector<std::size_t>& places, std::vector<SensorColumn>& columns);
 
-/// Values that the blades take in a step for these sensors.
-std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades);
+/// Returns the number of values that the subsystems read in a step for these sensors.
+std::size_t count_readings(std::span<const Sensor> sensors, std::size_t subsystems);
 
-/// Lists the readings of every blade in the table, with their ring, and returns the columns, in the
-/// order of the sensors, their blades, and components. Preconditions: the table is allocated, and
-/// check_sensors() holds.
+/// Lists the readings of every subsystem in the table, makes their rings, and returns the columns,
+/// in the order of the sensors, their subsystems, and components. Preconditions: the table is
+/// allocated, and check_sensors() holds.
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const Rotor& rotor,
                                         StepData<Plane>& data);
 
-/// Memory of the mass points that readings in the table integrate over [bytes].
+/// Returns the memory of the mass points that readings in the table integrate over [bytes].
 std::size_t count_mass_bytes(const StepData<Plane>& data);
 
-/// The value of a column at the end of step `step`, of which records, samples and readings must be
-/// in the table.
+/// Returns the value of a column at the end of step `step`, whose records, samples and readings
+/// must be in the table.
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
                 const StepData<Plane>& data);
 

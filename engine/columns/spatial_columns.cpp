@@ -1,8 +1,9 @@
-// Finds bodies, sections and what is outboard of them, and reads values from the table.
+// Finds bodies, sections and the parts outboard of them, and reads values from the table.
 
 #include "engine/columns/spatial_columns.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 #include <variant>
 
@@ -18,8 +19,8 @@ namespace {
 using spatial::SensorPlace;
 using spatial::Tree;
 
-/// Trees that a sensor reads on: of one of the whole system, all. What is in the table anyway needs
-/// no reading.
+/// Returns the subsystems on which a sensor reads; all of them for a sensor of the whole system.
+/// Quantities that are in the table anyway need no reading.
 std::vector<SensorPlace> find_reading_places(const Sensor& sensor, std::size_t blades,
                                              const std::vector<Tree>& trees) {
   std::vector<SensorPlace> places;
@@ -49,7 +50,8 @@ int body_of(const Sensor& sensor, const SensorPlace& place, const Tree& tree) {
   return place.body_at(tree, sensor.position.value_or(tree.beams[part->beam].length));
 }
 
-/// The section of a flexible body at a station of its beam; the last one where there is none.
+/// Sets the section of a reading at a station of the beam of a flexible body; without a station,
+/// the last one.
 void place_section(const std::optional<double>& position, const space::Body& body,
                    Reading<Space>& reading) {
   const space::FlexibleBody* flexible = body.flexible();
@@ -63,7 +65,7 @@ void place_section(const std::optional<double>& position, const space::Body& bod
   reading.along = reading.section.element + place_in_element(*flexible, reading.section);
 }
 
-/// What is outboard of a section of a flexible body.
+/// Adds the mass and the loads outboard of a section of a flexible body.
 void find_outboard(const TreeBody<Space>& model, Reading<Space>& reading) {
   const space::FlexibleBody& flexible = *model.body->flexible();
   const auto e = static_cast<std::size_t>(reading.section.element);
@@ -96,7 +98,7 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
   return reading;
 }
 
-/// Momentum of the hub, and its moment about the inertial origin.
+/// Returns the momentum of the hub, and its moment about the inertial origin.
 space::Twist calc_hub_momentum(const space::Hub& hub, const SystemRecord<Space>& record) {
   return translate(space::Position(linear(record.position)),
                    record.hub_rotation * (hub.inertia * calc_recorded_twist(record)));
@@ -131,14 +133,17 @@ std::size_t count_readings(std::span<const Sensor> sensors, std::size_t blades,
 std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, std::size_t blades,
                                         const std::vector<Tree>& trees, const System<Space>& system,
                                         StepData<Space>& data) {
+  assert(data.subsystems.size() == trees.size() && blades <= trees.size() && "allocated");
   std::vector<SensorColumn> columns;
   for (const Sensor& sensor : sensors) {
     std::vector<std::size_t> places;
     for (const SensorPlace& place : find_reading_places(sensor, blades, trees)) {
-      SubsystemData<Space>& tree = data.subsystems[place.tree];
-      tree.readings.push_back(make_reading(sensor, place, trees[place.tree],
-                                           system.subsystems[place.tree], tree.reading_count));
-      places.push_back(std::exchange(tree.reading_count, tree.reading_count + space::kTwist));
+      SubsystemData<Space>& subsystem = data.subsystems[place.tree];
+      subsystem.readings.push_back(make_reading(sensor, place, trees[place.tree],
+                                                system.subsystems[place.tree],
+                                                subsystem.reading_count));
+      places.push_back(
+          std::exchange(subsystem.reading_count, subsystem.reading_count + space::kTwist));
     }
     const auto components = components_in_space(sensor.quantity);
     if (!is_of_blade(sensor.quantity)) {
@@ -155,15 +160,15 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, std::si
 }
 
 void make_reading_rings(StepData<Space>& data) {
-  for (SubsystemData<Space>& tree : data.subsystems)
-    tree.reading_ring =
-        ArenaVector<double>(tree.reading_count * tree.samples.size(), 0.0, *tree.arena);
+  for (SubsystemData<Space>& subsystem : data.subsystems)
+    subsystem.reading_ring = ArenaVector<double>(subsystem.reading_count * subsystem.samples.size(),
+                                                 0.0, *subsystem.arena);
 }
 
 std::size_t count_reading_bytes(const StepData<Space>& data) {
   std::size_t bytes = 0;
-  for (const SubsystemData<Space>& tree : data.subsystems)
-    for (const Reading<Space>& reading : tree.readings) {
+  for (const SubsystemData<Space>& subsystem : data.subsystems)
+    for (const Reading<Space>& reading : subsystem.readings) {
       bytes += sizeof reading;
       for (const OutboardLoad& load : reading.loads)
         bytes += load.sections.size() * (sizeof(space::Section) + sizeof(BodyLoad<Space>::Point));
@@ -175,13 +180,14 @@ double value_of(const SensorColumn& column, const space::Hub& hub, std::int64_t 
                 const StepData<Space>& data) {
   switch (column.quantity) {  // a hub alone has momentum, but no subsystem
     case SensorQuantity::kinetic_energy:
-      return of_step(data.subsystems[column.blade].samples, step).kinetic;
+      return of_step(data.subsystems[column.subsystem].samples, step).kinetic;
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
       return calc_hub_reaction(column, of_step(data.records, step));
     default:
-      return readings_of(data.subsystems[column.blade], step)[column.places[0] + column.component];
+      return readings_of(data.subsystems[column.subsystem],
+                         step)[column.places[0] + column.component];
   }
 }
 

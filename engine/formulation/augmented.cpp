@@ -3,16 +3,18 @@
 #include "engine/formulation/augmented.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
-#include "engine/formulation/dense_body.h"
 #include "engine/formulation/tree_joints.h"
+#include "engine/kernels/dense_body.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 
 namespace spoke::augmented {
 namespace {
 
-/// Rows and columns of one body: mass, force.
+/// Fills the rows and columns of one body: mass, force.
 template <class World>
 void add_body(const BodyData<World>& body, const subsystem::DenseBlocks& elastic, bool implicit,
               int first, Work& work) {
@@ -21,8 +23,8 @@ void add_body(const BodyData<World>& body, const subsystem::DenseBlocks& elastic
   calc_dense_force(body, work.right.segment(first, n));
 }
 
-/// The handle that carries a joint, in the joint's rows from `row` on: R^T T J_h of its body or, at
-/// the hub, R^T T.
+/// Fills in the handle that carries a joint, in the joint's rows from `row` on: R^T T J_h of its
+/// body or, at the hub, R^T T.
 template <class World, class Joint>
 void add_carrier(const SubsystemData<World>& subsystem, const TreeBody<World>& child,
                  const Joint& joint, int i, int row, Work& work) {
@@ -41,8 +43,8 @@ void add_carrier(const SubsystemData<World>& subsystem, const TreeBody<World>& c
       joint, calc_handle_bias(parent, child.handle, subsystem.twists[child.parent]));
 }
 
-/// The coordinates of a joint, from column `first` on: R^T H in the joint's rows, and as rows of
-/// their own (R^T H)^T F + share q'' = tau.
+/// Fills in the coordinates of a joint, from column `first` on: R^T H in the joint's rows, and as
+/// rows of their own (R^T H)^T F + share q'' = tau.
 template <class World, class Joint>
 void add_coordinates(const Joint& joint, int row, int first, Work& work) {
   if constexpr (tree::kHasJointCoordinates<World>) {
@@ -56,7 +58,7 @@ void add_coordinates(const Joint& joint, int row, int first, Work& work) {
   }
 }
 
-/// Rows of the joint inboard of body j of subsystem i.
+/// Fills the rows of the joint inboard of body j of subsystem i.
 template <class World>
 void add_joint(const Subsystem<World>& model, const SubsystemData<World>& subsystem, int i, int j,
                Work& work) {
@@ -110,6 +112,7 @@ void copy_lower_to_upper(Work& work) {
 template <class World>
 void allocate(const System<World>& system, const StepData<World>& data,
               std::vector<std::vector<subsystem::DenseBlocks>> elastic, Work& work) {
+  assert(elastic.size() == data.subsystems.size());
   constexpr int d = World::kTwist;
   work.elastic = std::move(elastic);
   int next = d;
@@ -128,13 +131,15 @@ void allocate(const System<World>& system, const StepData<World>& data,
   work.first_hub_multiplier = next;
   for (int c = 0; c < d; ++c) next += is_prescribed(system.hub, c);
   work.matrix.setZero(next, next);
-  work.factor = Eigen::PartialPivLU<Eigen::MatrixXd>(next);
+  work.factor = LuFactors(next);
   work.right.setZero(next);
   work.solution.setZero(next);
 }
 
 template <class World>
 void solve(const System<World>& system, StepData<World>& data, Work& work) noexcept {
+  assert(data.is_coupled && work.first.size() == system.subsystems.size());
+  assert(work.right.size() == work.matrix.rows());
   constexpr int d = World::kTwist;
   work.matrix.setZero();
   work.right.setZero();
@@ -150,7 +155,7 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
   }
   copy_lower_to_upper(work);
   work.factor.compute(work.matrix);
-  work.solution.noalias() = work.factor.solve(work.right);
+  work.factor.solve(work.right, work.solution);
 
   HubSolution<World>& solution = data.hub_solution;
   solution.acceleration = work.solution.head<d>();
@@ -163,6 +168,8 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
 template <class World>
 void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work,
                       SubsystemData<World>& data) noexcept {
+  assert(i >= 0 && std::cmp_less(i, work.first_joint.size()));
+  assert(data.bodies.size() == subsystem.bodies.size());
   const std::vector<int>& rows = work.first_joint[i];
   set_wrenches(
       subsystem, [&](int j) { return work.solution.segment<World::kTwist>(rows[j]); }, data);
@@ -177,6 +184,8 @@ void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work
 template <class World>
 void recover_body(int subsystem, int body, const Work& work, BodyData<World>& data,
                   double* a) noexcept {
+  assert(subsystem >= 0 && std::cmp_less(subsystem, work.first.size()));
+  assert(body >= 0 && std::cmp_less(body, work.first[subsystem].size()));
   store_dense_acceleration(
       work.solution.segment(work.first[subsystem][body], dense_size(*data.model->body)), data, a);
 }

@@ -10,9 +10,9 @@
 // springs and dampers in M and their forces in Q (docs/formulation.md, section 11).
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "engine/formulation/subsystem.h"
+#include "engine/support/dense.h"
 #include "engine/table/step_data.h"
 
 namespace spoke::augmented {
@@ -24,7 +24,7 @@ struct Work {
   std::vector<std::vector<int>> first_joint;  ///< first row of each joint's multipliers
   int first_hub_multiplier = 0;
   Eigen::MatrixXd matrix;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor;
+  LuFactors factor;
   Eigen::VectorXd right;
   Eigen::VectorXd solution;
 };
@@ -37,13 +37,13 @@ void allocate(const System<World>& system, const StepData<World>& data,
 template <class World>
 void solve(const System<World>& system, StepData<World>& data, Work& work) noexcept;
 
-/// Wrenches on the handles of subsystem i, from the multipliers, and the accelerations of its
-/// joints' coordinates.
+/// Sets the wrenches on the handles of subsystem i, from the multipliers, and the accelerations of
+/// its joints' coordinates.
 template <class World>
 void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work,
                       SubsystemData<World>& data) noexcept;
 
-/// Accelerations of a body, from the solution.
+/// Sets the accelerations of a body, from the solution.
 template <class World>
 void recover_body(int subsystem, int body, const Work& work, BodyData<World>& data,
                   double* a) noexcept;

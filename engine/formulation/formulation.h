@@ -1,7 +1,8 @@
 #pragma once
 
-// The names of the three formulations; the one public header of this folder.
+// The three formulations and their names; the one public header of this folder.
 
+#include <span>
 #include <string_view>
 
 #include "spoke/export.h"
@@ -15,7 +16,12 @@ enum class Formulation {
   augmented,   ///< one dense system of all coordinates and multipliers, (P 4) to (P 6)
 };
 
-/// "structured", "subsystem" or "augmented".
+/// Returns all three, in this order.
+SPOKE_EXPORT std::span<const Formulation> formulations();
+/// Returns "structured", "subsystem" or "augmented".
 SPOKE_EXPORT std::string_view name_of(Formulation formulation);
+/// Returns the formulation of this name. Throws InputError, with the names to choose from, if there
+/// is none.
+SPOKE_EXPORT Formulation formulation_of(std::string_view name);
 
 }  // namespace spoke

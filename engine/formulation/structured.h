@@ -19,20 +19,20 @@
 
 namespace spoke::structured {
 
-/// What the structured path keeps per body besides BodyData.
+/// Memory of the formulation per body besides BodyData.
 template <class World>
 struct BodyWork : BodyTypes<World>::Condensed {
-  tree::JointElimination<World> joint;  ///< of the inboard joint; unused of roots
+  tree::JointElimination<World> joint;  ///< inboard joint; unused for roots
   tree::Branch<World> branch;           ///< the body with all that it carries
 };
 
-/// Per subsystem.
+/// Memory of the formulation per subsystem.
 template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork<World>> bodies;
-  std::vector<int> root_bodies;  ///< those that the hub carries
+  std::vector<int> root_bodies;  ///< bodies that the hub carries
   ArenaVector<tree::RootElimination<World>> roots;
-  ArenaVector<double> storage;  ///< of all bodies
+  ArenaVector<double> storage;  ///< memory of all bodies
 };
 
 template <class World>
@@ -44,18 +44,18 @@ void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implici
 void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
                    BodyWork<Space>& work) noexcept;
 
-/// Effective mass and force (P 10): eliminates the joints from the tips to the roots, over which it
-/// sums in their order.
+/// Calculates effective mass and force (P 10): eliminates the joints from the tips to the roots,
+/// over which it sums in their order.
 template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept;
 
-/// Joint wrenches from the roots to the tips (P 8), from the hub's acceleration.
+/// Calculates joint wrenches from the roots to the tips (P 8), from the hub's acceleration.
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
 
-/// Accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
+/// Calculates the accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
 void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
                   bool implicit, BodyData<Plane>& data, double* a) noexcept;
 void recover_body(const SubsystemData<Space>& subsystem, std::size_t j, const BodyWork<Space>& work,

@@ -9,22 +9,19 @@
 //   D lambda = Phi_Y Y'' + Phi M^-1 Q - gamma + R^T H q_J'',    (R^T H)^T lambda + k^ q_J'' = tau
 // Sources: subsystem/invert_body, effective_inertia and recovery.
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <array>
+#include <cassert>
 #include <memory>
 
 #include "engine/table/step_data.h"
 
 namespace spoke::subsystem {
 
-/// Takes the place of the matrix.
-using Cholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
-
 /// Dense elastic blocks by body type: explicit, implicit.
 using DenseBlocks = std::array<std::shared_ptr<const Eigen::MatrixXd>, 2>;
 
-/// Per body: M^-1 applied to what the joints need, and the products of (P 8) and (P 10). J holds
+/// Memory per body: M^-1 applied to the joints' rows, and the products of (P 8) and (P 10). J holds
 /// the rows of all its m handles, the inboard one first.
 template <class World>
 struct BodyWork {
@@ -35,13 +32,15 @@ struct BodyWork {
   Eigen::MatrixXd products;         ///< J M^-1 [J^T, Q], m d x (m d + 1)
   Eigen::MatrixXd biases;           ///< by handle: its acceleration at zero accelerations, d x m
 
-  /// J_a M^-1 J_b^T of two handles.
+  /// Returns J_a M^-1 J_b^T of two handles.
   auto compliance(int a, int b) const {
+    assert(a >= 0 && a < biases.cols() && b >= 0 && b < biases.cols());
     constexpr int d = World::kTwist;
     return products.template block<d, d>(d * a, d * b);
   }
-  /// Acceleration of a handle without wrenches.
+  /// Returns the acceleration of a handle without wrenches.
   TwistOf<World> free_acceleration(int handle) const {
+    assert(handle >= 0 && handle < biases.cols());
     constexpr int d = World::kTwist;
     return products.col(products.cols() - 1).template segment<d>(d * handle) + biases.col(handle);
   }
@@ -50,14 +49,14 @@ struct BodyWork {
 template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork<World>> bodies;
-  std::vector<int> root_of;  ///< by body: the one of its tree that the hub carries
+  std::vector<int> root_of;  ///< by body: the root of its tree, which the hub carries
   Eigen::MatrixXd D;         ///< Phi M^-1 Phi^T, C1 x C1; then its Cholesky factor
   /// D^-1 [root rows, Phi M^-1 Q - gamma], C1 x (d + 1); the joints' coordinates follow. D couples
   /// no trees, which meet at the hub alone: those of all roots share the d columns.
   Eigen::MatrixXd solution;
   Eigen::VectorXd multipliers;  ///< (P 8), C1
-  // Of the coordinates of all joints, C in number; in the plane 0.
-  std::vector<int> first_coordinate;  ///< of each joint
+  // Coordinates of all joints, C in number; 0 in the plane.
+  std::vector<int> first_coordinate;  ///< first one of each joint
   Eigen::MatrixXd columns;            ///< R^T H, C1 x C
   Eigen::MatrixXd inverse_columns;    ///< D^-1 R^T H, C1 x C
   Eigen::MatrixXd inertia;   ///< (R^T H)^T D^-1 R^T H + k^, C x C; then its Cholesky factor
@@ -74,18 +73,18 @@ template <class World>
 void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool implicit,
                  BodyWork<World>& work) noexcept;
 
-/// Effective mass and force, (P 10).
+/// Calculates effective mass and force, (P 10).
 template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept;
 
-/// Multipliers, (P 8), as wrenches on the handles, and the accelerations of the joints'
-/// coordinates.
+/// Calculates the multipliers, (P 8), as wrenches on the handles, and the accelerations of the
+/// joints' coordinates.
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
 
-/// Accelerations of a body, (P 7).
+/// Calculates the accelerations of a body, (P 7).
 template <class World>
 void recover_body(const SubsystemData<World>& subsystem, std::size_t j, const BodyWork<World>& work,
                   BodyData<World>& data, double* a) noexcept;

@@ -1,8 +1,9 @@
 #pragma once
 
-// The joints of a subsystem's tree as all formulations see them, and where what is found of them
-// goes: once for the chains of the plane, whose joints are rigid, and the trees of space.
+// The joints of a subsystem's tree as all formulations see them, and the places of their results:
+// once for the chains of the plane, whose joints are rigid, and the trees of space.
 
+#include <cassert>
 #include <cstddef>
 
 #include "engine/kernels/hub_motion.h"
@@ -12,31 +13,35 @@
 
 namespace spoke {
 
-/// Coordinates of the joint that carries a body.
+/// Returns the number of coordinates of the joint that carries a body.
 inline int joint_coordinates(const TreeBody<Plane>&) { return 0; }
 inline int joint_coordinates(const TreeBody<Space>& body) { return body.joint.joint.coordinates; }
 
-/// The joint that carries body `j`, from the hub or from a handle of its parent: what has the
+/// Returns the joint that carries body `j`, from the hub or from a handle of its parent, with the
 /// members R, p and bias and, in space, those of its coordinates (engine/tree/joint_elimination.h).
-inline PlanarJointTerms joint_of(const Subsystem<Plane>& subsystem,
-                                 const SubsystemData<Plane>& data, std::size_t j) {
+inline plane::JointTerms joint_of(const Subsystem<Plane>& subsystem,
+                                  const SubsystemData<Plane>& data, std::size_t j) {
+  assert(j < data.joints.size());
   if (j == 0) return make_root_joint(subsystem, data);
   return {data.joints[j].R, Position::Zero(), Twist::Zero()};
 }
 inline space::JointTerms joint_of(const Subsystem<Space>& subsystem,
                                   const SubsystemData<Space>& data, std::size_t j) {
+  assert(j < data.joints.size() && data.bodies[j].joint.forces);
   return {subsystem.bodies[j].joint.joint, data.joints[j], *data.bodies[j].joint.forces};
 }
 
-/// Where the accelerations of the coordinates of a body's joint go; null in the plane.
+/// Returns the place of the accelerations of the coordinates of a body's joint; null in the plane.
 inline double* joint_accelerations(BodyData<Plane>&) { return nullptr; }
 inline double* joint_accelerations(BodyData<Space>& body) { return body.joint.a_found; }
 
-/// The wrench on handle `h` of body `j`, in its frame.
+/// Returns the wrench on handle `h` of body `j`, in its frame.
 inline Twist& wrench_on(SubsystemData<Plane>& data, std::size_t j, int h) {
+  assert(j < data.wrenches.size() && (h == 0 || h == 1));
   return h == 0 ? data.wrenches[j].inboard : data.wrenches[j].outboard;
 }
 inline space::Twist& wrench_on(SubsystemData<Space>& data, std::size_t j, int h) {
+  assert(j < data.bodies.size() && h >= 0 && h < data.bodies[j].work.port.handles);
   return data.bodies[j].work.wrenches[h];
 }
 template <class World>
@@ -44,7 +49,7 @@ const TwistOf<World>& wrench_on(const SubsystemData<World>& data, std::size_t j,
   return wrench_on(const_cast<SubsystemData<World>&>(data), j, h);
 }
 
-/// Sets the wrench on the inboard handle of body `j`. Of the plane, nothing hangs at a tip's other
+/// Sets the wrench on the inboard handle of body `j`. In the plane, nothing hangs at a tip's other
 /// handle.
 inline void set_inboard_wrench(const Twist& F, std::size_t j, SubsystemData<Plane>& data) {
   data.wrenches[j] = {F, Twist::Zero()};
@@ -53,7 +58,7 @@ inline void set_inboard_wrench(const space::Twist& F, std::size_t j, SubsystemDa
   data.wrenches[j].inboard = data.bodies[j].work.wrenches[0] = F;
 }
 
-/// Sets the wrenches on all handles of a tree. `inboard(j)`: on the inboard one of body j, the
+/// Sets the wrenches on all handles of a subsystem. `inboard(j)`: on the inboard one of body j, the
 /// multipliers of (P 8).
 template <class World, class Inboard>
 void set_wrenches(const Subsystem<World>& subsystem, const Inboard& inboard,
@@ -68,7 +73,7 @@ void set_wrenches(const Subsystem<World>& subsystem, const Inboard& inboard,
   }
 }
 
-/// Reports what the drives of the joint that carries body `j` do; joints of the plane have none.
+/// Reports the work of the drives of the joint that carries body `j`; planar joints have none.
 inline void report_drives(std::size_t, SubsystemData<Plane>&) noexcept {}
 void report_drives(std::size_t j, SubsystemData<Space>& data) noexcept;
 

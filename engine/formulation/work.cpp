@@ -1,16 +1,17 @@
-// Allocates what the chosen formulation keeps, and estimates its memory.
+// Allocates the memory of the chosen formulation, and estimates it.
 
 #include "engine/formulation/work.h"
 
 #include <set>
 
-#include "engine/formulation/dense_body.h"
 #include "engine/formulation/tree_joints.h"
+#include "engine/kernels/dense_body.h"
 
 namespace spoke {
 namespace {
 
-ElasticBlock make_block(const FlexibleBody& body, double mass_factor, double stiffness_factor) {
+plane::ElasticBlock make_block(const plane::FlexibleBody& body, double mass_factor,
+                               double stiffness_factor) {
   return make_elastic_block(body, mass_factor, stiffness_factor);
 }
 using space::make_block;
@@ -18,7 +19,8 @@ using space::make_block;
 template <class World>
 using BodyKey = const typename World::Body*;
 
-/// Dense elastic blocks of all bodies, by subsystem and body, shared by bodies of one type.
+/// Makes the dense elastic blocks of all bodies, by subsystem and body, shared by bodies of one
+/// type.
 template <class World>
 std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepData<World>& data,
                                                                    const ElasticShares& implicit) {
@@ -69,18 +71,18 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
     }
 }
 
-// Memory of a body's constants, which bodies of one kind share, and of what it has in the table,
-// with the structured formulation's workspace [bytes].
+// Memory of a body's constants, which bodies of one kind share, and of its data in the table, with
+// the structured formulation's workspace [bytes].
 
-/// Bands and their factors: some 44 numbers a coordinate.
-double estimate_constants(const FlexibleBody& body) {
+/// Counts bands and their factors: some 44 numbers a coordinate.
+double estimate_constants(const plane::FlexibleBody& body) {
   return 44.0 * sizeof(double) * body.coordinates();
 }
 double estimate_table(const TreeBody<Plane>& member) {
   return 190.0 * member.body->coordinates() + 3100.0;
 }
 
-/// Factors of one block.
+/// Counts the factors of one block.
 double estimate_factors(const space::FlexibleBody& body) {
   constexpr double kBlock = Space::kTwist * Space::kTwist;
   constexpr double kMomentum = 3.0 * Space::kTwist;
@@ -89,7 +91,7 @@ double estimate_factors(const space::FlexibleBody& body) {
     if (node >= body.first_node()) numbers += kBlock * (body.node_count() - node);
   return sizeof(double) * numbers;
 }
-/// Elements, the matrices M, K and D, slots, and the factors of both constant blocks.
+/// Counts elements, the matrices M, K and D, slots, and the factors of both constant blocks.
 double estimate_constants(const space::Body& body) {
   const space::FlexibleBody* flexible = body.flexible();
   if (flexible == nullptr) return sizeof(space::Body);
@@ -98,11 +100,11 @@ double estimate_constants(const space::Body& body) {
       2.0 * space::kNodeSlots * space::kNodeSlots + space::kElementSlots + 1.0;
   constexpr double kMomentum = 3.0 * Space::kTwist;
   const double nodes = flexible->node_count();
-  double numbers = nodes * (6.0 * kBlock + kSlots + kMomentum);  // of the body
+  double numbers = nodes * (6.0 * kBlock + kSlots + kMomentum);  // numbers of the body
   return sizeof(double) * numbers + flexible->elements * sizeof(space::BeamElement) +
          2.0 * estimate_factors(*flexible);
 }
-/// With the matrices that are added to it.
+/// Counts the factors, and the matrices that are added to them.
 double estimate_tension(const space::FlexibleBody& body) {
   constexpr double kBlock = Space::kTwist * Space::kTwist;
   const double numbers = body.node_count() * (2.0 * kBlock + 3.0 * Space::kTwist);
@@ -125,8 +127,8 @@ double estimate_table(const TreeBody<Space>& member) {
                              sizeof(space::Pose) + 3 * sizeof(space::Twist));
 }
 
-/// Constants of all kinds of bodies; in the dense formulations two full blocks each. Bodies of
-/// tapered blades are all of kinds of their own.
+/// Counts the constants of all kinds of bodies; in the dense formulations two full blocks each.
+/// Bodies of tapered beams are all of kinds of their own.
 template <class World>
 double estimate_constants(const System<World>& system, Formulation formulation) {
   std::set<BodyKey<World>> kinds;
@@ -141,12 +143,12 @@ double estimate_constants(const System<World>& system, Formulation formulation) 
   return bytes;
 }
 
-/// A load or drag with its sections.
+/// Counts a load or drag with its sections.
 template <class Load>
 double estimate_load(const Load& load) {
-  return static_cast<double>(load.points.size()) * (sizeof(LoadPoint) + sizeof(Section));
+  return static_cast<double>(load.points.size()) * (sizeof(LoadPoint) + sizeof(plane::Section));
 }
-/// In space the sections of a load per length are four at a time.
+/// Counts a spatial load; the sections of a load per length are four at a time.
 double estimate_load(const BodyLoad<Space>& load) {
   double bytes = 0.0;
   for (const BodyLoad<Space>::Point& point : load.points)
@@ -155,18 +157,6 @@ double estimate_load(const BodyLoad<Space>& load) {
 }
 
 }  // namespace
-
-std::string_view name_of(Formulation formulation) {
-  switch (formulation) {
-    case Formulation::structured:
-      return "structured";
-    case Formulation::subsystem:
-      return "subsystem";
-    case Formulation::augmented:
-      break;
-  }
-  return "augmented";
-}
 
 template <class World>
 void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a formulation keeps besides the table: constants and workspaces.
+// Memory of a formulation besides the table: constants and workspaces.
 
 #include <map>
 #include <memory>
@@ -19,7 +19,7 @@ struct ElasticShares {
   double tension_factor = 0.0;  ///< beta' h^2 [s^2]; 0: see engine/space/implicit_tension.h
 };
 
-/// What the chosen formulation keeps besides the table; that of the others stays empty.
+/// Memory of the chosen formulation besides the table; that of the others stays empty.
 template <class World>
 struct FormulationWork {
   std::vector<structured::SubsystemWork<World>> structured;
@@ -28,7 +28,7 @@ struct FormulationWork {
   /// Constant blocks, shared by bodies of one type: explicit, implicit. Terms of rigid bodies read
   /// them, whatever the formulation.
   std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
-  /// Of implicit steps of bodies in space that rotation stiffens.
+  /// Tension in implicit steps of spatial bodies that rotation stiffens.
   std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
 };
 
@@ -37,7 +37,8 @@ template <class World>
 void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,
               StepData<World>& data, FormulationWork<World>& work);
 
-/// Memory that a formulation will need for this system [bytes], before anything is allocated.
+/// Estimates the memory that a formulation will need for this system [bytes], before anything is
+/// allocated.
 template <class World>
 double estimate_memory(const System<World>& system, Formulation formulation);
 

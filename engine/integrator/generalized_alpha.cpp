@@ -3,6 +3,7 @@
 #include "engine/integrator/generalized_alpha.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "models/support/simd.h"
@@ -10,7 +11,7 @@
 namespace spoke {
 namespace {
 
-/// The greater of two values, place by place; of `b` and NaN, b.
+/// Returns the greater of two values, place by place; of `b` and NaN, b.
 Double2 greater(Double2 a, Double2 b) { return a > b ? a : b; }
 
 // Parameters that promise not to overlap let the compiler take several coordinates at a time.
@@ -34,7 +35,7 @@ inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q
   }
 }
 
-/// What a correction finds on its way, place by place.
+/// Maxima and sums that a correction collects, place by place.
 struct Corrected {
   Double2 change{};   // largest change of an acceleration; those that are NaN do not count
   Double2 squares{};  // sum of the squares of the coordinates
@@ -68,6 +69,7 @@ void correct_values(const GeneralizedAlpha m, int n, const double* __restrict a_
 }  // namespace
 
 GeneralizedAlpha make_generalized_alpha(double radius, double step) {
+  assert(radius >= 0.0 && radius <= 1.0 && step > 0.0);
   const double am = (2.0 * radius - 1.0) / (1.0 + radius);
   const double af = radius / (1.0 + radius);
   GeneralizedAlpha method;
@@ -111,6 +113,7 @@ void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block) {
 
 void complete_restart(const GeneralizedAlpha& method, const double* a,
                       CoordinateBlock& block) noexcept {
+  assert(block.history[GeneralizedAlpha::last_a] && a);
   double *carry = block.history[GeneralizedAlpha::carry_over],
          *last = block.history[GeneralizedAlpha::last_a];
   block.for_parts([&](int first, int n) {
@@ -122,6 +125,7 @@ void complete_restart(const GeneralizedAlpha& method, const double* a,
 }
 
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept {
+  assert(method.step > 0.0 && block.history[GeneralizedAlpha::last_a]);
   double *qp = block.history[GeneralizedAlpha::predicted_q],
          *vp = block.history[GeneralizedAlpha::predicted_v],
          *carry = block.history[GeneralizedAlpha::carry_over],
@@ -134,6 +138,7 @@ void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept {
 
 double calc_step_change(const GeneralizedAlpha& method, const double* a,
                         const CoordinateBlock& block) noexcept {
+  assert(block.history[GeneralizedAlpha::last_a] && a);
   const double* last = block.history[GeneralizedAlpha::last_a];
   Double2 most{};
   block.for_parts([&](int first, int n) {
@@ -150,6 +155,7 @@ double calc_step_change(const GeneralizedAlpha& method, const double* a,
 
 Correction correct(const GeneralizedAlpha& method, const double* a_new,
                    CoordinateBlock& block) noexcept {
+  assert(block.history[GeneralizedAlpha::last_a] && a_new);
   const double *qp = block.history[GeneralizedAlpha::predicted_q],
                *vp = block.history[GeneralizedAlpha::predicted_v];
   Corrected sum;

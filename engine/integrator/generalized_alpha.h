@@ -29,7 +29,8 @@ struct GeneralizedAlpha {
   enum History { predicted_q, predicted_v, carry_over, last_a, count };
 };
 
-/// Coefficients for spectral radius `radius` at infinite frequency, 0 <= radius <= 1, and step [s].
+/// Returns coefficients for spectral radius `radius` at infinite frequency, 0 <= radius <= 1, and
+/// step [s].
 GeneralizedAlpha make_generalized_alpha(double radius, double step);
 
 /// Takes the coordinates as the point about which the next pass is linearised.
@@ -43,7 +44,7 @@ void hold(CoordinateBlock& block);
 // and both accelerations, the true and the algorithmic one, change by A - A_old. Where no force has
 // jumped, that is nothing.
 
-/// At the start: A_old = 0.
+/// Sets the accelerations at the start: A_old = 0.
 void clear_accelerations(CoordinateBlock& block);
 /// Takes q - beta' h^2 A_old and v - gamma' h A_old as the point of linearisation.
 void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block);
@@ -51,11 +52,11 @@ void begin_restart(const GeneralizedAlpha& method, CoordinateBlock& block);
 void complete_restart(const GeneralizedAlpha& method, const double* a,
                       CoordinateBlock& block) noexcept;
 
-/// First iteration of a step: predicts, and starts from accelerations that go on from the last two
-/// steps' on a straight line. Those of the last become history.
+/// Begins the first iteration of a step: predicts, and starts from accelerations that go on from
+/// the last two steps' on a straight line. Those of the last become history.
 void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept;
 
-/// What a correction did.
+/// Results of a correction.
 struct Correction {
   double change = 0.0;   ///< largest change of a coordinate since the last iterate [m, rad]
   double squares = 0.0;  ///< sum of the squares of the coordinates [m^2, rad^2]
@@ -63,7 +64,7 @@ struct Correction {
 /// Corrects the coordinates with accelerations `a`, which become the block's.
 Correction correct(const GeneralizedAlpha& method, const double* a,
                    CoordinateBlock& block) noexcept;
-/// beta' h^2 max |a - A_n| at accelerations `a` [m, rad].
+/// Returns beta' h^2 max |a - A_n| at accelerations `a` [m, rad].
 double calc_step_change(const GeneralizedAlpha& method, const double* a,
                         const CoordinateBlock& block) noexcept;
 

@@ -3,6 +3,7 @@
 #include "engine/integrator/relaxation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace spoke {
@@ -15,7 +16,7 @@ void learn_contraction(double change, StepProgress& progress) noexcept {
 }
 
 double choose_share(const StepProgress& progress) noexcept {
-  constexpr double kFast = 0.25;  // of errors that do not swing, too
+  constexpr double kFast = 0.25;  // also for errors that do not swing
   const bool was_plain = progress.control.relaxation == 1.0;
   if (progress.passes < 2 || !was_plain || progress.contraction < kFast) return 1.0;
   return 1.0 / (1.0 + progress.contraction);
@@ -23,6 +24,7 @@ double choose_share(const StepProgress& progress) noexcept {
 
 Correction correct_relaxed(const GeneralizedAlpha& method, double share, const double* a,
                            CoordinateBlock& block) noexcept {
+  assert(share > 0.0 && share <= 1.0 && a);
   const double *qp = block.history[GeneralizedAlpha::predicted_q],
                *vp = block.history[GeneralizedAlpha::predicted_v];
   double most = 0.0, squares = 0.0;

@@ -2,12 +2,14 @@
 
 #include "engine/integrator/rk4.h"
 
+#include <cassert>
+
 namespace spoke {
 namespace {
 
 // Parameters that promise not to overlap let the compiler take several coordinates at a time.
 
-/// Stage 1: remembers the step's start, opens the sums.
+/// Begins stage 1: remembers the step's start, opens the sums.
 void open_step(double h, int n, double* __restrict q, double* __restrict v,
                const double* __restrict a, double* __restrict q0, double* __restrict v0,
                double* __restrict sum_q, double* __restrict sum_v) noexcept {
@@ -21,8 +23,8 @@ void open_step(double h, int n, double* __restrict q, double* __restrict v,
   }
 }
 
-/// Stages 2 and 3: adds the rates of the stage before to the sums, and takes them from the step's
-/// start over `span`.
+/// Begins stages 2 and 3: adds the rates of the stage before to the sums, and takes them from the
+/// step's start over `span`.
 void go_on(double weight, double span, int n, double* __restrict q, double* __restrict v,
            const double* __restrict a, const double* __restrict q0, const double* __restrict v0,
            double* __restrict sum_q, double* __restrict sum_v) noexcept {
@@ -35,7 +37,8 @@ void go_on(double weight, double span, int n, double* __restrict q, double* __re
   }
 }
 
-/// Stage 0: adds the last rates, and takes the weighted sum from the step's start over the step.
+/// Begins stage 0: adds the last rates, and takes the weighted sum from the step's start over the
+/// step.
 void close_step(double h, int n, double* __restrict q, double* __restrict v,
                 const double* __restrict a, const double* __restrict q0,
                 const double* __restrict v0, double* __restrict sum_q,
@@ -52,6 +55,8 @@ void close_step(double h, int n, double* __restrict q, double* __restrict v,
 }  // namespace
 
 void advance(const Rk4& method, int stage, CoordinateBlock& block) noexcept {
+  assert(method.step > 0.0 && stage >= 0 && stage < Rk4::kStages);
+  assert(block.history[Rk4::sum_v]);
   const double h = method.step;
   const auto k = static_cast<std::size_t>(stage);
   block.for_parts([&](int first, int n) {

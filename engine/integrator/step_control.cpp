@@ -4,6 +4,7 @@
 #include "engine/integrator/step_control.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "engine/integrator/relaxation.h"
@@ -15,6 +16,7 @@ const Rk4* as_rk4(const Integrator& integrator) { return std::get_if<Rk4>(&integ
 
 /// Sets the stage or iteration that comes next in the step.
 void set_stage(const Integrator& integrator, int stage, StepProgress& progress) {
+  assert(stage >= 0 && (!as_rk4(integrator) || stage < Rk4::kStages));
   const double h = step_size(integrator);
   progress.control.stage = stage;
   progress.control.time = static_cast<double>(progress.step) * h;
@@ -36,7 +38,7 @@ void fail(StepOutcome outcome, StepProgress& progress) {
   progress.is_halted = true;
 }
 
-/// The step's end is reached: its record, and the start of the next step.
+/// Completes the step: makes its record, and begins the next step.
 void complete_step(const Integrator& integrator, const Window& window, const PassReport& report,
                    StepProgress& progress, StepRecord& record) {
   record.passes = progress.passes;
@@ -51,15 +53,15 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
   progress.is_halted = progress.step > window.last;
 }
 
-// Changes of less are round-off.
+// Changes smaller than this are round-off.
 constexpr double kRoundOff = 1e-14;
 
 /// Takes how much the accelerations have changed in a step, and sets the tolerance.
 void set_tolerance(const IterationLimits& limits, double step_change, StepProgress& progress) {
-  // What is left of the accelerations' error may be so much of what the step's own error does to
-  // the velocities (docs/formulation.md, section 5).
+  // The error that is left in the accelerations may be so much of the effect of the step's own
+  // error on the velocities (docs/formulation.md, section 5).
   constexpr double kLeft = 3e-5;
-  // Where changes happen to be small in a step among others, so is what that step leaves.
+  // A step whose changes happen to be small among others leaves an error as small.
   constexpr double kFade = 0.99;
   progress.tolerance = limits.tolerance;
   if (!limits.follows_error) return;
@@ -68,8 +70,8 @@ void set_tolerance(const IterationLimits& limits, double step_change, StepProgre
       std::min(limits.most_left, std::max(kRoundOff, kLeft * progress.usual_change));
 }
 
-/// Whether what is left, by the contraction seen, is within the tolerance; of a first change, how
-/// much the next will be is not known.
+/// Whether the remaining change, by the contraction seen, is within the tolerance; after a first
+/// change the contraction is not known.
 bool leaves_little(double change, const StepProgress& progress) {
   if (progress.passes == 1) return change <= progress.tolerance;
   const double r = progress.contraction;
@@ -138,6 +140,7 @@ double step_size(const Integrator& integrator) {
 
 StepProgress make_progress_between_steps(const Integrator& integrator, std::int64_t step,
                                          int stage) {
+  assert(step >= 0 && (stage == PassControl::kEvaluateOnly || stage == PassControl::kRestart));
   StepProgress progress;
   progress.step = step;
   progress.control.stage = stage;
@@ -147,6 +150,7 @@ StepProgress make_progress_between_steps(const Integrator& integrator, std::int6
 }
 
 void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& progress) noexcept {
+  assert(step > 0 && step_size(integrator) > 0.0);
   progress.step = step;
   progress.passes = 0;
   progress.work = progress.dissipated = 0.0;
@@ -158,6 +162,7 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
 
 void end_pass(const Integrator& integrator, const Window& window, const PassReport& report,
               StepProgress& progress, StepRecord& record) noexcept {
+  assert(!progress.is_halted);
   progress.completed = StepProgress::kNone;
   ++progress.passes;
   if (report.failed) return fail(StepOutcome::left_limits, progress);

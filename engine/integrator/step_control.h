@@ -10,29 +10,29 @@
 
 namespace spoke {
 
-/// What the integrator of generalized_alpha iterates to.
+/// Limits to which generalized_alpha iterates.
 struct IterationLimits {
-  double tolerance = 1e-10;  ///< of the last change of a coordinate [m, rad]
+  double tolerance = 1e-10;  ///< largest last change of a coordinate [m, rad]
   int fixed = 0;             ///< number of iterations; 0: to the tolerance
   int most = 30;
-  bool relaxes = false;  ///< see relaxation.h; with a tolerance
-  /// Until what is left, by the contraction seen, is a small share of the change that the step's
-  /// accelerations make, and with it of the step's own error. The tolerance then only tells what is
-  /// small anyway, and what may be round-off.
+  bool relaxes = false;  ///< whether passes take shares of a change (relaxation.h)
+  /// Iterates until the remaining error, by the contraction seen, is a small share of the change
+  /// that the step's accelerations make, and with it of the step's own error. The tolerance then
+  /// only tells which changes are small anyway, and which may be round-off.
   bool follows_error = false;
   double most_left = std::numeric_limits<double>::infinity();  ///< besides [m, rad]
 };
 
-/// A method, with its coefficients and step, and what it iterates to.
+/// A method, with its coefficients and step, and the limits of its iteration.
 struct Integrator {
   Method method;
   IterationLimits limits;
 };
-/// h [s]: step n ends at n h.
+/// Returns h [s]: step n ends at n h.
 double step_size(const Integrator& integrator);
 
-/// Progress at the end of step `step` (0: the start) before one pass that belongs to no step:
-/// `stage` is PassControl::kEvaluateOnly or kRestart. It ends with a halt.
+/// Returns the progress at the end of step `step` (0: the start) before one pass that belongs to no
+/// step: `stage` is PassControl::kEvaluateOnly or kRestart. It ends with a halt.
 StepProgress make_progress_between_steps(const Integrator& integrator, std::int64_t step,
                                          int stage);
 
@@ -46,10 +46,10 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
 void end_pass(const Integrator& integrator, const Window& window, const PassReport& report,
               StepProgress& progress, StepRecord& record) noexcept;
 
-/// Passes that one step takes: those of rk4, or of a fixed number of iterations; of an iteration to
-/// a tolerance 2, which is what it takes mostly.
+/// Returns the passes that one step usually takes: those of rk4 or of a fixed number of iterations;
+/// 2 for an iteration to a tolerance.
 int usual_passes(const Integrator& integrator);
-/// Passes that one step takes at most; a step that is not complete by then has failed.
+/// Returns the most passes that one step may take; a step that is not complete by then has failed.
 int most_passes(const Integrator& integrator);
 
 }  // namespace spoke

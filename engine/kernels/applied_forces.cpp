@@ -1,12 +1,10 @@
-// From the tips of a tree to the hub.
+// Sums the applied forces from the tips of a tree to the hub.
 
 #include "engine/kernels/applied_forces.h"
 
 #include <algorithm>
 
-#include "engine/kernels/blade_loads.h"
 #include "engine/kernels/hub_solve.h"
-#include "engine/kernels/kinematics.h"
 
 namespace spoke {
 namespace {
@@ -18,7 +16,8 @@ bool is_stiffened(const SubsystemData<World>& data) {
   });
 }
 
-/// Notes what is applied to bodies and to what they carry; whether anything is.
+/// Notes which bodies have applied forces, on themselves or on what they carry. Returns whether any
+/// has.
 template <class World>
 bool find_sources(SubsystemData<World>& data) {
   bool any = false;
@@ -66,20 +65,6 @@ void place_applied_forces(StepData<World>& data) {
         subsystem.bodies.size() + 1, PositionOf<World>::Zero(), *subsystem.arena);
   }
   for (SubsystemData<World>& subsystem : data.subsystems) place_element_forces(subsystem);
-}
-
-void calc_applied_forces(const System<Plane>&, std::size_t i, double t,
-                         StepData<Plane>& table) noexcept {
-  SubsystemData<Plane>& data = table.subsystems[i];
-  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    Position& sum = data.applied_forces[j];
-    sum.setZero();
-    visit_forces(t, static_cast<int>(j), data,
-                 [&sum](const Section&, const Position& force) { sum += force; });
-  }
-  for (std::size_t j = data.bodies.size() - 1; j > 0; --j)
-    data.applied_forces[j - 1] += data.applied_forces[j];
-  data.applied_forces.back() = data.applied_forces.front();
 }
 
 template <class World>

@@ -1,14 +1,14 @@
 #pragma once
 
-// What applied forces (loads of the scenario and of the user's, drag) come to along a tree, in the
-// hub's frame: the tension in its bodies depends on it (docs/formulation.md, section 2).
+// Sums of the applied forces (loads of the scenario and of the user's, drag) along a tree, in the
+// hub's frame: the tension in its bodies depends on them (docs/formulation.md, section 2).
 
 #include "engine/table/step_data.h"
 
 namespace spoke {
 
-/// Finds whose tension depends on applied forces, and makes room for the sums.
-/// Loads must have been placed; may be called again when there are more.
+/// Finds the bodies whose tension depends on applied forces, and makes room for the sums. Loads
+/// must have been placed; may be called again when there are more.
 template <class World>
 void place_applied_forces(StepData<World>& data);
 
@@ -22,8 +22,8 @@ void calc_applied_forces(const System<Plane>& system, std::size_t i, double t,
 void calc_applied_forces(const System<Space>& system, std::size_t i, double t,
                          StepData<Space>& data) noexcept;
 
-/// Of a hub that flies: sets data.flight_acceleration, from the sums of the subsystems and the
-/// loads on the hub.
+/// Sets data.flight_acceleration of a hub that flies, from the sums of the subsystems and the loads
+/// on the hub.
 template <class World>
 void calc_flight_acceleration(const System<World>& system, double t,
                               StepData<World>& data) noexcept;

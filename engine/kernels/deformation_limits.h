@@ -7,11 +7,11 @@
 
 namespace spoke {
 
-/// The largest deflection of a body at its nodes and in the middle between them, by its length; 0
-/// if it is within the linear range.
+/// Returns the largest deflection of a body at its nodes and in the middle between them, by its
+/// length; 0 if it is within the linear range.
 double find_large_deflection(const BodyData<Plane>& body) noexcept;
 
-/// The same of a body in space; of a rigid one 0.
+/// The same measure for a spatial body; 0 for a rigid one.
 double find_large_deflection(const BodyData<Space>& body) noexcept;
 
 /// Whether a coordinate is not finite or beyond its limit.

@@ -1,6 +1,8 @@
-// Evaluates the drive, and what it imposes on the hub.
+// Evaluates the drive, and the motion that it imposes on the hub.
 
 #include "engine/kernels/hub_motion.h"
+
+#include <cassert>
 
 #include "models/space/mount.h"
 #include "models/space/rotation_vector.h"
@@ -9,11 +11,12 @@ namespace spoke {
 
 namespace {
 
-// What a mount that moves carries along; that of the plane stays.
+// Accelerations that a moving mount adds to the hub. The mount of the plane stands still.
 
 void carry(const System<Plane>&, double, const HubState<Plane>&, Twist&) {}
-/// Adds to the acceleration of a hub on an axle at rest, in H. With A and w of the axle, of the
-/// turning R_HA and the speed s about it: R_HA alpha + (R_HA w) x (0, 0, s).
+/// Adds the mount's share to the acceleration of the hub, in H: that of the axle, its linear a and
+/// R_HA alpha + (R_HA w) x (0, 0, s), with the rotation R_HA from the axle's frame and the hub's
+/// speed s about the axle.
 void carry(const System<Space>& system, double t, const HubState<Space>& hub,
            space::Twist& acceleration) {
   if (!system.hub.mount) return;
@@ -97,6 +100,8 @@ TwistOf<World> calc_prescribed_acceleration(const System<World>& system, double 
 
 template <class World>
 void impose_hub_motion(const System<World>& system, double t, CoordinateBlock& hub) noexcept {
+  assert(hub.size == World::kTwist);
+  assert(hub.size == World::kTwist);
   for (int c = 0; c < World::kTwist; ++c)
     if (c != World::kAxial && is_prescribed(system.hub, c)) hub.q[c] = hub.v[c] = hub.a[c] = 0.0;
   if (is_prescribed(system.hub, World::kAxial)) {

@@ -7,16 +7,17 @@
 
 namespace spoke {
 
-/// A joint of the plane as that of a planar subsystem at the hub: its bracket stands at p in the
-/// hub frame, to which R leads from the first body, and has the acceleration `bias` where the hub's
-/// is zero.
-struct PlanarJointTerms {
+namespace plane {
+/// The joint between the hub and a planar subsystem: its bracket stands at p in the hub frame, to
+/// which R leads from the first body, and has the acceleration `bias` where the hub's is zero.
+struct JointTerms {
   Rotation R;
   Position p;
   Twist bias;
 };
-inline PlanarJointTerms make_root_joint(const Subsystem<Plane>& subsystem,
-                                        const SubsystemData<Plane>& data) {
+}  // namespace plane
+inline plane::JointTerms make_root_joint(const Subsystem<Plane>& subsystem,
+                                         const SubsystemData<Plane>& data) {
   Twist bias = Twist::Zero();
   linear(bias) = centripetal(angular(data.hub->twist), subsystem.root.p);
   return {data.joints[0].R, subsystem.root.p, bias};
@@ -33,28 +34,28 @@ TwistOf<World> calc_root_acceleration(const RootJoint& joint,
   return joint.R.inverse() * bracket;
 }
 
-/// The acceleration of the hub in the inertial frame from its solution (a - g, hub frame) at time
-/// t [s].
+/// Returns the acceleration of the hub in the inertial frame from its solution (a - g, hub frame)
+/// at time t [s].
 template <class World>
 TwistOf<World> calc_inertial_acceleration(const System<World>& system, double t,
                                           const HubState<World>& hub,
                                           const HubSolution<World>& solution);
 
-/// Acceleration of the hub that the support and the drive prescribe, less gravity, in the hub
+/// Returns the acceleration of the hub that support and drive prescribe, less gravity, in the hub
 /// frame, at time t [s]; components that are not prescribed are those that the mount carries along,
 /// zero without one. `alpha`: the drive's [rad/s^2].
 template <class World>
 TwistOf<World> calc_prescribed_acceleration(const System<World>& system, double t,
                                             const HubState<World>& hub, double alpha);
 
-/// The angular acceleration of the mount about the axle [rad/s^2].
+/// Returns the angular acceleration of the mount about the axle [rad/s^2].
 inline double calc_carried_spin_up(const System<Plane>&, double) { return 0.0; }
 double calc_carried_spin_up(const System<Space>& system, double t) noexcept;
 
-/// Velocity (resolved in H) and angular velocity of the hub at the end of a step.
+/// Returns the velocity (resolved in H) and angular velocity of the hub at the end of a step.
 space::Twist calc_recorded_twist(const SystemRecord<Space>& record) noexcept;
 
-/// Sets what the mount makes of the hub's orientation at time t [s]; that of a free hub stays.
+/// Sets the orientation that the mount gives the hub at time t [s]; that of a free hub stays.
 inline void place_axle(const System<Plane>&, double, BodyTypes<Plane>::Attitude&) noexcept {}
 void place_axle(const System<Space>& system, double t, space::HubAttitude& attitude) noexcept;
 
@@ -63,7 +64,7 @@ void place_axle(const System<Space>& system, double t, space::HubAttitude& attit
 template <class World>
 void impose_hub_motion(const System<World>& system, double t, CoordinateBlock& hub) noexcept;
 
-/// The whole motion of a hub that support and drive prescribe, at time t [s].
+/// Returns the whole motion of a hub that support and drive prescribe, at time t [s].
 template <class World>
 PrescribedHub<World> calc_prescribed_motion(const System<World>& system, double t) noexcept;
 

@@ -3,6 +3,7 @@
 #include "engine/kernels/hub_solve.h"
 
 #include <Eigen/LU>
+#include <cassert>
 
 #include "engine/kernels/hub_motion.h"
 
@@ -74,7 +75,7 @@ void solve_hub(const System<World>& system, StepData<World>& data) noexcept {
   HubSolution<World>& solution = data.hub_solution;
   solution.acceleration = right;
   if (prescribed < World::kTwist) solution.acceleration = matrix.partialPivLu().solve(right);
-  // (3) The reaction is what is left of the equation; of free components there is none.
+  // (3) The reaction is the residual of the equation; it is zero for free components.
   solution.reaction = equation.mass * solution.acceleration - equation.force;
   for (int c = 0; c < World::kTwist; ++c)
     if (!is_prescribed(system.hub, c)) solution.reaction[c] = 0.0;
@@ -82,6 +83,7 @@ void solve_hub(const System<World>& system, StepData<World>& data) noexcept {
 
 template <class World>
 TwistOf<World> calc_reaction(const SubsystemData<World>& subsystem) noexcept {
+  assert(subsystem.hub_acceleration);
   const EffectiveInertia<World>& effective = subsystem.effective;
   const TwistOf<World>& a = *subsystem.hub_acceleration;
   TwistOf<World> reaction = effective.mass * a - effective.force;

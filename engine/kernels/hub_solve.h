@@ -14,22 +14,22 @@ namespace spoke {
 template <class World>
 void solve_hub(const System<World>& system, StepData<World>& data) noexcept;
 
-/// What the loads on the hub do to it at time t [s], about its axis, hub frame [N, N m].
+/// Returns the wrench of the loads on the hub at time t [s], about its axis, hub frame [N, N m].
 template <class World>
 TwistOf<World> calc_hub_load(const System<World>& system, double t,
                              const HubState<World>& hub) noexcept;
 
-/// Sets in the solution what the drive and the loads apply to the hub.
+/// Sets the torque of the drive and the wrench of the loads on the hub in the solution.
 template <class World>
 void set_applied(const System<World>& system, StepData<World>& data) noexcept;
 
-/// Both together, and what the hub's own inertia does: Q_0 of (P 9).
+/// Returns Q_0 of (P 9): drive, loads and the forces of the hub's own inertia.
 template <class World>
 TwistOf<World> calc_hub_force(const typename World::Hub& hub, const HubState<World>& state,
                               const HubSolution<World>& applied) noexcept;
 
-/// Effective inertia of the hub with all subsystems and its right-hand side, hub frame. What is
-/// applied to the hub must have been set.
+/// Effective inertia of the hub with all subsystems, and the right-hand side, hub frame. Drive and
+/// loads on the hub must have been set.
 template <class World>
 struct HubEquation {
   TwistMatrixOf<World> mass;
@@ -39,7 +39,7 @@ template <class World>
 HubEquation<World> sum_hub_equation(const System<World>& system,
                                     const StepData<World>& data) noexcept;
 
-/// The terms of geometric stiffening of the hub's equation, summed over the bodies.
+/// Returns the terms of geometric stiffening in the hub's equation, summed over the bodies.
 template <class World>
 typename BodyTypes<World>::HubStiffening sum_stiffening(
     const ArenaVector<BodyData<World>>& bodies) noexcept {
@@ -48,8 +48,8 @@ typename BodyTypes<World>::HubStiffening sum_stiffening(
   return sum;
 }
 
-/// Share of one subsystem in the hub's reaction of (P 9): M^C Y'' - Q^C less the centrifugal terms,
-/// at the acceleration that the subsystem has felt; hub frame.
+/// Returns the share of one subsystem in the hub's reaction of (P 9): M^C Y'' - Q^C less the
+/// centrifugal terms, at the acceleration that the subsystem has felt; hub frame.
 template <class World>
 TwistOf<World> calc_reaction(const SubsystemData<World>& subsystem) noexcept;
 

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "engine/kernels/applied_forces.h"
-#include "engine/kernels/blade_loads.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/marker_motion.h"
 #include "models/count_text.h"
@@ -55,19 +54,19 @@ void require_index(const std::string& whose, const char* what, int index, std::s
                    range_text(0, static_cast<int>(count) - 1));
 }
 
-std::vector<int> blades_of(const std::vector<Marker>& markers) {
-  std::vector<int> blades;
-  for (const Marker& marker : markers) blades.push_back(marker.blade);
-  std::sort(blades.begin(), blades.end());
-  blades.erase(std::unique(blades.begin(), blades.end()), blades.end());
-  return blades;
+std::vector<int> subsystems_of(const std::vector<Marker>& markers) {
+  std::vector<int> subsystems;
+  for (const Marker& marker : markers) subsystems.push_back(marker.blade);
+  std::sort(subsystems.begin(), subsystems.end());
+  subsystems.erase(std::unique(subsystems.begin(), subsystems.end()), subsystems.end());
+  return subsystems;
 }
 
-/// "blade 2", "blades 1, 2 and 3", "blade 1 and arm"
-std::string text_of(const std::vector<int>& blades, const std::vector<std::string>& names) {
+/// Names subsystems: "blade 2", "blades 1, 2 and 3", "blade 1 and arm".
+std::string text_of(const std::vector<int>& subsystems, const std::vector<std::string>& names) {
   constexpr std::string_view kBlade = "blade ";
   std::vector<std::string> called;
-  for (const int blade : blades) called.push_back(names[static_cast<std::size_t>(blade)]);
+  for (const int i : subsystems) called.push_back(names[static_cast<std::size_t>(i)]);
   std::string text;
   if (called.size() > 1 && std::all_of(called.begin(), called.end(), [&](const std::string& name) {
         return name.starts_with(kBlade);
@@ -82,7 +81,7 @@ std::string text_of(const std::vector<int>& blades, const std::vector<std::strin
   return text;
 }
 
-// What differs by world.
+// Functions that differ by world.
 
 void require_on_beam(const std::string& whose, const Marker& marker) {
   if (!marker.point.isZero(0.0))
@@ -91,7 +90,8 @@ void require_on_beam(const std::string& whose, const Marker& marker) {
     throw InputError(whose + ": station " + std::to_string(marker.station) + ", expected 0 to 1");
 }
 
-Section place_section(const std::string& whose, const Marker& marker, const BodyData<Plane>& body) {
+plane::Section place_section(const std::string& whose, const Marker& marker,
+                             const BodyData<Plane>& body) {
   require_on_beam(whose, marker);
   return make_section(*body.model->body, body.layout, marker.station);
 }
@@ -117,10 +117,10 @@ void require_fitting(const Wrench& wrench, const BodyData<Plane>&) {
 }
 void require_fitting(const Wrench&, const BodyData<Space>&) {}
 
-/// A wrench in the inertial frame, to the frame of a body.
+/// Resolves a wrench, given in the inertial frame, in the frame of a body.
 SectionWrench<Plane> resolve(const Wrench& wrench, const Subsystem<Plane>&,
                              const SubsystemData<Plane>& data, int body) {
-  const Rotation R = data.hub->R * calc_rotation_to_hub(data, body);
+  const plane::Rotation R = data.hub->R * calc_rotation_to_hub(data, body);
   return {R.inverse() * Position{wrench.force.x(), wrench.force.y()}, wrench.moment.z()};
 }
 SectionWrench<Space> resolve(const Wrench& wrench, const Subsystem<Space>& subsystem,
@@ -141,23 +141,24 @@ template <class World>
 void apply(LoadData<World>& load, StepData<World>& data) {
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
     const PlacedMarker<World>& marker = load.markers[k];
-    data.subsystems[static_cast<std::size_t>(marker.blade)]
+    data.subsystems[static_cast<std::size_t>(marker.subsystem)]
         .bodies[static_cast<std::size_t>(marker.body)]
         .applied.push_back({&marker.section, &load.wrenches[k]});
   }
 }
 
-/// The load of one of its blades, the first, in the table: there its data lie.
+/// Adds a load to the table; its data lie with the first of its subsystems.
 template <class World>
 LoadData<World>& add_load_data(const AskedLoad& asked, StepData<World>& table) {
   const std::vector<Marker>& markers = asked.markers;
   LoadData<World> data;
   data.load = asked.load;
   data.given = markers;
-  data.blades = blades_of(markers);
+  data.subsystems = subsystems_of(markers);
   for (const Marker& marker : markers)
     data.markers.push_back(place_marker(called(*asked.load), marker, table));
-  SubsystemData<World>& subsystem = table.subsystems[static_cast<std::size_t>(data.blades.front())];
+  SubsystemData<World>& subsystem =
+      table.subsystems[static_cast<std::size_t>(data.subsystems.front())];
   data.wrenches = ArenaVector<SectionWrench<World>>(markers.size(), *subsystem.arena);
   for (SectionWrench<World>& wrench : data.wrenches) set_all(0.0, wrench);
   data.motions.resize(markers.size());
@@ -169,9 +170,8 @@ template <class World>
 void call(double t, const System<World>& system, const StepData<World>& data,
           LoadData<World>& load) {
   for (std::size_t k = 0; k < load.markers.size(); ++k) {
-    const auto blade = static_cast<std::size_t>(load.markers[k].blade);
-    load.motions[k] =
-        calc_load_motion(system.subsystems[blade], data.subsystems[blade], load.markers[k]);
+    const auto i = static_cast<std::size_t>(load.markers[k].subsystem);
+    load.motions[k] = calc_load_motion(system.subsystems[i], data.subsystems[i], load.markers[k]);
   }
   std::fill(load.forces.begin(), load.forces.end(), Wrench{});
   load.load->evaluate(t, load.motions, load.forces);
@@ -179,11 +179,11 @@ void call(double t, const System<World>& system, const StepData<World>& data,
     const Wrench& wrench = load.forces[k];
     if (!wrench.force.allFinite() || !wrench.moment.allFinite())
       throw std::domain_error("its force or moment is not finite");
-    const auto blade = static_cast<std::size_t>(load.markers[k].blade);
+    const auto i = static_cast<std::size_t>(load.markers[k].subsystem);
     const int body = load.markers[k].body;
-    const SubsystemData<World>& subsystem = data.subsystems[blade];
+    const SubsystemData<World>& subsystem = data.subsystems[i];
     require_fitting(wrench, subsystem.bodies[static_cast<std::size_t>(body)]);
-    load.wrenches[k] = resolve(wrench, system.subsystems[blade], subsystem, body);
+    load.wrenches[k] = resolve(wrench, system.subsystems[i], subsystem, body);
   }
 }
 
@@ -229,7 +229,9 @@ std::vector<AskedLoad> ask_loads(const Loads& loads) {
   return asked;
 }
 
-bool ties_blades(const std::vector<AskedLoad>& loads) noexcept {
+bool ties_subsystems(const std::vector<AskedLoad>& loads) noexcept {
+  assert(std::none_of(loads.begin(), loads.end(),
+                      [](const AskedLoad& asked) { return asked.markers.empty(); }));
   return std::any_of(loads.begin(), loads.end(), [](const AskedLoad& asked) {
     const int first = asked.markers.front().blade;
     return std::any_of(asked.markers.begin(), asked.markers.end(),
@@ -249,19 +251,14 @@ void place_loads(const std::vector<AskedLoad>& loads, StepData<World>& data) {
 template <class World>
 void evaluate_load(double t, const System<World>& system, const StepData<World>& data,
                    LoadData<World>& load) noexcept {
+  assert(load.motions.size() == load.markers.size() && load.forces.size() == load.markers.size());
+  assert(load.wrenches.size() == load.markers.size());
   try {
     call(t, system, data, load);
   } catch (...) {
     if (!load.thrown) load.thrown = std::current_exception();
     for (SectionWrench<World>& wrench : load.wrenches)
       set_all(std::numeric_limits<double>::quiet_NaN(), wrench);
-  }
-}
-
-void add_applied(const Twist& twist, BodyData<Plane>& body, AppliedTension* tension) noexcept {
-  for (const auto& [section, wrench] : body.applied) {
-    add_wrench(*section, wrench->force, wrench->moment, twist, body);
-    if (tension) tension->add_at(*section, wrench->force);
   }
 }
 
@@ -272,8 +269,8 @@ std::string describe_failed_load(const StepData<World>& data, const std::vector<
   for (const SubsystemData<World>& subsystem : data.subsystems)
     for (const LoadData<World>& load : subsystem.loads)
       if (load.thrown)
-        return called(*load.load) + " of " + text_of(load.blades, names) + " failed " + at + ": " +
-               reason_of(load.thrown);
+        return called(*load.load) + " of " + text_of(load.subsystems, names) + " failed " + at +
+               ": " + reason_of(load.thrown);
   return {};
 }
 

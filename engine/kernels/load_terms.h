@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/axial_tension.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -15,20 +14,21 @@ namespace spoke {
 /// it throws.
 std::vector<AskedLoad> ask_loads(const Loads& loads);
 
-/// Whether a load has markers on several blades: these are then coupled (StepData::is_coupled).
-bool ties_blades(const std::vector<AskedLoad>& loads) noexcept;
+/// Whether a load has markers on several subsystems: these are then coupled (StepData::is_coupled).
+bool ties_subsystems(const std::vector<AskedLoad>& loads) noexcept;
 
-/// Puts loads on the table of a system, which is allocated, coupled if a load ties blades. Throws
-/// InputError, naming the load, if a marker is on no body of the system.
+/// Puts loads on the table of a system, which is allocated, coupled if a load ties subsystems.
+/// Throws InputError, naming the load, if a marker is on no body of the system.
 template <class World>
 void place_loads(const std::vector<AskedLoad>& loads, StepData<World>& data);
 
-/// A marker on the table; `whose` begins the message. Throws InputError if it is on no body.
+/// Returns the place of a marker in the table; `whose` begins the message. Throws InputError if it
+/// is on no body.
 template <class World>
 PlacedMarker<World> place_marker(const std::string& whose, const Marker& marker,
                                  const StepData<World>& data);
 
-/// Load number `index` of those placed. Throws InputError if there is none.
+/// Returns load number `index` of those placed. Throws InputError if there is none.
 template <class World>
 LoadData<World>& find_load(int index, StepData<World>& data);
 
@@ -42,12 +42,8 @@ template <class World>
 void evaluate_load(double t, const System<World>& system, const StepData<World>& data,
                    LoadData<World>& load) noexcept;
 
-/// Adds the wrenches on a body to its right-hand side, and their power; `twist`: of its frame,
-/// `tension`: what takes their forces, too; or null.
-void add_applied(const Twist& twist, BodyData<Plane>& body, AppliedTension* tension) noexcept;
-
-/// "the load NAME of blade 2 failed AT: REASON" of the first load that has thrown since, in the
-/// order of the subsystems; `at` says when, `names` what subsystems are called.
+/// Returns "the load NAME of blade 2 failed AT: REASON" for the first load that has thrown since,
+/// in the order of the subsystems; `at` says when, `names` what subsystems are called.
 /// Precondition: data.is_any_load_failed().
 template <class World>
 std::string describe_failed_load(const StepData<World>& data, const std::vector<std::string>& names,

@@ -1,14 +1,14 @@
 #pragma once
 
-// Values of the scenario's sensors on one blade.
+// Values of the scenario's sensors on one subsystem.
 
 #include "engine/table/step_data.h"
 
 namespace spoke {
 
-/// Measures what is asked of blade `i` at the end of step `step`, time t [s], into its ring. Poses
-/// and twists must be those of the state, joint loads those of the step. Accelerations are those
-/// that the integrator keeps.
+/// Measures the sensors of subsystem `i` at the end of step `step`, time t [s], into its ring.
+/// Poses and twists must be those of the state, joint loads those of the step. Accelerations are
+/// those that the integrator keeps.
 void calc_readings(const System<Plane>& system, std::size_t i, std::int64_t step, double t,
                    StepData<Plane>& data) noexcept;
 void calc_readings(const System<Space>& system, std::size_t i, std::int64_t step, double t,

@@ -1,8 +1,9 @@
-// From the records of runs to slices of steps and passes.
+// Turns the records of runs into slices of steps and passes.
 
 #include "engine/run/step_recording.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -17,6 +18,7 @@ using graph::NodeLabel;
 using graph::StepGraph;
 
 std::size_t count_steps(const RecordingPlan& plan) {
+  assert(plan.first_step <= plan.last_step + 1);
   return static_cast<std::size_t>(plan.last_step - plan.first_step + 1);
 }
 
@@ -33,7 +35,7 @@ class NodeNumbers {
   std::map<std::tuple<std::string, int, int>, int> numbers_;
 };
 
-/// Ticks as nanoseconds since the start of the recording.
+/// Converts ticks to nanoseconds since the start of the recording.
 class Nanoseconds {
  public:
   explicit Nanoseconds(std::uint64_t start)
@@ -95,8 +97,8 @@ std::size_t StepRecording::count_most_runs() const {
   return 8 + steps / 64 + passes / static_cast<std::size_t>(passes_);
 }
 
-/// As much as the buffer holds. Of the runs that find a place, records may be for fewer, if threads
-/// share the nodes unevenly.
+/// Finds as much room as the buffer holds. Records of the runs that find a place may be for fewer,
+/// if threads share the nodes unevenly.
 graph::RecorderRoom StepRecording::find_room() const {
   const Needs needs = find_needs();
   if (plan_.buffer_bytes <= needs.always) return {};
@@ -105,7 +107,7 @@ graph::RecorderRoom StepRecording::find_room() const {
   return graph::make_room(runs, nodes_, plan_.threads, bytes - runs * needs.run);
 }
 
-/// Enough for so many runs, however the threads share the nodes.
+/// Returns the bytes that are enough for so many runs, however the threads share the nodes.
 std::size_t StepRecording::bytes_of(int runs) const {
   const Needs needs = find_needs();
   return needs.always + static_cast<std::size_t>(runs) * static_cast<std::size_t>(plan_.threads) *
@@ -123,7 +125,8 @@ void StepRecording::find_origins(const StepGraph& run_graph, bool is_coupled) {
   origins_.reserve(static_cast<std::size_t>(nodes_));
   for (const graph::Node& node : run_graph.nodes()) {
     const NodeLabel& label = node.label;
-    // Coupled: all follow the only progress. Else the hub solve, of no subsystem, follows none.
+    // In a coupled system all follow the only progress. Else the hub solve, of no subsystem,
+    // follows none.
     const int progress = is_coupled ? 0 : label.subsystem;
     origins_.push_back({numbers.of(label), progress, std::max(label.pass, 0)});
   }
@@ -156,7 +159,7 @@ void StepRecording::keep_passes(const StepTable& data) {
 }
 
 /// Each subsystem (coupled: the system) has gone pass by pass from where it stood at the begin to
-/// where it stands now; how many passes the steps took that it completed on the way is in their
+/// where it stands now; the passes that the steps took that it completed on the way are in their
 /// records.
 void StepRecording::find_passes(const StepTable& data) {
   for (std::size_t c = 0; c < data.progress.size(); ++c) {
@@ -174,8 +177,8 @@ void StepRecording::find_passes(const StepTable& data) {
   }
 }
 
-/// Of the hub solve: the pass of all subsystems that made one, or else the last pass of the last
-/// step that the run completed.
+/// Returns the pass of the hub solve: that of all subsystems that made one, or else the last pass
+/// of the last step that the run completed.
 StepRecording::PassOfStep StepRecording::pass_of_all(const StepTable& data) const {
   if (passes_ == 1) {
     PassOfStep common;
@@ -238,8 +241,8 @@ void StepRecording::add_slices(int run, Wants wants, std::vector<NodeSlice>& sli
 TracedStep StepRecording::collect_step(std::int64_t step, double step_size,
                                        std::vector<NodeSlice>& slices) const {
   TracedStep traced{step, static_cast<double>(step) * step_size, 0};
-  // Progress only goes forward: in the runs before one without this step or later ones there is
-  // none.
+  // Progress only goes forward: runs before one without this step or later ones have none of it
+  // either.
   for (int run = recorder_.runs() - 1; run >= 0; --run) {
     std::int64_t latest = -1;
     for (const PassOfStep& at : passes_in(run)) {

@@ -3,6 +3,7 @@
 #include "engine/run/step_runner.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -22,17 +23,17 @@ namespace {
 
 using graph::ExecutorKind;
 
-// Below this, a step by itself is no longer than handing its parts to threads.
+// A step shorter than this takes no longer than handing its parts to threads.
 constexpr double kLongStep = 40e-6;  // s
-// Building a graph and planning its runs takes so long for each of its nodes ...
+// Building a graph and planning its runs takes so long for each of its nodes.
 constexpr double kBuildingPerNode = 4e-6;  // s
-// ... and starting and ending a run on several threads so long beside its nodes.
+// Starting and ending a run on several threads takes so long beside its nodes.
 constexpr double kRunOverhead = 3e-6;  // s
 // Runs longer than this gain nothing more, and graphs larger than this leave the nearer caches.
 constexpr double kLongestRun = 600e-6;  // s
 constexpr int kMostNodes = 12000;
-// What is left must take as many times as long as the building of one pass's graph, or of the
-// window's.
+// The remaining steps must take as many times as long as the building of one pass's graph, or of
+// the window's.
 constexpr double kLeastPayback = 10.0;
 
 constexpr int kBatch = 8;                 // steps that are timed together
@@ -50,7 +51,7 @@ graph::Threads allowed_threads(const RunnerOptions& options) {
   return threads;
 }
 
-/// While it lives, a recording follows an executor and a stepper.
+/// Lets a recording follow an executor and a stepper while it lives.
 class RecordingScope {
  public:
   RecordingScope(graph::Executor& executor, TimeStepper& stepper, StepRecording& recording,
@@ -71,7 +72,7 @@ class RecordingScope {
   TimeStepper& stepper_;
 };
 
-/// An executor of the kind asked for, or of the caller's own.
+/// Makes an executor of the kind asked for, or of the caller's own.
 std::unique_ptr<graph::Executor> make_asked(const graph::StepGraph& graph,
                                             const RunnerOptions& options,
                                             const graph::Threads& threads) {
@@ -85,7 +86,7 @@ std::unique_ptr<graph::Executor> make_asked(const graph::StepGraph& graph,
   return made;
 }
 
-/// What runs a single pass.
+/// Returns the options of the runner of a single pass.
 RunnerOptions single_options(RunnerOptions options) {
   if (options.executor == ExecutorKind::automatic && !options.is_shared)
     options.executor = ExecutorKind::serial;
@@ -95,7 +96,9 @@ RunnerOptions single_options(RunnerOptions options) {
 }  // namespace
 
 int window_records(const RunnerOptions& options, double bytes_per_step) {
-  // Twice as many records as steps: a subsystem that is ahead need not wait for the others.
+  assert(bytes_per_step > 0.0 && options.window >= 0);
+  // There are twice as many records as steps: a subsystem that is ahead need not wait for the
+  // others.
   if (options.window > 0) return options.window > 1 ? 2 * options.window : 1;
   // Steps write to one record after the other: those of one process stay in the nearer caches,
   // while processes have less to say to one another the more steps they make at once.
@@ -135,7 +138,7 @@ StepRunner::StepRunner(StepContext& context, const RunnerOptions& options)
 
 StepRunner::~StepRunner() = default;
 
-// By the costs of the nodes that were timed: a body costs the same in every pass.
+// The costs are those of the nodes that were timed: a body costs the same in every pass.
 std::unique_ptr<graph::Executor> StepRunner::make_planned(const graph::StepGraph& graph) const {
   const std::vector<double> timed = timed_.node_costs();
   std::map<std::tuple<std::string_view, int, int>, double> cost_of;
@@ -161,8 +164,8 @@ StepOutcome StepRunner::advance_to(std::int64_t target, bool observed,
   return stepper_.advance(target, *runner_for(target - steps()).executor, observed, completed);
 }
 
-/// Times steps, and then goes on serially until a window is worth building, or to the target. The
-/// outcome if advance_to() ends with it.
+/// Times steps, and then goes on serially until a window is worth building, or to the target.
+/// Returns the outcome if advance_to() ends with it.
 std::optional<StepOutcome> StepRunner::advance_choosing(std::int64_t target, bool observed,
                                                         const TimeStepper::Completed& completed) {
   const std::int64_t asked = target - steps();
@@ -234,7 +237,8 @@ StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
   return outcome;
 }
 
-/// What really ran the steps, which need not be what runs more of them.
+/// Describes the executor that really ran the steps, which need not be the one that runs more of
+/// them.
 void StepRunner::describe_traced(const Runner& runner, StepTrace& trace) const {
   const bool is_window = &runner == window_.get();
   const bool is_tuning = window_ && window_->executor->tuning();
@@ -303,8 +307,8 @@ void StepRunner::choose_window(std::int64_t steps_asked) {
   window_->executor = make_planned(window_->graph);
 }
 
-/// Before building takes more than tuning may cost, the machine is asked whether it has another
-/// processor at present.
+/// The machine is asked whether it has another processor at present before building takes more than
+/// tuning may cost.
 bool StepRunner::is_worth_building(double seconds) {
   const int processors = std::min(threads_.total(), graph::available_threads());
   if (processors == 1 || seconds < graph::kTuningShare * remaining_seconds()) return true;
@@ -313,9 +317,9 @@ bool StepRunner::is_worth_building(double seconds) {
   return threads_are_worth_;
 }
 
-// A window of n passes costs n times the building of one pass's graph, once, and what is left of
-// the simulation so many times the overhead of a run as there are windows in it: the sum is least
-// where both are equal.
+// A window of n passes costs n times the building of one pass's graph, once, and the remaining
+// simulation so many times the overhead of a run as there are windows in it: the sum is least where
+// both are equal.
 int StepRunner::window_passes(std::int64_t steps_asked) const {
   if (options_.window == 1) return 1;
   const double per_step = passes_per_step();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which step graph and which executor run the steps.
+// The choice of step graph and executor that run the steps.
 
 #include <cstdint>
 #include <memory>
@@ -17,30 +17,31 @@
 
 namespace spoke {
 
-/// How steps are to be run.
+/// Options of the runs of steps.
 struct RunnerOptions {
   graph::ExecutorKind executor = graph::ExecutorKind::automatic;
   graph::Threads threads;          ///< unset: the available ones
   int window = 0;                  ///< steps; 0: as the executor chooses
-  std::int64_t planned_steps = 0;  ///< of the simulation
-  /// Of the caller's own, instead of `executor`, which is then not automatic; or empty.
+  std::int64_t planned_steps = 0;  ///< steps of the simulation
+  /// Makes an executor of the caller's own, instead of `executor`, which is then not automatic; or
+  /// empty.
   graph::ExecutorFactory make_executor{};
-  /// Other processes have subsystems, too: what they do at the same times must not depend on times
-  /// that one of them measures. The executor `automatic` then chooses how a graph is run, not
-  /// which.
+  /// Whether other processes have subsystems, too: their actions at the same times must not depend
+  /// on times that one of them measures. The executor `automatic` then chooses how a graph is run,
+  /// not which.
   bool is_shared = false;
 };
 
-/// Records that the table of a system needs for these options, see TableOptions::window_steps.
-/// `bytes_per_step`: what the rings hold of a step.
+/// Returns the records that the table of a system needs for these options, see
+/// TableOptions::window_steps. `bytes_per_step`: bytes of one step in the rings.
 int window_records(const RunnerOptions& options, double bytes_per_step);
 
 /// Step graphs of a context, and the executors that run them: one graph of a single pass, and, if
 /// it pays, one of the passes of a window of steps.
 ///
-/// The executor `automatic` begins with some serial steps whose nodes it times. If what is left of
-/// the simulation takes long enough to win back the building, and the machine has another processor
-/// at present, it makes the graph of a window, the longer the more is left, and hands it with the
+/// The executor `automatic` begins with some serial steps whose nodes it times. If the remaining
+/// simulation takes long enough to win back the building, and the machine has another processor at
+/// present, it makes the graph of a window, the longer the more is left, and hands it with the
 /// nodes' costs to graph::make_auto_executor(), which goes parallel at once. Callers of
 /// advance_one() get no window; then long steps only are planned.
 class StepRunner {
@@ -49,54 +50,54 @@ class StepRunner {
   StepRunner(StepContext& context, const RunnerOptions& options);
   ~StepRunner();
 
-  /// See TimeStepper.
+  /// Calls TimeStepper::start().
   StepOutcome start() { return stepper_.start(); }
   StepOutcome advance_to(std::int64_t target, bool observed,
                          const TimeStepper::Completed& completed);
   StepOutcome advance_one(const TimeStepper::Completed& completed);
-  /// Of `automatic` on several threads without a window: makes the steps that it times first, and
-  /// builds the graph of the window that it would choose for a simulation that is worth planning
-  /// for. Plans nothing.
+  /// Prepares the executor `automatic` on several threads without a window: makes the steps that it
+  /// times first, and builds the graph of the window that it would choose for a simulation that is
+  /// worth planning for. Plans nothing.
   StepOutcome open_window(bool observed, const TimeStepper::Completed& completed);
-  /// By an executor of the caller's that runs run_graph().
+  /// Advances by an executor of the caller's that runs run_graph().
   StepOutcome advance_by(graph::Executor& executor, std::int64_t target, bool observed,
                          const TimeStepper::Completed& completed) {
     return stepper_.advance(target, executor, observed, completed);
   }
-  /// Like advance_to(), with what runs the steps at present, and nothing is chosen meanwhile. What
-  /// each thread does is recorded; also of steps before one that fails or an exception.
+  /// Advances like advance_to(), by the present graph and executor; nothing is chosen meanwhile.
+  /// The work of each thread is recorded; also of steps before one that fails or an exception.
   StepOutcome advance_traced(std::int64_t target, bool observed,
                              const TimeStepper::Completed& completed, const TraceOptions& options,
                              StepTrace& trace);
   std::int64_t steps() const { return stepper_.steps(); }
-  /// See TimeStepper: while advance_to() runs.
+  /// Calls TimeStepper::stop(), while advance_to() runs.
   void stop() { stepper_.stop(); }
   StepOutcome evaluate(bool renew) { return stepper_.evaluate(renew); }
   void continue_from(std::int64_t steps) { stepper_.continue_from(steps); }
 
-  /// Of one pass over all subsystems.
+  /// Returns the graph of one pass over all subsystems.
   const graph::StepGraph& step_graph() const { return whole_ ? *whole_ : single_.graph; }
-  /// Of a window, if there is one, else of one pass.
+  /// Returns the graph of a window, if there is one, else of one pass.
   const graph::StepGraph& run_graph() const { return window_ ? window_->graph : single_.graph; }
-  /// Steps that a run of run_graph() makes, about.
+  /// Returns about how many steps a run of run_graph() makes.
   int run_steps() const { return window_ ? window_->steps : 1; }
   graph::Threads threads() const { return threads_; }
-  /// The executor's name: "auto", "serial", ..., or as one of the caller's own is called.
+  /// Returns the executor's name: "auto", "serial", ..., or the name of the caller's own.
   std::string_view executor_name() const;
-  /// How many times `automatic` has chosen; 0 for the others.
+  /// Returns how many times `automatic` has chosen; 0 for the others.
   int choices() const;
-  /// In one line what runs the steps, and if it was chosen, why.
+  /// Describes in one line the runner of the steps, and if it was chosen, why.
   std::string describe() const;
 
  private:
-  /// A graph and what runs it.
+  /// A graph and its executor.
   struct Runner {
     Runner(StepContext& context, int passes, const RunnerOptions& options, graph::Threads threads);
-    /// The graph alone.
+    /// Builds the graph alone.
     Runner(StepContext& context, int passes, double passes_per_step);
     graph::StepGraph graph;
     std::unique_ptr<graph::Executor> executor;
-    int steps = 1;  ///< that a run makes, about
+    int steps = 1;  ///< about how many a run makes
   };
 
   Runner& runner_for(std::int64_t steps);
@@ -116,7 +117,7 @@ class StepRunner {
   int window_passes(std::int64_t steps) const;
   void choose_stepping();
   std::unique_ptr<graph::Executor> make_planned(const graph::StepGraph& graph) const;
-  /// Of the steps that were timed.
+  /// Returns the mean duration of the steps that were timed [s].
   double seconds_per_step() const;
   double passes_per_step() const;
   void describe_traced(const Runner& runner, StepTrace& trace) const;
@@ -128,13 +129,13 @@ class StepRunner {
   Runner single_;
   std::optional<graph::StepGraph> whole_;  ///< where single_ has the nodes of some subsystems only
   std::unique_ptr<Runner> window_;
-  std::unique_ptr<Runner> stepping_;  ///< of automatic, for steps one by one
+  std::unique_ptr<Runner> stepping_;  ///< runs steps one by one for the executor automatic
   TimeStepper stepper_;
-  graph::MeasuringExecutor timed_;  ///< of the first steps of automatic
+  graph::MeasuringExecutor timed_;  ///< runs the first steps of the executor automatic
   int timed_steps_ = 0;
-  std::string reason_;                           ///< for having no window
+  std::string reason_;                           ///< why there is no window
   std::optional<graph::CapacityProbes> probes_;  ///< before a window is built
-  bool threads_are_worth_ = false;               ///< by the last probe
+  bool threads_are_worth_ = false;  ///< whether threads are worth it, by the last probe
 };
 
 }  // namespace spoke

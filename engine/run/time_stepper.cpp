@@ -15,7 +15,8 @@
 namespace spoke {
 namespace {
 
-/// Steps between two copies of the state: what a failure costs to repeat, against what copies cost.
+/// Steps between two copies of the state: a compromise between the cost of repeating a failure and
+/// that of copies.
 constexpr std::int64_t kStepsPerCopy = 256;
 
 bool is_any_failed(const StepTable& data) {
@@ -35,7 +36,7 @@ StepOutcome first_failure(const StepTable& data) {
   return StepOutcome::done;
 }
 
-/// The last step that any subsystem has begun.
+/// Returns the last step that any subsystem has begun.
 std::int64_t furthest_step(const StepTable& data) {
   std::int64_t furthest = 0;
   for (const StepProgress& progress : data.progress)
@@ -61,13 +62,13 @@ bool are_together(const StepTable& data) {
                      });
 }
 
-/// One call of advance().
+/// State of one call of advance().
 struct TimeStepper::Advance {
   std::int64_t target;
   const Completed& completed;
   bool is_wide;                ///< subsystems may stand at different steps
-  std::int64_t next_copy = 0;  ///< at which step
-  std::exception_ptr thrown;   ///< by `completed`; no exception may cross an executor
+  std::int64_t next_copy = 0;  ///< step of the next copy
+  std::exception_ptr thrown;   ///< exception of `completed`; none may cross an executor
 };
 
 TimeStepper::TimeStepper(StepContext& context, const graph::StepGraph& graph)
@@ -81,7 +82,7 @@ bool TimeStepper::is_implicit() const {
   return std::holds_alternative<GeneralizedAlpha>(context_.integrator.method);
 }
 
-/// One pass at the end of step steps_, serially.
+/// Runs one pass at the end of step steps_, serially.
 StepOutcome TimeStepper::run_between_steps(int stage) {
   StepTable& data = context_.table();
   data.window = {steps_, steps_, false};
@@ -121,6 +122,7 @@ StepOutcome TimeStepper::start() {
 }
 
 void TimeStepper::continue_from(std::int64_t steps) {
+  assert(steps >= 0);
   for (StepProgress& progress : context_.table().progress) {
     const Power power = progress.power;
     const double usual_change = progress.usual_change;
@@ -176,7 +178,8 @@ StepOutcome TimeStepper::advance(std::int64_t target, graph::Executor& executor,
   return advance.is_wide ? repeat_failure(advance) : end_failed();
 }
 
-/// A step has failed. If by a load, the system goes back to the end of the step before.
+/// Ends with a failed step. If a load has failed, the system goes back to the end of the step
+/// before.
 StepOutcome TimeStepper::end_failed() {
   StepTable& data = context_.table();
   if (!data.is_any_load_failed()) return first_failure(data);
@@ -185,7 +188,7 @@ StepOutcome TimeStepper::end_failed() {
   return StepOutcome::load_failed;
 }
 
-/// Of systems with loads: a state to go back to.
+/// Keeps a state to go back to, in systems with loads.
 void TimeStepper::keep_good_state() {
   StepTable& data = context_.table();
   if (good_steps_ == steps_ || !data.has_loads() || !are_together(data)) return;
@@ -212,7 +215,7 @@ void TimeStepper::open_window(Advance& advance) {
   let_go(last, data);
 }
 
-/// Of subsystems that are shared out: whether the own ones have come to the end of the window. All
+/// Whether the own subsystems, where they are shared out, have come to the end of the window. All
 /// processes then know of all.
 bool TimeStepper::end_window() {
   if (!are_all_halted(context_.own_progress())) return false;
@@ -221,13 +224,13 @@ bool TimeStepper::end_window() {
   return true;
 }
 
-/// The state of subsystems that other processes have.
+/// Takes the state of subsystems that other processes have.
 void TimeStepper::share_state() {
   if (!is_whole_) context_.sharing->state.share();
   is_whole_ = true;
 }
 
-/// After a run: reports its steps and sets the next one, if there is one to be made.
+/// Reports, after a run, its steps and sets the next one, if there is one to be made.
 bool TimeStepper::continues(Advance& advance) {
   StepTable& data = context_.table();
   if (context_.sharing && !end_window()) return true;

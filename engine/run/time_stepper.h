@@ -34,39 +34,39 @@ class RunWatch {
 ///
 /// Where subsystems are shared out over processes, all of these call the same functions. They meet
 /// at the end of each window, which is the same for all however their graphs and executors differ;
-/// behind advance() each has the whole state. What is made serially between steps, or again behind
-/// a failure, each makes of the whole system.
+/// behind advance() each has the whole state. Passes made serially between steps, or again behind a
+/// failure, are made by each of the whole system.
 class TimeStepper {
  public:
   /// Called with each complete step, in order, while its records (and samples, if they are
   /// observed) are in the table.
   using Completed = std::function<void(std::int64_t step)>;
 
-  /// `graph`: of one pass over all subsystems, on `context`. Both must outlive the stepper.
+  /// `graph` is that of one pass over all subsystems, on `context`. Both must outlive the stepper.
   TimeStepper(StepContext& context, const graph::StepGraph& graph);
 
   /// Evaluates the accelerations at t = 0, serially, and finds those to start from.
   StepOutcome start();
   /// Advances to the end of step `target`, by runs of `executor`, whose graph is one of any number
   /// of passes on the context. `observed`: samples are taken at each step. `completed` may be
-  /// empty; what it throws leaves the system at the end of the step that it was called with. If a
-  /// step fails, the system stands at that step as if it had been advanced step by step, whatever
+  /// empty; an exception of it leaves the system at the end of the step that it was called with. If
+  /// a step fails, the system stands at that step as if it had been advanced step by step, whatever
   /// the window and the executor; if a load of the user's fails, at the end of the step before, and
   /// can be advanced again.
   StepOutcome advance(std::int64_t target, graph::Executor& executor, bool observed = false,
                       const Completed& completed = {});
 
-  /// While advance() runs, by `completed`: ends it at the last step that any subsystem has begun;
-  /// of shared ones at the end of the window after this, in all processes.
+  /// Ends advance(), called by `completed` while it runs, at the last step that any subsystem has
+  /// begun; shared subsystems end at the end of the window after this, in all processes.
   void stop() { is_asked_to_stop_ = true; }
-  /// Whether the last advance() was ended so.
+  /// Whether stop() has ended the last advance().
   bool is_stopping() const { return is_stopping_; }
   /// Goes on from a state that was put into the table, taken at the end of step `steps`; also after
   /// a failed step, or an exception of `completed`. The power at the end of that step stays known.
   void continue_from(std::int64_t steps);
   /// Evaluates accelerations, wrenches and frames at the state at the end of the last step, which
   /// stays as it is but for `renew`: forces have changed since, and the next step starts from
-  /// accelerations that know of it. What the step's record would be is left in the table
+  /// accelerations that know of it. The record that the step would have is left in the table
   /// (StepTable::take_evaluated_record). Precondition: are_together().
   StepOutcome evaluate(bool renew);
   /// Lets `watch` follow all runs by executors until it is replaced; nullptr: none does.
@@ -77,7 +77,7 @@ class TimeStepper {
     stays_together_ = together;
   }
 
-  /// Steps that are complete; those that failed are not.
+  /// Returns how many steps are complete; those that failed are not.
   std::int64_t steps() const { return steps_; }
 
  private:
@@ -106,7 +106,7 @@ class TimeStepper {
   std::int64_t saved_steps_ = -1;
   std::vector<double> good_;  ///< the state at the end of step good_steps_, if there are loads
   std::int64_t good_steps_ = -1;
-  bool is_whole_ = true;  ///< the table has the state of other processes' subsystems, too
+  bool is_whole_ = true;  ///< whether the table has the state of other processes' subsystems, too
   bool is_asked_to_stop_ = false, is_stopping_ = false;
   RunWatch* watch_ = nullptr;
   bool stays_together_ = false;

@@ -1,6 +1,8 @@
-// Places between nodes.
+// Interpolates places between nodes.
 
 #include "engine/scene/deformed.h"
+
+#include <cassert>
 
 #include "models/space/beam_element.h"
 #include "models/space/rotation_vector.h"
@@ -11,6 +13,7 @@ using spatial::Placement;
 using spatial::Tensor;
 
 Deformed::Deformed(const Scene& scene, const Frame& frame) : scene_(scene), frame_(frame) {
+  assert(frame.rotations.size() == scene.nodes.size());
   for (std::size_t k = 0; k < scene.nodes.size(); ++k) {
     const Placement& group = frame.groups[static_cast<std::size_t>(scene.nodes[k].group)];
     nodes_.push_back(

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where what is fixed to the nodes of a scene is at a frame.
+// Places at a frame of points that are fixed to the nodes of a scene.
 
 #include <vector>
 
@@ -8,15 +8,15 @@
 
 namespace spoke::scene {
 
-/// A scene at a frame, in the hub's frame. Precondition: both outlive this.
+/// A scene at a frame, in the frame of the hub. Both must outlive it.
 class Deformed {
  public:
   Deformed(const Scene& scene, const Frame& frame);
 
-  /// Of a node: its place, and how it is turned from the undeformed scene.
+  /// Returns the place of a node, and its rotation from the undeformed scene.
   const spatial::Placement& node(int k) const { return nodes_[static_cast<std::size_t>(k)]; }
-  /// Of any place, likewise; between two nodes by Hermite's cubics, whose tangents turn with the
-  /// nodes.
+  /// Returns place and rotation of any place; between two nodes by Hermite cubics, whose tangents
+  /// turn with the nodes.
   spatial::Placement at(const Place& place) const;
 
  private:

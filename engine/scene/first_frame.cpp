@@ -1,4 +1,4 @@
-// Where joints stand before a model is simulated.
+// Places joints where they stand before a model is simulated.
 
 #include "engine/scene/frame.h"
 #include "models/space/mount.h"
@@ -27,7 +27,7 @@ Placement turned(const Vector& axis, double angle) {
   return {Vector::Zero(), space::exponential(angle * axis.normalized()).axes};
 }
 
-/// The child's frame in the joint's.
+/// Returns the motion of the frame of the child against that of the joint.
 Placement calc_motion(const Joint& joint, double azimuth) {
   Vector value = Vector::Zero();
   for (int c = 0; c < count_coordinates(joint.kind); ++c)
@@ -56,7 +56,7 @@ Placement inverse(const Placement& placement) {
   return {-(back * placement.position), back};
 }
 
-/// Motions of the groups of a tree, of which `next` is the first.
+/// Adds the motions of the groups of a subsystem, the first of which is `next`.
 void add_motions(const Tree& tree, std::vector<Placement>& groups, std::size_t& next) {
   const std::vector<Placement> places = calc_placements(tree);
   std::vector<Placement> motions;
@@ -64,14 +64,14 @@ void add_motions(const Tree& tree, std::vector<Placement>& groups, std::size_t& 
     const spatial::TreeBody& body = tree.bodies[j];
     const Placement before =
         body.parent < 0 ? Placement{} : motions[static_cast<std::size_t>(body.parent)];
-    // In the hub's frame, as if the child were moved from where it is at coordinates of zero.
+    // Motions are in the frame of the hub, from the place of the child at coordinates of zero.
     motions.push_back(before * places[j] * calc_motion(body.joint, tree.azimuth) *
                       inverse(places[j]));
     if (count_coordinates(body.joint.kind) > 0) groups[next++] = motions.back();
   }
 }
 
-/// Of the hub, which its mount may have moved.
+/// Returns the pose of the hub, which its mount may have moved.
 HubPose calc_start(const spatial::Hub& hub) {
   space::Hub at_rest;
   at_rest.mount = hub.mount;

@@ -1,4 +1,4 @@
-// Shapes of blades and trees as motions of groups, displacements and rotations.
+// Takes shapes of subsystems apart into motions of groups, displacements and rotations.
 
 #include "engine/scene/frame.h"
 
@@ -33,19 +33,19 @@ void FrameReader::read(const Simulation& simulation, Frame& frame) {
   clear(scene_, frame);
   frame.hub = simulation.hub_pose();
   if (scene_.is_planar)
-    read_blades(simulation, frame);
+    read_plane(simulation, frame);
   else
-    read_trees(simulation, frame);
+    read_space(simulation, frame);
   for (const Strip& strip : scene_.strips) read_forces(strip, frame);
 }
 
-void FrameReader::read_blades(const Simulation& simulation, Frame& frame) {
+void FrameReader::read_plane(const Simulation& simulation, Frame& frame) {
   frame.hub_angle = simulation.hub().position[kRotation];  // no sensor needs to be evaluated
-  blades_.resize(scene_.trees.size());
-  for (std::size_t i = 0; i < blades_.size(); ++i)
-    simulation.calc_shape(static_cast<int>(i), blades_[i]);
+  planar_shapes_.resize(scene_.subsystems.size());
+  for (std::size_t i = 0; i < planar_shapes_.size(); ++i)
+    simulation.calc_shape(static_cast<int>(i), planar_shapes_[i]);
   for (const NodeSource& source : scene_.sources) {
-    const BladeShape& blade = blades_[static_cast<std::size_t>(source.tree)];
+    const BladeShape& blade = planar_shapes_[static_cast<std::size_t>(source.subsystem)];
     const ShapeNode& node =
         blade.nodes[static_cast<std::size_t>(source.body * blade.elements + source.node)];
     frame.displacements.emplace_back(node.displacement.x(), node.displacement.y(), 0.0);
@@ -53,11 +53,11 @@ void FrameReader::read_blades(const Simulation& simulation, Frame& frame) {
   }
 }
 
-void FrameReader::read_trees(const Simulation& simulation, Frame& frame) {
+void FrameReader::read_space(const Simulation& simulation, Frame& frame) {
   frame.hub_angle = simulation.sensor("hub.angle");
-  trees_.resize(scene_.trees.size());
-  for (std::size_t i = 0; i < trees_.size(); ++i)
-    simulation.calc_shape(static_cast<int>(i), trees_[i]);
+  spatial_shapes_.resize(scene_.subsystems.size());
+  for (std::size_t i = 0; i < spatial_shapes_.size(); ++i)
+    simulation.calc_shape(static_cast<int>(i), spatial_shapes_[i]);
   for (std::size_t k = 0; k < scene_.sources.size(); ++k) {
     const NodeSource& source = scene_.sources[k];
     const TreeNode& node = body_of(source).nodes[static_cast<std::size_t>(source.node)];
@@ -65,7 +65,7 @@ void FrameReader::read_trees(const Simulation& simulation, Frame& frame) {
     frame.rotations.push_back(node.rotation);
     const Node& drawn = scene_.nodes[k];
     if (drawn.group == 0) continue;
-    // What a rigid body does, all of its nodes show alike.
+    // All nodes of a rigid group show the same motion.
     const Tensor now = space::exponential(node.rotation).axes.transpose() * node.R;
     Placement& group = frame.groups[static_cast<std::size_t>(drawn.group)];
     group.rotation = now * drawn.axes.transpose();
@@ -73,7 +73,7 @@ void FrameReader::read_trees(const Simulation& simulation, Frame& frame) {
   }
 }
 
-/// Of shown elements that hold several of the model, the mean.
+/// Reads forces of shown elements; where one holds several elements of the model, their mean.
 void FrameReader::read_forces(const Strip& strip, Frame& frame) const {
   for (int k = 0; k + 1 < strip.nodes; ++k) {
     const auto at = static_cast<std::size_t>(strip.first + k);
@@ -81,7 +81,7 @@ void FrameReader::read_forces(const Strip& strip, Frame& frame) const {
     double axial = 0.0, bending = 0.0;
     for (int e = from.node; e < to.node; ++e) {
       if (scene_.is_planar) {
-        const BladeShape& blade = blades_[static_cast<std::size_t>(from.tree)];
+        const BladeShape& blade = planar_shapes_[static_cast<std::size_t>(from.subsystem)];
         const auto element = static_cast<std::size_t>(from.body * blade.elements + e);
         axial += blade.axial_forces[element];
         bending += std::abs(blade.bending_moments[element]);

@@ -1,7 +1,8 @@
 #pragma once
 
-// A scene at one time: where its nodes are, and what its elements bear.
+// A scene at one time: the places of its nodes, and the loads of its elements.
 
+#include <cassert>
 #include <vector>
 
 #include "engine/scene/scene.h"
@@ -10,48 +11,50 @@
 
 namespace spoke::scene {
 
-/// A node is where its group takes it, moved on by its displacement and turned on by its rotation,
-/// both resolved in the hub's frame. So drawn displacements can be exaggerated, and the motion of
-/// joints is as it is.
+/// A node is where its group moves it, displaced and turned further by its own displacement and
+/// rotation, both resolved in the frame of the hub. So drawings can exaggerate displacements and
+/// leave the motion of joints as it is.
 struct Frame {
   HubPose hub;
   double hub_angle = 0.0;                  ///< about the axle, not reduced to one turn [rad]
-  std::vector<spatial::Placement> groups;  ///< motion of each, in the hub's frame
+  std::vector<spatial::Placement> groups;  ///< motions, in the hub's frame
   std::vector<Vector> displacements;       ///< by node [m]
   std::vector<Vector> rotations;           ///< by node, rotation vectors [rad]
   std::vector<double> axial_forces;        ///< by element, in tension positive [N]
   std::vector<double> bending_moments;     ///< by element, magnitudes [N m]
 
-  /// Where a node is in the hub's frame [m].
+  /// Returns the place of a node in the frame of the hub [m].
   Vector place(const Scene& scene, std::size_t node) const;
 };
 
 /// Takes frames of a simulation.
 class FrameReader {
  public:
-  /// The scene is that of the simulation's scenario, and outlives this.
+  /// `scene`: that of the scenario of the simulation; must outlive this.
   explicit FrameReader(const Scene& scene) : scene_(scene) {}
 
-  /// The frame at simulation.time(). `frame` keeps its memory from call to call.
+  /// Reads the frame at simulation.time(). `frame` keeps its memory from call to call.
   void read(const Simulation& simulation, Frame& frame);
-  /// What the last frame was read from. Precondition: the scene is one of space.
+  /// Returns the shape that the last frame was read from. Precondition: the scene is in space.
   const TreeBodyShape& body_of(const NodeSource& source) const {
-    return trees_[static_cast<std::size_t>(source.tree)]
+    assert(source.subsystem >= 0 &&
+           static_cast<std::size_t>(source.subsystem) < spatial_shapes_.size());
+    return spatial_shapes_[static_cast<std::size_t>(source.subsystem)]
         .bodies[static_cast<std::size_t>(source.body)];
   }
 
  private:
-  void read_blades(const Simulation& simulation, Frame& frame);
-  void read_trees(const Simulation& simulation, Frame& frame);
+  void read_plane(const Simulation& simulation, Frame& frame);
+  void read_space(const Simulation& simulation, Frame& frame);
   void read_forces(const Strip& strip, Frame& frame) const;
 
   const Scene& scene_;
-  std::vector<BladeShape> blades_;
-  std::vector<TreeShape> trees_;
+  std::vector<BladeShape> planar_shapes_;
+  std::vector<TreeShape> spatial_shapes_;
 };
 
-/// The frame at t = 0 of a scenario that is not simulated: undeformed, joints at their initial
-/// coordinates.
+/// Makes the frame at t = 0 of a scenario that is not simulated: undeformed, joints at their
+/// initial coordinates.
 Frame make_first_frame(const Scenario& scenario, const Scene& scene);
 
 }  // namespace spoke::scene

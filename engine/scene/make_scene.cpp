@@ -1,4 +1,4 @@
-// What scenes of plane and space have in common.
+// Common parts of scenes in the plane and in space.
 
 #include "engine/scene/make_scene.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// From a scenario to its scene.
+// Makes the scene of a scenario.
 
 #include <vector>
 
@@ -8,22 +8,24 @@
 
 namespace spoke::scene {
 
-/// The scene of a scenario that check_scenario() accepts. Of bodies with many elements every few
-/// nodes are shown, so that there are about `most_nodes` in all, two for each body at least.
+/// Makes the scene of a scenario that check_scenario() accepts. If bodies have many elements, only
+/// every few nodes are shown, so that there are about `most_nodes` in all, but at least two for
+/// each body.
 Scene make_scene(const Scenario& scenario, std::size_t most_nodes);
 
-/// Likewise, of one world.
+/// Make the scene in one world.
 Scene make_planar_scene(const Scenario& scenario, std::size_t most_nodes);
 Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes);
 
-/// Numbers of the nodes of a body that are shown: every `stride`-th, and the last.
+/// Returns the numbers of the nodes of a body that are shown: every `stride`-th one, and the last.
 std::vector<int> shown_nodes(int elements, std::size_t stride);
 
-/// So many that scenes of few elements look smooth, and those of many stay small.
+/// Returns the number of rings per element with which scenes of few elements look smooth, and
+/// scenes of many stay small.
 int rings_per_element(std::size_t elements);
 
-/// The rings of elements between shown nodes, whose stations are given: `make(station)` makes the
-/// ring there.
+/// Makes the rings of elements between shown nodes, whose stations are given: `make(station)` makes
+/// a ring there.
 template <class Make>
 std::vector<Ring> make_rings(const std::vector<double>& stations, int first, int per_element,
                              Make make) {

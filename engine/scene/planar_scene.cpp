@@ -1,11 +1,11 @@
-// The scene of a rotor in the plane z = 0.
+// Makes the scene of a rotor in the plane z = 0.
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/scene/make_scene.h"
 #include "engine/scene/solids.h"
-#include "models/system/beam_properties.h"
+#include "models/plane/beam_properties.h"
 
 namespace spoke::scene {
 namespace {
@@ -18,10 +18,10 @@ std::size_t count_nodes(const Rotor& rotor) {
   return nodes;
 }
 
-/// EI/EA at a place of a body of the blade [m^2].
-double squared_gyration(const BeamProperties& body, double x) {
+/// Returns EI/EA at a place of a body of a blade [m^2].
+double squared_gyration(const plane::BeamProperties& body, double x) {
   if (body.pieces.empty()) return body.bending_stiffness / body.axial_stiffness;
-  const BeamPiece& piece = piece_at(body.pieces, x);
+  const plane::BeamPiece& piece = piece_at(body.pieces, x);
   return piece.at(piece.bending_stiffness, x) / piece.at(piece.axial_stiffness, x);
 }
 
@@ -71,14 +71,14 @@ class PlanarScene {
 
   void add_blade(std::size_t i) {
     const Blade& blade = rotor_.blades[i];
-    scene_.trees.push_back("blade " + std::to_string(i + 1));
+    scene_.subsystems.push_back("blade " + std::to_string(i + 1));
     for (int j = 0; j < blade.bodies; ++j) add_body(i, j);
     scene_.tips.push_back(static_cast<int>(scene_.nodes.size()) - 1);
   }
   void add_body(std::size_t i, int j) {
     const Blade& blade = rotor_.blades[i];
-    const BeamProperties body = make_beam_properties(blade, j);
-    Strip strip{scene_.trees.back() + " / body " + std::to_string(j + 1),
+    const plane::BeamProperties body = plane::make_beam_properties(blade, j);
+    Strip strip{scene_.subsystems.back() + " / body " + std::to_string(j + 1),
                 static_cast<int>(i),
                 static_cast<int>(scene_.nodes.size()),
                 0,
@@ -95,7 +95,7 @@ class PlanarScene {
       ring.at.p = place(i, x);
       ring.y = across(i);
       const double inner = std::clamp(x - j * body.length, 0.0, body.length);
-      // Of the section's size across the plane the model knows nothing: round.
+      // The model does not know the size of the section across the plane: it is drawn round.
       ring.half_y = ring.half_z = 2.0 * std::sqrt(squared_gyration(body, inner));
       return ring;
     });
@@ -110,12 +110,12 @@ class PlanarScene {
     scene_.solids.back().name = "hub";
   }
 
-  /// The element of a blade in which a place is.
+  /// Returns the element of a blade at a place.
   Place find_place(std::size_t i, double x) const {
     const Blade& blade = rotor_.blades[i];
     const double body = blade.length / blade.bodies;
     for (const Strip& strip : scene_.strips) {
-      if (strip.tree != static_cast<int>(i)) continue;
+      if (strip.subsystem != static_cast<int>(i)) continue;
       for (int k = 0; k + 1 < strip.nodes; ++k) {
         const auto at = static_cast<std::size_t>(strip.first + k);
         const auto station = [&](std::size_t node) {
@@ -139,7 +139,7 @@ class PlanarScene {
   void add_load(std::size_t i, double x, LoadFrame frame, const Position& force, double moment,
                 bool is_distributed) {
     Vector v = in_space(force);
-    // What turns with the section is given in the blade's axes.
+    // Forces that turn with the section are given in the axes of the blade.
     if (frame == LoadFrame::section) v = force.x() * along(i) + force.y() * across(i);
     scene_.loads.push_back({find_place(i, x), std::string(name_of(frame)), v,
                             Vector(0.0, 0.0, moment), is_distributed});

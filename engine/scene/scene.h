@@ -1,6 +1,6 @@
 #pragma once
 
-// A model as it is drawn: what can be seen of it, fixed to nodes that frames move. Made of a
+// The parts of a model that are drawn, fixed to nodes that frames move. A scene is made of a
 // scenario alone, before anything is simulated. Plane and space look alike here.
 
 #include <cstddef>
@@ -13,24 +13,24 @@ namespace spoke::scene {
 
 using spatial::Vector;
 
-/// A section of a beam, or a rigid body's frame. All places and directions of a scene are those of
-/// the undeformed model with joint coordinates zero, in the hub's frame as the scenario describes
-/// it [m].
+/// A section of a beam, or the frame of a rigid body. All places and directions of a scene are
+/// those of the undeformed model with joint coordinates zero, in the frame of the hub as the
+/// scenario describes it [m].
 struct Node {
-  int group = 0;  ///< of bodies that only rigid motion could not part: 0 stands on the hub
+  int group = 0;  ///< of bodies without joints between them; 0 stands on the hub
   Vector p = Vector::Zero();
-  spatial::Tensor axes = spatial::Tensor::Identity();  ///< of the body, see TreeNode::R
+  spatial::Tensor axes = spatial::Tensor::Identity();  ///< axes of the body, see TreeNode::R
 };
 
-/// Where a node's state is found: in the shape of a blade or tree.
+/// The source of a state of a node: a node in the shape of a subsystem.
 struct NodeSource {
-  int tree = 0;
-  int body = 0;  ///< in the tree
+  int subsystem = 0;
+  int body = 0;  ///< in the subsystem
   int node = 0;  ///< of the body
 };
 
-/// A place that nodes carry: of a beam's element between `node` and the next one, at the share
-/// `xi` of it; where xi is 0, fixed to the node. node -1: fixed to the hub.
+/// A place that nodes carry: on the element of a beam between `node` and the next one, at the share
+/// `xi` of it; if xi is 0, fixed to the node. node -1: fixed to the hub.
 struct Place {
   int node = -1;
   double xi = 0.0;
@@ -44,11 +44,11 @@ struct Ring {
   double half_y = 0.0, half_z = 0.0;                ///< semi-axes along them [m]
 };
 
-/// A flexible body: nodes that stand one behind the other, and elements between them.
+/// A flexible body: nodes in a row, and elements between them.
 struct Strip {
   std::string name;  ///< "blade 1 / body 2"
-  int tree = 0;
-  int first = 0;  ///< node
+  int subsystem = 0;
+  int first = 0;  ///< first node
   int nodes = 0;
   std::vector<Ring> rings;  ///< from the inboard end
 };
@@ -56,15 +56,15 @@ struct Strip {
 /// A convex body with plane faces, fixed to a node.
 struct Solid {
   std::string name;
-  int tree = -1;  ///< -1: the hub
-  int node = -1;  ///< -1: the hub
+  int subsystem = -1;  ///< -1: the hub
+  int node = -1;       ///< -1: the hub
   std::vector<Vector> vertices;
   std::vector<std::vector<int>> faces;  ///< corners, counterclockwise as seen from outside
 };
 
 /// A rigid connection within a rigid body.
 struct Link {
-  int tree = 0;
+  int subsystem = 0;
   int node = 0;
   Vector from = Vector::Zero(), to = Vector::Zero();
 };
@@ -81,28 +81,28 @@ struct JointMark {
 /// A load at a place.
 struct LoadMark {
   Place at;
-  /// "inertial", "hub", "body" or "section": with what the vectors turn. Those of "inertial" have
-  /// inertial axes, all others the hub's.
+  /// The frame with which the vectors turn: "inertial", "hub", "body" or "section". Vectors of
+  /// "inertial" are in inertial axes, all others in those of the hub.
   std::string frame;
   Vector force = Vector::Zero();   ///< [N], or [N/m] if it is distributed
   Vector moment = Vector::Zero();  ///< [N m], or [N]
   bool is_distributed = false;
 };
 
-/// What is measured somewhere.
+/// A sensor at a place.
 struct SensorMark {
   std::string name;
   Place at;
 };
 
-/// All that is drawn.
+/// All parts that are drawn.
 struct Scene {
   bool is_planar = false;
   Vector axis = Vector::UnitZ();    ///< of the hub
   Vector gravity = Vector::Zero();  ///< inertial axes [m/s^2]
   int groups = 1;
-  std::vector<std::string> trees;  ///< names of blades and subsystems
-  std::vector<int> tips;           ///< node, by tree
+  std::vector<std::string> subsystems;  ///< names
+  std::vector<int> tips;                ///< last node, by subsystem
   std::vector<Node> nodes;
   std::vector<NodeSource> sources;  ///< by node
   std::vector<Strip> strips;
@@ -112,9 +112,9 @@ struct Scene {
   std::vector<LoadMark> loads;
   std::vector<SensorMark> sensors;
 
-  /// Of all strips together.
+  /// Returns the number of elements of all strips.
   std::size_t element_count() const;
-  /// The largest distance of a node from the hub's origin [m].
+  /// Returns the largest distance of a node from the origin of the hub [m].
   double radius() const;
 };
 

@@ -1,4 +1,5 @@
-// Chord and thickness between stations, and those of an ellipse with given inertias.
+// Interpolates chord and thickness between stations, or takes those of an ellipse with given
+// inertias.
 
 #include "engine/scene/section_size.h"
 
@@ -8,7 +9,7 @@
 namespace spoke::scene {
 namespace {
 
-/// Linear between stations.
+/// Interpolates linearly between stations.
 double value_at(const std::vector<double>& stations, const std::vector<double>& values, double x) {
   const auto beyond = std::upper_bound(stations.begin() + 1, stations.end() - 1, x);
   const auto k = static_cast<std::size_t>(beyond - stations.begin()) - 1;
@@ -16,7 +17,7 @@ double value_at(const std::vector<double>& stations, const std::vector<double>& 
   return values[k] + t * (values[k + 1] - values[k]);
 }
 
-/// Of an ellipse, int y^2 dm = m a^2/4 with the semi-axis a.
+/// Returns the semi-axis a of an ellipse, for which int y^2 dm = m a^2/4.
 double semi_axis(double second_moment, double mass) {
   return 2.0 * std::sqrt(std::max(0.0, second_moment / mass));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// How large a section of a beam in space is drawn.
+// The size in which a section of a beam in space is drawn.
 
 #include "models/space/beam.h"
 #include "models/spatial_model.h"
@@ -13,8 +13,9 @@ struct SectionSize {
   double center_y = 0.0, center_z = 0.0;  ///< from the beam's axis [m]
 };
 
-/// By chord and thickness about the axis where they are given; what is not, as of a full ellipse
-/// with the section's inertias, about its mass centre. `made`: of `beam`; x: station [m].
+/// Returns the size by chord and thickness about the axis where they are given; a dimension that is
+/// not given is that of a full ellipse with the inertias of the section, about its mass centre.
+/// `made`: made of `beam`; x: station [m].
 SectionSize find_section_size(const spatial::Beam& beam, const space::Beam& made, double x);
 
 }  // namespace spoke::scene

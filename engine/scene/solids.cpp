@@ -1,4 +1,4 @@
-// Vertices and faces of boxes and cylinders.
+// Makes vertices and faces of boxes and cylinders.
 
 #include "engine/scene/solids.h"
 
@@ -12,10 +12,10 @@
 namespace spoke::scene {
 namespace {
 
-constexpr int kSides = 24;          // of a cylinder
-constexpr double kThinnest = 0.01;  // of a body, by its largest dimension
+constexpr int kSides = 24;          // faces around a cylinder
+constexpr double kThinnest = 0.01;  // smallest dimension of a body, by its largest one
 
-/// Half the edges: of a box, J_x = m (b^2 + c^2)/3 for half edges a, b, c.
+/// Returns half the edges of a box, for which J_x = m (b^2 + c^2)/3 with half edges a, b, c.
 Vector half_edges(double mass, const Vector& moments) {
   Vector half;
   for (int i = 0; i < 3; ++i)
@@ -33,7 +33,8 @@ Solid make_box(const spatial::Tensor& axes, const Vector& half) {
   return box;
 }
 
-/// Which of three moments, in ascending order, is unlike the two others; -1: neither or none.
+/// Returns which of three moments, in ascending order, differs from the two equal ones; -1 if there
+/// is none.
 int find_odd(const Vector& moments) {
   const double same = 1e-6 * moments.maxCoeff();
   const bool low = moments[1] - moments[0] <= same, high = moments[2] - moments[1] <= same;
@@ -49,7 +50,7 @@ Solid make_body(const Vector& center, double mass, const spatial::Tensor& inerti
   if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
   Solid solid;
   if (const int odd = find_odd(moments); odd >= 0) {
-    // J along its axis is m r^2/2, across it m (3 r^2 + h^2)/12.
+    // A cylinder has J = m r^2/2 along its axis, m (3 r^2 + h^2)/12 across it.
     const double square = 2.0 * moments[odd] / mass;
     const double height = std::sqrt(std::max(0.0, 12.0 * moments[1] / mass - 3.0 * square));
     const double radius = std::sqrt(square);

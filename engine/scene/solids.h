@@ -1,16 +1,16 @@
 #pragma once
 
-// Solids that scenes are made of besides beams.
+// Solids in scenes: rigid bodies and the hub.
 
 #include "engine/scene/scene.h"
 
 namespace spoke::scene {
 
-/// The box with this mass and inertia [kg, kg m^2] about its centre, its axes the principal ones;
-/// if two of its principal moments are equal, the cylinder.
+/// Makes the box with this mass and inertia [kg, kg m^2] about its centre, its axes the principal
+/// ones; the cylinder if two principal moments are equal.
 Solid make_body(const Vector& center, double mass, const spatial::Tensor& inertia);
 
-/// A cylinder about an axis through the origin [m].
+/// Makes a cylinder about an axis through the origin [m].
 Solid make_cylinder(const Vector& axis, double radius, double half_height);
 
 /// Moves a solid: a vertex v goes to p + R v.

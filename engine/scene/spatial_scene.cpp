@@ -1,4 +1,4 @@
-// The scene of a model in space.
+// Makes the scene of a model in space.
 
 #include <algorithm>
 #include <optional>
@@ -32,17 +32,17 @@ std::string describe(const spatial::JointCoordinate& coordinate) {
   return coordinate.stiffness > 0.0 ? "sprung" : "free";
 }
 
-/// A place that is loaded, with the axes there, in the hub's.
+/// A place of a load, and the axes there, in the frame of the hub.
 struct LoadedPlace {
   Place at;
   spatial::Tensor body, section;
 };
 
-/// Adds one tree.
-class TreeScene {
+/// Adds one subsystem to a scene.
+class SubsystemScene {
  public:
-  TreeScene(const Tree& tree, int number, bool is_blade, std::size_t stride, int per_element,
-            Scene& scene)
+  SubsystemScene(const Tree& tree, int number, bool is_blade, std::size_t stride, int per_element,
+                 Scene& scene)
       : tree_(tree),
         number_(number),
         is_blade_(is_blade),
@@ -54,7 +54,7 @@ class TreeScene {
   }
 
   void add() {
-    scene_.trees.push_back(tree_.name);
+    scene_.subsystems.push_back(tree_.name);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
       first_.push_back(static_cast<int>(scene_.nodes.size()));
       add_group(j);
@@ -67,7 +67,8 @@ class TreeScene {
     scene_.tips.push_back(static_cast<int>(scene_.nodes.size()) - 1);
   }
 
-  /// Where a load acts on this tree; none if it acts elsewhere. `position`: station, none: the tip.
+  /// Returns the place where a load acts on this subsystem; none if it acts elsewhere. `position`:
+  /// station; none: the tip.
   std::optional<LoadedPlace> find_place(const spatial::LoadPlace& place,
                                         std::optional<double> position, const Vector& point) const {
     std::optional<LoadedPlace> found;
@@ -85,7 +86,7 @@ class TreeScene {
     }
     return found;
   }
-  /// Of the loaded beam [m].
+  /// Returns the length of the loaded beam [m].
   double length_of(const spatial::LoadPlace& place) const {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
       if (is_on(place, j))
@@ -116,7 +117,7 @@ class TreeScene {
   }
   std::string name_of(std::size_t j) const { return tree_.name + " / " + tree_.bodies[j].name; }
 
-  /// A station of a beam, in the hub's frame.
+  /// Returns the placement of a station of a beam, in the frame of the hub.
   Placement place_of(std::size_t j, const spatial::FlexibleBody& part, double x) const {
     const space::Beam& beam = beams_[part.beam];
     const space::SectionAt at = beam.geometry(x);
@@ -153,12 +154,12 @@ class TreeScene {
       if (!is_here || mass.position > part.nodes.back() || mass.offset.isZero()) continue;
       const Placement at = placements_[j];
       const Placement on = place_of(j, part, mass.position);
-      // A stalk from the axis to the mass, fixed to a node near by.
+      // The mass is drawn on a stalk from the axis, fixed to a node near by.
       scene_.links.push_back({number_, node_before(j, part, mass.position), on.position,
                               on.position + at.rotation * mass.offset});
     }
   }
-  /// The last shown node at or inboard of a station.
+  /// Returns the last shown node at or inboard of a station.
   int node_before(std::size_t j, const spatial::FlexibleBody& part, double x) const {
     int node = first_[j];
     while (node + 1 < static_cast<int>(scene_.nodes.size()) && station_of(part, node + 1) <= x)
@@ -183,7 +184,7 @@ class TreeScene {
     add_node(j, 0, at.position);
     Solid solid = make_body(body.center, body.mass, body.inertia);
     solid.name = name_of(j);
-    solid.tree = number_;
+    solid.subsystem = number_;
     solid.node = node;
     place(at.position, at.rotation, solid);
     scene_.solids.push_back(std::move(solid));
@@ -218,7 +219,7 @@ class TreeScene {
   int per_element_;
   std::vector<Placement> placements_;
   std::vector<space::Beam> beams_;
-  std::vector<int> first_;   ///< node, by body
+  std::vector<int> first_;   ///< first node, by body
   std::vector<int> groups_;  ///< by body
   Scene& scene_;
 };
@@ -237,20 +238,21 @@ void add_hub(const spatial::Hub& hub, Scene& scene) {
 /// Draws the loads of a model.
 class LoadMarks {
  public:
-  LoadMarks(const std::vector<TreeScene>& trees, Scene& scene) : trees_(trees), scene_(scene) {}
+  LoadMarks(const std::vector<SubsystemScene>& subsystems, Scene& scene)
+      : subsystems_(subsystems), scene_(scene) {}
 
   void add(const spatial::PointLoad& load) {
-    for (const TreeScene& tree : trees_)
-      add(tree.find_place(load.place, load.position, load.point), load.frame, load.force,
+    for (const SubsystemScene& subsystem : subsystems_)
+      add(subsystem.find_place(load.place, load.position, load.point), load.frame, load.force,
           load.moment, false);
   }
   void add(const spatial::DistributedLoad& load) {
     constexpr int kArrows = 9;
-    for (const TreeScene& tree : trees_) {
-      const double to = load.to.value_or(tree.length_of(load.place));
+    for (const SubsystemScene& subsystem : subsystems_) {
+      const double to = load.to.value_or(subsystem.length_of(load.place));
       for (int k = 0; k < kArrows; ++k) {
         const double x = load.from + (to - load.from) * k / (kArrows - 1);
-        add(tree.find_place(load.place, x, Vector::Zero()), load.frame, load.force_per_length,
+        add(subsystem.find_place(load.place, x, Vector::Zero()), load.frame, load.force_per_length,
             load.moment_per_length, true);
       }
     }
@@ -274,7 +276,7 @@ class LoadMarks {
         {place->at, std::string(name_of(frame)), R * force, R * moment, is_distributed});
   }
 
-  const std::vector<TreeScene>& trees_;
+  const std::vector<SubsystemScene>& subsystems_;
   Scene& scene_;
 };
 
@@ -287,7 +289,7 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes) {
   Scene scene;
   scene.axis = model.hub.axis.normalized();
   scene.gravity = model.gravity;
-  std::vector<TreeScene> made;
+  std::vector<SubsystemScene> made;
   for (std::size_t i = 0; i < trees.size(); ++i) {
     made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(), stride,
                       rings_per_element(nodes / stride), scene);

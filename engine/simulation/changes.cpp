@@ -1,4 +1,4 @@
-// What is changed between steps of a simulation: the drive, the motion of a joint.
+// Changes between steps of a simulation: the drive, the motion of a joint.
 
 #include <utility>
 

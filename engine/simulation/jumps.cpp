@@ -1,8 +1,9 @@
-// Looks at the points of drives, tables of joints and of the mount.
+// Examines the points of drives, and of tables of joints and the mount.
 
 #include "engine/simulation/jumps.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <sstream>
 
@@ -11,10 +12,11 @@
 namespace spoke {
 namespace {
 
-constexpr double kNotable = 0.01;  ///< of a change, by the largest
+constexpr double kNotable = 0.01;  ///< least notable change, by the largest change
 
-/// The mean rate of a curve between two times, without its sign.
+/// Returns the magnitude of the mean rate of a curve between two times.
 double rate_between(const Curve& course, double from, double to) {
+  assert(from < to);
   return std::abs(course.value(to) - course.value(from)) / (to - from);
 }
 
@@ -34,7 +36,8 @@ struct Change {
   double size = 0.0;
 };
 
-/// Changes between two neighbouring points, or a few, that begin between `begin` and `end`.
+/// Returns the changes between neighbouring points, two or a few, that begin between `begin` and
+/// `end`.
 std::vector<Change> find_changes(const Curve& course, double begin, double end, double step_size) {
   const std::vector<double>&times = course.times(), &values = course.values();
   double largest = 0.0;
@@ -46,7 +49,7 @@ std::vector<Change> find_changes(const Curve& course, double begin, double end, 
     const double from = times[k - 1], to = times[k], change = values[k] - values[k - 1];
     const bool is_within = to > begin && from < end && to - from < least;
     if (!is_within || std::abs(change) <= kNotable * largest) continue;
-    // By itself, or with the next ones.
+    // The interval may stand out by itself, or together with the next ones.
     if (stands_out(course, from, to, step_size)) {
       found.push_back({from, to - from, change});
     } else if (stands_out(course, from, from + least, step_size)) {
@@ -64,7 +67,7 @@ std::string describe(const std::string& name, double change, const std::string& 
   return text.str();
 }
 
-/// Jumps of the speed where a table of places begins or ends while it moves.
+/// Adds jumps of the speed where a table of places begins or ends while it moves.
 void add_kinks(const Curve& course, const std::string& name, const std::string& unit, double begin,
                double end, std::vector<Jump>& jumps) {
   const std::vector<double>& times = course.times();
@@ -97,7 +100,7 @@ std::vector<Change> find_drive_changes(const Drive& drive, double begin, double 
   if (const auto* spin = std::get_if<SpinUp>(&drive)) {
     ramps.push_back({0.0, spin->ramp, spin->speed});
   } else if (const auto* cycle = std::get_if<SpinUpHoldSpinDown>(&drive)) {
-    // Without a ramp it has begun at its speed.
+    // A cycle without a ramp has begun at its speed.
     if (cycle->ramp > 0.0) ramps.push_back({0.0, cycle->ramp, cycle->speed});
     ramps.push_back({cycle->ramp + cycle->hold, cycle->ramp_down, -cycle->speed});
   }
@@ -108,7 +111,7 @@ std::vector<Change> find_drive_changes(const Drive& drive, double begin, double 
   return ramps;
 }
 
-/// "the joint "pitch" of blade 1".
+/// Returns a name like "the joint "pitch" of blade 1".
 std::string name_joint(const spatial::Joint& joint, std::size_t number, const std::string& tree) {
   const std::string which =
       joint.name.empty() ? "joint " + std::to_string(number + 1) : "joint \"" + joint.name + "\"";
@@ -174,6 +177,7 @@ std::vector<Jump> find_course_jumps(const Curve& course, const std::string& name
 }
 
 std::vector<Jump> find_drive_jumps(const Drive& drive, double begin, double end, double step_size) {
+  assert(step_size > 0.0);
   std::vector<Jump> jumps;
   for (const Change& change : find_drive_changes(drive, begin, end, step_size))
     jumps.push_back({change.time, change.duration, kDriveSource,
@@ -214,7 +218,7 @@ std::string advise_on_jump(const Jump& jump, double step_size) {
     return "give the first and the last value of the table twice, so that it begins and ends at "
            "rest";
   text << "let the change take " << kLeastSteps * step_size << " s or more";
-  // Of a ramp shorter than a step, steps short enough for it are hardly meant.
+  // For a ramp shorter than a step a smaller step is not suggested: it is hardly meant.
   if (jump.duration > step_size)
     text << ", or take an integration.step of " << jump.duration / kLeastSteps << " s or less";
   return text.str();

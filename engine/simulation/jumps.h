@@ -1,8 +1,7 @@
 #pragma once
 
-// Motions that are prescribed - by the drive, in joints, of the mount - and that jump: what they
-// change within a few steps, the steps see next to nothing of, and the energy of it comes from
-// nowhere.
+// Jumps of prescribed motions: of the drive, of joints, of the mount. A motion jumps if it changes
+// within a few steps. The steps hardly see such a change, and its energy comes from nowhere.
 
 #include <string>
 #include <vector>
@@ -12,37 +11,39 @@
 
 namespace spoke {
 
-/// Steps that a change is to take at least.
+/// Least number of steps that a change should take.
 inline constexpr double kLeastSteps = 4.0;
 
 /// A change within less than kLeastSteps steps.
 struct Jump {
   double time = 0.0;      ///< at which it begins [s]
   double duration = 0.0;  ///< [s]
-  std::string source{};   ///< what jumps: kDriveSource, or the name of a joint or of the mount
-  std::string text{};     ///< by how much: "the drive changes the speed by 4 rad/s"
+  std::string source{};   ///< kDriveSource, or the name of the joint or the mount that jumps
+  std::string text{};     ///< with its size: "the drive changes the speed by 4 rad/s"
 };
 inline constexpr const char* kDriveSource = "the drive";
 
-/// All that a scenario prescribes, in order of time; of those at one time the drive's first.
+/// Returns the jumps of all motions that a scenario prescribes, in order of time; at equal times
+/// those of the drive come first.
 std::vector<Jump> find_jumps(const Scenario& scenario, double step_size);
 
-/// Of a drive from `begin` on up to `end` [s].
+/// Returns the jumps of a drive between `begin` and `end` [s].
 std::vector<Jump> find_drive_jumps(const Drive& drive, double begin, double end, double step_size);
-/// Of a joint's coordinate, or another one, that follows a curve from `begin` on up to `end` [s].
-/// `unit`: "rad" or "m"; `name`: in words.
+/// Returns the jumps of a coordinate that follows a curve, between `begin` and `end` [s]. `unit`:
+/// "rad" or "m"; `name`: the coordinate in words.
 std::vector<Jump> find_course_jumps(const Curve& course, const std::string& name,
                                     const std::string& unit, double begin, double end,
                                     double step_size);
 
-/// Puts those of a motion that is replaced at time t [s] in the place of those to come.
+/// Replaces the jumps of a source after time t [s], where its motion is replaced, by `next`.
 void replace_jumps(const std::string& source, double t, std::vector<Jump> next,
                    std::vector<Jump>& jumps);
 
-/// Of one that is just before time t [s], what jumps and what to do about it; empty: there is none.
+/// Returns a sentence about a jump just before time t [s] and what to do about it; empty if there
+/// is none.
 std::string blame_jump(const std::vector<Jump>& jumps, double t, double step_size);
 
-/// What to do about one.
+/// Returns what to do about a jump.
 std::string advise_on_jump(const Jump& jump, double step_size);
 
 }  // namespace spoke

@@ -1,16 +1,16 @@
-// Chooses the world of a scenario's model.
+// Chooses the world of the model of a scenario.
 
 #include "engine/simulation/make_model.h"
 
-#include "engine/simulation/planar_model.h"
-#include "engine/simulation/spatial_model.h"
+#include "engine/simulation/model_on.h"
 
 namespace spoke {
 
 std::unique_ptr<SimulatedModel> make_model(const Scenario& scenario, Formulation formulation,
                                            const Integrator& integrator, const Loads& loads) {
-  return scenario.space ? make_spatial_model(scenario, formulation, integrator, loads)
-                        : make_planar_model(scenario, formulation, integrator, loads);
+  if (scenario.space)
+    return std::make_unique<ModelOn<Space>>(scenario, formulation, integrator, loads);
+  return std::make_unique<ModelOn<Plane>>(scenario, formulation, integrator, loads);
 }
 
 }  // namespace spoke

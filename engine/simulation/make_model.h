@@ -6,8 +6,8 @@
 
 namespace spoke {
 
-/// The model of a scenario. Throws InputError if the scenario, its loads or the formulation cannot
-/// be simulated. `scenario` must outlive it.
+/// Makes the model of a scenario. Throws InputError if the scenario, its loads or the formulation
+/// cannot be simulated. `scenario` must outlive it.
 std::unique_ptr<SimulatedModel> make_model(const Scenario& scenario, Formulation formulation,
                                            const Integrator& integrator, const Loads& loads);
 

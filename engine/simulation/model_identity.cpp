@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cctype>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+
+#include "models/reader/scenario_json.h"
 
 namespace spoke {
 namespace {
 
-using Json = nlohmann::json;
-
-/// "/blades/0/length" as scenario files and --set name it: "blades.1.length".
+/// Returns the key "blades.1.length", as scenario files and --set name it, for the pointer
+/// "/blades/0/length".
 std::string key_of(const std::string& pointer) {
   std::istringstream stream(pointer.substr(1));
   std::string key;
@@ -27,53 +27,40 @@ std::string key_of(const std::string& pointer) {
   return key;
 }
 
-/// A value in a message; long ones are cut.
-std::string text_of(const std::optional<Json>& value) {
-  if (!value) return "absent";
+/// Returns a value for a message; long ones are cut.
+std::string text_of(const std::string& value) {
+  if (value.empty()) return "absent";
   constexpr std::size_t most = 60;
-  std::string text = value->dump(-1, ' ', true, Json::error_handler_t::replace);
-  if (text.size() > most) text = text.substr(0, most) + "...";
-  return text;
-}
-
-std::optional<Json> value_at(const Json& json, const Json::json_pointer& place) {
-  if (!json.contains(place)) return {};
-  return json.at(place);
+  return value.size() > most ? value.substr(0, most) + "..." : value;
 }
 
 }  // namespace
 
 std::string make_identity(const Scenario& scenario, Formulation formulation, double step_size) {
-  Json json = Json::parse(scenario.to_json());
-  json.erase("title");
-  json.erase("initial");  // and what it has done to drive and ramps stays
-  json.erase("limits");
-  json.erase("output");
-  json.erase("sensor");
-  json["integration"].erase("duration");
-  json["integration"]["step"] = step_size;
-  json["formulation"] = name_of(formulation);
-  return json.dump();
+  // The way in which it starts is left out: its effect on drive and ramps is in the model.
+  Json json = model_to_json(scenario);
+  Json integration = integration_to_json(scenario.integration);
+  integration.erase("duration");
+  integration.set("step", step_size);
+  json.set("integration", std::move(integration));
+  json.set("formulation", name_of(formulation));
+  return json.dump_sorted();
 }
 
 std::string find_difference(const std::string& saved, const std::string& here) {
   if (saved == here) return {};
-  // A text of another origin may be nested without end.
-  const auto is_shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 32; };
-  const Json before = Json::parse(saved, is_shallow, false);
-  const Json now = Json::parse(here, nullptr, false);
+  const Json before = Json::parse(saved);
   if (!before.is_object()) return "the saved state does not say of which model it is";
-  const Json changes = Json::diff(before, now);
-  if (changes.empty()) return {};
-  const auto pointer = changes[0]["path"].get<std::string>();
+  const std::optional<JsonChange> change = JsonChange::find_first(before, Json::parse(here));
+  if (!change) return {};
+  const std::string& place = change->place;
   // An element added to a list has the place "-" behind its end.
-  if (pointer.empty() || pointer.ends_with("/-")) {
-    const std::string list = pointer.empty() ? pointer : pointer.substr(0, pointer.size() - 2);
+  if (place.empty() || place.ends_with("/-")) {
+    const std::string list = place.empty() ? place : place.substr(0, place.size() - 2);
     return key_of(list.empty() ? "/scenario" : list) + " has not as many entries as here";
   }
-  const Json::json_pointer place(pointer);
-  return key_of(pointer) + " is " + text_of(value_at(before, place)) + " in the saved state and " +
-         text_of(value_at(now, place)) + " here";
+  return key_of(place) + " is " + text_of(change->before) + " in the saved state and " +
+         text_of(change->after) + " here";
 }
 
 }  // namespace spoke

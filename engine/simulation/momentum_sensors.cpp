@@ -1,4 +1,5 @@
-// Reads the momentum of hub and trees, and compares it with the start and with what it could be.
+// Reads the momentum of hub and subsystems, and compares it with the start and with its possible
+// size.
 
 #include "engine/simulation/momentum_sensors.h"
 
@@ -23,7 +24,8 @@ double linear_size(const std::array<double, World::kTwist>& P) {
   return std::sqrt(std::inner_product(P.begin(), P.begin() + World::kPosition, P.begin(), 0.0));
 }
 
-/// Of the angular momentum about `place`, that about the origin given: |L - p x P|.
+/// Returns the magnitude of the angular momentum about `place`, |L - p x P|, from that about the
+/// origin.
 template <class World>
 double angular_size(const TwistOf<World>& p, const std::array<double, World::kTwist>& P) {
   if constexpr (World::kTwist == kTwist) {
@@ -93,7 +95,7 @@ void MomentumSensors<World>::start(const System<World>& system, const StepData<W
 template <class World>
 void MomentumSensors<World>::measure(const System<World>& system, double kinetic, std::int64_t step,
                                      const StepData<World>& data) {
-  // Of a motion whose parts all pass through the hub there is no angular momentum to compare.
+  // If all parts of the motion pass through the hub, there is no angular momentum to compare with.
   constexpr double kLeast = 1e-3;
   const TwistOf<World>& hub = of_step(data.records, step).position;
   const Momentum momentum = read(system, step, data);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a free model on which nothing acts does with its momentum, which it must keep.
+// Sensors of the momentum of a free model on which nothing acts, and which must keep it.
 
 #include <array>
 #include <vector>
@@ -11,30 +11,31 @@
 
 namespace spoke {
 
-/// Whether a scenario's model is free, and neither gravity nor a load nor a drive acts on it.
+/// Whether the model of a scenario is free, and neither gravity nor a load nor a drive acts on it.
 bool keeps_momentum(const Scenario& scenario);
 
-/// The sensors of a scenario, and behind them that of the momentum of a model that `keeps` it.
+/// Returns the sensors of a scenario, and behind them one of the momentum if the model `keeps` it.
 std::vector<Sensor> with_momentum(const Scenario& scenario, bool keeps);
-/// The columns of that last sensor, taken from all: none if the model keeps none.
+/// Takes the columns of this last sensor from all; returns none if the model does not keep its
+/// momentum.
 std::vector<SensorColumn> take_momentum(const Scenario& scenario, bool keeps,
                                         std::vector<SensorColumn>& columns);
 
-/// Of one world.
+/// Sensors of the momentum of a model of one world.
 template <class World>
 class MomentumSensors {
  public:
-  /// `columns`: of the momentum, linear components and then angular ones; may be none.
+  /// `columns`: those of the momentum, linear components and then angular ones; may be empty.
   MomentumSensors(const System<World>& system, std::vector<SensorColumn> columns);
 
   /// Whether there is anything to measure.
   bool are_there() const { return !columns_.empty(); }
   /// Takes the momentum at the start as reference; its readings must be in the table.
   void start(const System<World>& system, const StepData<World>& data);
-  /// Measures at a step, of which readings and samples must be in the table. `kinetic`: energy [J].
+  /// Measures at a step whose readings and samples must be in the table. `kinetic`: energy [J].
   void measure(const System<World>& system, double kinetic, std::int64_t step,
                const StepData<World>& data);
-  /// At the step measured last.
+  /// Returns the balance at the step measured last.
   const MomentumBalance& balance() const { return balance_; }
 
  private:

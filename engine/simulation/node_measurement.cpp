@@ -8,11 +8,11 @@
 
 namespace spoke {
 
-NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps, graph::NodeOrder order) {
+NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps) {
   SimulationCore& core = core_of(simulation);
   const std::int64_t begin = core.runner->steps();
   require_range("the number of steps to measure", steps, 1, core.planned_steps - begin);
-  graph::MeasuringExecutor executor(core.runner->run_graph(), order);
+  graph::MeasuringExecutor executor(core.runner->run_graph());
   core.measure(begin + steps, executor);
   return {executor.node_costs(), executor.run_times(), executor.between_runs(),
           static_cast<double>(executor.runs()) / static_cast<double>(steps)};

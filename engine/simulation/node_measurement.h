@@ -5,35 +5,32 @@
 #include <cstdint>
 #include <vector>
 
-#include "graph/plan/node_order.h"
-
 namespace spoke {
 
 class Simulation;
 
-/// What the nodes of a simulation's run_graph() cost within its steps.
+/// Costs of the nodes of run_graph() within the steps of a simulation.
 struct NodeMeasurement {
   std::vector<double> costs;      ///< by index of the node, mean per run [s]
-  std::vector<double> run_times;  ///< of all nodes, in the runs without time stamps [s]
+  std::vector<double> run_times;  ///< time of all nodes in each run without time stamps [s]
   double between_runs = 0.0;      ///< from the end of a run to the start of the next [s]
-  double runs_per_step = 0.0;     ///< of the graph, mean
+  double runs_per_step = 0.0;     ///< mean number of runs of the graph per step
 };
 
-/// Makes `steps` steps as Simulation::run_until() does, to the same bits, but on one thread, nodes
-/// in `order`, in half of the runs with a time stamp between any two, 8 bytes each meanwhile.
-/// Throws DivergenceError, and InputError unless 1 <= steps <= planned_steps() - steps(); should be
-/// 2 windows or more.
-NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps,
-                              graph::NodeOrder order = graph::NodeOrder::serial);
+/// Makes `steps` steps as Simulation::run_until() does, to the same bits, but on one thread and
+/// with a time stamp between any two nodes in half of the runs, which take 8 bytes each meanwhile.
+/// `steps` should span 2 windows or more. Throws DivergenceError, and InputError unless 1 <= steps
+/// <= planned_steps() - steps().
+NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps);
 
-/// Of the executor auto on several threads: builds the graph of the window that it chooses for
-/// simulations that are long enough to plan for, without planning; Simulation::run_graph() is then
-/// that, for measure_nodes(). Makes the steps that the choice is timed by, unless run_until() has
-/// chosen. Steps that a run of run_graph() makes, about. Throws like run_until().
+/// Builds the graph of the window that the executor auto chooses on several threads for simulations
+/// that are long enough to plan for, without planning. Simulation::run_graph() is then this graph,
+/// for measure_nodes(). Makes the steps by which the choice is timed, unless run_until() has chosen
+/// before. Returns about how many steps a run of run_graph() makes. Throws like run_until().
 int open_window(Simulation& simulation);
 
-/// The subsystems that each of so many processes would have: its first one, and at the end their
-/// number. Throws InputError unless 1 <= processes <= subsystems.
+/// Returns the first subsystem of each of so many processes, and behind these the number of
+/// subsystems. Throws InputError unless 1 <= processes <= subsystems.
 std::vector<int> share_subsystems(Simulation& simulation, int processes);
 
 }  // namespace spoke

@@ -1,4 +1,4 @@
-// Looks at each complete step, and words the warnings.
+// Examines each complete step, and words the warnings.
 
 #include "engine/simulation/observations.h"
 
@@ -8,19 +8,19 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/kernels/suggested_bodies.h"
-#include "models/system/beam_properties.h"
+#include "engine/plane/suggested_bodies.h"
+#include "models/plane/beam_properties.h"
 
 namespace spoke {
 namespace {
 
 std::string name_body(const Observations::Deflection& seen) {
   std::ostringstream text;
-  text << "blade " << seen.blade + 1.0 << " / body " << seen.body + 1.0;
+  text << "blade " << seen.subsystem + 1.0 << " / body " << seen.body + 1.0;
   return text.str();
 }
 
-/// Of a body in space.
+/// Warns of the deflection of a body in space.
 Warning warn_of_spatial_deflection(double limit, double step_size, const Observations& seen) {
   const Observations::Deflection &first = seen.first_deflection, &largest = seen.largest_deflection;
   const double time = first.step * step_size;
@@ -38,7 +38,7 @@ Warning warn_of_deflection(const Scenario& scenario, double step_size, const Obs
     return warn_of_spatial_deflection(scenario.limits.deflection, step_size, seen);
   const double limit = scenario.limits.deflection;
   const auto blade_of = [&](const Observations::Deflection& at) -> const Blade& {
-    return scenario.rotor.blades.at(static_cast<std::size_t>(at.blade));
+    return scenario.rotor.blades.at(static_cast<std::size_t>(at.subsystem));
   };
   const auto length_of = [&](const Observations::Deflection& at) {
     return blade_of(at).length / blade_of(at).bodies;
@@ -55,8 +55,8 @@ Warning warn_of_deflection(const Scenario& scenario, double step_size, const Obs
          << " % (" << name_body(largest) << ", t = " << seen.largest_deflection.step * step_size
          << " s): ";
   text << "cut the blade into about "
-       << suggest_bodies(blade_of(largest).bodies, largest.ratio, limit) << " bodies instead of "
-       << blade_of(largest).bodies;
+       << plane::suggest_bodies(blade_of(largest).bodies, largest.ratio, limit)
+       << " bodies instead of " << blade_of(largest).bodies;
   return {WarningKind::linear_range, time, text.str()};
 }
 
@@ -71,8 +71,8 @@ Warning warn_of_jump(const Jump& jump, double step_size) {
   return {WarningKind::speed_jump, jump.time, text.str()};
 }
 
-/// Of a tree in words.
-std::string name_tree(const Scenario& scenario, double index) {
+/// Returns the name of a subsystem.
+std::string name_subsystem(const Scenario& scenario, double index) {
   const auto i = static_cast<std::size_t>(index);
   if (!scenario.space || i < scenario.space->blades.size()) return "blade " + std::to_string(i + 1);
   return scenario.space->subsystems.at(i - scenario.space->blades.size()).name;
@@ -87,13 +87,13 @@ std::string name_place(const Scenario& scenario, const Observations::Error& erro
     default:
       break;
   }
-  const std::string body = name_tree(scenario, error.blade) + " / body " +
+  const std::string body = name_subsystem(scenario, error.subsystem) + " / body " +
                            std::to_string(static_cast<std::int64_t>(error.body) + 1);
   const bool is_joint = error.place == static_cast<double>(CoordinatePlace::joint);
   return is_joint ? "the joint of " + body : "the deformation of " + body;
 }
 
-/// To so many digits, not more than the value [s].
+/// Returns the value rounded down to two digits [s].
 double round_down(double value) {
   if (!(value > 0.0) || !std::isfinite(value)) return value;
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
@@ -148,17 +148,17 @@ bool is_possible(const Observations& seen,
     return value >= 0.0 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
   };
   const auto names_body = [&](const Observations::Deflection& at) {
-    return at.step >= 0.0 && at.ratio > 0.0 && is_index(at.blade) && is_index(at.body) &&
-           has_body(static_cast<std::int64_t>(at.blade), static_cast<std::int64_t>(at.body));
+    return at.step >= 0.0 && at.ratio > 0.0 && is_index(at.subsystem) && is_index(at.body) &&
+           has_body(static_cast<std::int64_t>(at.subsystem), static_cast<std::int64_t>(at.body));
   };
   const bool is_none = seen.first_deflection.step == -1.0 && seen.largest_deflection.step == -1.0;
   const Observations::Error& error = seen.error;
   const auto place = static_cast<double>(CoordinatePlace::joint);
   const bool is_of_hub = error.place == 0.0 || error.place == 1.0;
   const bool is_of_body =
-      (error.place == place || error.place == place + 1.0) && is_index(error.blade) &&
+      (error.place == place || error.place == place + 1.0) && is_index(error.subsystem) &&
       is_index(error.body) &&
-      has_body(static_cast<std::int64_t>(error.blade), static_cast<std::int64_t>(error.body));
+      has_body(static_cast<std::int64_t>(error.subsystem), static_cast<std::int64_t>(error.body));
   if (!is_of_hub && !is_of_body) return false;
   return is_none || (names_body(seen.first_deflection) && names_body(seen.largest_deflection));
 }
@@ -169,14 +169,14 @@ void observe_step(double step, const StepRecord& record, double error_limit, Obs
     seen.error = {seen.error.first_step,
                   step,
                   error.size,
-                  static_cast<double>(error.blade),
+                  static_cast<double>(error.subsystem),
                   static_cast<double>(error.body),
                   static_cast<double>(error.place)};
   if (seen.error.first_step < 0.0 && error_limit > 0.0 && error.size > error_limit)
     seen.error.first_step = step;
   const LargeDeflection& largest = record.deflection;
   if (largest.ratio == 0.0) return;
-  const Observations::Deflection at{step, largest.ratio, static_cast<double>(largest.blade),
+  const Observations::Deflection at{step, largest.ratio, static_cast<double>(largest.subsystem),
                                     static_cast<double>(largest.body)};
   if (seen.first_deflection.step < 0.0) seen.first_deflection = at;
   if (at.ratio > seen.largest_deflection.ratio) seen.largest_deflection = at;
@@ -188,9 +188,9 @@ double calc_energy_resolution(const Scenario& scenario) {
   double stiffness = 0.0;
   for (const Blade& blade : scenario.rotor.blades)
     for (int body = 0; body < blade.bodies; ++body) {
-      const BeamProperties beam = make_beam_properties(blade, body);
+      const plane::BeamProperties beam = plane::make_beam_properties(blade, body);
       double axial = beam.axial_stiffness, bending = beam.bending_stiffness;
-      for (const BeamPiece& piece : beam.pieces) {
+      for (const plane::BeamPiece& piece : beam.pieces) {
         axial = std::max({axial, piece.axial_stiffness[0], piece.axial_stiffness[1]});
         bending = std::max({bending, piece.bending_stiffness[0], piece.bending_stiffness[1]});
       }
@@ -241,7 +241,8 @@ bool observe_energy(double step, const EnergyBalance& balance, const GrowthLimit
     }
     return false;
   }
-  // What the quadrature of the work may be wrong by where a motion begins, by what it finds.
+  // Where a motion begins, the quadrature of the work may be wrong by this multiple of the change
+  // of energy.
   constexpr double kQuadrature = 10.0;
   const double accepted =
       limit.share * energy.largest + kQuadrature * energy.change + limit.resolution;

@@ -1,4 +1,4 @@
-// The words in which a number is refused.
+// Words the refusal of a number.
 
 #include "engine/simulation/require_range.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Bounds of the numbers that programs pass.
+// Checks the bounds of numbers that programs pass.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the sensors of every world have in common: columns, and the balance of energy.
+// Common part of the sensors of every world: columns, and the balance of energy.
 
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct Energies {
 
 /// Work done on the system since t = 0, by the quadrature that belongs to the method.
 struct WorkDone {
-  double by_drive_and_loads = 0.0;  ///< [J]; gravity's is a function of the state, see Energies
+  double by_drive_and_loads = 0.0;  ///< without gravity, see Energies [J]
   double dissipated = 0.0;          ///< by damping [J]
 
   void add(const StepRecord& step);
@@ -33,7 +33,7 @@ Energies operator+(Energies energies, const SubsystemSample<World>& sample) {
   return energies;
 }
 
-/// Adds those of the samples of a step to the hub's, in the subsystems' order.
+/// Adds the energies in the samples of a step to those of the hub, in the order of the subsystems.
 template <class World>
 Energies sum_energies(const Energies& hub, std::int64_t step, const StepData<World>& data) {
   Energies energies = hub;
@@ -48,17 +48,19 @@ class SensorValues {
   const std::vector<std::string>& names() const { return names_; }
   const std::vector<std::string>& units() const { return units_; }
   double initial_energy() const { return initial_energy_; }  ///< kinetic and strain energy [J]
-  /// Of the step measured last.
+  /// Returns the balance at the step measured last.
   const EnergyBalance& balance() const { return balance_; }
 
  protected:
   void add(std::string name, std::string unit);
-  /// Angle, speed and torque of the hub, then the energies, whose values append_energies() yields.
+  /// Adds columns for angle, speed and torque of the hub, then for the energies, whose values
+  /// append_energies() yields.
   void add_hub_columns();
   /// Takes the energies at the start as reference.
   void start_balance(const Energies& energies);
   void append_energies(const Energies& energies, const WorkDone& work);
-  /// Residuals of the momentum of a free model, whose values append_momentum() yields.
+  /// Adds columns for the residuals of the momentum of a free model, whose values append_momentum()
+  /// yields.
   void add_momentum_columns();
   void append_momentum(const MomentumBalance& balance);
 

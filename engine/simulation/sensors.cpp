@@ -1,4 +1,4 @@
-// Energies, work and the values of all sensors at a step.
+// Calculates energies, work and the values of all sensors at a step.
 
 #include "engine/simulation/sensors.h"
 
@@ -11,7 +11,7 @@
 namespace spoke {
 namespace {
 
-/// The hub's energies: kinetic, and the work of gravity.
+/// Returns the hub's energies: kinetic, and the work of gravity.
 Energies calc_hub_energies(const System<Plane>& system, const Twist& position,
                            const Twist& velocity) {
   const Hub& hub = system.hub;
@@ -43,9 +43,9 @@ Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked,
                  std::vector<SensorColumn> momentum)
     : asked_(std::move(asked)), momentum_(system, std::move(momentum)) {
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
-    const std::string blade = "blade" + std::to_string(i + 1);
-    add(blade + ".tip.x", "m");
-    add(blade + ".tip.y", "m");
+    const std::string prefix = "blade" + std::to_string(i + 1);
+    add(prefix + ".tip.x", "m");
+    add(prefix + ".tip.y", "m");
   }
   if (system.hub.support == HubSupport::free) {
     add("hub.x", "m");
@@ -53,12 +53,12 @@ Sensors::Sensors(const System<Plane>& system, std::vector<SensorColumn> asked,
   }
   add_hub_columns();
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
-    const std::string blade = "blade" + std::to_string(i + 1);
-    add(blade + ".tip.along", "m");
-    add(blade + ".tip.across", "m");
-    add(blade + ".root.x", "N");
-    add(blade + ".root.y", "N");
-    add(blade + ".root.moment", "N m");
+    const std::string prefix = "blade" + std::to_string(i + 1);
+    add(prefix + ".tip.along", "m");
+    add(prefix + ".tip.across", "m");
+    add(prefix + ".root.x", "N");
+    add(prefix + ".root.y", "N");
+    add(prefix + ".root.moment", "N m");
   }
   if (momentum_.are_there()) add_momentum_columns();
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
@@ -79,9 +79,9 @@ void Sensors::sample(const System<Plane>& system, std::int64_t step, double t,
   }
 }
 
-/// Tips in the blades' own axes, and loads of the roots.
-void Sensors::add_blade_values(const System<Plane>& system, std::int64_t step,
-                               const StepData<Plane>& data) {
+/// Adds tips in the axes of the subsystems, and loads of the roots.
+void Sensors::add_subsystem_values(const System<Plane>& system, std::int64_t step,
+                                   const StepData<Plane>& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     const SubsystemSample<Plane>& sample = of_step(data.subsystems[i].samples, step);
     const Position tip = system.subsystems[i].root.R.inverse() * sample.tip;
@@ -104,7 +104,7 @@ const std::vector<double>& Sensors::measure(const System<Plane>& system, const W
   values_.insert(values_.end(), {record.position[kRotation], record.velocity[kRotation], torque});
   const Energies energies = sum_energies(calc_hub_energies(system, record), step, data);
   append_energies(energies, work);
-  add_blade_values(system, step, data);
+  add_subsystem_values(system, step, data);
   if (momentum_.are_there()) {
     momentum_.measure(system, energies.kinetic, step, data);
     append_momentum(momentum_.balance());

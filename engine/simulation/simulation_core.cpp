@@ -3,6 +3,7 @@
 #include "engine/simulation/simulation_core.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -22,9 +23,10 @@
 namespace spoke {
 namespace {
 
-/// Steps of at most integration.step that divide the duration; a relative slack of 1e-9 keeps round
-/// values from gaining one.
+/// Returns the number of steps of at most integration.step that divide the duration; a relative
+/// slack of 1e-9 keeps round values from gaining one.
 std::int64_t count_steps(const Integration& integration) {
+  assert(integration.step > 0.0 && integration.duration > 0.0);
   return static_cast<std::int64_t>(
       std::ceil(integration.duration / integration.step * (1.0 - 1e-9)));
 }
@@ -34,7 +36,7 @@ Method make_method(const Integration& integration, double step) {
   return make_generalized_alpha(integration.spectral_radius, step);
 }
 
-/// A state that was saved is finite: what has diverged is not saved.
+/// Throws unless the state is finite: a state that has diverged is not saved.
 void require_finite(const SavedState& state) {
   const auto is_finite = [](double value) { return std::isfinite(value); };
   const auto bad = std::find_if_not(state.values.begin(), state.values.end(), is_finite);
@@ -64,8 +66,8 @@ IterationLimits make_limits(const Scenario& scenario) {
   return limits;
 }
 
-/// Ends a run at a step whose energy has grown, if the scenario says so. Leaves no function of the
-/// simulation.
+/// Thrown to end a run at a step whose energy has grown, if the scenario says so. Never leaves the
+/// functions of Simulation.
 struct EnergyHasGrown {};
 
 }  // namespace
@@ -81,7 +83,7 @@ SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& c
   begin();
 }
 
-/// From the state at t = 0.
+/// Begins from the state at t = 0.
 void SimulationCore::begin() {
   const StepOutcome outcome = runner->start();
   if (outcome != StepOutcome::done) throw_failure(outcome, 0);
@@ -123,7 +125,7 @@ void SimulationCore::require_shareable(const Loads& loads) const {
                      ", expected at most so many processes");
 }
 
-/// Debug builds run every node once on its declared data alone.
+/// Runs every node once on its declared data alone, in debug builds.
 [[maybe_unused]] void SimulationCore::require_kept_declarations() {
   constexpr int kLargest = 500;  // nodes: the check costs their number times the memory
   if (runner->step_graph().node_count() > kLargest) return;
@@ -206,7 +208,7 @@ const std::vector<double>& SimulationCore::values() {
 void SimulationCore::evaluate() {
   require_state("evaluate");
   if (evaluated_step == runner->steps()) return;
-  if (!scenario.sensors.empty()) values();  // as the step has left them
+  if (!scenario.sensors.empty()) values();  // those that the step has left
   evaluate_again();
 }
 
@@ -224,7 +226,8 @@ void SimulationCore::renew() {
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
 }
 
-/// Long to write for a simulation of milliseconds, and seldom needed.
+/// Makes the identity when first needed: it takes long for a simulation of milliseconds, and is
+/// seldom needed.
 const std::shared_ptr<const std::string>& SimulationCore::identity() {
   if (!identity_)
     identity_ = std::make_shared<const std::string>(
@@ -244,7 +247,7 @@ SavedState SimulationCore::save() {
           take_values(steps)};
 }
 
-// The values of the table, then what was observed.
+// Returns the values of the table, then the observations.
 std::vector<double> SimulationCore::take_values(std::int64_t steps) {
   std::vector<double> values = take_state_values(steps, model->context().table());
   const std::span<const double> observed = doubles(seen);
@@ -273,8 +276,8 @@ void SimulationCore::restore(const SavedState& state) {
   const std::span<double> observed = doubles(before);
   std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),
             observed.begin());
-  if (!is_possible(before, [this](std::int64_t blade, std::int64_t body) {
-        return model->has_body(blade, body);
+  if (!is_possible(before, [this](std::int64_t subsystem, std::int64_t body) {
+        return model->has_body(subsystem, body);
       }))
     throw InputError("the saved state names a body that there is not");
   seen = before;
@@ -293,6 +296,7 @@ void SimulationCore::put(std::span<const double> values, std::int64_t steps) {
 }
 
 void SimulationCore::begin_again(const Scenario& next, std::span<const double> start) {
+  assert(may_begin_again(next) && !model->context().table().has_loads());
   check_scenario(next);
   put(start, 0);
   given = scenario = next;
@@ -336,7 +340,7 @@ void SimulationCore::count_step(std::int64_t step) {
   observe_step(static_cast<double>(step), record, scenario.limits.step_error, seen);
 }
 
-/// Whether anything that is prescribed jumps within the step.
+/// Whether a prescribed motion jumps within the step.
 bool SimulationCore::has_jump(std::int64_t step) const {
   const double end = static_cast<double>(step) * step_size, begin = end - step_size;
   return std::any_of(jumps.begin(), jumps.end(), [&](const Jump& jump) {
@@ -344,7 +348,8 @@ bool SimulationCore::has_jump(std::int64_t step) const {
   });
 }
 
-/// The samples of the step must be in the table if it is observed, or growth of the energy stops.
+/// Completes a step. Its samples must be in the table if it is observed, or if growth of the energy
+/// stops the run.
 void SimulationCore::complete_step(std::int64_t step, const StepObserver& observe) {
   count_step(step);
   log_news();
@@ -364,8 +369,7 @@ std::vector<Warning> SimulationCore::make_warnings() const {
   return spoke::make_warnings(scenario, step_size, jumps, seen);
 }
 
-/// Logs what a complete step has brought. No more than some comparisons if there is
-/// nothing.
+/// Logs news of a complete step. Costs no more than some comparisons if there are none.
 void SimulationCore::log_news() {
   if (log.has_warnings(seen)) log.log_warnings(scenario, seen, make_warnings());
   if (runner->choices() > log.logged_choices() && runner->steps() > 0)

@@ -1,7 +1,6 @@
 #pragma once
 
-// What stands behind the front door: the data of a simulation, how its steps are made, saved and
-// restored.
+// Implementation of Simulation: its data, and how its steps are made, saved and restored.
 
 #include <cstdint>
 #include <memory>
@@ -24,7 +23,8 @@ namespace spoke {
 
 class Simulation;
 
-/// The data of a simulation, open to the functions of Simulation, and what changes them.
+/// The data of a simulation, open to the functions of Simulation, and the functions that change
+/// them.
 class SimulationCore {
  public:
   SimulationCore(const Scenario& asked, const SimulationOptions& chosen, const Loads& loads);
@@ -38,23 +38,22 @@ class SimulationCore {
   void open_window();
   SavedState save();
   void restore(const SavedState& state);
-  /// Coordinates and observations at the end of step `steps`, the last one.
+  /// Returns coordinates and observations at the end of step `steps`, the last one.
   std::vector<double> take_values(std::int64_t steps);
-  /// Begins anew, to the bits of a simulation that is built from `next`, with constants,
-  /// factorisations and step graph as they are. `start`: take_values() at t = 0. Preconditions: see
+  /// Begins again, to the bits of a simulation that is built from `next`, but keeps constants,
+  /// factorisations and step graph. `start`: take_values() at t = 0. Preconditions:
   /// may_begin_again(); no loads of the user's. Throws like the constructor, and may then be begun
   /// again.
   void begin_again(const Scenario& next, std::span<const double> start);
   /// Throws StateError if there is no state to `use`.
   void require_state(const char* use) const;
-  /// The sensors at the last step's end.
+  /// Returns the sensors at the end of the last step.
   const std::vector<double>& values();
-  /// Brings accelerations and wrenches to the state at the last step's end.
+  /// Updates accelerations and wrenches to the state at the end of the last step.
   void evaluate();
-  /// The same, after a force has changed: the next step starts from it.
+  /// Updates them after a force has changed, so that the next step starts from them.
   void renew();
-  /// Puts `next` in the place of something that is in force, and takes it back if there is no
-  /// acceleration with it.
+  /// Replaces a part in force by `next`, and restores it if there is no acceleration with `next`.
   template <class T>
   void replace(T& in_force, T next) {
     std::swap(in_force, next);
@@ -65,22 +64,25 @@ class SimulationCore {
       throw;
     }
   }
-  /// What makes the results doubtful so far.
+  /// Returns the warnings so far.
   std::vector<Warning> make_warnings() const;
-  /// Replaces the course of a coordinate that the program prescribes, which begins like this.
+  /// Replaces the course of a coordinate that the program prescribes by one that begins with
+  /// `begin`.
   void set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
                         const space::DrivenMotion& course);
   /// Replaces the drive.
   void set_drive(const Drive& next);
-  /// Of a model in space. Throws InputError if it is in the plane: `what` is then refused.
+  /// Returns the joints of a model in space. Throws InputError, which refuses `what`, if the model
+  /// is in the plane.
   SpatialJoints& joints(const char* what) const;
   /// Whether other processes have subsystems of the model, too.
   bool is_shared() const { return options.exchange && options.exchange->count() > 1; }
-  /// A rotor in the plane. Throws InputError if the model is in space: `what` is then refused.
+  /// Returns the context of a rotor in the plane. Throws InputError, which refuses `what`, if the
+  /// model is in space.
   SystemContext<Plane>& plane(const char* what) const;
 
   Scenario given;
-  Scenario scenario;  ///< that is simulated, see skip_start_up()
+  Scenario scenario;  ///< the scenario that is simulated, see skip_start_up()
   SimulationOptions options;
   std::int64_t planned_steps;
   double step_size;
@@ -89,13 +91,13 @@ class SimulationCore {
   std::int64_t evaluations = 0;
   WorkDone work;
   Observations seen;
-  std::vector<Jump> jumps;  ///< of what the scenario and the program prescribe, in order of time
+  std::vector<Jump> jumps;  ///< of motions that scenario and program prescribe, in order of time
   double energy_resolution = 0.0;  ///< [J]
   SimulationLog log;
-  /// Sensors are measured when first read after a step.
+  /// Sensor values, measured when first read after a step.
   std::vector<double> sensor_values;
   std::int64_t measured_step = -1;
-  /// What loads of the user's exert, as the table has it, is not that of the state.
+  /// Whether forces of the user's loads in the table are not those of the state.
   bool loads_are_stale = false;
   /// The step at whose end accelerations and wrenches were evaluated (see
   /// StepTable::take_evaluated_record).
@@ -120,14 +122,16 @@ class SimulationCore {
   void require_done(const Advance& advance);
   [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
 
-  std::shared_ptr<const std::string> identity_;  ///< of the model, once somebody wants to know
+  std::shared_ptr<const std::string> identity_;  ///< of the model; null until first needed
 };
 
-/// Whether a simulation can begin_again() as another scenario that differs from this one in values
-/// of the drive alone, not in its kind: unless it starts from an equilibrium, which depends on it.
+/// Whether a simulation can begin_again() with a scenario that differs from this one only in values
+/// of the drive, not in its kind. It cannot if it starts from an equilibrium, which depends on the
+/// drive.
 bool may_begin_again(const Scenario& scenario);
 
-/// What stands behind `simulation`, for functions of Spoke's own that are none of its interface.
+/// Returns the implementation of `simulation`, for functions of Spoke that are not part of its
+/// interface.
 SimulationCore& core_of(Simulation& simulation);
 
 }  // namespace spoke

@@ -1,4 +1,4 @@
-// The lines of the log.
+// Writes the lines of the log.
 
 #include "engine/simulation/simulation_log.h"
 
@@ -10,7 +10,8 @@
 namespace spoke {
 namespace {
 
-/// Several simulations may share a logger: messages begin with the scenario's name.
+/// Returns the beginning of a message, the name of the scenario: several simulations may share a
+/// logger.
 std::string begin(const Scenario& scenario) {
   return scenario.name.empty() ? "" : scenario.name + ": ";
 }

@@ -1,4 +1,4 @@
-// Finds coordinates of joints, and says which are none of the program's.
+// Finds coordinates of joints, and refuses those that the program does not move.
 
 #include "engine/simulation/spatial_joints.h"
 
@@ -15,7 +15,7 @@
 namespace spoke {
 namespace {
 
-/// "coordinate 0 of joint 2 (\"pitch\") of blade 1".
+/// Returns a name like "coordinate 0 of joint 2 ("pitch") of blade 1".
 std::string name_of(const JointPlace& place, const spatial::Tree& tree) {
   std::ostringstream text;
   text << "coordinate " << place.coordinate << " of joint " << place.joint;
@@ -29,25 +29,25 @@ std::int64_t last_of(std::size_t count) { return static_cast<std::int64_t>(count
 
 }  // namespace
 
-const spatial::Tree& SpatialJoints::tree(int number) const {
-  require_range("the index of the blade or subsystem", number, 0, last_of(trees_.size()));
-  return trees_[static_cast<std::size_t>(number)];
+const spatial::Tree& SpatialJoints::tree(int subsystem) const {
+  require_range("the index of the blade or subsystem", subsystem, 0, last_of(trees_.size()));
+  return trees_[static_cast<std::size_t>(subsystem)];
 }
 
 std::string SpatialJoints::describe(const JointPlace& place) const {
-  return name_of(place, tree(place.tree));
+  return name_of(place, tree(place.subsystem));
 }
 
 std::string SpatialJoints::unit(const JointPlace& place) const {
   const spatial::JointKind kind =
-      tree(place.tree).bodies[static_cast<std::size_t>(place.joint)].joint.kind;
+      tree(place.subsystem).bodies[static_cast<std::size_t>(place.joint)].joint.kind;
   const bool slides = kind == spatial::JointKind::prismatic ||
                       (kind == spatial::JointKind::cylindrical && place.coordinate == 1);
   return slides ? "m" : "rad";
 }
 
-int SpatialJoints::find(int number, std::string_view name) const {
-  const spatial::Tree& found = tree(number);
+int SpatialJoints::find(int subsystem, std::string_view name) const {
+  const spatial::Tree& found = tree(subsystem);
   std::vector<std::string_view> names;
   for (std::size_t j = 0; j < found.bodies.size(); ++j) {
     const std::string& joint = found.bodies[j].joint.name;
@@ -60,7 +60,7 @@ int SpatialJoints::find(int number, std::string_view name) const {
 }
 
 const spatial::JointCoordinate& SpatialJoints::coordinate(const JointPlace& place) const {
-  const spatial::Tree& found = tree(place.tree);
+  const spatial::Tree& found = tree(place.subsystem);
   require_range("the index of the joint", place.joint, 0, last_of(found.bodies.size()));
   const spatial::Joint& joint = found.bodies[static_cast<std::size_t>(place.joint)].joint;
   const int count = count_coordinates(joint.kind);
@@ -73,17 +73,17 @@ const spatial::JointCoordinate& SpatialJoints::coordinate(const JointPlace& plac
 
 std::size_t SpatialJoints::find_driven(const JointPlace& place) const {
   if (!coordinate(place).motion)
-    throw InputError(name_of(place, tree(place.tree)) +
+    throw InputError(name_of(place, tree(place.subsystem)) +
                      " is free, expected one whose motion is prescribed");
   std::size_t before = 0;
   for (int c = 0; c < place.coordinate; ++c)
-    before += coordinate({place.tree, place.joint, c}).motion.has_value();
+    before += coordinate({place.subsystem, place.joint, c}).motion.has_value();
   return before;
 }
 
 space::PrescribedMotion SpatialJoints::motion(const JointPlace& place, double t) {
   const std::size_t driven = find_driven(place);
-  const auto i = static_cast<std::size_t>(place.tree);
+  const auto i = static_cast<std::size_t>(place.subsystem);
   prescribe_joints(context_.system, t, i, context_.data);
   return context_.data.subsystems[i]
       .bodies[static_cast<std::size_t>(place.joint)]
@@ -93,9 +93,9 @@ space::PrescribedMotion SpatialJoints::motion(const JointPlace& place, double t)
 space::DrivenMotion& SpatialJoints::said_motion(const JointPlace& place) {
   const std::size_t driven = find_driven(place);
   if (!std::holds_alternative<spatial::ProgramMotion>(*coordinate(place).motion))
-    throw InputError(name_of(place, tree(place.tree)) +
+    throw InputError(name_of(place, tree(place.subsystem)) +
                      " follows the scenario, expected motion = { by = \"program\" }");
-  return context_.system.subsystems[static_cast<std::size_t>(place.tree)]
+  return context_.system.subsystems[static_cast<std::size_t>(place.subsystem)]
       .bodies[static_cast<std::size_t>(place.joint)]
       .joint.course.driven[driven];
 }
@@ -108,7 +108,7 @@ void SpatialJoints::check_continuation(const JointPlace& place,
       std::isfinite(begin.acceleration))
     return;
   std::ostringstream text;
-  text << "the motion of " << name_of(place, tree(place.tree))
+  text << "the motion of " << name_of(place, tree(place.subsystem))
        << " does not go on from where it is at t = " << t << " s: it begins at " << begin.value
        << " with the rate " << begin.rate << " and acceleration " << begin.acceleration
        << ", expected " << old.value << " and " << old.rate;

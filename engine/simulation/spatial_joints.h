@@ -14,39 +14,39 @@
 
 namespace spoke {
 
-/// A coordinate of the joint that carries a body; all three from 0.
+/// A coordinate of the joint that carries a body; all three numbers count from 0.
 struct JointPlace {
-  int tree = 0;
-  int joint = 0;  ///< number of the body
+  int subsystem = 0;
+  int joint = 0;  ///< number of the body that it carries
   int coordinate = 0;
 };
 
-/// What a simulation asks of joints, see Simulation::set_joint_motion(). Throws InputError where
-/// there is no such tree, joint or coordinate.
+/// Access of a simulation to joints, see Simulation::set_joint_motion(). Throws InputError where
+/// there is no such subsystem, joint or coordinate.
 class SpatialJoints {
  public:
-  /// Both must outlive this.
+  /// Keeps references to both, which must outlive this.
   SpatialJoints(const std::vector<spatial::Tree>& trees, SystemContext<Space>& context)
       : trees_(trees), context_(context) {}
 
-  /// "coordinate 0 of joint 2 ("pitch") of blade 1".
+  /// Returns a name like "coordinate 0 of joint 2 ("pitch") of blade 1".
   std::string describe(const JointPlace& place) const;
-  /// Of the coordinate: "rad", "m".
+  /// Returns the unit of the coordinate: "rad" or "m".
   std::string unit(const JointPlace& place) const;
-  /// The joint of that name.
-  int find(int tree, std::string_view name) const;
-  /// Of a coordinate whose motion is prescribed, at time t [s].
+  /// Returns the number of the joint of that name.
+  int find(int subsystem, std::string_view name) const;
+  /// Returns the motion of a coordinate whose motion is prescribed, at time t [s].
   space::PrescribedMotion motion(const JointPlace& place, double t);
-  /// The course of a coordinate whose motion the program prescribes.
+  /// Returns the course of a coordinate whose motion the program prescribes.
   space::DrivenMotion& said_motion(const JointPlace& place);
-  /// Throws InputError unless a motion that begins like this goes on from where the coordinate is
-  /// at time t [s], and is finite.
+  /// Throws InputError unless a motion that begins with `begin` is finite and goes on from where
+  /// the coordinate is at time t [s].
   void check_continuation(const JointPlace& place, const space::PrescribedMotion& begin, double t);
 
  private:
-  const spatial::Tree& tree(int number) const;
+  const spatial::Tree& tree(int subsystem) const;
   const spatial::JointCoordinate& coordinate(const JointPlace& place) const;
-  /// Its number among the driven components of its joint.
+  /// Returns its number among the driven components of its joint.
   std::size_t find_driven(const JointPlace& place) const;
 
   const std::vector<spatial::Tree>& trees_;

@@ -1,16 +1,53 @@
 #pragma once
 
-// A model in space, as a simulation sees it.
+// The part of a model on the table that is of space, see ModelOn.
 
-#include "engine/simulation/simulated_model.h"
+#include <vector>
+
+#include "engine/columns/spatial_columns.h"
+#include "engine/simulation/spatial_joints.h"
+#include "engine/simulation/spatial_sensors.h"
+#include "engine/steady/subsystem_names.h"
+#include "engine/step/step_context.h"
+#include "engine/tree_shape.h"
+#include "models/scenario.h"
+#include "models/tree/tree.h"
 
 namespace spoke {
 
-/// The model of `*scenario.space`. Throws InputError for what the engine does not simulate in
-/// space: the dense formulations.
-std::unique_ptr<SimulatedModel> make_spatial_model(const Scenario& scenario,
-                                                   Formulation formulation,
-                                                   const Integrator& integrator,
-                                                   const Loads& loads);
+/// The model of `*scenario.space`.
+class SpatialModel {
+ public:
+  /// Makes the system in the context. Both must outlive it. Throws InputError if the method of
+  /// integration cannot follow the motions of its joints.
+  SpatialModel(const Scenario& scenario, SystemContext<Space>& context);
+
+  std::vector<SubsystemNames> names() const { return name_subsystems(trees_); }
+  SpatialJoints* joints() { return &joints_; }
+
+  /// Returns the number of values that the subsystems keep of a step for these sensors and for
+  /// joints.
+  std::size_t count_readings(const std::vector<Sensor>& asked) const;
+  /// Returns the memory that readings in the table take besides their rings [bytes].
+  double reading_bytes() const;
+  /// Places sensors in the table, see spoke::place_sensors(), and makes the rings of readings.
+  std::vector<SensorColumn> place_sensors(const std::vector<Sensor>& asked);
+  SpatialSensors make_sensors(std::vector<SensorColumn> asked,
+                              std::vector<SensorColumn> momentum) const;
+  /// Takes the state at the start as reference of energy.
+  void start(SpatialSensors& sensors);
+  void sample(std::int64_t step, double t);
+  double energy_resolution() const;
+
+  Wrench section_force(const Marker& marker) const;
+  void calc_shape(int subsystem, double t, TreeShape& shape);
+  HubPose hub_pose() const;
+
+ private:
+  const Scenario& scenario_;
+  SystemContext<Space>& context_;
+  std::vector<spatial::Tree> trees_;
+  SpatialJoints joints_;
+};
 
 }  // namespace spoke

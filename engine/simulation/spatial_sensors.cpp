@@ -1,4 +1,4 @@
-// Tips, joints, loads of the roots, hub and energies of a system in space.
+// Measures tips, joints, loads of the roots, hub and energies of a system in space.
 
 #include "engine/simulation/spatial_sensors.h"
 
@@ -12,7 +12,7 @@
 namespace spoke {
 namespace {
 
-/// The hub's energies: kinetic, and the work of gravity.
+/// Returns the hub's energies: kinetic, and the work of gravity.
 Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space>& record) {
   const space::Hub& hub = system.hub;
   const space::Twist twist = calc_recorded_twist(record);

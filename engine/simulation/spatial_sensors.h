@@ -16,20 +16,20 @@ namespace spoke {
 /// Names, units and values of the sensors of a system in space (docs/results.md).
 class SpatialSensors : public SensorValues {
  public:
-  /// `asked`: of the scenario, behind those that every simulation has. `momentum`: of a free model,
-  /// see MomentumSensors.
+  /// `asked`: columns of the scenario, behind those that every simulation has. `momentum`: columns
+  /// of a free model, see MomentumSensors.
   SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees,
                  std::vector<SensorColumn> asked, std::vector<SensorColumn> momentum = {});
 
-  /// Of a free model on which nothing acts, at the step measured last; else null.
+  /// Returns the balance of a free model on which nothing acts at the step measured last; else
+  /// null.
   const MomentumBalance* momentum() const {
     return momentum_.are_there() ? &momentum_.balance() : nullptr;
   }
-  /// Takes the state at the start, of which the samples must be in the table, as reference of
-  /// energy.
+  /// Takes the state at the start, whose samples must be in the table, as reference of energy.
   void start(const System<Space>& system, const StepData<Space>& data);
-  /// Values at the end of step `step`, of which records and samples must be in the table, in the
-  /// order of names(). `work`: up to then.
+  /// Returns the values at the end of step `step`, whose records and samples must be in the table,
+  /// in the order of names(). `work`: work up to that step.
   const std::vector<double>& measure(const System<Space>& system, const WorkDone& work,
                                      std::int64_t step, const StepData<Space>& data);
 
@@ -38,7 +38,7 @@ class SpatialSensors : public SensorValues {
 
   std::vector<SensorColumn> asked_;
   MomentumSensors<Space> momentum_;
-  std::vector<std::size_t> joint_values_;  ///< of the joints, by tree
+  std::vector<std::size_t> joint_values_;  ///< of the joints, by subsystem
 };
 
 }  // namespace spoke

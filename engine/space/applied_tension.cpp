@@ -1,8 +1,9 @@
-// Whole elements by their tension matrices, the element of a force by that up to it.
+// Takes whole elements by their tension matrices, the element of a force by that up to it.
 
 #include "engine/space/applied_tension.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/space/plane_coordinates.h"
 #include "engine/support/wide_kernels.h"
@@ -20,7 +21,7 @@ const BeamElement& element_of(const FlexibleBody& body, int e) {
 
 namespace {
 
-/// K x for the matrix of Section::slopes.
+/// Returns K x for the matrix of Section::slopes.
 PlaneCoordinates multiply_slopes(const std::array<double, 6>& K, const PlaneCoordinates& x) {
   const Double2 r = x.rise, a = x.slope[0], b = x.slope[1];
   return {K[0] * r + K[1] * a + K[2] * b,
@@ -28,7 +29,8 @@ PlaneCoordinates multiply_slopes(const std::array<double, 6>& K, const PlaneCoor
           {}};
 }
 
-/// Adds what an element draws inward up to xi; `multiply`: by its matrix up to there.
+/// Adds the displacement r by which an element draws points inward up to xi; `multiply`: by its
+/// matrix up to there.
 template <class Multiply>
 void add_drawn(const FlexibleBody& body, int e, double xi, const Multiply& multiply,
                const double* q, const double* v, DrawnInward& drawn) {
@@ -71,14 +73,16 @@ DrawnInward calc_drawn_inward(const FlexibleBody& body, const Section& section, 
 AppliedTension::AppliedTension(const BodyModel& model, const BodyState& state,
                                const BodyWork& work) noexcept
     : body_(*model.body), work_(work) {
+  assert(model.tension);
   expand(body_, state.q, work.nodal[0]);
   expand(body_, state.v, work.nodal[1]);
   const int values = kTwist * body_.node_count();
-  std::fill_n(work.nodal[2], values, 0.0);  // by node, what acts on the elements inboard of it
+  std::fill_n(work.nodal[2], values, 0.0);  // by node, the forces beyond the elements inboard of it
   std::fill_n(work.force, values, 0.0);
 }
 
 void AppliedTension::add_at_node(int node, const Position& force) noexcept {
+  assert(node >= 0 && node < body_.node_count());
   Eigen::Map<Position>(work_.nodal[2] + kTwist * node) += force;
 }
 
@@ -98,6 +102,7 @@ void AppliedTension::add_element(int e, const Position& force) noexcept {
 template <class Multiply>
 void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
                                  const Position& force) noexcept {
+  assert(e >= 0 && e < body_.elements);
   const BeamElement& element = element_of(body_, e);
   const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
   const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
@@ -116,6 +121,7 @@ void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
 }
 
 void AppliedTension::add_at_sections(int e, const SectionForces& forces) noexcept {
+  assert(e >= 0 && e < body_.elements);
   add_at_node(e, forces.sum);
   run_large_kernel([&]() noexcept {
     const BeamElement& element = element_of(body_, e);

@@ -3,6 +3,7 @@
 #include "engine/space/body_data.h"
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 
 namespace spoke::space {
@@ -34,7 +35,7 @@ class Places {
   std::size_t used_ = 0;
 };
 
-/// What any body has with so many handles.
+/// Places the memory that any body has for so many handles.
 void place_port(std::size_t handles, Places& places, BodyWork& work) {
   work.handles = places.take_objects<HandleMotion>(handles);
   work.port.handles = static_cast<int>(handles);
@@ -74,7 +75,7 @@ template <class Visit>
 void visit_stretches(const FlexibleBody& body, Visit&& visit) {
   const int E = body.elements;
   if (body.reference_frame == ReferenceFrame::clamped) return visit(kTwist, 0, kTwist * E);
-  // ty and tz of node 0, all of the inner nodes and u of the last, then its rotation.
+  // These are ty and tz of node 0, all of the inner nodes and u of the last, then its rotation.
   visit(4, 0, 2 + kTwist * (E - 1) + 1);
   visit(kTwist * E + kRotation, kTwist * E - 3, 3);
 }
@@ -88,6 +89,7 @@ std::size_t count_work(const FlexibleBody& body) {
 }
 
 BodyWork place_work(const FlexibleBody& body, double* memory) {
+  assert(memory && is_aligned(memory));
   Places places(memory);
   BodyWork work = place(body, places);
   std::fill_n(work.rows, kNodeRows * body.node_count(), 0.0);
@@ -103,6 +105,7 @@ std::size_t count_work(const RigidBody& body) {
 }
 
 BodyWork place_work(const RigidBody& body, double* memory) {
+  assert(memory && is_aligned(memory));
   Places places(memory);
   return place(body, places);
 }
@@ -116,6 +119,7 @@ void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcep
 
 void expand_element(const FlexibleBody& body, int element, const double* flex,
                     double* nodal) noexcept {
+  assert(element >= 0 && element < body.elements);
   if (body.reference_frame == ReferenceFrame::clamped) {
     if (element > 0) {
       std::copy_n(flex + kTwist * (element - 1), 2 * kTwist, nodal);

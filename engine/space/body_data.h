@@ -1,6 +1,6 @@
 #pragma once
 
-// What the kernels of a spatial body read and write: the contract between a flexible body and the
+// Inputs and outputs of the kernels of a spatial body: the contract between a flexible body and the
 // rest of the engine. Everything is resolved in the body frame B unless said otherwise.
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace spoke::space {
 
-/// A body in its tree.
+/// Constants of a body in its tree.
 struct BodyModel {
   const FlexibleBody* body = nullptr;
   std::array<const ElasticBlock*, 2> blocks{};  ///< explicit, implicit
@@ -29,18 +29,18 @@ struct BodyState {
   const double* v_elastic = nullptr;  ///< velocities in the damping force
 };
 
-/// What a body's terms depend on besides its deformation.
+/// Motion on which a body's terms depend besides its deformation.
 struct BodyMotion {
-  Angular w = Angular::Zero();          ///< of B [rad/s]
-  Angular hub_w = Angular::Zero();      ///< of the hub, in H [rad/s]
+  Angular w = Angular::Zero();          ///< angular velocity of B [rad/s]
+  Angular hub_w = Angular::Zero();      ///< angular velocity of the hub, in H [rad/s]
   Position gravity = Position::Zero();  ///< in H [m/s^2]; only for the tension, see TensionPlace
 };
 
-/// What a body's stiffening adds to the hub's equation, in H.
+/// Terms of a body's stiffening in the hub's equation, in H.
 struct HubStiffening {
-  Matrix3 inertia = Matrix3::Zero();   ///< Lambda, off the hub's inertia, symmetric [kg m^2]
+  Matrix3 inertia = Matrix3::Zero();   ///< Lambda, taken off the hub's inertia, symmetric [kg m^2]
   Matrix3 rate = Matrix3::Zero();      ///< Lambda' [kg m^2/s]
-  Position moment = Position::Zero();  ///< g x gamma, of gravity's tension [N m]
+  Position moment = Position::Zero();  ///< g x gamma, by gravity's tension [N m]
 
   HubStiffening& operator+=(const HubStiffening& other) {
     inertia += other.inertia;
@@ -49,7 +49,8 @@ struct HubStiffening {
     return *this;
   }
 };
-/// The moment on the hub that takes its place on the right-hand side.
+/// Returns the moment on the hub by the stiffening, on the right-hand side: Lambda' w0 + w0 x
+/// (Lambda w0) + g x gamma.
 inline Angular calc_stiffening_moment(const HubStiffening& s, const Angular& w0) {
   return s.rate * w0 + cross(w0, Position(s.inertia.lazyProduct(w0))) + s.moment;
 }
@@ -59,8 +60,8 @@ struct TensionMoment {
   Position value = Position::Zero();  ///< [kg m]
   Position rate = Position::Zero();   ///< [kg m/s]
 };
-/// Power of what a field in H [m/s^2] does to the tension of a body [W]: on its deformation, and on
-/// the hub, which turns the field.
+/// Returns the power of a field in H [m/s^2] on the tension of a body [W]: on its deformation, and
+/// on the hub, which turns the field.
 inline double calc_tension_power(const TensionMoment& gamma, const Angular& hub_w,
                                  const Position& field) {
   return hub_w.dot(cross(field, gamma.value)) - field.dot(gamma.rate);
@@ -69,17 +70,17 @@ inline double calc_tension_power(const TensionMoment& gamma, const Angular& hub_
 /// Mass terms and right-hand side of a body's frame.
 struct BodyTerms {
   Position S = Position::Zero();       ///< first moment [kg m]
-  Position S_rate = Position::Zero();  ///< by the deformation [kg m/s]
+  Position S_rate = Position::Zero();  ///< rate of S by the deformation [kg m/s]
   Matrix3 Theta = Matrix3::Zero();     ///< inertia about the origin [kg m^2]
   Twist Q = Twist::Zero();             ///< right-hand side of translation and rotation [N, N m]
   HubStiffening stiffening;
   TensionMoment tension;
-  double load_power = 0.0;   ///< of applied loads [W]
+  double load_power = 0.0;   ///< power of applied loads [W]
   double dissipation = 0.0;  ///< q'^T D q' [W]
 };
 
-/// Q of a frame at its angular velocity w, from first moment, Theta w, the rate of the first moment
-/// and G = sum rho mu'^T over the slots:
+/// Returns Q of a frame at its angular velocity w, from first moment, Theta w, the rate of the
+/// first moment and G = sum rho mu'^T over the slots:
 ///   Q_t = -w x (w x S) - 2 w x S',  Q_w = -w x Theta w - 2 (tr(G) w - G^T w)
 inline Twist calc_frame_force(const Angular& w, const Position& S, const Angular& Theta_w,
                               const Position& S_rate, const Matrix3& G) {
@@ -87,16 +88,16 @@ inline Twist calc_frame_force(const Angular& w, const Position& S, const Angular
                     -cross(w, Theta_w) - 2.0 * (G.trace() * w - G.transpose().lazyProduct(w)));
 }
 
-/// What condensing a body finds besides its multi-port.
+/// Results of condensing a body besides its multi-port.
 struct Condensed {
   SymmetricTwistMatrix S_inverse;  ///< inverse of S_R = M_RR - C Mhat^-1 C^T
   Twist p = Twist::Zero();         ///< Q_R - C z [N, N m]
-  TwistMatrix* X = nullptr;        ///< X_h by handle: its acceleration by X, deformation following
+  TwistMatrix* X = nullptr;        ///< X_h by handle: its acceleration per X, deformation following
 };
 
 /// A slot and its rate, side by side: x, y, z, x', y', z'.
 inline constexpr int kSlot = 6;
-/// Values a node takes in BodyWork::rows.
+/// Values of a node in BodyWork::rows.
 inline constexpr int kNodeRows = 4 * kTwist;
 
 /// Values by node of one component, in BodyWork::lanes: node k stands at 1 + k, and zeros around.
@@ -109,36 +110,37 @@ inline std::size_t count_lanes(const FlexibleBody& body) {
   return body.directions ? kLaneRows * lane_stride(body) : 0;
 }
 
-/// Memory of a body's kernels, of doubles all; see place_work().
+/// Memory of a body's kernels, all of doubles; see place_work().
 struct BodyWork {
   /// By node six rows of four: rows of C_w^T (x, y, z), and of the right-hand side Q_f. Rows of
   /// coordinates that the frame fixes are meaningless until condensed, and then zero.
   double* rows = nullptr;
-  double* half = nullptr;           ///< L^-1 of the rows, likewise
-  HandleMotion* handles = nullptr;  ///< as set by calc_handles()
+  double* half = nullptr;           ///< L^-1 of the rows, by node six rows of four
+  HandleMotion* handles = nullptr;  ///< motions that calc_handles() has set
   Condensed condensed;
   tree::MultiPort<Space> port;
-  Twist* wrenches = nullptr;  ///< on the handles, of the joints
-  // Within one kernel only.
+  Twist* wrenches = nullptr;  ///< wrenches of the joints on the handles
+  // Memory within one kernel only.
   double* slots = nullptr;    ///< by node four slots, each with its rate, and then by element one
-  double* momenta = nullptr;  ///< mu = m rho and mu', likewise
-  double* force = nullptr;    ///< by node
+  double* momenta = nullptr;  ///< mu = m rho and mu', laid out as the slots
+  double* force = nullptr;    ///< forces by node
   std::array<double*, 4> nodal{};  ///< flex vectors by node
-  double* lanes = nullptr;  ///< of bodies with directions: kLaneRows rows of lane_stride() values
+  double* lanes = nullptr;  ///< kLaneRows rows of lane_stride() values, for bodies with directions
 };
 
-/// Doubles that a body's work takes, and the work in so much memory, aligned to 16 bytes.
+/// Count the doubles of a body's work, and place the work in so much memory, aligned to 16 bytes.
 std::size_t count_work(const FlexibleBody& body);
 BodyWork place_work(const FlexibleBody& body, double* memory);
 
-/// The same of a rigid body, which has handles and a multi-port only.
+/// Count and place the work of a rigid body, which has handles and a multi-port only.
 std::size_t count_work(const RigidBody& body);
 BodyWork place_work(const RigidBody& body, double* memory);
 
-/// A flex vector by node, six values each, with zeros where the frame fixes coordinates; and back.
+/// Copy a flex vector to values by node, six each, with zeros where the frame fixes coordinates;
+/// and back.
 void expand(const FlexibleBody& body, const double* flex, double* nodal) noexcept;
 void compress(const FlexibleBody& body, const double* nodal, double* flex) noexcept;
-/// The same values of the two nodes of an element only.
+/// Copies those values of the two nodes of an element only.
 void expand_element(const FlexibleBody& body, int element, const double* flex,
                     double* nodal) noexcept;
 

@@ -1,8 +1,9 @@
-// Sums over slots and elements.
+// Calculates energies by sums over slots and elements.
 
 #include "engine/space/body_energies.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
@@ -11,7 +12,7 @@
 namespace spoke::space {
 namespace {
 
-/// 1/2 sum rho'_i . mu'_i.
+/// Returns 1/2 sum rho'_i . mu'_i.
 double deformation_energy(const FlexibleBody& body, const BodyWork& work) {
   const int slots = kNodeSlots * body.node_count() + body.elements;
   double sum = 0.0;
@@ -36,13 +37,14 @@ double strain_energy(const FlexibleBody& body, const double* q) {
 
 BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, const Twist& twist,
                                 const BodyMotion& motion, const BodyWork& work) noexcept {
+  assert(model.body && state.q && state.v);
   const FlexibleBody& body = *model.body;
   double *q = work.nodal[0], *v = work.nodal[1];
   expand(body, state.q, q);
   expand(body, state.v, v);
   const SlotSums sums = calc_slots(body, q, v, work);
   const Position v0 = linear(twist), w = angular(twist);
-  // sum rho x mu' from G = sum rho mu'^T.
+  // The sum of rho x mu' follows from G = sum rho mu'^T.
   const Position spin(sums.G(1, 2) - sums.G(2, 1), sums.G(2, 0) - sums.G(0, 2),
                       sums.G(0, 1) - sums.G(1, 0));
   BodyEnergies energies;

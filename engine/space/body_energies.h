@@ -7,25 +7,29 @@
 
 namespace spoke::space {
 
-/// What the sensors show of a body at a state.
+/// Energies and first moment of a body at a state, for the sensors.
 struct BodyEnergies {
   double kinetic = 0.0;           ///< stiffening term included [J]
   double strain = 0.0;            ///< elastic energy 1/2 q^T K q [J]
-  double tension = 0.0;           ///< of gravity's tension, g . gamma [J]
+  double tension = 0.0;           ///< energy of gravity's tension, g . gamma [J]
   Position S = Position::Zero();  ///< first moment [kg m]
 };
 
+/// Calculates them:
+///   T = 1/2 m v0^2 + v0.(w x S + S') + 1/2 w.Theta w + sum (w.(rho x mu') + 1/2 rho'.mu')
+///       - 1/2 w0^T Lambda w0
+///   V = 1/2 q^T K q + g.gamma
 /// `twist`: of the body's frame, in it. Uses the memory within kernels of `work`.
 BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, const Twist& twist,
                                 const BodyMotion& motion, const BodyWork& work) noexcept;
 
-/// Elastic energy of a body [J].
+/// Returns the elastic energy of a body [J].
 double calc_strain_energy(const FlexibleBody& body, const double* q, const BodyWork& work) noexcept;
 
-/// By how much a bent body is shorter along its axis than its coordinates say [m]: 1/2 int (v'^2 +
-/// w'^2) dx, of a body with geometric stiffening, whose energies account for it; else 0.
+/// Returns by how much a bent body is shorter along its axis than its coordinates say [m]: 1/2 int
+/// (v'^2 + w'^2) dx, for a body with geometric stiffening, whose energies account for it; else 0.
 double calc_foreshortening(const BodyModel& model, const double* q, const BodyWork& work) noexcept;
-/// The same of the part inboard of a section, and its derivatives.
+/// Foreshortening of the part inboard of a section, and its derivatives.
 struct Foreshortening {
   double length = 0.0;        ///< [m]
   double rate = 0.0;          ///< [m/s]

@@ -1,6 +1,9 @@
-// Slots from coordinates, and products with their scalar mass matrix, node by node.
+// Calculates slots from coordinates, and products with their scalar mass matrix, node by node.
 
 #include "engine/space/body_slots.h"
+
+#include <cassert>
+#include <utility>
 
 #include "engine/support/wide_kernels.h"
 #include "models/support/simd.h"
@@ -25,7 +28,8 @@ struct SlotValues {
   }
 };
 
-/// Place and axes of a node, each with its rate: r = s + u, and e + th x e for e along x, y, z.
+/// Sets place and axes of a node, each with its rate: r = s + u, and e + th x e for e along x, y,
+/// z.
 void set_node(const Position& s, const double* q, const double* v, double* slots) {
   const SlotValues values[kNodeSlots] = {
       {{s.x() + q[0], s.y() + q[1], s.z() + q[2], v[0]}, {v[1], v[2]}},
@@ -35,7 +39,7 @@ void set_node(const Position& s, const double* q, const double* v, double* slots
   for (int i = 0; i < kNodeSlots; ++i) values[i].store_to(slots + kSlot * i);
 }
 
-/// sigma = e1 e1.(u_2 - u_1)/l and its rate.
+/// Sets sigma = e1 e1.(u_2 - u_1)/l and its rate.
 void set_stretch(const BeamElement& element, const double* q, const double* v, double* slot) {
   const Position e1 = element.axes.col(0);
   const auto stretch = [&](const double* x) {
@@ -76,7 +80,8 @@ template <bool kIsDecoupled>
 struct NodeMomenta {
   SlotValues sums[kNodeSlots];
 
-  /// Of the slots of a node. Masses of momentum i and slot j are at row * i + column * j.
+  /// Adds m rho of the slots of a node. The mass of momentum i and slot j is at
+  /// row * i + column * j.
   template <int row, int column>
   [[gnu::always_inline]] void add(const double* m, const double* slots) {
     unroll<kNodeSlots>([&](auto slot) {
@@ -88,7 +93,7 @@ struct NodeMomenta {
       });
     });
   }
-  /// Of the stretch of an element at the node, by slot.
+  /// Adds m sigma of the stretch of an element at the node, by slot.
   [[gnu::always_inline]] void add_stretch(const double* m, const double* slot) {
     const SlotValues x = SlotValues::from(slot);
     unroll<kNodeSlots>([&](auto momentum) {
@@ -98,7 +103,7 @@ struct NodeMomenta {
   }
 };
 
-/// Momenta of the slots of node k.
+/// Calculates the momenta mu_i = sum_j m_ij rho_j of the slots of node k.
 template <bool kIsDecoupled>
 void calc_node_momenta(const FlexibleBody& body, int k, const double* slots, double* momenta) {
   constexpr int kNode = kNodeSlots * kSlot;
@@ -169,6 +174,8 @@ struct OuterProducts {
 };
 
 SlotSums calc(const FlexibleBody& body, const double* q, const double* v, const BodyWork& work) {
+  assert(std::cmp_equal(body.slots.own.size(), body.node_count()));
+  assert(std::cmp_equal(body.slots.stretch.size(), body.elements));
   set_slots(body, q, v, work.slots);
   if (body.is_decoupled)
     calc_momenta<true>(body, work.slots, work.momenta);

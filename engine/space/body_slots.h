@@ -3,6 +3,8 @@
 // The slots of a spatial body at a state and their momenta, of which all its inertia terms are sums
 // (docs/formulation.md, section 10).
 
+#include <cassert>
+
 #include "engine/space/body_data.h"
 
 namespace spoke::space {
@@ -14,16 +16,19 @@ struct SlotSums {
   Matrix3 J = Matrix3::Zero();         ///< sum rho mu^T [kg m^2]
   Matrix3 G = Matrix3::Zero();         ///< sum rho mu'^T [kg m^2/s]
 
-  /// tr(J) 1 - J: inertia about the origin.
+  /// Returns tr(J) 1 - J, the inertia about the origin.
   Matrix3 inertia() const { return J.trace() * Matrix3::Identity() - J; }
 };
 
-/// Sets the slots and momenta of `work` from coordinates and velocities by node.
+/// Sets the slots rho and momenta mu = m rho of `work`, with their rates, from coordinates and
+/// velocities by node. Returns their sums.
 SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
                     const BodyWork& work) noexcept;
 
-/// Slots and momenta of an element's stretch stand behind those of the nodes.
+/// Returns the place of an element's stretch: its slots and momenta stand behind those of the
+/// nodes.
 inline std::size_t stretch_place(const FlexibleBody& body, int element) {
+  assert(element >= 0 && element < body.elements);
   return static_cast<std::size_t>(kNodeSlots * kSlot * body.node_count() + kSlot * element);
 }
 

@@ -2,11 +2,13 @@
 
 #include "engine/space/body_stiffening.h"
 
+#include <cassert>
+
 #include "engine/space/element_products.h"
 #include "engine/space/plane_coordinates.h"
 #include "engine/space/tension_weights.h"
 #include "engine/support/wide_kernels.h"
-#include "models/space/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
@@ -16,7 +18,7 @@ struct TensionSums {
   Double2 value{}, rate{};
 };
 
-/// Adds factor times one tension matrix times q to f, and its forms to the sums.
+/// Adds factor K q of one tension matrix K to f, and its forms to the sums.
 void add_tension(const ElementStiffening& matrices, int k, double factor, const PlaneCoordinates& q,
                  const PlaneCoordinates& v, PlaneCoordinates& f, TensionSums& sums) {
   const PlaneCoordinates product =
@@ -35,7 +37,7 @@ struct PairSums {
   double value = 0.0, rate = 0.0;
 };
 
-/// Adds factor times a propeller matrix times q to f; returns its forms.
+/// Adds factor K q of a propeller matrix K to f; returns its forms.
 PairSums add_propeller(const std::array<double, 3>& K, double factor, const PlaneCoordinates& q,
                        const PlaneCoordinates& v, PlaneCoordinates& f) {
   const double inner = K[0] * q.torsion[0] + K[1] * q.torsion[1];
@@ -45,7 +47,7 @@ PairSums add_propeller(const std::array<double, 3>& K, double factor, const Plan
   return {inner * q.torsion[0] + outer * q.torsion[1], inner * v.torsion[0] + outer * v.torsion[1]};
 }
 
-/// F += sum over ab of f_ab e_a e_b^T, for ab = 22, 23 and 32, 33; `f`: 22, 23, 33.
+/// Adds the sum over ab of f_ab e_a e_b^T to F, for ab = 22, 23 and 32, 33; `f`: 22, 23, 33.
 template <bool kIsStraight>
 void add_tensor(const BeamElement& element, const Position& f, Matrix3& F) {
   if constexpr (kIsStraight) {
@@ -59,8 +61,8 @@ void add_tensor(const BeamElement& element, const Position& f, Matrix3& F) {
   F += e2 * (f[0] * e2 + f[1] * e3).transpose() + e3 * (f[1] * e2 + f[2] * e3).transpose();
 }
 
-/// The propeller terms of an element: (w x e_a).(w x e_b) P_ab, a, b = 2, 3. Of sections that are
-/// symmetric about both, P_23 is zero.
+/// Adds the propeller terms of an element: (w x e_a).(w x e_b) P_ab, a, b = 2, 3. For sections that
+/// are symmetric about both axes, P_23 is zero.
 template <bool kIsStraight>
 void add_propellers(const BeamElement& element, bool is_symmetric, const Position& w_B,
                     const PlaneCoordinates& q, const PlaneCoordinates& v, PlaneCoordinates& f,
@@ -75,8 +77,7 @@ void add_propellers(const BeamElement& element, bool is_symmetric, const Positio
   add_tensor<kIsStraight>(element, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
 }
 
-/// Lambda of a second moment P that turns by a, or its bilinear form in a and b:
-/// a.b (tr(P) 1 - P) - (a.P b) 1 + 1/4 [a (P b)^T + b (P a)^T + transposes].
+/// Returns Lambda of a second moment P that turns by a, or its bilinear form in a and b:
 Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) {
   const Position P_a = P.lazyProduct(a), P_b = P.lazyProduct(b);
   const Matrix3 half = a * P_b.transpose() + b * P_a.transpose();
@@ -85,7 +86,7 @@ Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) 
   return inertia;
 }
 
-/// Small masses, to second order in the rotation th of their section: T gets
+/// Adds small masses, to second order in the rotation th of their section: T gets
 /// - 1/2 th^T [tr(P W0) 1 - 1/2 (W0 P + P W0)] th.
 [[gnu::always_inline]] inline void add_inertias(const BeamElement& element, const Position& w,
                                                 const double* q, const double* v, double* force,
@@ -104,7 +105,8 @@ Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) 
   }
 }
 
-/// Moves what the sums of K1 hold to the forms, by what the elements carry; they begin anew.
+/// Moves the sums of K1 to the forms, weighted by the masses that the elements carry; the sums
+/// begin anew.
 void take_carried(const CarriedMass& carried, TensionSums& K1, StiffeningSums& sums) {
   const auto take = [&carried](double form, TensionForms& forms) {
     forms.carried += form * carried.moment;
@@ -155,6 +157,8 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept {
+  assert(model.tension && !model.tension->carried.empty());
+  assert(model.tension->carried.back().end >= model.body->elements);
   return run_large_kernel([&]() noexcept {
     return model.body->is_straight ? add_all<true>(model, motion, q, v, force)
                                    : add_all<false>(model, motion, q, v, force);
@@ -163,6 +167,7 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
 
 double sum_slope_products(const FlexibleBody& body, const double* q, const double* p, int element,
                           double xi) noexcept {
+  assert(element >= 0 && element < body.elements && xi >= -1e-9 && xi <= 1.0 + 1e-9);
   Double2 sum{};
   const int whole = xi < 1.0 ? element : element + 1;
   for (int e = 0; e < whole; ++e, q += kTwist, p += kTwist) {
@@ -175,18 +180,19 @@ double sum_slope_products(const FlexibleBody& body, const double* q, const doubl
   const BeamElement& last = body.beam[static_cast<std::size_t>(element)];
   const PlaneCoordinates x = in_axes_of(last, body.is_straight, q);
   const PlaneCoordinates y = in_axes_of(last, body.is_straight, p);
-  for (int k = 0; k < GaussRule::kPoints; ++k) {
-    const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], last.length);
+  for (int k = 0; k < GaussRule<6>::kPoints; ++k) {
+    const Eigen::Vector4d h = hermite_slope(xi * GaussRule<6>::places[k], last.length);
     const Double2 slope_x = h[2] * x.rise + h[1] * x.slope[0] + h[3] * x.slope[1];
     const Double2 slope_y = h[2] * y.rise + h[1] * y.slope[0] + h[3] * y.slope[1];
-    sum += (GaussRule::weights[k] * xi * last.length) * slope_x * slope_y;
+    sum += (GaussRule<6>::weights[k] * xi * last.length) * slope_x * slope_y;
   }
   return total(sum);
 }
 
 namespace {
 
-/// (e.c) 1 - 1/2 (e c^T + c e^T), and of the propeller terms tr(F) 1 - F, in B.
+/// Returns Lambda in B: (e.c) 1 - 1/2 (e c^T + c e^T), tr(F) 1 - F of the propeller terms, and the
+/// share of small masses.
 Matrix3 calc_inertia(const TensionPlace& place, const StiffeningForms& forms) {
   const Position e = Position::UnitX();
   const Position c = forms.tension.carried + forms.tension.KL * place.origin + forms.tension.Kx * e;

@@ -1,7 +1,12 @@
 #pragma once
 
-// Geometric stiffening of a spatial body: what tension and the turning of its sections add to the
-// energies to second order in the deformation (docs/formulation.md, section 10).
+// Geometric stiffening of a spatial body: terms of tension and of the turning of its sections in
+// the energies, to second order in the deformation (docs/formulation.md, section 10):
+//   T = T_linear - 1/2 w0^T Lambda w0,     V = V_linear + g . gamma
+//   Lambda = (e.c) 1 - 1/2 (e c^T + c e^T) + tr(F) 1 - F + (share of small masses)
+//   c = sum S K1 + R KL + e Kx,            gamma = 1/2 (sum m_out K1 + KL) e
+// with the quadratic forms q^T K q in place of the matrices K, and those of the propeller terms in
+// F. K1 is summed over the elements, which carry the mass m_out with the first moment S.
 
 #include "engine/space/body_data.h"
 
@@ -9,8 +14,8 @@ namespace spoke::space {
 
 /// Quadratic forms q^T K q' of the matrices of a tension.
 struct TensionForms {
-  Position carried = Position::Zero();  ///< first moments that elements carry, times those of K1
-  double carried_mass = 0.0;            ///< the masses, times those of K1
+  Position carried = Position::Zero();  ///< sum S K1
+  double carried_mass = 0.0;            ///< sum m_out K1
   double KL = 0.0;
   double Kx = 0.0;
 };
@@ -18,32 +23,32 @@ struct TensionForms {
 /// Quadratic forms of the stiffening in two flex vectors.
 struct StiffeningForms {
   TensionForms tension;
-  Matrix3 propeller = Matrix3::Zero();  ///< of the propeller matrices, a symmetric tensor in B
-  Matrix3 inertias = Matrix3::Zero();   ///< of small masses: their share of Lambda, in B
+  Matrix3 propeller = Matrix3::Zero();  ///< form of the propeller matrices, a symmetric tensor in B
+  Matrix3 inertias = Matrix3::Zero();   ///< share of small masses in Lambda, in B
 };
 
-/// Sums of q^T K q and of q^T K q'.
+/// Forms q^T K q and q^T K q' of the stiffening.
 struct StiffeningSums {
   StiffeningForms value;
   StiffeningForms rate;
 };
 
-/// Adds the stiffening's forces to those by node, and sums its forms. `q`, `v`: by node.
+/// Adds the stiffening's forces -K q to those by node, and sums its forms. `q`, `v`: by node.
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept;
 
-/// int (v' V' + w' W') ds of the slopes of two flex vectors against the elements' axes [m], up to
-/// xi, 0 to 1, of an element. Both by node.
+/// Returns int (v' V' + w' W') ds of the slopes of two flex vectors against the elements' axes [m],
+/// up to xi, 0 to 1, of an element. Both by node.
 double sum_slope_products(const FlexibleBody& body, const double* q, const double* p, int element,
                           double xi) noexcept;
 
-/// What the hub feels of it; `gravity`: in H [m/s^2].
+/// Returns Lambda, Lambda' and g x gamma; `gravity`: in H [m/s^2].
 HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,
                                   const StiffeningSums& sums) noexcept;
 
-/// gamma: the energy of gravity's tension is g . gamma, in H [kg m].
+/// Returns gamma: the energy of gravity's tension is g . gamma, in H [kg m].
 Position calc_tension_moment(const TensionPlace& place, const StiffeningForms& forms) noexcept;
-/// It is quadratic in q: its rate is that of q^T K q', twice.
+/// Returns gamma and its rate. It is quadratic in q: its rate is that of q^T K q', twice.
 inline TensionMoment calc_tension_moment(const TensionPlace& place, const StiffeningSums& sums) {
   return {calc_tension_moment(place, sums.value), 2.0 * calc_tension_moment(place, sums.rate)};
 }

@@ -1,8 +1,9 @@
-// Inertia forces from the slots' momenta, elastic and damping forces from the elements.
+// Calculates inertia forces from the slots' momenta, elastic and damping forces from the elements.
 
 #include "engine/space/body_terms.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
@@ -13,7 +14,7 @@
 namespace spoke::space {
 namespace {
 
-/// b = -(A mu + 2 w x mu') with A = w w^T - |w|^2 1: the inertia force of a slot at zero X and q''.
+/// The inertia force of a slot at zero X and q'': b = -(A mu + 2 w x mu') with A = w w^T - |w|^2 1.
 struct InertiaForce {
   double rows[3][kSlot];
 
@@ -25,7 +26,7 @@ struct InertiaForce {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) rows[i][3 + j] = -2.0 * turn[i][j];
   }
-  /// Component i; the rate along i does not count.
+  /// Returns component i; the rate along i does not count.
   [[gnu::always_inline]] double component(int i, const double* mu) const {
     const double* r = rows[i];
     const int j = 3 + (i + 1) % 3, k = 3 + (i + 2) % 3;
@@ -33,8 +34,8 @@ struct InertiaForce {
   }
 };
 
-/// Rows of C_w^T and Q_f of a node: columns Xi^T (e_a x mu) for a = x, y, z, then Xi^T b + force.
-/// For the rotation, sum e_c x (e_a x mu_c) = e_a tr(Mu) - mu_a over the axes c of the node.
+/// Sets the rows of C_w^T and Q_f of a node: columns Xi^T (e_a x mu) for a = x, y, z, then Xi^T b +
+/// force. For the rotation, sum e_c x (e_a x mu_c) = e_a tr(Mu) - mu_a over the axes c of the node.
 void set_rows(const InertiaForce& b, const double* mu, const double* force, double* rows) {
   const double *r = mu, *x = mu + kSlot, *y = mu + 2 * kSlot, *z = mu + 3 * kSlot;
   const double trace = x[0] + y[1] + z[2];
@@ -51,8 +52,8 @@ void set_rows(const InertiaForce& b, const double* mu, const double* force, doub
   }
 }
 
-/// What an element's stretch adds to the rows of u of its nodes: +- e1 (e1.(e_a x mu))/l, and the
-/// same of b.
+/// Adds the share of an element's stretch to the rows of u of its nodes: +- e1 (e1.(e_a x mu))/l,
+/// and the same projection of b.
 void add_stretch_rows(const BeamElement& element, const InertiaForce& b, const double* mu,
                       double* rows) {
   const Position e1 = element.axes.col(0) / element.length;
@@ -75,7 +76,7 @@ void calc_rows(const FlexibleBody& body, const Angular& w, const BodyWork& work)
   for (int k = body.first_node(); k < body.node_count(); ++k)
     set_rows(b, work.momenta + kNodeSlots * kSlot * k, work.force + kTwist * k,
              work.rows + kNodeRows * k);
-  // Of a clamped body, node 0 has no rows that count: what the first element adds is not used.
+  // Node 0 of a clamped body has no rows that count: the share of the first element is not used.
   if (body.first_node() > 0) std::fill_n(work.rows, kNodeRows, 0.0);
   for (int e = 0; e < body.elements; ++e)
     add_stretch_rows(body.beam[static_cast<std::size_t>(e)], b,
@@ -93,8 +94,8 @@ void add_elastic_force(const FlexibleBody& body, const double* q, double* force)
   }
 }
 
-/// What damps in an element: the wrench by the velocity d of its outer node. `is_damped`: by its
-/// own matrix, too.
+/// Returns the damping wrench of an element by the velocity d of its outer node. `is_damped`:
+/// whether its own matrix damps, too.
 Double6 damping_wrench(const BeamElement& element, bool is_damped, double stiffness_factor,
                        const double* d) {
   Double6 F;
@@ -107,7 +108,7 @@ Double6 damping_wrench(const BeamElement& element, bool is_damped, double stiffn
   return F;
 }
 
-/// Damping D = mass_factor Mff + stiffness_factor K + that of the sections: its force at
+/// Adds the damping D = mass_factor Mff + stiffness_factor K + that of the sections: its force at
 /// v_elastic; returns its power at v.
 double add_damping(const FlexibleBody& body, const Damping& damping, const double* v_elastic,
                    const double* v, double* force) {
@@ -134,8 +135,9 @@ double add_damping(const FlexibleBody& body, const Damping& damping, const doubl
 
 using ConstNode = Eigen::Map<const Twist>;
 
-/// Row of nodes k of M x.
+/// Returns the row of node k of M x.
 Twist mass_row(const BlockTridiagonal& M, int k, const double* x) {
+  assert(k >= 0 && k < M.nodes());
   const auto node = static_cast<std::size_t>(k);
   Twist sum = M.diagonal[node].lazyProduct(ConstNode(x + kTwist * k));
   if (k > 0) sum += M.below[node - 1].lazyProduct(ConstNode(x + kTwist * (k - 1)));
@@ -192,7 +194,7 @@ double add_damping_to_rows(const FlexibleBody& body, const Damping& damping, con
   return power;
 }
 
-/// Of a body whose directions meet.
+/// Calculates the terms of a body whose directions meet.
 BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
                              const BodyMotion& motion, const Damping& damping,
                              const BodyWork& work) {
@@ -226,6 +228,8 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
 
 BodyTerms calc_body_terms(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
                           const Damping& damping, const BodyWork& work) noexcept {
+  assert(model.body && state.q && state.v && state.q_elastic && state.v_elastic);
+  assert(damping.mass_factor >= 0.0 && damping.stiffness_factor >= 0.0);
   const FlexibleBody& body = *model.body;
   if (!body.is_decoupled || !body.directions)
     return run_large_kernel(

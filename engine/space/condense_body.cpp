@@ -1,8 +1,10 @@
-// One pass outward with four right-hand sides side by side, and one pass back with one.
+// Goes outward once with four right-hand sides side by side, and back once with one.
 
 #include "engine/space/condense_body.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 #include "engine/space/element_products.h"
 #include "engine/support/wide_kernels.h"
@@ -11,7 +13,7 @@
 namespace spoke::space {
 namespace {
 
-/// Four values, of the columns of C_w^T and of Q_f.
+/// Four values: of the three columns of C_w^T, and of Q_f.
 struct Lanes {
   Double4 all{};
 
@@ -35,7 +37,7 @@ struct Products {
 
 void clear_fixed_rows(const FlexibleBody& body, double* rows) {
   if (body.reference_frame == ReferenceFrame::clamped) return;
-  // u, v, w, tx of node 0, and v, w of the last.
+  // These are u, v, w, tx of node 0, and v, w of the last.
   std::fill_n(rows, 4 * 4, 0.0);
   std::fill_n(rows + kNodeRows * body.elements + 4, 2 * 4, 0.0);
 }
@@ -51,7 +53,7 @@ constexpr bool moves_mass(int i, int c) {
   return !kIsDecoupled || (i != kRotation && is_one_direction(i, c));
 }
 
-/// y_k = L_kk^-1 (b_k - L_k,k-1 y_k-1) for one node; adds its products with y_C.
+/// Solves y_k = L_kk^-1 (b_k - L_k,k-1 y_k-1) for one node; adds its products with y_C.
 template <bool kIsDecoupled>
 void solve_node(const double* below, const double* inverse, const double* b, const double* before,
                 const double* W_t, double* y, Products& products) {
@@ -84,7 +86,7 @@ void solve_node(const double* below, const double* inverse, const double* b, con
   });
 }
 
-/// (1) The half solutions of C_w^T and Q_f, and their products with those of C.
+/// (1) Calculates the half solutions of C_w^T and Q_f, and their products with those of C.
 template <bool kIsDecoupled>
 Products solve_half(const FlexibleBody& body, const ElasticBlock& block, const BodyWork& work) {
   Products products;
@@ -97,7 +99,7 @@ Products solve_half(const FlexibleBody& body, const ElasticBlock& block, const B
   return products;
 }
 
-/// E_h (W_w, z) = y_E^T (y_w, y_Q): six rows, at the node of a handle.
+/// Calculates E_h (W_w, z) = y_E^T (y_w, y_Q): six rows, at the node of a handle.
 template <bool kIsDecoupled>
 void calc_handle_response(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
                           const BodyWork& work, Lanes (&response)[kTwist]) {
@@ -115,7 +117,7 @@ void calc_handle_response(const FlexibleBody& body, const ElasticBlock& block, s
     });
 }
 
-/// (3) X_h = J_h - E_h W and b_h + E_h z of one handle.
+/// (3) Calculates X_h = J_h - E_h W and b_h + E_h z of one handle.
 void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
                      const Angular& w, const BodyWork& work) {
   Lanes response[kTwist]{};
@@ -127,7 +129,8 @@ void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::s
   const Matrix3 s = skew(handle.s);
   const HalfMap turn{handle.turn.H};
   double* X = work.condensed.X[h].data();
-  // Columns J - E W, the lower half turned by H: of translation, then of rotation.
+  // The columns are J - E W, the lower half turned by H: those of translation, then those of
+  // rotation.
   unroll<3>([&](auto column) {
     constexpr int j = column;
     const auto& Z_W = block.Z_W[h];
@@ -148,8 +151,8 @@ void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::s
   work.port.free[h] = handle.bias(w) + z;
 }
 
-/// (3) P_ab = diag(1, H_a) Z_ab diag(1, H_b^T) + X_a S_R^-1 X_b^T for all handles a < b, and of b
-/// with itself.
+/// (3) Calculates P_ab = diag(1, H_a) Z_ab diag(1, H_b^T) + X_a S_R^-1 X_b^T for all handles a < b,
+/// and for b with itself.
 void calc_compliances(const ElasticBlock& block, std::size_t b, const BodyWork& work) {
   const TwistMatrix& X_b = work.condensed.X[b];
   const Matrix3& H_b = work.handles[b].turn.H;
@@ -170,7 +173,7 @@ void calc_compliances(const ElasticBlock& block, std::size_t b, const BodyWork& 
   work.port.diagonal[b] = {add_product(Z, X_b, S_X)};
 }
 
-/// (3) of a handle that stands where the frame is clamped: X_h = 1.
+/// (3) Places a handle where the frame is clamped: X_h = 1.
 void place_frame_handle(std::size_t h, const Twist& X_free, const BodyWork& work) {
   const SymmetricTwistMatrix& S_inverse = work.condensed.S_inverse;
   work.condensed.X[h].setIdentity();
@@ -183,12 +186,15 @@ void place_frame_handle(std::size_t h, const Twist& X_free, const BodyWork& work
 
 void condense(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
               BodyWork& work) {
+  assert(model.body && model.blocks[implicit]);
+  assert(std::cmp_equal(model.body->handles.size(), work.port.handles));
+  assert(model.blocks[implicit]->Z.size() == model.body->handles.size());
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
   clear_fixed_rows(body, work.rows);
   const Products products = body.is_decoupled ? solve_half<true>(body, block, work)
                                               : solve_half<false>(body, block, work);
-  // (2) S_R = M_RR - C W and p = Q - C z, M_RR = [m 1, -S~; S~, Theta].
+  // (2) S_R = M_RR - C W and p = Q - C z follow, with M_RR = [m 1, -S~; S~, Theta].
   work.condensed.S_inverse = invert(
       SymmetricTwistMatrix::from_blocks(body.mass * Matrix3::Identity() - block.C_W,
                                         skew(terms.S) - products.columns(products.t).transpose(),
@@ -210,7 +216,7 @@ void condense(const BodyModel& model, const BodyTerms& terms, const Angular& w, 
   }
 }
 
-/// Right-hand sides of the pass back: y_Q - y_C X, by node.
+/// Combines the right-hand sides of the pass back: y_Q - y_C X, by node.
 template <bool kIsDecoupled>
 void combine_halves(const FlexibleBody& body, const ElasticBlock& block, const Twist& X,
                     const BodyWork& work, double* b) {
@@ -231,7 +237,7 @@ void combine_halves(const FlexibleBody& body, const ElasticBlock& block, const T
     });
 }
 
-/// b += y_E f, of the six coordinates at one handle.
+/// Adds y_E f, of the six coordinates at one handle, to b.
 template <bool kIsDecoupled>
 void add_wrench(const FlexibleBody& body, const ElasticBlock& block, std::size_t h, const Twist& f,
                 double* b) {
@@ -298,7 +304,8 @@ void solve_back(const FlexibleBody& body, const ElasticBlock& block, double* b) 
               b + kTwist * k, outer);
 }
 
-/// The accelerations by node, from those of the frame and the wrenches on the handles.
+/// Calculates the accelerations by node, from those of the frame and the wrenches on the handles:
+/// L^T q'' = y_Q - y_C X + sum y_E,h f_h.
 template <bool kIsDecoupled>
 void recover_deformation(const FlexibleBody& body, const ElasticBlock& block, const Twist& X,
                          const Twist* wrenches, const BodyWork& work, double* x) {
@@ -314,6 +321,7 @@ void recover_deformation(const FlexibleBody& body, const ElasticBlock& block, co
 
 Twist recover(const BodyModel& model, const Twist* wrenches, bool implicit, const BodyWork& work,
               double* a) {
+  assert(model.body && model.blocks[implicit] && wrenches && a);
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
   const Condensed& condensed = work.condensed;

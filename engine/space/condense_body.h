@@ -1,6 +1,6 @@
 #pragma once
 
-// Eliminating a spatial body's deformation, (P 11) without an inverse, and recovering it, (P 7).
+// Elimination of a spatial body's deformation, (P 11) without an inverse, and its recovery, (P 7).
 //
 // With Mhat = L L^T factorised once and half solutions y = L^-1 (.) of C^T, Q_f and the handles'
 // E^T (docs/formulation.md, section 10):
@@ -18,8 +18,8 @@ namespace spoke::space {
 void condense_body(const BodyModel& model, const BodyTerms& terms, const Angular& w, bool implicit,
                    BodyWork& work) noexcept;
 
-/// Acceleration of the frame X, and of the deformation into the flex vector `a`, from the wrenches
-/// on all handles, the inboard one first.
+/// Calculates the acceleration X of the frame, and that of the deformation into the flex vector
+/// `a`, from the wrenches on all handles, the inboard one first.
 Twist recover_body(const BodyModel& model, const Twist* wrenches, bool implicit,
                    const BodyWork& work, double* a) noexcept;
 

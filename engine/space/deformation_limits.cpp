@@ -1,16 +1,21 @@
-// Looks through a body's coordinates for the largest deflection and for what is beyond the limits.
+// Looks through a body's coordinates for the largest deflection and for violations of the limits.
 
 #include "engine/space/deformation_limits.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
-namespace spoke::space {
+#include "engine/kernels/deformation_limits.h"
+
+namespace spoke {
+namespace space {
 namespace {
 
-/// Coordinates of one node.
+/// Returns the coordinates of one node.
 Twist node_values(const FlexibleBody& body, int node, const double* q) {
+  assert(node >= 0 && node < body.node_count());
   Twist values = Twist::Zero();
   for (int c = 0; c < kTwist; ++c)
     if (const int at = body.coordinate(node, c); at >= 0) values[c] = q[at];
@@ -24,7 +29,7 @@ double find_largest_deflection(const FlexibleBody& body, const double* q) noexce
   Twist before = node_values(body, 0, q);
   for (int node = 1; node < body.node_count(); ++node) {
     const Twist after = node_values(body, node, q);
-    // Slopes v' = tz, w' = -ty; the cubic's value in the middle.
+    // The slopes are v' = tz, w' = -ty; the cubic's value in the middle follows.
     const Position turned = 0.125 * (angular(before) - angular(after));
     const Position across = 0.5 * (linear(before) + linear(after)) +
                             cross(turned, body.beam[static_cast<std::size_t>(node - 1)].chord);
@@ -50,4 +55,18 @@ LimitViolation find_limit_violation(const FlexibleBody& body, const double* q) n
   return worst;
 }
 
-}  // namespace spoke::space
+}  // namespace space
+
+bool has_left_limits(const BodyData<Space>& body) noexcept {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  return flexible && space::find_limit_violation(*flexible, body.coordinates.q).node >= 0;
+}
+
+double find_large_deflection(const BodyData<Space>& body) noexcept {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return 0.0;
+  const double largest = space::find_largest_deflection(*flexible, body.coordinates.q);
+  return largest * flexible->length() > body.linear_range ? largest : 0.0;
+}
+
+}  // namespace spoke

@@ -7,8 +7,8 @@
 
 namespace spoke::space {
 
-/// The largest deflection across the body's axis at its nodes and in the middle between them, by
-/// its length.
+/// Returns the largest deflection across the body's axis at its nodes and in the middle between
+/// them, by its length.
 double find_largest_deflection(const FlexibleBody& body, const double* q) noexcept;
 
 /// A deformation coordinate that has left its limits.

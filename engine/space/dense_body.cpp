@@ -2,7 +2,14 @@
 
 #include "engine/space/dense_body.h"
 
-namespace spoke::space {
+#include <cassert>
+#include <utility>
+
+#include "engine/kernels/dense_body.h"
+#include "engine/space/table_terms.h"
+
+namespace spoke {
+namespace space {
 namespace {
 
 /// Calls `visit(coordinate, rows of four)` for all coordinates of the flex vector.
@@ -29,6 +36,8 @@ Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFa
 
 void add_dense(const FlexibleBody& body, const BlockTridiagonal& matrix,
                Eigen::Ref<Eigen::MatrixXd> dense) {
+  assert(matrix.nodes() == body.node_count());
+  assert(dense.rows() == body.coordinates() && dense.cols() == body.coordinates());
   const auto add = [&](int a, int b, const TwistMatrix& block) {
     for (int i = 0; i < kTwist; ++i)
       for (int j = 0; j < kTwist; ++j) {
@@ -46,6 +55,8 @@ void add_dense(const FlexibleBody& body, const BlockTridiagonal& matrix,
 
 void calc_dense_mass(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,
                      const Eigen::MatrixXd& elastic, Eigen::Ref<Eigen::MatrixXd> mass) {
+  assert(mass.rows() == kTwist + body.coordinates() && mass.cols() == mass.rows());
+  assert(elastic.rows() == body.coordinates() && elastic.cols() == body.coordinates());
   mass.topLeftCorner<3, 3>() = body.mass * Matrix3::Identity();
   mass.block<3, 3>(kRotation, 0) = skew(terms.S);
   mass.block<3, 3>(0, kRotation) = skew(terms.S).transpose();
@@ -61,6 +72,7 @@ void calc_dense_mass(const FlexibleBody& body, const BodyTerms& terms, const Bod
 
 void calc_dense_force(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,
                       Eigen::Ref<Eigen::VectorXd> force) {
+  assert(force.size() == kTwist + body.coordinates());
   force.head<kTwist>() = terms.Q;
   visit_rows(body, work, [&](int coordinate, int, int, const double* row) {
     force[kTwist + coordinate] = row[3];
@@ -69,6 +81,8 @@ void calc_dense_force(const FlexibleBody& body, const BodyTerms& terms, const Bo
 
 void calc_handle_jacobian(const FlexibleBody& body, int handle, const BodyWork& work,
                           Eigen::Ref<Eigen::MatrixXd> J) {
+  assert(J.rows() == kTwist && J.cols() == kTwist + body.coordinates());
+  assert(handle >= 0 && std::cmp_less(handle, body.handles.size()));
   const HandleMotion& motion = work.handles[handle];
   J.setZero();
   J.leftCols<kTwist>().setIdentity();
@@ -83,4 +97,49 @@ void calc_handle_jacobian(const FlexibleBody& body, int handle, const BodyWork& 
   }
 }
 
-}  // namespace spoke::space
+}  // namespace space
+
+// The functions for a body of the table, flexible or rigid.
+
+Eigen::MatrixXd make_dense_elastic_block(const space::Body& body, double mass_factor,
+                                         double stiffness_factor) {
+  if (const space::FlexibleBody* flexible = body.flexible())
+    return space::make_dense_elastic_block(*flexible, {mass_factor, stiffness_factor, 0.0});
+  return {};
+}
+
+void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic, bool implicit,
+                     Eigen::Ref<Eigen::MatrixXd> mass) {
+  assert(mass.rows() == dense_size(*data.model->body) && mass.cols() == mass.rows());
+  const space::FlexibleBody* flexible = data.model->body->flexible();
+  if (!flexible) {
+    mass = rigid_mass_of(data).matrix();
+    return;
+  }
+  space::calc_dense_mass(*flexible, data.terms, data.work, elastic, mass);
+  if (implicit && has_implicit_tension(data))
+    space::add_dense(*flexible, data.tension->stiffness,
+                     mass.bottomRightCorner(elastic.rows(), elastic.cols()));
+}
+
+void calc_dense_force(const BodyData<Space>& data, Eigen::Ref<Eigen::VectorXd> force) {
+  if (const space::FlexibleBody* flexible = data.model->body->flexible())
+    space::calc_dense_force(*flexible, data.terms, data.work, force);
+  else
+    force = data.terms.Q;
+}
+
+void calc_handle_jacobian(const BodyData<Space>& data, int handle, Eigen::Ref<Eigen::MatrixXd> J) {
+  assert(handle >= 0 && handle < data.work.port.handles);
+  if (const space::FlexibleBody* flexible = data.model->body->flexible())
+    return space::calc_handle_jacobian(*flexible, handle, data.work, J);
+  J.setIdentity();
+  J.topRightCorner<3, 3>() = -space::skew(data.work.handles[handle].s);
+}
+
+space::Twist calc_handle_bias(const BodyData<Space>& data, int handle, const space::Twist& twist) {
+  assert(handle >= 0 && handle < data.work.port.handles);
+  return data.work.handles[handle].bias(angular(twist));
+}
+
+}  // namespace spoke

@@ -9,7 +9,7 @@
 
 namespace spoke::space {
 
-/// Dense Mhat (nf x nf).
+/// Returns the dense Mhat (nf x nf).
 Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
 
 /// Adds a matrix over the nodes to a dense one of the deformation (nf x nf).
@@ -19,7 +19,8 @@ void add_dense(const FlexibleBody& body, const BlockTridiagonal& matrix,
 /// Unknowns of a body: its frame's twist and its deformation.
 inline int dense_size(const FlexibleBody& body) { return kTwist + body.coordinates(); }
 
-/// Fills the mass matrix, `elastic` being its deformation block, into an n x n block.
+/// Fills the mass matrix [M_RR, C; C^T, Mff], `elastic` being its deformation block, into an n x n
+/// block.
 void calc_dense_mass(const FlexibleBody& body, const BodyTerms& terms, const BodyWork& work,
                      const Eigen::MatrixXd& elastic, Eigen::Ref<Eigen::MatrixXd> mass);
 

@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 namespace spoke::space {
 namespace {
@@ -29,7 +31,7 @@ using NodeRows = Eigen::Matrix<double, kTwist, kColumns, Eigen::RowMajor>;
 template <int kColumns>
 using NodeMap = Eigen::Map<NodeRows<kColumns>>;
 
-/// Sets the factors; added: what Mhat has besides, or null.
+/// Sets the factors of Mhat + `added`, which may be null.
 void factorise(const FlexibleBody& body, const BlockFactors& factors, const BlockTridiagonal* added,
                ElasticBlock& block) {
   TwistBlock inverse_before = TwistBlock::Zero();
@@ -47,6 +49,8 @@ void factorise(const FlexibleBody& body, const BlockFactors& factors, const Bloc
     fix_coordinates(body, k, diagonal, below);
     below = below.lazyProduct(inverse_before.transpose()).eval();
     diagonal -= below.lazyProduct(below.transpose());
+    // Tension of a simulation that diverges may be no number.
+    assert(!(diagonal.diagonal().minCoeff() <= 0.0) && "positive definite");
     const TwistBlock L = Eigen::LLT<TwistBlock>(diagonal).matrixL();
     inverse_before = L.triangularView<Eigen::Lower>().solve(TwistBlock::Identity());
     Eigen::Map<TwistBlock>(&block.inverse[at * ElasticBlock::kBlock]) = inverse_before;
@@ -54,10 +58,11 @@ void factorise(const FlexibleBody& body, const BlockFactors& factors, const Bloc
   }
 }
 
-/// L^-1 b in place, of columns that are zero before node `from`, whose rows stand at b. Rows of
-/// fixed coordinates are zero.
+/// Solves L y = b in place, for columns that are zero before node `from`, whose rows stand at b.
+/// Rows of fixed coordinates are zero.
 template <int kColumns>
 void solve_half(const FlexibleBody& body, const ElasticBlock& block, int from, double* b) {
+  assert(from >= 0 && from < body.node_count());
   for (int k = from; k < body.node_count(); ++k, b += kTwist * kColumns) {
     NodeMap<kColumns> rows(b);
     for (int c = 0; c < kTwist; ++c)
@@ -70,7 +75,7 @@ void solve_half(const FlexibleBody& body, const ElasticBlock& block, int from, d
   }
 }
 
-/// a^T b of columns over the nodes from `from` on, where both begin.
+/// Returns a^T b of columns over the nodes from `from` on, where both begin.
 template <int kA, int kB>
 Eigen::Matrix<double, kA, kB> multiply_columns(const FlexibleBody& body, int from, const double* a,
                                                const double* b) {
@@ -87,7 +92,7 @@ bool is_fixed(const FlexibleBody& body, int node) {
   return true;
 }
 
-/// Allocates what the factors make.
+/// Allocates the factors and solutions.
 ElasticBlock make_empty_block(const FlexibleBody& body) {
   const auto nodes = static_cast<std::size_t>(body.node_count());
   ElasticBlock block;
@@ -119,7 +124,7 @@ void set_momentum(const FlexibleBody& body, ElasticBlock& block) {
   block.C_W = multiply_columns<3, 3>(body, 0, W_t, W_t);
 }
 
-/// What belongs to handle h alone; it stays zero where the frame fixes the handle's node.
+/// Sets the solutions of handle h alone; they stay zero where the frame fixes the handle's node.
 void set_handle(const FlexibleBody& body, std::size_t h, ElasticBlock& block) {
   std::vector<double>& Z = block.Z[h];
   if (Z.empty()) return;
@@ -143,6 +148,9 @@ void set_pair(const FlexibleBody& body, std::size_t a, std::size_t b, ElasticBlo
 
 void set_block(const FlexibleBody& body, const BlockFactors& factors, const BlockTridiagonal* added,
                ElasticBlock& block) {
+  assert(std::cmp_equal(body.M.nodes(), body.node_count()) && body.K.nodes() == body.M.nodes());
+  assert(!added || added->nodes() == body.node_count());
+  assert(block.Z.size() == body.handles.size() && block.below.size() == block.inverse.size());
   factorise(body, factors, added, block);
   set_momentum(body, block);
   for (std::size_t b = 0; b < body.handles.size(); ++b) {

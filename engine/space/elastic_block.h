@@ -11,7 +11,7 @@
 
 namespace spoke::space {
 
-/// By what Mff, K and the section damping D enter Mhat. An explicit evaluation has (1, 0, 0).
+/// Factors of Mff, K and the section damping D in Mhat. An explicit evaluation has (1, 0, 0).
 struct BlockFactors {
   double mass = 1.0;
   double stiffness = 0.0;
@@ -25,16 +25,16 @@ struct ElasticBlock {
 
   /// By node, row by row. Rows and columns of coordinates that the frame fixes are those of the
   /// identity; nodes before the body's first_node() are unused.
-  std::vector<double> inverse;  ///< of L's diagonal block; zero right of the diagonal
+  std::vector<double> inverse;  ///< inverse of L's diagonal block; zero right of the diagonal
   std::vector<double> below;    ///< L's block (k, k - 1)
 
   std::vector<double> W_t;        ///< L^-1 C_t^T: 3 columns, row by row
   Matrix3 C_W = Matrix3::Zero();  ///< C_t Mhat^-1 C_t^T [kg]
-  /// By handle: L^-1 E^T for the six coordinates of its node, row by row, from that node on. None
+  /// By handle: L^-1 E^T for the six coordinates of its node, row by row, from that node on. Empty
   /// if the frame fixes all of them.
   std::vector<std::vector<double>> Z;
   std::vector<NodeMomentum> Z_W;  ///< by handle: E Mhat^-1 C_t^T
-  // E_a Mhat^-1 E_b^T, in the order of MultiPort.
+  // Products E_a Mhat^-1 E_b^T, in the order of MultiPort.
   std::vector<SymmetricTwistMatrix> Z_diagonal;
   std::vector<TwistMatrix> Z_pairs;
 

@@ -24,15 +24,15 @@ struct Double6 {
   }
 };
 
-/// A x for a matrix of six columns that lie one after another.
+/// Returns A x for a matrix of six columns that lie one after another.
 [[gnu::always_inline]] inline Double6 multiply(const double* A, const double* x) {
   Double6 sum;
   for (int j = 0; j < kTwist; ++j) sum.add(x[j], A + kTwist * j);
   return sum;
 }
 
-/// Displacement and rotation of an element's outer node as seen from the inner: d = G q. `q` holds
-/// the coordinates of both nodes.
+/// Calculates displacement and rotation of an element's outer node as seen from the inner: d = G q.
+/// `q` holds the coordinates of both nodes.
 [[gnu::always_inline]] inline void calc_relative(const BeamElement& element, const double* q,
                                                  double* d) {
   const Position& c = element.chord;
@@ -42,7 +42,7 @@ struct Double6 {
   for (int i = 3; i < 6; ++i) d[i] = q[6 + i] - q[i];
 }
 
-/// force -= G^T F: the wrench F on the outer node, and what balances it on the inner.
+/// Subtracts G^T F from the forces: the wrench F on the outer node, and its balance on the inner.
 [[gnu::always_inline]] inline void subtract_wrench(const BeamElement& element, const double* F,
                                                    double* force) {
   const Position& c = element.chord;

@@ -1,11 +1,14 @@
-// Handles from the coordinates of their nodes.
+// Calculates handles from the coordinates of their nodes.
 
 #include "engine/space/handle_motion.h"
+
+#include <cassert>
 
 namespace spoke::space {
 namespace {
 
 HandleMotion calc_handle(const FlexibleBody& body, int node, const double* q, const double* v) {
+  assert(node >= body.first_node() && node < body.node_count());
   Twist place = Twist::Zero(), rate = Twist::Zero();
   for (int c = 0; c < kTwist; ++c)
     if (const int at = body.coordinate(node, c); at >= 0) {
@@ -16,7 +19,7 @@ HandleMotion calc_handle(const FlexibleBody& body, int node, const double* q, co
           calc_rotation_vector_motion(angular(place), angular(rate))};
 }
 
-/// Of the section in which the frame is clamped.
+/// Returns the motion of the section in which the frame is clamped.
 HandleMotion at_rest() {
   return {Position::Zero(),
           Position::Zero(),

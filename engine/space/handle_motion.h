@@ -1,6 +1,6 @@
 #pragma once
 
-// The handles of a spatial body at a state: what joints see of its deformation.
+// The handles of a spatial body at a state: the ends of its deformation to which joints are fixed.
 
 #include "models/space/flexible_body.h"
 #include "models/space/rotation_vector.h"
@@ -12,21 +12,22 @@ namespace spoke::space {
 struct HandleMotion {
   Position s = Position::Zero();         ///< place in B [m]
   Position velocity = Position::Zero();  ///< relative to B [m/s]
-  RotationVectorMotion turn;             ///< of the section against B
+  RotationVectorMotion turn;             ///< rotation of the section against B
 
-  /// Its twist relative to B, in B.
+  /// Returns the section's twist relative to B, in B: [u'; H th'].
   Twist twist() const { return make_twist(velocity, turn.velocity); }
-  /// Its acceleration, in B, where that of B is X and all else at rest: [1, -s~; 0, 1] X.
+  /// Returns the section's acceleration, in B, where that of B is X and all else at rest: [1, -s~;
+  /// 0, 1] X.
   Twist carry(const Twist& X) const { return refer(-s, X); }
-  /// b, the acceleration at X = 0 and q'' = 0, at the angular velocity w of B:
-  /// [w x (w x s) + 2 w x u'; w x (H th') + H' th'].
+  /// Returns b, the acceleration at X = 0 and q'' = 0, at the angular velocity w of B: [w x (w x s)
+  /// + 2 w x u'; w x (H th') + H' th'].
   Twist bias(const Angular& w) const;
 };
 
-/// A place that is fixed in B.
+/// Makes a handle at a place that is fixed in B.
 HandleMotion make_fixed_handle(const Position& s) noexcept;
 
-/// The handles of a body at the flex vectors q and v.
+/// Calculates the handles of a body at the flex vectors q and v.
 void calc_handles(const FlexibleBody& body, const double* q, const double* v,
                   HandleMotion* handles) noexcept;
 

@@ -3,8 +3,10 @@
 #include "engine/space/implicit_tension.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/space/plane_coordinates.h"
 #include "engine/space/tension_weights.h"
@@ -13,19 +15,19 @@
 namespace spoke::space {
 namespace {
 
-/// Slopes that the rotation of the frame gives to an element, by plane.
+/// Returns the slopes that the rotation of the frame gives to an element, by plane.
 Double2 slope_by_turn(const BeamElement& element, bool is_straight, const Angular& turn) {
   if (is_straight) return Double2{turn[2], -turn[1]};
   return Double2{element.axes.col(2).dot(turn), -element.axes.col(1).dot(turn)};
 }
-/// What moments along the slopes are for the frame, in B: the transposed.
+/// Returns the moment on the frame, in B, of moments along the slopes: the transposed map.
 Angular turn_by_slope(const BeamElement& element, bool is_straight, const Double2& moment) {
   if (is_straight) return {0.0, -moment[1], moment[0]};
   return element.axes.col(2) * moment[0] - element.axes.col(1) * moment[1];
 }
 
-/// -K y of an element, added to the forces at its nodes; q: of both nodes. Returns what it is of
-/// the frame's rotation.
+/// Adds -K y of an element to the forces at its nodes; q: of both nodes. Returns the moment on the
+/// frame.
 Angular subtract_tension(const BeamElement& element, const ImplicitTension::Element& K,
                          bool is_straight, const double* q, const Angular& turn, double* force) {
   PlaneCoordinates x = in_axes_of(element, is_straight, q);
@@ -41,7 +43,7 @@ Angular subtract_tension(const BeamElement& element, const ImplicitTension::Elem
   return turn_by_slope(element, is_straight, -moment);
 }
 
-/// Columns of K of an element, by what unit values make.
+/// Adds the columns of K of an element, by unit values of its coordinates.
 void add_columns(const BeamElement& element, int e, bool is_straight, ImplicitTension& tension) {
   constexpr int kBoth = 2 * kTwist;
   const ImplicitTension::Element& K = tension.elements[static_cast<std::size_t>(e)];
@@ -71,7 +73,7 @@ void clear(ImplicitTension& tension) {
   tension.turn.setZero();
 }
 
-/// Elements at the speed of the tension; what presses is left out.
+/// Weighs the elements at the speed of the tension; compression is left out.
 void weigh_elements(const FlexibleBody& body, const TensionPlace& place, ImplicitTension& tension) {
   const BodyMotion motion{Angular::Zero(), tension.w, Position::Zero()};
   TensionWeights weights = calc_tension_weights(place, motion);
@@ -90,7 +92,7 @@ void weigh_elements(const FlexibleBody& body, const TensionPlace& place, Implici
   }
 }
 
-/// The nearest of 32 speeds between a power of two and the next, by the largest component.
+/// Returns the nearest of 32 speeds between a power of two and the next, by the largest component.
 Angular round_speed(const Angular& w) {
   const double most = w.cwiseAbs().maxCoeff();
   if (!(most > 0.0) || !std::isfinite(most)) return Angular::Zero();
@@ -98,7 +100,7 @@ Angular round_speed(const Angular& w) {
   return unit * Angular(w / unit).array().round().matrix();
 }
 
-/// All but the block, at the speed w of the tension.
+/// Sets all but the block, at the speed w of the tension.
 void set_matrices(const FlexibleBody& body, const TensionPlace& place, ImplicitTension& tension) {
   weigh_elements(body, place, tension);
   clear(tension);
@@ -106,8 +108,8 @@ void set_matrices(const FlexibleBody& body, const TensionPlace& place, ImplicitT
     add_columns(body.beam[static_cast<std::size_t>(e)], e, body.is_straight, tension);
 }
 
-/// The speed from which on tension counts: where a rotation of the frame feels a hundredth of the
-/// body's inertia.
+/// Returns the speed from which on tension counts: there a rotation of the frame feels a hundredth
+/// of the body's inertia.
 double find_least_speed(const FlexibleBody& body, const TensionPlace& place,
                         ImplicitTension& tension) {
   double most = 0.0;
@@ -124,6 +126,7 @@ double find_least_speed(const FlexibleBody& body, const TensionPlace& place,
 ImplicitTension make_implicit_tension(const FlexibleBody& body, const TensionPlace& place,
                                       const BlockFactors& factors, double gain,
                                       const ElasticBlock& block) {
+  assert(gain > 0.0 && !place.carried.empty() && place.carried.back().end >= body.elements);
   ImplicitTension tension;
   tension.factors = factors;
   tension.gain = gain;
@@ -138,6 +141,7 @@ ImplicitTension make_implicit_tension(const FlexibleBody& body, const TensionPla
 
 void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Angular& w,
                   ImplicitTension& tension) noexcept {
+  assert(std::cmp_equal(tension.elements.size(), body.elements));
   const Angular speed = tension.counts_at(w) ? round_speed(w) : Angular(Angular::Zero());
   if (speed == tension.w) return;
   tension.w = speed;
@@ -147,6 +151,7 @@ void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Ang
 
 void add_implicit_tension(const FlexibleBody& body, const ImplicitTension& tension, const double* a,
                           const Angular& turn, const BodyWork& work, BodyTerms& terms) noexcept {
+  assert(std::cmp_equal(tension.lean.size(), body.node_count()) && a);
   run_large_kernel([&]() noexcept {
     double *nodal = work.nodal[0], *force = work.force;
     expand(body, a, nodal);

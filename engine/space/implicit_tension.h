@@ -3,10 +3,10 @@
 // The tension of rotation on the left-hand side of an implicit step (docs/formulation.md, section
 // 5).
 //
-// Of a body under tension T the deflections and the rotation of its frame are stiffened alike: the
-// slope against the direction of T is what the frame's rotation and the deformation make together,
+// In a body under tension T the deflections and the rotation of its frame are stiffened alike: the
+// slope against the direction of T is that of the frame's rotation and the deformation together,
 //   V = 1/2 int T (slope of frame + slope of deformation)^2 ds = 1/2 y^T K y,  y = (rotation; q)
-// With what hangs at the body pulling from outside, that is how the motion of the bodies of a chain
+// The bodies that hang at it pull from outside, so that is how the motion of the bodies of a chain
 // feels its tension, each by itself. A step adds beta' h^2 K (A - A_k) to the equations, with A_k
 // the accelerations of the iterate before: where the iteration has converged, nothing; but its
 // errors no longer grow with the tension. K need not be exact: it is that of a speed near the
@@ -23,21 +23,22 @@ struct ImplicitTension {
     double torsion = 0.0;
   };
 
-  BlockFactors factors;  ///< of what is in Mhat besides
+  BlockFactors factors;  ///< factors of Mff, K and D in Mhat besides
   double gain = 0.0;     ///< beta' h^2 [s^2]
   double least = 0.0;    ///< speed of the hub below which tension is left out [rad/s]
 
-  /// Of the hub, in H, for which all below is made; zero: there is none, NaN: none yet [rad/s].
+  /// Angular velocity of the hub, in H, for which all below is made; zero: there is no tension,
+  /// NaN: none yet [rad/s].
   Angular w;
   std::vector<Element> elements;
   BlockTridiagonal stiffness;      ///< beta' h^2 K of the deformation
-  std::vector<NodeMomentum> lean;  ///< by node: of its coordinates and the frame's rotation
-  Matrix3 turn;                    ///< of the frame's rotation [kg m^2]
-  ElasticBlock block;              ///< of Mhat with it
+  std::vector<NodeMomentum> lean;  ///< by node: coupling with the frame's rotation
+  Matrix3 turn;                    ///< stiffness of the frame's rotation [kg m^2]
+  ElasticBlock block;              ///< factors of Mhat with the tension
 
   /// Whether there is any: not at a low speed.
   bool is_on() const { return w != Angular::Zero(); }
-  /// Whether there will be, at a speed of the hub.
+  /// Whether there will be tension, at a speed of the hub.
   bool counts_at(const Angular& hub_w) const { return hub_w.norm() >= least; }
 };
 
@@ -51,8 +52,9 @@ ImplicitTension make_implicit_tension(const FlexibleBody& body, const TensionPla
 void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Angular& w,
                   ImplicitTension& tension) noexcept;
 
-/// Adds it to the terms of a body and the rows of `work`, which are those of the state; `a`: the
-/// accelerations of the iterate (flex vector), `turn`: the angular one of the frame.
+/// Adds beta' h^2 K to the frame's mass terms and beta' h^2 K A_k to the right-hand side, in the
+/// terms of a body and the rows of `work`, which are those of the state; `a`: the accelerations of
+/// the iterate A_k (flex vector), `turn`: the angular one of the frame.
 void add_implicit_tension(const FlexibleBody& body, const ImplicitTension& tension, const double* a,
                           const Angular& turn, const BodyWork& work, BodyTerms& terms) noexcept;
 

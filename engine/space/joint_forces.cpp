@@ -1,8 +1,9 @@
-// Forces and energies of the springs, dampers and stops in a joint.
+// Calculates forces and energies of the springs, dampers and stops in a joint.
 
 #include "engine/space/joint_forces.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace spoke::space {
@@ -19,8 +20,9 @@ void for_free(const Joint& joint, Visit&& visit) {
   }
 }
 
-/// Deflection of the spring in the components of the velocity. A rotation does not turn its own
-/// vector, so that of a spherical spring is the gradient of half its square in either frame.
+/// Returns the deflection of the spring in the components of the velocity. A rotation does not turn
+/// its own vector, so that of a spherical spring is the gradient of half its square in either
+/// frame.
 Angular calc_deflection(const Joint& joint, const JointPrimitive& primitive,
                         const JointState& state, int at) {
   if (primitive.kind == JointPrimitive::Kind::spherical)
@@ -28,14 +30,16 @@ Angular calc_deflection(const Joint& joint, const JointPrimitive& primitive,
   return {state.q[at] - primitive.rest, 0.0, 0.0};
 }
 
-/// A stop at one coordinate.
+/// State of a stop at one coordinate. At the distance d beyond its bound and with the width b its
+/// force is k d^2/(2 b) up to d = b, and k (d - b/2) from there on.
 struct StopState {
-  double force = 0.0;  ///< of its spring
+  double force = 0.0;  ///< force of its spring
   double energy = 0.0;
-  double share = 0.0;  ///< of stiffness and damping that act: 0 within the bounds, at most 1
+  double share = 0.0;  ///< share of its stiffness and damping: 0 within the bounds, at most 1
 };
 
 StopState calc_stop(const JointStop& stop, double q) {
+  assert(stop.lower <= stop.upper);
   const double above = q - stop.upper, below = stop.lower - q;
   const double d = std::max(above, below), w = stop.width;
   if (d <= 0.0) return {};

@@ -1,19 +1,22 @@
-// Walks along the primitives of a joint, outward: docs/formulation.md, section 11. The columns
-// of those ahead are zero until they are reached.
+// Walks along the primitives of a joint, outward: docs/formulation.md, section 11. The columns of
+// those ahead are zero until they are reached.
 
 #include "engine/space/joint_motion.h"
+
+#include <cassert>
 
 namespace spoke::space {
 namespace {
 
-/// The way from the handle to the child. The frame that has been reached is that of motion.R and
-/// motion.p, its twist, resolved in the parent's frame, (v, w).
+/// Walks the way from the handle to the child. The frame that has been reached is that of motion.R
+/// and motion.p, its twist, resolved in the parent's frame, (v, w).
 class Walk {
  public:
   Walk(const Joint& joint, const JointState& state, const Twist& handle, JointMotion& motion)
       : joint_(joint), state_(state), motion_(motion), v_(linear(handle)), w_(angular(handle)) {}
 
-  /// Moves on by p, which changes at p_rate; both in the frame reached.
+  /// Moves on by p, which changes at p_rate; both in the frame reached. With r = R p, r' = R p_rate
+  ///   b_t += b_r x r + w x (w x r) + 2 w x r',  H_c,t += H_c,r x r,  p += r,  v += w x r + r'
   void move_on(const Position& p, const Position& p_rate) {
     const Position r = motion_.R * p, r_rate = motion_.R * p_rate;
     linear(motion_.bias) +=
@@ -38,7 +41,7 @@ class Walk {
     }
   }
 
-  /// Twist of the frame reached, in that frame.
+  /// Returns the twist of the frame reached, in that frame.
   Twist twist() const { return motion_.R.inverse() * make_twist(v_, w_); }
 
  private:
@@ -57,6 +60,8 @@ class Walk {
     return component;
   }
 
+  /// Turns by q about the axis n: b_r += q' w x n + q'' n, w += q' n, H_r = n, R = R exp(q n~); q''
+  /// where it is prescribed.
   void revolve(const JointPrimitive& primitive) {
     const Component component = next_component(primitive);
     const Angular axis = motion_.R * primitive.axis;
@@ -67,6 +72,8 @@ class Walk {
     motion_.R = motion_.R * exponential(component.motion.value * primitive.axis);
   }
 
+  /// Moves on by q along the axis n: r = q n, r' = q' n, b_t += q'' n, H_t = n; q'' where it is
+  /// prescribed.
   void slide(const JointPrimitive& primitive) {
     const Component component = next_component(primitive);
     move_on(component.motion.value * primitive.axis, component.motion.rate * primitive.axis);
@@ -75,6 +82,8 @@ class Walk {
     motion_.columns.col(component.column).head<kPosition>() = axis;
   }
 
+  /// Turns by Q: b_r += w x w_J, w += w_J, H_r = R, R = R Q; w_J and H_r are resolved in the
+  /// child's frame or the parent's.
   void turn_freely(const JointPrimitive& primitive) {
     const Rotation turned = motion_.R * make_rotation(calc_orientation(joint_, primitive, state_));
     const Rotation& R = primitive.frame == TurnFrame::child ? turned : motion_.R;
@@ -99,12 +108,14 @@ class Walk {
 
 void calc_joint_motion(const Joint& joint, const JointState& state, const Rotation& section,
                        const Twist& handle, JointMotion& motion, Twist& child) noexcept {
+  assert(joint.coordinates + joint.driven <= Joint::kMost);
+  assert((joint.coordinates == 0 || (state.q && state.v)) && (joint.driven == 0 || state.driven));
   motion.R = section;
   motion.p.setZero();
   motion.columns.setZero();
   motion.bias.setZero();
   Walk walk(joint, state, handle, motion);
-  if (!joint.offset.p.isZero(0.0)) walk.move_on(joint.offset.p);  // none where a beam goes on
+  if (!joint.offset.p.isZero(0.0)) walk.move_on(joint.offset.p);  // zero where a beam goes on
   motion.R = motion.R * joint.offset.R;
   for (const JointPrimitive& primitive : joint.sequence()) walk.pass(primitive);
   child = walk.twist();
@@ -123,12 +134,15 @@ Twist calc_carried_acceleration(const JointMotion& motion, const Twist& handle) 
 
 Quaternion calc_orientation(const Joint& joint, const JointPrimitive& spherical,
                             const JointState& state) noexcept {
+  assert(joint.spherical_at >= 0 && joint.spherical_at + kAngular <= joint.coordinates);
+  assert(spherical.kind == JointPrimitive::Kind::spherical && state.reference);
   const double* q = state.q + joint.spherical_at;
   return turn(*state.reference, Angular(q[0], q[1], q[2]), spherical.frame);
 }
 
 double calc_drive_force(const Joint& joint, const JointMotion& motion, int c,
                         const Twist& F) noexcept {
+  assert(c >= 0 && c < joint.driven);
   return motion.columns.col(joint.coordinates + c).dot(motion.R * F);
 }
 

@@ -15,13 +15,13 @@ struct PrescribedMotion {
   double acceleration = 0.0;
 };
 
-/// State of a joint. Of a spherical primitive, q is the rotation vector by which it has turned
+/// State of a joint. For a spherical primitive, q is the rotation vector by which it has turned
 /// since the step's start, in the frame of its velocity w_J, which is v.
 struct JointState {
   const double* q = nullptr;                 ///< n coordinates
   const double* v = nullptr;                 ///< n velocities
-  const Quaternion* reference = nullptr;     ///< of the spherical primitive, at the step's start
-  const PrescribedMotion* driven = nullptr;  ///< by component
+  const Quaternion* reference = nullptr;     ///< spherical primitive at the step's start
+  const PrescribedMotion* driven = nullptr;  ///< motions by driven component
 };
 
 using JointColumns = Eigen::Matrix<double, kTwist, Joint::kMost, Eigen::DontAlign>;
@@ -29,12 +29,12 @@ using JointColumns = Eigen::Matrix<double, kTwist, Joint::kMost, Eigen::DontAlig
 /// The child's frame moves as
 ///   R (twist of the child) = T (twist of the handle) + columns (q', rates of driven ones)
 ///   R (X of the child) = T (acceleration of the handle) + columns q'' + bias
-/// with T = [1, -p~; 0, 1], and what belongs to the handle in the parent's frame.
+/// with T = [1, -p~; 0, 1], and the quantities of the handle in the parent's frame.
 struct JointMotion {
   Rotation R;            ///< from the child's frame to the parent's
   Position p;            ///< from the handle to the child's origin, in the parent's frame [m]
-  JointColumns columns;  ///< of the n coordinates, then of the driven components, then zero
-  Twist bias;            ///< with the accelerations of driven components
+  JointColumns columns;  ///< columns of the n coordinates, then of the driven components, then zero
+  Twist bias;            ///< acceleration of the child's origin by rates and driven components
 };
 
 /// Sets the motion of a joint, and the child's twist (in the child's frame). `section` turns the
@@ -43,24 +43,24 @@ struct JointMotion {
 void calc_joint_motion(const Joint& joint, const JointState& state, const Rotation& section,
                        const Twist& handle, JointMotion& motion, Twist& child) noexcept;
 
-/// The same of a child whose inboard section is turned against its frame by the motion `section`:
-/// so far the motion is that of the section, from here on that of the frame.
+/// Goes on to a child whose inboard section is turned against its frame by the motion `section`: so
+/// far the motion is that of the section, from here on that of the frame.
 void leave_section(const RotationVectorMotion& section, JointMotion& motion, Twist& child) noexcept;
 
-/// The acceleration of the child, in its frame, from that of the handle, in the parent's, both less
-/// gravity, if the joint's coordinates have none: R^T (T (acceleration) + bias).
+/// Returns the acceleration of the child, in its frame, from that of the handle, in the parent's,
+/// both less gravity, if the joint's coordinates have none: R^T (T (acceleration) + bias).
 Twist calc_carried_acceleration(const JointMotion& motion, const Twist& handle) noexcept;
 
-/// The orientation of a spherical primitive.
+/// Returns the orientation of a spherical primitive.
 Quaternion calc_orientation(const Joint& joint, const JointPrimitive& spherical,
                             const JointState& state) noexcept;
 
-/// Force or moment of the drive of driven component `c`, from the wrench F on the child's inboard
-/// handle in the child's frame [N, N m].
+/// Returns the force or moment of the drive of driven component `c`, from the wrench F on the
+/// child's inboard handle in the child's frame [N, N m].
 double calc_drive_force(const Joint& joint, const JointMotion& motion, int c,
                         const Twist& F) noexcept;
 
-/// Power of the drives of a joint, likewise [W].
+/// Returns the power of the drives of a joint, from that wrench [W].
 double calc_drive_power(const Joint& joint, const JointState& state, const JointMotion& motion,
                         const Twist& F) noexcept;
 

@@ -6,7 +6,7 @@
 
 namespace spoke::space {
 
-/// References to what belongs to one joint, by the names that the elimination uses.
+/// References to the quantities of one joint, by the names that the elimination uses.
 struct JointTerms {
   JointTerms(const Joint& joint, const JointMotion& motion, const JointForces& forces)
       : coordinates(joint.coordinates),

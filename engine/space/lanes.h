@@ -2,6 +2,8 @@
 
 // Values by node, component by component, of bodies whose directions do not meet.
 
+#include <cassert>
+
 #include "engine/space/body_data.h"
 #include "models/support/simd.h"
 
@@ -20,8 +22,9 @@ class LaneRows {
       : stride_(lane_stride(body)),
         first_(work.lanes + kTwist * static_cast<std::size_t>(kind) * stride_ + 1) {}
 
-  /// The value of node k.
+  /// Returns the place of node k's value.
   double* at(int component, int k) const {
+    assert(component >= 0 && component < kTwist);
     return first_ + static_cast<std::size_t>(component) * stride_ + k;
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Coordinates and forces of an element along its own axes, both bending planes side by side: what
-// tension stiffens.
+// Coordinates and forces of an element along its own axes, both bending planes side by side: the
+// part that tension stiffens.
 
 #include "engine/space/body_data.h"
 #include "models/support/simd.h"
@@ -11,8 +11,8 @@ namespace spoke::space {
 /// Coordinates of an element's two nodes along its axes, as far as tension and torsion feel them.
 /// Both planes lie side by side: (v, w) and (tz, -ty), the signs of the plane.
 struct PlaneCoordinates {
-  Double2 rise;      ///< of the outer node above the inner
-  Double2 slope[2];  ///< by node
+  Double2 rise;      ///< rise of the outer node above the inner
+  Double2 slope[2];  ///< slopes by node
   double torsion[2];
 };
 
@@ -40,7 +40,7 @@ inline PlaneCoordinates in_element_axes(const BeamElement& element, const double
   return planes;
 }
 
-/// force -= forces along the element's axes.
+/// Subtracts forces along the element's axes from `force`.
 template <bool kIsStraight>
 inline void subtract_forces(const BeamElement& element, const PlaneCoordinates& f, double* force) {
   const Double2 shear = f.rise;
@@ -61,7 +61,8 @@ inline void subtract_forces(const BeamElement& element, const PlaneCoordinates& 
   }
 }
 
-/// K x for one of an element's tension matrices, which do not feel what moves both nodes alike.
+/// Returns K x for one of an element's tension matrices, which do not feel motions that both nodes
+/// share.
 inline PlaneCoordinates multiply_planes(const Matrix4& K, const PlaneCoordinates& x) {
   const Double2 r = x.rise, a = x.slope[0], b = x.slope[1];
   return {K(2, 2) * r + K(1, 2) * a + K(3, 2) * b,
@@ -69,7 +70,7 @@ inline PlaneCoordinates multiply_planes(const Matrix4& K, const PlaneCoordinates
           {}};
 }
 
-/// By plane, the sum of the products of what belongs together.
+/// Returns, by plane, the sum of the products of forces and their coordinates.
 inline Double2 sum_products(const PlaneCoordinates& f, const PlaneCoordinates& x) {
   return f.rise * x.rise + f.slope[0] * x.slope[0] + f.slope[1] * x.slope[1];
 }

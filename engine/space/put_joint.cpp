@@ -1,4 +1,4 @@
-// Coordinates, and the reference of a spherical joint.
+// Sets coordinates, and the reference of a spherical joint.
 
 #include "engine/space/put_joint.h"
 

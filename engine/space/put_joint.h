@@ -1,13 +1,13 @@
 #pragma once
 
-// Puts a joint where it is to start.
+// Start of a joint at given coordinates.
 
-#include "engine/space/spatial_body.h"
+#include "engine/space/body.h"
 
 namespace spoke::space {
 
-/// Sets the coordinates of a joint; of a spherical one, given by the rotation vector from parent to
-/// child, the rotation becomes what it turns from.
+/// Sets the coordinates of a joint. A spherical joint, given by the rotation vector from parent to
+/// child, takes the rotation as its reference.
 void put_joint(const Joint& joint, const double* q, JointData& data);
 
 }  // namespace spoke::space

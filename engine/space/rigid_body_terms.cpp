@@ -1,13 +1,15 @@
-// Terms, condensation and recovery of a rigid body.
+// Calculates terms, condensation and recovery of a rigid body.
 
 #include "engine/space/rigid_body_terms.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 namespace spoke::space {
 namespace {
 
-/// J_a A J_b^T with J_a = [1, -a~; 0, 1].
+/// Returns J_a A J_b^T with J_a = [1, -a~; 0, 1].
 TwistMatrix calc_between(const Position& a, const SymmetricTwistMatrix& A, const Position& b) {
   TwistMatrix m = A.matrix();
   for (int c = 0; c < kTwist; ++c) m.col(c) = refer(-a, m.col(c));
@@ -19,6 +21,7 @@ TwistMatrix calc_between(const Position& a, const SymmetricTwistMatrix& A, const
 
 RigidPort::RigidPort(const RigidBody& body)
     : mass(calc_mass(body)), inverse(invert(mass)), handles{Position::Zero()} {
+  assert(body.mass > 0.0 && body.inertia.diagonal().minCoeff() > 0.0);
   handles.insert(handles.end(), body.outboard.begin(), body.outboard.end());
   for (std::size_t b = 0; b < handles.size(); ++b) {
     diagonal.push_back(refer(-handles[b], inverse));
@@ -28,7 +31,7 @@ RigidPort::RigidPort(const RigidBody& body)
 }
 
 Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist) noexcept {
-  // M (0, w) = (w x S, Theta w).
+  // The momentum M (0, w) is (w x S, Theta w).
   const Angular w = angular(twist);
   const Twist momentum = mass * make_twist(Position::Zero(), w);
   return -make_twist(cross(w, linear(momentum)), cross(w, angular(momentum)));
@@ -36,6 +39,7 @@ Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist
 
 void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
               const tree::MultiPort<Space>& port) noexcept {
+  assert(std::cmp_equal(body.handles.size(), port.handles));
   std::copy(body.diagonal.begin(), body.diagonal.end(), port.diagonal);
   std::copy(body.pairs.begin(), body.pairs.end(), port.pairs);
   const Twist X = body.inverse * Q;
@@ -49,6 +53,7 @@ void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
 
 Twist recover_frame(const RigidPort& body, const Twist& Q,
                     std::span<const Twist> wrenches) noexcept {
+  assert(wrenches.size() <= body.handles.size());
   Twist sum = Q;
   for (std::size_t h = 0; h < wrenches.size(); ++h) sum += translate(body.handles[h], wrenches[h]);
   return body.inverse * sum;

@@ -11,7 +11,7 @@
 
 namespace spoke::space {
 
-/// What of a rigid body's multi-port never changes: P_ab = J_a M_RR^-1 J_b^T.
+/// Constants of a rigid body's multi-port: P_ab = J_a M_RR^-1 J_b^T.
 struct RigidPort {
   explicit RigidPort(const RigidBody& body);
 
@@ -22,19 +22,21 @@ struct RigidPort {
   std::vector<TwistMatrix> pairs;              ///< as in MultiPort
 };
 
-/// Right-hand side at the twist of the frame, in the frame, without loads:
-/// Q = [-w x (w x S); -w x (Theta w)].
+/// Returns the right-hand side at the twist of the frame, in the frame, without loads: Q = [-w x (w
+/// x S); -w x (Theta w)].
 Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist) noexcept;
 
-/// Sets the multi-port for the right-hand side Q with all loads.
+/// Sets the multi-port for the right-hand side Q with all loads: a_h = J_h M_RR^-1 Q + [w x (w x
+/// s_h); 0].
 void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
               const tree::MultiPort<Space>& port) noexcept;
 
-/// The acceleration X of the frame, from the wrenches on the handles.
+/// Returns the acceleration X = M_RR^-1 (Q + sum of J_h^T f_h) of the frame, from the wrenches f_h
+/// on the handles.
 Twist recover_frame(const RigidPort& body, const Twist& Q,
                     std::span<const Twist> wrenches) noexcept;
 
-/// Kinetic energy [J].
+/// Returns the kinetic energy 1/2 V^T M_RR V of the twist V [J].
 double calc_kinetic_energy(const SymmetricTwistMatrix& mass, const Twist& twist) noexcept;
 
 }  // namespace spoke::space

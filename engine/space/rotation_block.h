@@ -1,16 +1,16 @@
 #pragma once
 
-// A block of coordinates among which is an orientation (see engine/space/integrator/rotation.h).
+// A block of coordinates among which is an orientation (see engine/integrator/rotation.h).
 
 #include "engine/body/coordinate_block.h"
 #include "models/space/quaternion.h"
 
 namespace spoke::space {
 
-/// What belongs to an orientation besides its block.
+/// State of an orientation besides its block.
 struct RotationState {
   Quaternion reference;                   ///< Q_n
-  Quaternion sum{0.0, Position::Zero()};  ///< rk4: weighted rates of the stages
+  Quaternion sum{0.0, Position::Zero()};  ///< weighted rates of the stages, for rk4
 };
 
 /// A block of coordinates among which is an orientation: at `at`, `at + 1`, `at + 2` stand D in q,

@@ -1,21 +1,24 @@
-// Shape functions of an element at a section, from its slots.
+// Makes the shape functions of an element at a section, from its slots.
 
 #include "engine/space/section.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/space/element_products.h"
-#include "models/space/gauss_rule.h"
 #include "models/space/rotation_vector.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
 
-/// Displacement of the point at the offset o from the chord at xi, in the element's axes.
+/// Returns the displacement of the point at the offset o from the chord at xi, in the element's
+/// axes.
 ElementShape displacement_shape(double xi, double l, const Position& o) {
   const Eigen::Vector4d h = hermite(xi, l);
   ElementShape N = ElementShape::Zero();
-  // r and t by Hermite's cubics; along the chord, t is 1 + (u_2 - u_1)/l at both nodes.
+  // Place r and tangent t follow Hermite's cubics; along the chord, t is 1 + (u_2 - u_1)/l at both
+  // nodes.
   const double stretch = (h[1] + h[3]) / l;
   for (int node = 0; node < 2; ++node) {
     const int u = kTwist * node, th = u + kRotation;
@@ -25,7 +28,7 @@ ElementShape displacement_shape(double xi, double l, const Position& o) {
     N(1, u + 1) = N(2, u + 2) = place;
     N(1, th + 2) = tangent;
     N(2, th + 1) = -tangent;
-    // o_2 (th x e2) + o_3 (th x e3), linear between the nodes.
+    // The offset turns by o_2 (th x e2) + o_3 (th x e3), linear between the nodes.
     N(0, th + 1) += linear * o.z();
     N(0, th + 2) -= linear * o.y();
     N(1, th) -= linear * o.z();
@@ -34,13 +37,13 @@ ElementShape displacement_shape(double xi, double l, const Position& o) {
   return N;
 }
 
-/// See Section::slopes.
+/// Returns Section::slopes.
 std::array<double, 6> integrate_slopes(double xi, double length) {
   std::array<double, 6> sums{};
-  for (std::size_t k = 0; k < GaussRule::places.size(); ++k) {
-    const Eigen::Vector4d h = hermite_slope(xi * GaussRule::places[k], length);
+  for (std::size_t k = 0; k < GaussRule<6>::places.size(); ++k) {
+    const Eigen::Vector4d h = hermite_slope(xi * GaussRule<6>::places[k], length);
     const double shape[] = {h[2], h[1], h[3]};
-    const double weight = GaussRule::weights[k] * xi * length;
+    const double weight = GaussRule<6>::weights[k] * xi * length;
     std::size_t at = 0;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j) sums[at++] += weight * shape[i] * shape[j];
@@ -63,6 +66,7 @@ struct ElementCoordinates {
 }  // namespace
 
 Section make_section(const Beam& beam, const FlexibleBody& body, double station) {
+  assert(body.stations.size() == body.nodes.size() && body.stations.size() > 1);
   const auto end = std::lower_bound(body.stations.begin() + 1, body.stations.end() - 1, station);
   Section section;
   section.element = static_cast<int>(end - body.stations.begin()) - 1;
@@ -88,6 +92,7 @@ Section make_section(const Beam& beam, const FlexibleBody& body, double station)
 }
 
 double place_in_element(const FlexibleBody& body, const Section& section) noexcept {
+  assert(section.element >= 0 && section.element < body.elements);
   const auto e = static_cast<std::size_t>(section.element);
   const BeamElement& element = body.beam[e];
   return element.axes.col(0).dot(section.s0 - body.nodes[e]) / element.length;
@@ -129,6 +134,7 @@ void add_section_wrench(const Section& section, const HandleMotion& motion, cons
 
 SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
                               const double* q) noexcept {
+  assert(section.element >= 0 && section.element < body.elements);
   const BeamElement& element = body.beam[static_cast<std::size_t>(section.element)];
   const ElementCoordinates x(body, section.element, q);
   double d[kTwist];

@@ -1,6 +1,6 @@
 #pragma once
 
-// A cross section anywhere on a spatial body: its motion, loads on it, and what it bears.
+// A cross section anywhere on a spatial body: its motion, loads on it, and its stress resultants.
 
 #include <array>
 
@@ -8,49 +8,52 @@
 
 namespace spoke::space {
 
-/// How a section follows the coordinates (u, th) of the two nodes of its element, in B: its place
-/// is s0 + N q, by the field of the slots, and its rotation vector N_th q, whose bending part is
-/// the slope of that field.
+/// A section, which follows the coordinates (u, th) of the two nodes of its element, in B: its
+/// place is s0 + N q, by the field of the slots, and its rotation vector N_th q, whose bending part
+/// is the slope of that field.
 struct Section {
   int element = 0;
   Position s0 = Position::Zero();  ///< undeformed place of its reference point in B [m]
-  Rotation axes;                   ///< undeformed, to B
+  Rotation axes;                   ///< undeformed, from the section to B
   ElementShape N = ElementShape::Zero();
   ElementShape N_th = ElementShape::Zero();
-  /// Resultants in the section's axes by the wrench on the element's outer node, in B.
+  /// Maps the wrench on the element's outer node, in B, to the resultants in the section's axes.
   TwistMatrix W = TwistMatrix::Zero();
-  TwistMatrix compliance = TwistMatrix::Zero();  ///< strains by resultants, section axes
+  TwistMatrix compliance = TwistMatrix::Zero();  ///< maps resultants to strains, section axes
   double xi = 0.0;  ///< 0 at the inner node of the element, 1 at the outer
-  /// int N'^T N' ds of the element up to the section, of the rise of the outer node above the inner
-  /// and the slopes of both: entries 11, 12, 13, 22, 23, 33.
+  /// Integrals int N'^T N' ds of the element up to the section, for the rise of the outer node
+  /// above the inner and the slopes of both: entries 11, 12, 13, 22, 23, 33.
   std::array<double, 6> slopes{};
 };
 
-/// The section of a body at a station of its beam [m]. Between two elements, that of the inner one.
+/// Makes the section of a body at a station of its beam [m]. Between two elements, it is that of
+/// the inner one.
 Section make_section(const Beam& beam, const FlexibleBody& body, double station);
 
-/// Where a section is within its element: 0 at the inner node, 1 at the outer one.
+/// Returns the place of a section within its element: 0 at the inner node, 1 at the outer one.
 double place_in_element(const FlexibleBody& body, const Section& section) noexcept;
 
-/// A place in the frame of a rigid body [m], which moves with it.
+/// Makes a section at a place in the frame of a rigid body [m], which moves with it.
 Section make_rigid_section(const Position& place);
 
-/// Its motion at the flex vectors q and v, against B.
+/// Returns the motion of a section at the flex vectors q and v, against B: place s0 + N q, rotation
+/// exp((N_th q)~).
 HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,
                                  const double* v) noexcept;
 
-/// Its acceleration less gravity, in B: J (X; q'') + b at the acceleration X and the angular
-/// velocity w of B and the flex vector a = q''. `motion`: at the state.
+/// Returns the acceleration of a section less gravity, in B: J (X; q'') + b at the acceleration X
+/// and the angular velocity w of B and the flex vector a = q''. `motion`: at the state.
 Twist calc_section_acceleration(const FlexibleBody& body, const Section& section,
                                 const HandleMotion& motion, const Twist& X, const Angular& w,
                                 const double* a) noexcept;
 
-/// Adds a wrench (force, moment), in B, on a section that moves as given to a body's terms and
-/// rows.
+/// Adds a wrench (f, m), in B, on a section that moves as given to a body's terms and rows: Q +=
+/// (f, m + s x f), Q_f += N^T f + N_th^T H^T m.
 void add_section_wrench(const Section& section, const HandleMotion& motion, const Twist& wrench,
                         BodyTerms& terms, const BodyWork& work) noexcept;
 
-/// What a section bears by the deformation of its element, in its axes.
+/// Load of a section by the deformation of its element, in its axes: resultants W Phi^-1 G q,
+/// strains C^-1 (resultants).
 struct SectionLoad {
   Twist resultants;  ///< force and moment of the outer part on the inner [N, N m]
   Twist strains;     ///< (eps, gamma_y, gamma_z, kappa_x, kappa_y, kappa_z) [1, 1/m]

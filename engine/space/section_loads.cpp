@@ -1,8 +1,9 @@
-// The motion of four sections at a time, and the sums of what a load does at them.
+// Calculates the motion of four sections at a time, and the sums of a load's effects there.
 
 #include "engine/space/section_loads.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/space/lanes.h"
 #include "engine/support/wide_kernels.h"
@@ -18,7 +19,7 @@ struct Quad {
   [[gnu::always_inline]] static Quad from(const Lanes* rows) {
     return {lanes(rows[0]), lanes(rows[1]), lanes(rows[2])};
   }
-  /// The same at all of them.
+  /// Returns one vector at all of them.
   [[gnu::always_inline]] static Quad same(const Position& p) {
     const Double4 zero{};
     return {p.x() + zero, p.y() + zero, p.z() + zero};
@@ -35,14 +36,14 @@ template <class Factor>
 [[gnu::always_inline]] inline Quad cross(const Quad& a, const Quad& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// R b, of one matrix.
+/// Returns R b, of one matrix.
 [[gnu::always_inline]] inline Quad turn_all(const Matrix3& R, const Quad& b) {
   return {R(0, 0) * b.x + R(0, 1) * b.y + R(0, 2) * b.z,
           R(1, 0) * b.x + R(1, 1) * b.y + R(1, 2) * b.z,
           R(2, 0) * b.x + R(2, 1) * b.y + R(2, 2) * b.z};
 }
 
-/// By value, the sum over the four sections.
+/// Returns, by value, the sum over the four sections.
 [[gnu::always_inline]] inline Double4 totals(const Double4& a, const Double4& b, const Double4& c,
                                              const Double4& d) {
   const Double4 ab =
@@ -52,7 +53,7 @@ template <class Factor>
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
-/// How four sections have turned: exp(th~) and its tangent map H, by their coefficients.
+/// Rotations of four sections: exp(th~) and its tangent map H, by their coefficients.
 struct SectionTurns {
   Quad theta;
   Double4 s, c, d;
@@ -72,7 +73,7 @@ struct SectionTurns {
       d[i] = k.d;
     }
   }
-  /// v + a th x v + b th x (th x v).
+  /// Returns v + a th x v + b th x (th x v).
   [[gnu::always_inline]] Quad combine(const Double4& a, const Double4& b, const Quad& v) const {
     const Quad once = cross(theta, v);
     return v + a * once + b * cross(theta, once);
@@ -81,7 +82,7 @@ struct SectionTurns {
   [[gnu::always_inline]] Quad tangent_transposed(const Quad& v) const { return combine(-c, d, v); }
 };
 
-/// A vector along the axes of an element, and back.
+/// Resolve a vector along the axes of an element, and back.
 Position to_axes(const BeamElement& element, bool is_straight, const Position& v) {
   return is_straight ? v : Position(element.axes.transpose().lazyProduct(v));
 }
@@ -107,7 +108,7 @@ struct NodeCoordinates {
             inner * th[0].y() + outer * th[1].y() - (u[1].z() - u[0].z()) * slope,
             inner * th[0].z() + outer * th[1].z() + (u[1].y() - u[0].y()) * slope};
   }
-  /// Places of the sections.
+  /// Returns the places of the sections.
   [[gnu::always_inline]] Quad place(const LoadedSections& at) const {
     const Double4 rise = lanes(at.rise), inner = lanes(at.tangent[0]), outer = lanes(at.tangent[1]);
     const Double4 along = lanes(at.along), y = lanes(at.offset[0]), z = lanes(at.offset[1]);
@@ -125,10 +126,10 @@ struct NodeCoordinates {
 struct QuadWrench {
   Quad force;
   Quad moment{};
-  Quad on_rotation{};  ///< H^T moment: what acts on the rotation vectors
+  Quad on_rotation{};  ///< H^T moment, on the rotation vectors
 };
 
-/// A vector of the load at each section, times its weight, before the section has turned.
+/// Returns a vector of the load at each section, times its weight, before the section has turned.
 [[gnu::always_inline]] inline Quad spread(const LoadedSections& at, bool follows, bool is_straight,
                                           const BeamElement& element, const Position& v) {
   const Double4 weight = lanes(at.weight);
@@ -153,13 +154,13 @@ struct QuadWrench {
   return wrench;
 }
 
-/// What wrenches at four sections do to an element, along its axes.
+/// Sums of wrenches at four sections, by the frame and the nodes of an element, along its axes.
 struct LoadedElement {
-  Position force, moment;      ///< of the frame, the moment about its origin
+  Position force, moment;      ///< on the frame, the moment about its origin
   Position u[2], rotation[2];  ///< by node
 };
 
-/// The transpose of NodeCoordinates::place() and rotation().
+/// Applies the transpose of NodeCoordinates::place() and rotation().
 [[gnu::always_inline]] inline LoadedElement sum_forces(const LoadedSections& at,
                                                        const NodeCoordinates& x,
                                                        const QuadWrench& wrench) {
@@ -188,7 +189,7 @@ struct LoadedElement {
           {{frame[3] - turn[3], bent[0], bent[1]}, {turn[3], bent[2], bent[3]}}};
 }
 
-/// A rotation of B as one of the element's axes.
+/// Returns a rotation of B as one of the element's axes.
 Matrix3 turn_in_axes(const BeamElement& element, const Rotation& turn) {
   return element.axes.transpose().lazyProduct(turn.axes.lazyProduct(element.axes).eval());
 }
@@ -198,7 +199,7 @@ Matrix3 turn_in_axes(const BeamElement& element, const Rotation& turn) {
                                                const BeamElement& element, const NodeCoordinates& x,
                                                const Quad& force, const Rotation& turn,
                                                AppliedTension& tension) {
-  // Along the element's axes in the undeformed tree.
+  // The forces are along the element's axes in the undeformed tree.
   const Quad f = turn_all(is_straight ? turn.axes : turn_in_axes(element, turn), force);
   const double r[2] = {x.u[1].y() - x.u[0].y(), x.u[1].z() - x.u[0].z()};
   const double a[2] = {x.th[0].z(), -x.th[0].y()}, b[2] = {x.th[1].z(), -x.th[1].y()};
@@ -225,6 +226,7 @@ Matrix3 turn_in_axes(const BeamElement& element, const Rotation& turn) {
 }
 
 const BeamElement& element_of(const FlexibleBody& body, const LoadedSections& at) {
+  assert(at.element >= 0 && at.element < body.elements);
   return body.beam[static_cast<std::size_t>(at.element)];
 }
 

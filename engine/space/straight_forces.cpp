@@ -1,4 +1,4 @@
-// Both planes of bending by the same formulas: a rise between the nodes, and a slope at each.
+// Takes both planes of bending by the same formulas: a rise between the nodes, and a slope at each.
 
 #include "engine/space/straight_forces.h"
 
@@ -13,20 +13,22 @@ namespace {
 struct Ends {
   Double4 inner, outer;
 
-  /// x: at the innermost node. The others have been stored by four from the next node on, or a
-  /// moment ago: reading four that lie across would wait until they have reached the cache.
+  /// Loads them; x: at the innermost node. The others have been stored by four from the next node
+  /// on, or a moment ago: reading four that lie across would wait until they have reached the
+  /// cache.
   [[gnu::always_inline]] explicit Ends(const double* x) : outer(load4(x + 1)) {
     inner = __builtin_shufflevector(Double4{x[0]}, outer, 0, 4, 5, 6);
   }
 };
 
-/// What an element's ends do in its two planes and about its axis, at four elements; or forces.
+/// Displacements of an element's ends in its two planes and about its axis, at four elements; or
+/// forces.
 struct ElementState {
   struct Plane {
-    Double4 rise{}, inner{}, outer{};  // rise: of the outer node above the inner; slopes
+    Double4 rise{}, inner{}, outer{};  // rise of the outer node above the inner; slopes
   };
   Plane plane[2];
-  Double4 torsion[2]{};  // of the inner and the outer node
+  Double4 torsion[2]{};  // at the inner and the outer node
 
   ElementState() = default;
   [[gnu::always_inline]] ElementState(const LaneRows& rows, int e) {
@@ -40,12 +42,12 @@ struct ElementState {
   }
 };
 
-/// Forces that stretch, torsion and bending exert; those of a plane on its rise and slopes.
+/// Forces by stretch, torsion and bending; those of a plane on its rise and slopes.
 struct ElementForces {
   Double4 axial, twist;  // on the inner node, and against the outer
   ElementState bending;
 
-  /// Elastic ones.
+  /// Calculates the elastic forces.
   [[gnu::always_inline]] ElementForces(const ElementLanes& m, const LaneRows& rows, int e) {
     const ElementState x(rows, e);
     const Ends u(rows.at(kAxialPlace, e));
@@ -61,7 +63,7 @@ struct ElementForces {
       bending.plane[p] = {shear, -(moment + l * shear), moment};
     }
   }
-  /// Stores what they exert on the nodes: the opposite.
+  /// Stores the forces on the nodes: the opposite.
   [[gnu::always_inline]] void store_to(const LaneRows& inner, const LaneRows& outer, int e) const {
     const auto put = [&](int component, const Double4& on_inner, const Double4& on_outer)
         __attribute__((always_inline)) {
@@ -88,7 +90,7 @@ struct Forms {
   }
 };
 
-/// Adds weight times one tension matrix times q to f; returns its forms.
+/// Adds weight K q of one tension matrix K to f; returns its forms.
 [[gnu::always_inline]] inline Forms add_tension(const ElementLanes::Tension& K,
                                                 const Double4& weight, const ElementState& q,
                                                 const ElementState& v, ElementState& f) {
@@ -115,7 +117,7 @@ struct Forms {
   return forms;
 }
 
-/// Adds weight times a propeller matrix times q to f, and its forms to the sums.
+/// Adds weight K q of a propeller matrix K to f, and its forms to the sums.
 [[gnu::always_inline]] inline void add_propeller(const std::array<Lanes, 3>& K, double weight,
                                                  const ElementState& q, const ElementState& v,
                                                  ElementState& f, Forms& sums) {
@@ -127,11 +129,11 @@ struct Forms {
   sums.rate += inner * v.torsion[0] + outer * v.torsion[1];
 }
 
-/// What four elements carry.
+/// Masses that four elements carry, and their tension.
 struct CarriedLanes {
   Double4 moment[3], mass, tension;
 
-  /// Of elements e ... e + 3; `piece` is the one that holds for e, and then for e + 4.
+  /// Takes elements e ... e + 3; `piece` is the one that holds for e, and then for e + 4.
   [[gnu::always_inline]] CarriedLanes(const std::vector<CarriedMass>& carried, int e,
                                       const TensionWeights& weights, std::size_t& piece) {
     const auto move_to = [&](int element) {

@@ -1,8 +1,9 @@
-// Elastic and tension forces by element, then momenta, rows and sums by node.
+// Calculates elastic and tension forces by element, then momenta, rows and sums by node.
 
 #include "engine/space/straight_terms.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/space/lanes.h"
 #include "engine/space/straight_forces.h"
@@ -62,7 +63,7 @@ struct Triple {
           m.place * motion.place2 + m.slope * motion.slope2};
 }
 
-/// Momenta of the slots of four nodes, or their rates. Of the axes that turn with the node, d_x =
+/// Momenta of the slots of four nodes, or their rates. For the axes that turn with the node, d_x =
 /// -d_slope1, d_z = d_torsion, g_x = -g_slope2, g_y = -g_torsion.
 struct NodeMomenta {
   Triple stretched, r, t;
@@ -78,7 +79,7 @@ struct NodeMomenta {
         g_torsion(m.g * motion.torsion) {}
 };
 
-/// b = -(A mu + 2 w x mu') with A = w w^T - |w|^2 1: the inertia force of a slot at zero X and q''.
+/// The inertia force of a slot at zero X and q'': b = -(A mu + 2 w x mu') with A = w w^T - |w|^2 1.
 struct InertiaForce {
   double A[3][3], w[3];
 
@@ -126,7 +127,8 @@ struct NodeForces {
   }
 };
 
-/// Rows of C_w^T and Q_f: for each coordinate Xi^T (e_a x mu) for a = x, y, z, then Xi^T b + force.
+/// Sets the rows of C_w^T and Q_f: for each coordinate Xi^T (e_a x mu) for a = x, y, z, then Xi^T b
+/// + force.
 [[gnu::always_inline]] inline void set_rows(const NodeMomenta& mu, const NodeMomenta& rate,
                                             const Double4& d_y, const Double4& g_z,
                                             const InertiaForce& b, const NodeForces& force, int k,
@@ -146,7 +148,8 @@ struct NodeForces {
             b.y(mu.t, rate.t) - b.x(d, d_rate) + force.at(kSlope1, k), nodes, rows);
 }
 
-/// Theta = tr(J) 1 - J. A product with the matrix itself would wait for it to be stored.
+/// The inertia Theta = tr(J) 1 - J. A product with the matrix itself would wait for it to be
+/// stored.
 struct Inertia {
   double xx, yy, zz, xy, xz, yz;
 
@@ -161,7 +164,7 @@ struct Inertia {
   }
 };
 
-/// Sums over the nodes; of J = J0 + (P + P^T)/2, what P is of it.
+/// Sums over the nodes; J_.. are those of P, with J = J0 + (P + P^T)/2.
 struct NodeSums {
   Double4 S[3]{}, S_rate[3]{};
   Double4 J_xx{}, J_yy{}, J_zz{}, J_xy{}, J_xz{}, J_yz{};
@@ -173,7 +176,7 @@ struct NodeSums {
     sum[1] += lanes(m.place) * q.place1.own + lanes(m.slope) * q.slope1.own;
     sum[2] += lanes(m.place) * q.place2.own + lanes(m.slope) * q.slope2.own;
   }
-  /// P = sum of (what a slot is displaced by) (its momentum, undeformed and now)^T.
+  /// Adds P = sum of (displacement of a slot) (its momentum, undeformed and now)^T.
   [[gnu::always_inline]] void add_inertia(const NodeLanes& m, const NodeMotion& q,
                                           const NodeMomenta& mu) {
     const Double4 u = q.u.own, th = q.torsion.own, v = q.place1.own, s1 = q.slope1.own,
@@ -190,7 +193,7 @@ struct NodeSums {
         u * mu.stretched.z - s1 * mu.d_torsion - s2 * g_z + w * r_x + s2 * t_x - th * mu.d_slope1;
     J_yz += v * mu.r.z + s1 * mu.t.z - th * g_z + w * mu.r.y + s2 * mu.t.y + th * d_y;
   }
-  /// G = sum of (momentum of a slot) (rate of its displacement)^T.
+  /// Adds G = sum of (momentum of a slot) (rate of its displacement)^T.
   [[gnu::always_inline]] void add_rates(const NodeLanes& m, const NodeMotion& v,
                                         const NodeMomenta& mu) {
     const Double4 d_y = lanes(m.d_undeformed), g_z = lanes(m.g_undeformed);
@@ -223,7 +226,7 @@ struct NodeSums {
   }
 };
 
-/// Rows and sums over all nodes that have coordinates.
+/// Sets the rows of all nodes that have coordinates, and returns the sums over them.
 NodeSums sum_nodes(const FlexibleBody& body, const Angular& w, const BodyWork& work) {
   const LaneRows q(body, work, LaneRows::coordinates), v(body, work, LaneRows::velocities);
   const NodeForces force{LaneRows(body, work, LaneRows::inner_forces),
@@ -277,6 +280,8 @@ BodyTerms calc_terms(const BodyModel& model, const BodyState& state, const BodyM
 
 BodyTerms calc_straight_terms(const BodyModel& model, const BodyState& state,
                               const BodyMotion& motion, const BodyWork& work) noexcept {
+  assert(model.body && model.body->directions && work.lanes);
+  assert(state.q && state.v && state.q_elastic);
   return run_large_kernel([&]() noexcept { return calc_terms(model, state, motion, work); });
 }
 

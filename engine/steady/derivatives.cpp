@@ -1,4 +1,4 @@
-// Central differences of what the step graph evaluates.
+// Takes central differences of the forces that the step graph evaluates.
 
 #include "engine/steady/derivatives.h"
 
@@ -12,19 +12,19 @@ namespace {
 
 constexpr double kRoughStep = 1e-5;  ///< by the scale of a coordinate
 
-/// Forces on the tree, then on the hub.
-Eigen::VectorXd answer(std::size_t tree, const TreeState& state, const HubOffset& hub,
+/// Returns the forces on the subsystem, then those on the hub.
+Eigen::VectorXd answer(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
                        SteadyModel& model) {
-  TreeResponse response;
-  model.evaluate(tree, state, hub, response);
+  SubsystemResponse response;
+  model.evaluate(subsystem, state, hub, response);
   Eigen::VectorXd both(response.force.size() + response.hub_force.size());
   both << response.force, response.hub_force;
   return both;
 }
 
-/// By the hub's turn and twist.
-void differ_by_hub(std::size_t tree, const TreeState& state, SteadyModel& model,
-                   TreeDerivatives& by) {
+/// Adds the derivatives by the hub's turn and twist.
+void differ_by_hub(std::size_t subsystem, const SubsystemState& state, SteadyModel& model,
+                   SubsystemDerivatives& by) {
   const Eigen::Index d = model.twist_size(), rows = state.q.size() + d;
   const HubOffset none = model.no_offset();
   const double speed = std::max(1.0, std::abs(model.speed()));
@@ -34,10 +34,10 @@ void differ_by_hub(std::size_t tree, const TreeState& state, SteadyModel& model,
       return [&, c, member](double distance) {
         HubOffset offset = none;
         (offset.*member)[c] = distance;
-        return answer(tree, state, offset, model);
+        return answer(subsystem, state, offset, model);
       };
     };
-    // Where the hub stands does not matter.
+    // The place of the hub has no effect.
     if (c >= model.first_rotation())
       by.by_turn.col(c) = differ_finely(kStep, along(&HubOffset::turn));
     by.by_twist.col(c) = differ(kVelocityStep * speed, along(&HubOffset::twist));
@@ -46,48 +46,48 @@ void differ_by_hub(std::size_t tree, const TreeState& state, SteadyModel& model,
 
 }  // namespace
 
-Eigen::MatrixXd calc_rough_derivative(std::size_t tree, const TreeState& state,
+Eigen::MatrixXd calc_rough_derivative(std::size_t subsystem, const SubsystemState& state,
                                       SteadyModel& model) {
-  const std::vector<TreeCoordinate>& coordinates = model.coordinates(tree);
+  const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);
   const Eigen::Index n = std::ssize(coordinates);
   const HubOffset none = model.no_offset();
   Eigen::MatrixXd by_q(n, n);
-  TreeState moved = state;
+  SubsystemState moved = state;
   for (Eigen::Index k = 0; k < n; ++k) {
     const double h = kRoughStep * coordinates[static_cast<std::size_t>(k)].scale;
     by_q.col(k) = differ(h, [&](double distance) {
                     moved.q[k] = state.q[k] + distance;
-                    return answer(tree, moved, none, model);
+                    return answer(subsystem, moved, none, model);
                   }).head(n);
     moved.q[k] = state.q[k];
   }
-  answer(tree, state, none, model);
+  answer(subsystem, state, none, model);
   return by_q;
 }
 
-TreeDerivatives calc_derivatives(std::size_t tree, const TreeState& state, bool with_hub,
-                                 SteadyModel& model) {
-  const std::vector<TreeCoordinate>& coordinates = model.coordinates(tree);
+SubsystemDerivatives calc_derivatives(std::size_t subsystem, const SubsystemState& state,
+                                      bool with_hub, SteadyModel& model) {
+  const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);
   const Eigen::Index n = std::ssize(coordinates), rows = n + model.twist_size();
   const HubOffset none = model.no_offset();
-  TreeDerivatives by{Eigen::MatrixXd(rows, n), Eigen::MatrixXd(rows, n), {}, {}};
-  TreeState moved = state;
+  SubsystemDerivatives by{Eigen::MatrixXd(rows, n), Eigen::MatrixXd(rows, n), {}, {}};
+  SubsystemState moved = state;
   for (Eigen::Index k = 0; k < n; ++k) {
-    const TreeCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+    const SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
     by.by_q.col(k) = differ_finely(kStep * coordinate.scale, [&](double distance) {
       moved.q[k] = state.q[k] + distance;
-      return answer(tree, moved, none, model);
+      return answer(subsystem, moved, none, model);
     });
     moved.q[k] = state.q[k];
     by.by_v.col(k) =
         differ(kVelocityStep * velocity_scale(coordinate, model.speed()), [&](double rate) {
           moved.v[k] = state.v[k] + rate;
-          return answer(tree, moved, none, model);
+          return answer(subsystem, moved, none, model);
         });
     moved.v[k] = state.v[k];
   }
-  if (with_hub) differ_by_hub(tree, state, model, by);
-  answer(tree, state, none, model);
+  if (with_hub) differ_by_hub(subsystem, state, model, by);
+  answer(subsystem, state, none, model);
   return by;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
-// What an equilibrium looks like.
+// Describes an equilibrium for users.
 
 #include "engine/equilibrium.h"
 #include "engine/steady/find_equilibrium.h"
 
 namespace spoke::steady {
 
-/// Reads it from the model, which it leaves there.
+/// Reads the description from the model, which it leaves at the equilibrium.
 EquilibriumResult describe(const Equilibrium& found, SteadyModel& model);
 
 }  // namespace spoke::steady

@@ -1,12 +1,13 @@
-// Puts the matrices of the trees and the hub together.
+// Puts the matrices of the subsystems and the hub together.
 
 #include "engine/steady/linear_model.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
-#include "engine/steady/alike_trees.h"
+#include "engine/steady/alike_subsystems.h"
 #include "engine/steady/derivatives.h"
 #include "engine/steady/differences.h"
 
@@ -15,7 +16,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Forces' derivatives by the hub's turn and twist, to matrices of its coordinates.
+/// Columns of the hub's coordinates in matrices, from the derivatives of forces by its turn and
+/// twist.
 struct HubColumns {
   MatrixXd M, C, K;
 };
@@ -24,19 +26,19 @@ HubColumns make_columns(const MatrixXd& mass, const MatrixXd& by_turn, const Mat
   return {mass, mass * hub.P1 - by_twist, mass * hub.P0 - by_turn - by_twist * hub.W};
 }
 
-/// What trees that are alike share: their matrices, and what they have to do with all components of
-/// the hub's motion, seen along the first of them.
+/// Common quantities of subsystems that are alike: their matrices, and their coupling with all
+/// components of the hub's motion, seen along the first of them.
 struct Shared {
-  LinearTree tree;
-  HubColumns by_hub;                      ///< of the tree's coordinates
-  MatrixXd M_on_hub, C_on_hub, K_on_hub;  ///< by the tree's coordinates
+  LinearSubsystem subsystem;
+  HubColumns by_hub;                      ///< rows of the subsystem's coordinates
+  MatrixXd M_on_hub, C_on_hub, K_on_hub;  ///< columns of the subsystem's coordinates
   HubColumns hub;                         ///< its share in the matrices of the hub
   double effort = 0.0;                    ///< see calc_effort()
 };
 
-/// How large forces in a tree are: a force on a coordinate is made up of terms up to this times the
-/// root of its mass [sqrt(kg) m/s^2]. So large are inertia forces m w^2 r by the inequality of
-/// Cauchy and Schwarz, and others as far as they reach the hub.
+/// Returns the size of forces in a subsystem: the force on a coordinate consists of terms up to
+/// this times the square root of its mass [sqrt(kg) m/s^2]. This bounds inertia forces m w^2 r by
+/// the inequality of Cauchy and Schwarz, and other forces as far as they reach the hub.
 double calc_effort(const MatrixXd& mass_of_hub, const HubVector& hub_force,
                    const SteadyModel& model) {
   const int r = model.first_rotation();
@@ -49,7 +51,7 @@ double calc_effort(const MatrixXd& mass_of_hub, const HubVector& hub_force,
   return effort;
 }
 
-/// Of a tree's coordinates.
+/// Returns the round-off of a subsystem's matrices.
 RoundOff find_round_off(std::size_t i, const MatrixXd& mass, double effort,
                         const SteadyModel& model) {
   RoundOff found{effort * mass.diagonal().cwiseSqrt(), Eigen::VectorXd(mass.rows())};
@@ -58,21 +60,22 @@ RoundOff find_round_off(std::size_t i, const MatrixXd& mass, double effort,
   return found;
 }
 
-Shared linearize_tree(std::size_t i, const Equilibrium& equilibrium,
-                      const HubKinematics& kinematics, SteadyModel& model) {
+Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
+                           const HubKinematics& kinematics, SteadyModel& model) {
   const bool is_coupled = !model.free_components().empty();
   const Eigen::Index d = model.twist_size();
-  const TreeDerivatives by = calc_derivatives(i, make_state(equilibrium.q[i]), is_coupled, model);
-  const TreeMatrices matrices = model.matrices(i);
+  const SubsystemDerivatives by =
+      calc_derivatives(i, make_state(equilibrium.q[i]), is_coupled, model);
+  const SubsystemMatrices matrices = model.matrices(i);
   const Eigen::Index n = by.by_q.cols();
   Shared all;
-  all.tree.M = matrices.mass.bottomRightCorner(n, n);
-  all.tree.C = matrices.damping - by.by_v.topRows(n);
-  all.tree.K = model.stiffness(i) - by.by_q.topRows(n);
-  TreeResponse response;
+  all.subsystem.M = matrices.mass.bottomRightCorner(n, n);
+  all.subsystem.C = matrices.damping - by.by_v.topRows(n);
+  all.subsystem.K = model.stiffness(i) - by.by_q.topRows(n);
+  SubsystemResponse response;
   model.evaluate(i, make_state(equilibrium.q[i]), model.no_offset(), response);
   all.effort = calc_effort(matrices.mass.topLeftCorner(d, d), response.hub_force, model);
-  all.tree.round_off = find_round_off(i, all.tree.M, all.effort, model);
+  all.subsystem.round_off = find_round_off(i, all.subsystem.M, all.effort, model);
   if (!is_coupled) return all;
   const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
   all.by_hub = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), kinematics);
@@ -84,8 +87,8 @@ Shared linearize_tree(std::size_t i, const Equilibrium& equilibrium,
   return all;
 }
 
-/// Couples a tree that `turn` takes to where `shared` was found; adds its share to the hub's
-/// matrices, of all components.
+/// Couples a subsystem with the hub, where `turn` takes it to the place at which `shared` was
+/// found; adds its share to the hub's matrices for all components.
 HubCoupling couple(const Shared& shared, const MatrixXd& turn, const std::vector<int>& free,
                    HubColumns& sum) {
   const auto columns = [&](const MatrixXd& m) { return MatrixXd((m * turn)(Eigen::all, free)); };
@@ -99,7 +102,7 @@ HubCoupling couple(const Shared& shared, const MatrixXd& turn, const std::vector
           rows(shared.M_on_hub),    rows(shared.C_on_hub),    rows(shared.K_on_hub)};
 }
 
-/// Derivatives of what acts on the hub itself; these are simple functions.
+/// Derivatives of the forces on the hub itself, which are simple functions.
 HubColumns linearize_hub(const HubKinematics& kinematics, const SteadyModel& model) {
   constexpr double kStep = 1e-4;
   const Eigen::Index d = model.twist_size();
@@ -134,22 +137,23 @@ HubKinematics make_hub_kinematics(const SteadyModel& model) {
 }
 
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
+  assert(equilibrium.q.size() == model.trees() && equilibrium.alike.size() == model.trees());
   const std::vector<int>& free = model.free_components();
   const HubKinematics kinematics = make_hub_kinematics(model);
   HubColumns hub = linearize_hub(kinematics, model);
   LinearModel result;
-  result.trees.resize(model.trees());
+  result.subsystems.resize(model.subsystems());
   result.alike = equilibrium.alike;
   if (!free.empty()) result.alike = find_alike_about_hub(equilibrium.alike, equilibrium.q, model);
   result.rate = std::max(1.0, std::abs(model.speed()));
   const double of_hub = calc_effort(model.hub_mass(), model.hub_force(model.no_offset()), model);
   double squares = of_hub * of_hub;
-  std::vector<Shared> shared(model.trees());
-  for (std::size_t i = 0; i < model.trees(); ++i) {
+  std::vector<Shared> shared(model.subsystems());
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
     const std::size_t first = result.alike[i];
     if (first == i) {
-      shared[i] = linearize_tree(i, equilibrium, kinematics, model);
-      result.trees[i] = std::move(shared[i].tree);
+      shared[i] = linearize_subsystem(i, equilibrium, kinematics, model);
+      result.subsystems[i] = std::move(shared[i].subsystem);
     }
     if (free.empty()) continue;
     const MatrixXd turn = turn_hub(model.azimuth(first) - model.azimuth(i), model);

@@ -1,6 +1,5 @@
 // Puts the state-space matrices together.
 
-#include <Eigen/LU>
 #include <utility>
 
 #include "engine/linearize.h"
@@ -10,6 +9,7 @@
 #include "engine/steady/output_derivatives.h"
 #include "engine/steady/steady_speed.h"
 #include "engine/steady/steady_warnings.h"
+#include "engine/support/dense.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 
@@ -20,7 +20,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using steady::SteadyModel;
 
-/// Coordinates of a coupled model up to which its matrices are made, which are full then: 800 MB.
+/// Largest number of coordinates of a coupled model for which matrices are made: these are full
+/// then, 800 MB.
 constexpr Index kMostCoupled = 5000;
 
 /// A sparse matrix in the making.
@@ -41,13 +42,13 @@ class Entries {
   std::vector<Eigen::Triplet<double, Index>> list_;
 };
 
-/// Coordinates that move together, and what acts on them: M x'' + C x' + K x = F u. Of one tree, or
-/// of hub and trees.
+/// Coordinates that move together, and their inputs: M x'' + C x' + K x = F u. They belong to one
+/// subsystem, or to the hub and all subsystems.
 struct Part {
   MatrixXd M, C, K, F;
 };
 
-/// How a component of the hub's motion is called, and what acts on it.
+/// Names of a component of the hub's motion and of its force.
 struct HubNames {
   const char *coordinate, *effort;
 };
@@ -58,7 +59,7 @@ HubNames name_component(int c, const SteadyModel& model) {
   return c < model.first_rotation() ? kMoves[c] : kTurns[c - model.first_rotation()];
 }
 
-/// A member of effects as the columns of a matrix.
+/// Returns a member of effects as the columns of a matrix.
 MatrixXd to_columns(const std::vector<steady::LoadEffect>& effects,
                     Eigen::VectorXd steady::LoadEffect::*member, Index rows) {
   MatrixXd matrix(rows, std::ssize(effects));
@@ -87,14 +88,14 @@ class Assembly {
  private:
   const std::vector<int>& free() const { return model_.free_components(); }
   Index hub_size() const { return std::ssize(free()); }
-  Index tree_size(std::size_t i) const { return std::ssize(model_.coordinates(i)); }
-  Index load_count(std::size_t i) const { return std::ssize(effects_.trees[i]); }
+  Index subsystem_size(std::size_t i) const { return std::ssize(model_.coordinates(i)); }
+  Index load_count(std::size_t i) const { return std::ssize(effects_.subsystems[i]); }
   bool turns(int c) const { return c >= model_.first_rotation(); }
 
   void count();
   void name_states();
   void name_inputs();
-  Part make_tree_part(std::size_t i);
+  Part make_subsystem_part(std::size_t i);
   Part make_whole_part();
   MatrixXd on_free_hub(const std::vector<steady::LoadEffect>& effects) const;
   void add_part(const Part& part, Index coordinate, Index input);
@@ -107,8 +108,8 @@ class Assembly {
   steady::LinearModel linear_;
   steady::HubKinematics kinematics_;
   steady::LoadEffects effects_;
-  std::vector<Index> coordinates_, inputs_;  ///< where those of each tree begin
-  Index size_ = 0;                           ///< coordinates of all
+  std::vector<Index> coordinates_, inputs_;  ///< first index of each subsystem
+  Index size_ = 0;                           ///< number of all coordinates
   Index input_count_ = 0;
   MatrixXd hub_by_state_, hub_by_input_;  ///< accelerations of the hub's free coordinates
   Entries A_, B_, C_, D_;
@@ -117,8 +118,8 @@ class Assembly {
 
 void Assembly::count() {
   size_ = hub_size();
-  for (std::size_t i = 0; i < model_.trees(); ++i) {
-    coordinates_.push_back(std::exchange(size_, size_ + tree_size(i)));
+  for (std::size_t i = 0; i < model_.subsystems(); ++i) {
+    coordinates_.push_back(std::exchange(size_, size_ + subsystem_size(i)));
     inputs_.push_back(std::exchange(input_count_, input_count_ + load_count(i)));
   }
   if (linear_.is_coupled()) input_count_ += std::ssize(effects_.hub) + hub_size();
@@ -129,8 +130,8 @@ void Assembly::name_states() {
   for (const int c : free())
     states.push_back(
         {std::string("hub / ") + name_component(c, model_).coordinate, turns(c) ? "rad" : "m"});
-  for (std::size_t i = 0; i < model_.trees(); ++i)
-    for (const steady::TreeCoordinate& coordinate : model_.coordinates(i))
+  for (std::size_t i = 0; i < model_.subsystems(); ++i)
+    for (const steady::SubsystemCoordinate& coordinate : model_.coordinates(i))
       states.push_back(
           {model_.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"});
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
@@ -139,8 +140,8 @@ void Assembly::name_states() {
 
 void Assembly::name_inputs() {
   std::vector<LinearSignal>& inputs = result_.inputs;
-  for (const std::vector<steady::LoadEffect>& tree : effects_.trees)
-    for (const steady::LoadEffect& effect : tree) inputs.push_back(effect.input);
+  for (const std::vector<steady::LoadEffect>& subsystem : effects_.subsystems)
+    for (const steady::LoadEffect& effect : subsystem) inputs.push_back(effect.input);
   if (!linear_.is_coupled()) return;
   for (const steady::LoadEffect& effect : effects_.hub) inputs.push_back(effect.input);
   for (const int c : free())
@@ -148,13 +149,13 @@ void Assembly::name_inputs() {
         {std::string("hub / ") + name_component(c, model_).effort, turns(c) ? "N m" : "N"});
 }
 
-Part Assembly::make_tree_part(std::size_t i) {
-  const steady::LinearTree& tree = linear_.tree(i);
-  return {tree.M, tree.C, tree.K,
-          to_columns(effects_.trees[i], &steady::LoadEffect::force, tree_size(i))};
+Part Assembly::make_subsystem_part(std::size_t i) {
+  const steady::LinearSubsystem& subsystem = linear_.subsystem(i);
+  return {subsystem.M, subsystem.C, subsystem.K,
+          to_columns(effects_.subsystems[i], &steady::LoadEffect::force, subsystem_size(i))};
 }
 
-/// What they exert on the hub's free components.
+/// Returns the forces of these effects on the hub's free components.
 MatrixXd Assembly::on_free_hub(const std::vector<steady::LoadEffect>& effects) const {
   return to_columns(effects, &steady::LoadEffect::hub_force, model_.twist_size())(free(),
                                                                                   Eigen::all);
@@ -167,20 +168,20 @@ Part Assembly::make_whole_part() {
   part.M.topLeftCorner(h, h) = linear_.M;
   part.C.topLeftCorner(h, h) = linear_.C;
   part.K.topLeftCorner(h, h) = linear_.K;
-  for (std::size_t i = 0; i < model_.trees(); ++i) {
-    const steady::LinearTree& tree = linear_.tree(i);
+  for (std::size_t i = 0; i < model_.subsystems(); ++i) {
+    const steady::LinearSubsystem& subsystem = linear_.subsystem(i);
     const steady::HubCoupling& hub = linear_.couplings[i];
-    const Index at = coordinates_[i], n = tree_size(i);
+    const Index at = coordinates_[i], n = subsystem_size(i);
     const auto put = [&](const MatrixXd& own, const MatrixXd& by_hub, const MatrixXd& on_hub,
                          MatrixXd& whole) {
       whole.block(at, at, n, n) = own;
       whole.block(at, 0, n, h) = by_hub;
       whole.block(0, at, h, n) = on_hub;
     };
-    put(tree.M, hub.M_bh, hub.M_hb, part.M);
-    put(tree.C, hub.C_bh, hub.C_hb, part.C);
-    put(tree.K, hub.K_bh, hub.K_hb, part.K);
-    const std::vector<steady::LoadEffect>& effects = effects_.trees[i];
+    put(subsystem.M, hub.M_bh, hub.M_hb, part.M);
+    put(subsystem.C, hub.C_bh, hub.C_hb, part.C);
+    put(subsystem.K, hub.K_bh, hub.K_hb, part.K);
+    const std::vector<steady::LoadEffect>& effects = effects_.subsystems[i];
     part.F.block(at, inputs_[i], n, load_count(i)) =
         to_columns(effects, &steady::LoadEffect::force, n);
     part.F.block(0, inputs_[i], h, load_count(i)) = on_free_hub(effects);
@@ -191,13 +192,13 @@ Part Assembly::make_whole_part() {
   return part;
 }
 
-/// The part's rows of A and B: x'' = -M^-1 (K x + C x' - F u).
+/// Adds the part's rows of A and B: x'' = -M^-1 (K x + C x' - F u).
 void Assembly::add_part(const Part& part, Index coordinate, Index input) {
   const Index n = part.M.rows();
-  const Eigen::PartialPivLU<MatrixXd> mass(part.M);
+  const LuFactors mass(part.M);
   const MatrixXd by_x = -mass.solve(part.K), by_rate = -mass.solve(part.C);
   MatrixXd by_input(n, part.F.cols());
-  if (part.F.cols() > 0) by_input = mass.solve(part.F);  // Eigen takes blocks of what is empty
+  if (part.F.cols() > 0) by_input = mass.solve(part.F);  // Eigen does not solve for empty blocks
   A_.add(coordinate, size_ + coordinate, MatrixXd::Identity(n, n));
   A_.add(size_ + coordinate, coordinate, by_x);
   A_.add(size_ + coordinate, size_ + coordinate, by_rate);
@@ -208,7 +209,7 @@ void Assembly::add_part(const Part& part, Index coordinate, Index input) {
   hub_by_input_ = by_input.topRows(hub_size());
 }
 
-/// Tip and sensors of a tree, by its own motion and by the hub's.
+/// Adds the outputs of tip and sensors of a subsystem, by its own motion and by the hub's.
 void Assembly::add_outputs_of(std::size_t i) {
   const steady::OutputDerivatives by =
       calc_output_derivatives(i, steady::make_state(equilibrium_.q[i]), model_);
@@ -218,7 +219,7 @@ void Assembly::add_outputs_of(std::size_t i) {
   C_.add(row, at, by.by_q);
   C_.add(row, size_ + at, by.by_v);
   D_.add(row, inputs_[i],
-         to_columns(effects_.trees[i], &steady::LoadEffect::outputs, std::ssize(signals)));
+         to_columns(effects_.subsystems[i], &steady::LoadEffect::outputs, std::ssize(signals)));
   if (linear_.is_coupled()) {
     const auto select = [&](const MatrixXd& m) { return MatrixXd(m(Eigen::all, free())); };
     const MatrixXd by_acceleration = select(by.by_acceleration);
@@ -228,12 +229,12 @@ void Assembly::add_outputs_of(std::size_t i) {
     C_.add(row, 0, by_acceleration * hub_by_state_);
     D_.add(row, 0, by_acceleration * hub_by_input_);
   }
-  for (Index k = 0; k < tree_size(i); ++k)
+  for (Index k = 0; k < subsystem_size(i); ++k)
     if (model_.coordinates(i)[static_cast<std::size_t>(k)].node < 0)
       add_output(result_.states[static_cast<std::size_t>(at + k)], at + k);
 }
 
-/// An output that is a state.
+/// Adds an output that is a state.
 void Assembly::add_output(const LinearSignal& signal, Index column) {
   C_.add(std::ssize(result_.outputs), column, MatrixXd::Ones(1, 1));
   result_.outputs.push_back(signal);
@@ -251,10 +252,10 @@ LinearSystem Assembly::make() {
   if (linear_.is_coupled()) {
     add_part(make_whole_part(), 0, 0);
   } else {
-    for (std::size_t i = 0; i < model_.trees(); ++i)
-      add_part(make_tree_part(i), coordinates_[i], inputs_[i]);
+    for (std::size_t i = 0; i < model_.subsystems(); ++i)
+      add_part(make_subsystem_part(i), coordinates_[i], inputs_[i]);
   }
-  for (std::size_t i = 0; i < model_.trees(); ++i) add_outputs_of(i);
+  for (std::size_t i = 0; i < model_.subsystems(); ++i) add_outputs_of(i);
   add_hub_outputs();
   const Index outputs = std::ssize(result_.outputs);
   result_.A = A_.matrix(2 * size_, 2 * size_);

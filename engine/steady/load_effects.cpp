@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// An input, and how a scenario has one more of it.
+/// An input, and a function that raises it by one in a scenario.
 struct Input {
   std::string name;
   std::string unit;
@@ -25,7 +25,7 @@ void raise(Curve& curve) {
   curve = Curve(curve.times(), values);
 }
 
-/// Those of a list of loads; `find` takes it from a scenario.
+/// Adds the inputs of a list of loads, which `find` takes from a scenario.
 template <class Find>
 void add_loads(const char* list, const Scenario& scenario, const Find& find,
                std::vector<Input>& inputs) {
@@ -35,7 +35,7 @@ void add_loads(const char* list, const Scenario& scenario, const Find& find,
                       [k, find](Scenario& other) { raise(find(other)[k].factor); }});
 }
 
-/// The lists of a rotor in the plane or of a model in space.
+/// Adds the inputs of the lists of a rotor in the plane or of a model in space.
 template <class Find>
 void add_all_loads(const Scenario& scenario, const Find& find, std::vector<Input>& inputs) {
   add_loads(
@@ -47,7 +47,7 @@ void add_all_loads(const Scenario& scenario, const Find& find, std::vector<Input
       "hub_load", scenario, [find](auto& s) -> auto& { return find(s).hub_loads; }, inputs);
 }
 
-/// Motors of the free coordinates of a joint, which `find` takes from a scenario.
+/// Adds the motors of the free coordinates of a joint, which `find` takes from a scenario.
 template <class Find>
 void add_motors(const Scenario& scenario, const std::string& fallback, const Find& find,
                 std::vector<Input>& inputs) {
@@ -92,11 +92,12 @@ std::vector<Input> list_inputs(const Scenario& scenario) {
   return inputs;
 }
 
-/// Forces and outputs of a tree at its equilibrium.
-LoadEffect answer(std::size_t tree, const TreeState& state, SteadyModel& model) {
-  TreeResponse response;
-  model.evaluate(tree, state, model.no_offset(), response);
-  return {{}, response.force, response.hub_force, measure(tree, state, model.no_offset(), model)};
+/// Returns forces and outputs of a subsystem at its equilibrium.
+LoadEffect answer(std::size_t subsystem, const SubsystemState& state, SteadyModel& model) {
+  SubsystemResponse response;
+  model.evaluate(subsystem, state, model.no_offset(), response);
+  return {
+      {}, response.force, response.hub_force, measure(subsystem, state, model.no_offset(), model)};
 }
 
 bool does_nothing(const LoadEffect& effect) {
@@ -108,9 +109,9 @@ bool does_nothing(const LoadEffect& effect) {
 LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
                               SteadyModel& model) {
   LoadEffects effects;
-  effects.trees.resize(model.trees());
+  effects.subsystems.resize(model.subsystems());
   std::vector<LoadEffect> steady;
-  for (std::size_t i = 0; i < model.trees(); ++i)
+  for (std::size_t i = 0; i < model.subsystems(); ++i)
     steady.push_back(answer(i, make_state(equilibrium.q[i]), model));
   const VectorXd on_hub = model.hub_force(model.no_offset());
   for (const Input& input : list_inputs(scenario)) {
@@ -118,14 +119,14 @@ LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equil
     input.raise(raised);
     const std::unique_ptr<SteadyModel> more =
         make_steady_model(raised, {.speed = model.speed(), .has_outputs = true});
-    for (std::size_t i = 0; i < model.trees(); ++i) {
+    for (std::size_t i = 0; i < model.subsystems(); ++i) {
       more->settle_at(i, model.absolute(i, equilibrium.q[i]));
       LoadEffect effect = answer(i, make_state(equilibrium.q[i]), *more);
       effect.input = {model.name_of(i) + " / " + input.name, input.unit};
       effect.force -= steady[i].force;
       effect.hub_force -= steady[i].hub_force;
       effect.outputs -= steady[i].outputs;
-      if (!does_nothing(effect)) effects.trees[i].push_back(std::move(effect));
+      if (!does_nothing(effect)) effects.subsystems[i].push_back(std::move(effect));
     }
     const VectorXd change = more->hub_force(model.no_offset()) - on_hub;
     if (!change.isZero(0.0))

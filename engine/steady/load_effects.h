@@ -1,6 +1,6 @@
 #pragma once
 
-// What the loads of a scenario do to a model in equilibrium.
+// Effects of the loads of a scenario on a model in equilibrium.
 
 #include <vector>
 
@@ -8,23 +8,24 @@
 
 namespace spoke::steady {
 
-/// What one more of an input does: a load by its factor, a motor by its effort. Empty vectors: to
-/// that nothing.
+/// The effect of raising an input by one: a load by its factor, a motor by its effort. A vector is
+/// empty where the input has no effect.
 struct LoadEffect {
   LinearSignal input;
-  Eigen::VectorXd force;      ///< on the coordinates of its tree
+  Eigen::VectorXd force;      ///< on the coordinates of its subsystem
   Eigen::VectorXd hub_force;  ///< on the hub, all components
-  Eigen::VectorXd outputs;    ///< of its tree
+  Eigen::VectorXd outputs;    ///< of its subsystem
 };
 
-/// The effects on the trees, and on the hub alone.
+/// The effects on the subsystems, and on the hub alone.
 struct LoadEffects {
-  std::vector<std::vector<LoadEffect>> trees;
+  std::vector<std::vector<LoadEffect>> subsystems;
   std::vector<LoadEffect> hub;
 };
 
-/// Finds them by models with one more of each, in which all else is as in `model` at `equilibrium`:
-/// forces and accelerations are linear in loads. Every load counts by tree.
+/// Calculates the effects from models in which one input each is raised by one and all else is as
+/// in `model` at `equilibrium`: forces and accelerations are linear in loads. Every load counts
+/// separately for each subsystem.
 LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
                               SteadyModel& model);
 

@@ -1,20 +1,21 @@
 #pragma once
 
-// What the outputs of a tree show, and its derivatives at a state.
+// Outputs of a subsystem and their derivatives at a state.
 
 #include "engine/steady/steady_model.h"
 
 namespace spoke::steady {
 
-/// SteadyModel::measure() at a state.
-Eigen::VectorXd measure(std::size_t tree, const TreeState& state, const HubOffset& hub,
+/// Returns SteadyModel::measure() at a state.
+Eigen::VectorXd measure(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
                         SteadyModel& model);
 
-/// Its derivatives, elastic forces moving along; of the hub by what HubOffset has.
+/// Derivatives of measure(), with elastic forces following the coordinates; those by the hub are by
+/// the members of HubOffset.
 struct OutputDerivatives {
   Eigen::MatrixXd by_q, by_v, by_turn, by_twist, by_acceleration;
 };
-OutputDerivatives calc_output_derivatives(std::size_t tree, const TreeState& state,
+OutputDerivatives calc_output_derivatives(std::size_t subsystem, const SubsystemState& state,
                                           SteadyModel& model);
 
 }  // namespace spoke::steady

@@ -10,8 +10,8 @@
 namespace spoke::steady {
 namespace {
 
-/// The part of what is constant in the inertial frame that turns with the hub as if it were fixed
-/// to it: in the plane no force, and any moment.
+/// Keeps of a load that is constant in the inertial frame the part that is constant in the hub's
+/// frame, too: in the plane the moment, in space the parts along the axis.
 void keep_axial(const System<Plane>&, BodyLoad<Plane>& load) {
   if (load.frame == LoadFrame::inertial) load.force.setZero();
 }
@@ -55,7 +55,7 @@ double steady_value(const space::DrivenMotion& motion, Instant instant) {
 }
 
 std::vector<Curve*> hold_joints(System<Plane>&, Instant) { return {}; }
-/// Holds prescribed joints; the motors of the others.
+/// Holds prescribed joints at their steady values, and returns the motors of the others.
 std::vector<Curve*> hold_joints(System<Space>& system, Instant instant) {
   std::vector<Curve*> motors;
   for (Subsystem<Space>& subsystem : system.subsystems)

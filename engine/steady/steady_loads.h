@@ -1,7 +1,7 @@
 #pragma once
 
-// What acts on a system in steady rotation: the values that loads, motors and prescribed motions
-// end or begin with, of which a share can be applied.
+// Loads on a system in steady rotation: the values with which loads, motors and prescribed motions
+// end or begin, of which a share can be applied.
 
 #include <memory>
 #include <vector>
@@ -11,17 +11,17 @@
 
 namespace spoke::steady {
 
-/// Makes all that acts on a system independent of time, and keeps it in its full size. The system
-/// must outlive it, stay in place, and not be copied from.
+/// Makes all loads on a system independent of time, and keeps their full size. The system must
+/// outlive it, stay in place, and not be copied from.
 template <class World>
 class SteadyLoads {
  public:
-  /// Loads that depend on time take the value that they have at `instant`, motions by azimuth their
-  /// mean. If the hub turns (`turns`), of what is constant in the inertial frame only the part
-  /// along the axis is kept; of a free hub gravity is none.
+  /// Loads that depend on time take their value at `instant`, motions by azimuth their mean. If the
+  /// hub turns (`turns`), vectors that are constant in the inertial frame keep only their part
+  /// along the axis. On a free hub there is no gravity.
   SteadyLoads(System<World>& system, bool turns, Instant instant);
 
-  /// Applies that share of all loads and motors, and of gravity.
+  /// Applies this share of all loads and motors, and of gravity.
   void set_share(double share);
 
  private:

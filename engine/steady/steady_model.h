@@ -2,8 +2,7 @@
 
 // A model in steady rotation: the forces on its coordinates as a function of the state, seen from
 // the frame that turns with the hub, where nothing depends on time. Kinematics and terms are those
-// of the step graph's own nodes; what is said here of "trees" holds for the blades of the plane,
-// too.
+// of the step graph's own nodes.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -21,30 +20,31 @@ namespace spoke::steady {
 /// Components of a twist: 3 in the plane, 6 in space.
 using HubVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
-/// A coordinate of a tree.
-struct TreeCoordinate {
-  std::string name;    ///< "body 2 / node 3 / v", "flap_hinge"; of joints numbered if several
-  std::string joint;   ///< of a joint's, the joint
-  int body = 0;        ///< of the tree
-  int node = -1;       ///< of the body; -1: of the joint that carries it
-  bool turns = false;  ///< [rad], else [m]
+/// A coordinate of a subsystem.
+struct SubsystemCoordinate {
+  std::string name;    ///< "body 2 / node 3 / v"; "flap_hinge", numbered if the joint has several
+  std::string joint;   ///< the joint whose coordinate it is; else empty
+  int body = 0;        ///< of the subsystem
+  int node = -1;       ///< of the body; -1: it is of the joint that carries the body
+  bool turns = false;  ///< true: an angle [rad]; false: a length [m]
   double scale = 1.0;  ///< a large value of it [rad, m]
 };
 
-/// Velocities of a coordinate by which to differ: what its scale is in the time of a radian.
-inline double velocity_scale(const TreeCoordinate& coordinate, double speed) {
+/// Returns the velocity step of a coordinate for differences: its scale per time of a radian.
+inline double velocity_scale(const SubsystemCoordinate& coordinate, double speed) {
   return coordinate.scale * std::max(1.0, std::abs(speed));
 }
 
-/// Where to evaluate a tree. Coordinates and velocities in the order of coordinates(): by body its
-/// joint's, then its deformation's. Elastic forces are taken at `q_elastic`, their dampers at
-/// `v_elastic`, of which those of joints do not count.
-struct TreeState {
+/// State at which to evaluate a subsystem. Coordinates and velocities are in the order of
+/// coordinates(): for each body those of its joint, then those of its deformation. Elastic forces
+/// are taken at `q_elastic`, forces of dampers at `v_elastic`; the entries of joints in `v_elastic`
+/// have no effect.
+struct SubsystemState {
   Eigen::VectorXd q, v;
   Eigen::VectorXd q_elastic, v_elastic;
 };
 
-/// How the hub moves besides its steady rotation, in its frame: the rotation vector by which it is
+/// The hub's motion besides its steady rotation, in its frame: the rotation vector by which it is
 /// turned, and its additional twist and acceleration.
 struct HubOffset {
   HubVector turn;          ///< rotational components of a twist, the others unused [rad]
@@ -52,16 +52,16 @@ struct HubOffset {
   HubVector acceleration;  ///< [m/s^2, rad/s^2]
 };
 
-/// What a tree does there.
-struct TreeResponse {
-  Eigen::VectorXd force;  ///< on its coordinates, with that of inertia at zero accelerations
-  HubVector hub_force;    ///< likewise on the hub, at its origin, hub frame
-  bool is_valid = true;   ///< all is finite, and no body is beyond its limits
+/// Forces of a subsystem at a state.
+struct SubsystemResponse {
+  Eigen::VectorXd force;  ///< on its coordinates, with inertia at zero accelerations
+  HubVector hub_force;    ///< with the same inertia on the hub, at its origin, hub frame
+  bool is_valid = true;   ///< whether all is finite, and no body is beyond its limits
 };
 
-/// Mass matrix of a tree and the hub's frame, and its constant damping.
-struct TreeMatrices {
-  Eigen::MatrixXd mass;     ///< hub's twist first, then the coordinates
+/// Mass matrix of a subsystem and the hub's frame, and its constant damping.
+struct SubsystemMatrices {
+  Eigen::MatrixXd mass;     ///< rows and columns: the hub's twist, then the coordinates
   Eigen::MatrixXd damping;  ///< D of the deformations, without joints
 };
 
@@ -69,34 +69,34 @@ struct TreeMatrices {
 struct NodePlace {
   Eigen::Vector3d p;       ///< [m]
   Eigen::Matrix3d axes;    ///< of its section, columns
-  Eigen::Vector3d centre;  ///< of its mass; p, but for rigid bodies [m]
+  Eigen::Vector3d centre;  ///< centre of its mass; p except for rigid bodies [m]
   double mass = 0.0;       ///< lumped [kg]
   double inertia = 0.0;    ///< about its axis, lumped [kg m^2]
-  int body = 0;            ///< of the tree
+  int body = 0;            ///< of the subsystem
 };
 
-/// The tip of a tree against its undeformed place, hub frame.
+/// The tip of a subsystem against its undeformed place, hub frame.
 struct TipMotion {
-  Eigen::Vector3d displacement;  ///< as the sensors have it [m]
+  Eigen::Vector3d displacement;  ///< as the sensors of the tip show it [m]
   Eigen::Vector3d rotation;      ///< rotation vector [rad]
 };
 
-/// What a body does to what carries it: the load of the section where it begins, like that of the
-/// sensors section_force, in that section's axes; of a rigid body in its frame's.
+/// Force of a body on its carrier: the load of the section where the body begins, like that of the
+/// sensor section_force, in the axes of that section; for a rigid body in the axes of its frame.
 struct RootLoad {
   std::string body;
-  double station = 0.0;    ///< undeformed distance of that end from the tree's root [m]
+  double station = 0.0;    ///< undeformed distance of that end from the subsystem's root [m]
   Eigen::Vector3d force;   ///< [N]
   Eigen::Vector3d moment;  ///< [N m]
 };
 
-/// When what acts on a model has the values that count.
+/// The time at which loads have the values that count.
 enum class Instant {
-  end,    ///< those that curves end with, all ramps over
-  start,  ///< those at t = 0
+  end,    ///< behind all ramps and curves
+  start,  ///< at t = 0
 };
 
-/// What of a scenario is steady.
+/// Choice of the steady rotation of a scenario.
 struct SteadyOptions {
   double speed = 0.0;  ///< of the hub about its axis [rad/s]
   Instant instant = Instant::end;
@@ -110,78 +110,81 @@ class SteadyModel {
   SteadyModel(const SteadyModel&) = delete;
   SteadyModel& operator=(const SteadyModel&) = delete;
 
-  virtual std::size_t trees() const = 0;
-  virtual const std::string& name_of(std::size_t tree) const = 0;
-  virtual const std::vector<TreeCoordinate>& coordinates(std::size_t tree) const = 0;
-  /// Direction of a tree about the hub's axis [rad].
-  virtual double azimuth(std::size_t tree) const = 0;
-  /// Of all trees.
+  virtual std::size_t subsystems() const = 0;
+  virtual const std::string& name_of(std::size_t subsystem) const = 0;
+  virtual const std::vector<SubsystemCoordinate>& coordinates(std::size_t subsystem) const = 0;
+  /// Returns the direction of a subsystem about the hub's axis [rad].
+  virtual double azimuth(std::size_t subsystem) const = 0;
+  /// Returns the azimuths of all subsystems [rad].
   std::vector<double> azimuths() const {
-    std::vector<double> all(trees());
+    std::vector<double> all(subsystems());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = azimuth(i);
     return all;
   }
-  /// Axes of what carries a body, where that is fixed to the hub: of a blade x along it, z along
-  /// the axis of rotation; hub frame.
-  virtual Eigen::Matrix3d root_axes(std::size_t tree, int body) const = 0;
+  /// Returns the axes of the undeformed carrier of a body that is fixed to the hub, in the hub
+  /// frame: for a blade x along it, z along the axis of rotation.
+  virtual Eigen::Matrix3d root_axes(std::size_t subsystem, int body) const = 0;
   virtual bool is_spatial() const = 0;
-  /// Components of a twist.
+  /// Returns the number of components of a twist.
   virtual int twist_size() const = 0;
-  /// Index of the first rotational one.
+  /// Returns the index of the first rotational component.
   int first_rotation() const { return is_spatial() ? 3 : 2; }
-  /// Which of them are unknowns of the model: all of a free hub, the rotation of a driven one.
+  /// Returns the components that are unknowns of the model: all of a free hub, the rotation of a
+  /// driven one.
   virtual const std::vector<int>& free_components() const = 0;
   virtual bool is_hub_free() const = 0;
-  /// Whether the drive's torque depends on nothing but the balance: it is then what holds the
-  /// speed.
+  /// Whether the drive's torque follows from the balance alone, so that it holds the speed.
   virtual bool has_torque_drive() const = 0;
   double speed() const { return speed_; }
 
   /// Sets the share of loads, gravity and the speed's square, from 0 to 1.
   virtual void set_share(double share) = 0;
 
-  /// Coordinates at the start of the search: undeformed, joints where the scenario has them.
-  virtual Eigen::VectorXd initial(std::size_t tree) const = 0;
-  /// Takes coordinates as the state about which spherical joints are turned, and sets the rotation
-  /// vectors of these to zero.
-  virtual void settle(std::size_t tree, Eigen::VectorXd& q) = 0;
-  /// Turns spherical joints from where another model of the same bodies has settled: at coordinates
-  /// that its absolute() yields.
-  virtual void settle_at(std::size_t tree, const Eigen::VectorXd& absolute) = 0;
+  /// Returns the coordinates at the start of the search: undeformed, joints where the scenario has
+  /// them.
+  virtual Eigen::VectorXd initial(std::size_t subsystem) const = 0;
+  /// Takes coordinates as the state about which spherical joints turn, and sets their rotation
+  /// vectors to zero.
+  virtual void settle(std::size_t subsystem, Eigen::VectorXd& q) = 0;
+  /// Turns spherical joints to where another model of the same bodies has settled, whose absolute()
+  /// returned these coordinates.
+  virtual void settle_at(std::size_t subsystem, const Eigen::VectorXd& absolute) = 0;
 
-  virtual void evaluate(std::size_t tree, const TreeState& state, const HubOffset& hub,
-                        TreeResponse& response) = 0;
-  /// K of the deformations, without joints; constant.
-  virtual const Eigen::MatrixXd& stiffness(std::size_t tree) const = 0;
+  virtual void evaluate(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
+                        SubsystemResponse& response) = 0;
+  /// Returns the constant K of the deformations, without joints.
+  virtual const Eigen::MatrixXd& stiffness(std::size_t subsystem) const = 0;
   // At the state that was evaluated last.
-  /// The accelerations that the step graph finds, and so what bodies do to those that carry them.
-  virtual Eigen::VectorXd accelerations(std::size_t tree) = 0;
-  virtual TreeMatrices matrices(std::size_t tree) = 0;
+  /// Returns the accelerations that the step graph finds. They also yield the forces of bodies on
+  /// their carriers, see root_loads().
+  virtual Eigen::VectorXd accelerations(std::size_t subsystem) = 0;
+  virtual SubsystemMatrices matrices(std::size_t subsystem) = 0;
 
-  /// Forces of the hub's own inertia, of drive and loads at an offset, its acceleration being zero.
+  /// Returns the forces of the hub's own inertia, of drive and loads at an offset whose
+  /// acceleration is zero.
   virtual HubVector hub_force(const HubOffset& hub) const = 0;
-  /// Mass of the hub alone.
+  /// Returns the mass matrix of the hub alone.
   virtual Eigen::MatrixXd hub_mass() const = 0;
 
   // At the state that was evaluated last.
-  virtual std::vector<NodePlace> places(std::size_t tree) = 0;
-  virtual TipMotion tip(std::size_t tree) = 0;
-  /// After accelerations().
-  virtual std::vector<RootLoad> root_loads(std::size_t tree) const = 0;
-  /// By body, its largest deflection across its axis by its length; of rigid ones 0.
-  virtual std::vector<double> bending(std::size_t tree) const = 0;
-  /// What a free joint's coordinates are; spherical ones as the rotation vector from parent to
-  /// child.
-  virtual Eigen::VectorXd absolute(std::size_t tree, const Eigen::VectorXd& q) const = 0;
+  virtual std::vector<NodePlace> places(std::size_t subsystem) = 0;
+  virtual TipMotion tip(std::size_t subsystem) = 0;
+  /// Precondition: accelerations() was called at this state.
+  virtual std::vector<RootLoad> root_loads(std::size_t subsystem) const = 0;
+  /// Returns for each body its largest deflection across its axis by its length; 0 for rigid ones.
+  virtual std::vector<double> bending(std::size_t subsystem) const = 0;
+  /// Returns q with the rotation vectors of spherical joints taken from parent to child.
+  virtual Eigen::VectorXd absolute(std::size_t subsystem, const Eigen::VectorXd& q) const = 0;
 
-  // What comes out, if SteadyOptions::has_outputs.
-  /// What measure() yields: displacement of the tip, and the scenario's sensors on the tree whose
-  /// frames turn with the hub.
-  virtual const std::vector<LinearSignal>& outputs(std::size_t tree) const = 0;
-  /// Sensors of the scenario's that are no such outputs, by the names of their columns.
+  // Outputs; only if SteadyOptions::has_outputs.
+  /// Returns names and units of the values of measure(): displacement of the tip, and the
+  /// scenario's sensors on the subsystem whose frames turn with the hub.
+  virtual const std::vector<LinearSignal>& outputs(std::size_t subsystem) const = 0;
+  /// Returns the names of the columns of the scenario's sensors that are not such outputs.
   virtual const std::vector<std::string>& other_sensors() const = 0;
-  /// At the state that was evaluated last, after accelerations().
-  virtual Eigen::VectorXd measure(std::size_t tree) = 0;
+  /// Returns the outputs at the state that was evaluated last. Precondition: accelerations() was
+  /// called there.
+  virtual Eigen::VectorXd measure(std::size_t subsystem) = 0;
 
   HubOffset no_offset() const {
     const HubVector none = HubVector::Zero(twist_size());
@@ -192,10 +195,10 @@ class SteadyModel {
   double speed_ = 0.0;
 };
 
-/// The model of a scenario in steady rotation: loads, motors and prescribed joints with the values
-/// that their curves have at options.instant, pitch by azimuth with its mean. Where the hub turns,
+/// Makes the model of a scenario in steady rotation. Loads, motors and prescribed joints have the
+/// values of their curves at options.instant, pitch by azimuth its mean. Where the hub turns,
 /// gravity and loads of constant direction count with their part along the axis. Where the hub is
-/// free, gravity does not count: all falls alike. Throws InputError like Simulation.
+/// free, gravity does not count, since all parts fall alike. Throws InputError like Simulation.
 std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options);
 

@@ -1,4 +1,4 @@
-// Looks for what of a mount's motion does not end.
+// Looks for motions of a mount that do not end.
 
 #include "engine/steady/steady_mount.h"
 
@@ -15,7 +15,7 @@ namespace {
 using spatial::VectorHarmonic;
 using spatial::VectorTable;
 
-/// When a course has come to where it stays [s].
+/// Returns the time at which a course has come to its end [s].
 double end_of(const spatial::VectorCourse& course) {
   double end = 0.0;
   if (const auto* table = std::get_if<VectorTable>(&course))

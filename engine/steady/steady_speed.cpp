@@ -1,4 +1,4 @@
-// The speed that each kind of drive ends with.
+// Finds the speed that each kind of drive ends with.
 
 #include "engine/steady/steady_speed.h"
 
@@ -23,7 +23,7 @@ struct FinalSpeed {
   std::optional<double> operator()(const TorqueBySpeed&) const { return std::nullopt; }
 };
 
-/// Of a free hub in space the start is given as a vector.
+/// Returns the speed about the axis of a free hub in space, whose start is given as a vector.
 std::optional<double> speed_of(const spatial::Hub& hub) {
   if (hub.support == HubSupport::free) return hub.angular_velocity.dot(hub.axis.normalized());
   return std::visit(FinalSpeed{}, hub.drive);

@@ -1,4 +1,4 @@
-// The equilibrium as coordinates.
+// Returns the equilibrium as coordinates of bodies.
 
 #include "engine/steady/steady_start.h"
 
@@ -17,7 +17,7 @@ std::vector<Eigen::VectorXd> find_start(const Scenario& scenario) {
   require_held(found);
   if (model->is_hub_free()) require_steady_hub(*model, found);
   std::vector<Eigen::VectorXd> q;
-  for (std::size_t i = 0; i < model->trees(); ++i) q.push_back(model->absolute(i, found.q[i]));
+  for (std::size_t i = 0; i < model->subsystems(); ++i) q.push_back(model->absolute(i, found.q[i]));
   return q;
 }
 

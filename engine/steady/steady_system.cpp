@@ -3,6 +3,7 @@
 #include "engine/steady/steady_system.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -15,10 +16,10 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
-#include "engine/kernels/section_balance.h"
-#include "engine/kernels/spatial_samples.h"
-#include "engine/steady/tree_access.h"
-#include "engine/steady/tree_forces.h"
+#include "engine/plane/section_balance.h"
+#include "engine/steady/subsystem_access.h"
+#include "engine/steady/subsystem_forces.h"
+#include "engine/step/stages.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
@@ -27,21 +28,21 @@
 namespace spoke::steady {
 namespace {
 
-/// A time at which all that rises has risen.
+/// A time at which all ramps are over.
 constexpr double kLate = std::numeric_limits<double>::max();
 
-/// Nodes up to the terms of bodies.
+/// Whether nodes of this stage lead to the terms of bodies.
 bool makes_terms(const std::string& stage) {
-  return stage == "position" || stage == "velocity" || stage == "load" ||
-         stage == "applied forces" || stage == "mass";
+  return stage == stages::kPosition || stage == stages::kVelocity || stage == stages::kLoad ||
+         stage == stages::kAppliedForces || stage == stages::kMass;
 }
-/// Nodes behind these, up to the accelerations.
+/// Whether nodes of this stage lead from the terms to the accelerations.
 bool solves(const std::string& stage) {
-  return stage == "inverse" || stage == "effective" || stage == "multipliers" ||
-         stage == "recovery";
+  return stage == stages::kInverse || stage == stages::kEffective ||
+         stage == stages::kMultipliers || stage == stages::kRecovery;
 }
 
-/// Of the undeformed body from the root of its tree [m].
+/// Returns the distance of the undeformed body from the root of its subsystem [m].
 double station_of(const Subsystem<Plane>& subsystem, std::size_t j) {
   return subsystem.length * static_cast<double>(j) / static_cast<double>(subsystem.bodies.size());
 }
@@ -50,8 +51,8 @@ double station_of(const Subsystem<Space>& subsystem, std::size_t j) {
   return flexible ? flexible->stations.front() : 0.0;
 }
 
-/// The frame of the body on the hub by which another one hangs, undeformed.
-Rotation root_rotation(const Subsystem<Plane>& subsystem, int) { return subsystem.root.R; }
+/// Returns the undeformed frame of the body on the hub from which another one hangs.
+plane::Rotation root_rotation(const Subsystem<Plane>& subsystem, int) { return subsystem.root.R; }
 space::Rotation root_rotation(const Subsystem<Space>& subsystem, int body) {
   const TreeBody<Space>* root = &subsystem.bodies[static_cast<std::size_t>(body)];
   while (root->parent >= 0) root = &subsystem.bodies[static_cast<std::size_t>(root->parent)];
@@ -64,8 +65,8 @@ Eigen::Vector3d in_space(const space::Position& p) { return p; }
 }  // namespace
 
 template <class World>
-SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker, std::vector<TreeNames> names,
-                                  const SteadyOptions& options)
+SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
+                                  std::vector<SubsystemNames> names, const SteadyOptions& options)
     : names_(std::move(names)) {
   speed_ = options.speed;
   maker.fill(context_.system);
@@ -76,7 +77,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker, std::vector<T
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
   context_.integrator = {Rk4{1.0}, {}};
-  context_.linear_range = 0.0;  // find_large_deflection() tells all
+  context_.linear_range = 0.0;  // find_large_deflection() reports every deflection
   allocate(context_);
   if (options.has_outputs) set_outputs(maker.place_sensors(context_.system, context_.data));
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
@@ -93,28 +94,31 @@ void SteadySystem<World>::hold_hub() {
 
 template <class World>
 void SteadySystem<World>::find_nodes() {
-  terms_.resize(trees());
-  solution_.resize(trees());
+  terms_.resize(subsystems());
+  solution_.resize(subsystems());
   for (const graph::NodeId node : graph_->serial_order()) {
     const graph::NodeLabel& label = graph_->node(node).label;
     if (label.subsystem < 0) continue;
-    const auto tree = static_cast<std::size_t>(label.subsystem);
-    if (makes_terms(label.stage)) terms_[tree].push_back(node);
-    if (solves(label.stage)) solution_[tree].push_back(node);
+    const auto subsystem = static_cast<std::size_t>(label.subsystem);
+    if (makes_terms(label.stage)) terms_[subsystem].push_back(node);
+    if (solves(label.stage)) solution_[subsystem].push_back(node);
   }
+  for (std::size_t subsystem = 0; subsystem < subsystems(); ++subsystem)
+    assert(!terms_[subsystem].empty() && !solution_[subsystem].empty());
 }
 
-/// Names the coordinates, gives elastic forces places of their own, and keeps where tips point.
+/// Names the coordinates, gives elastic forces coordinates of their own, and keeps the directions
+/// of tips.
 template <class World>
 void SteadySystem<World>::set_undeformed() {
-  for (std::size_t i = 0; i < trees(); ++i) {
-    std::vector<TreeCoordinate>& list = coordinates_.emplace_back();
+  for (std::size_t i = 0; i < subsystems(); ++i) {
+    std::vector<SubsystemCoordinate>& list = coordinates_.emplace_back();
     std::vector<Eigen::VectorXd>& q = q_elastic_.emplace_back();
     std::vector<Eigen::VectorXd>& v = v_elastic_.emplace_back();
     for (std::size_t j = 0; j < data(i).bodies.size(); ++j) {
       BodyData<World>& body = data(i).bodies[j];
-      for (TreeCoordinate& coordinate : name_coordinates(*body.model, static_cast<int>(j),
-                                                         names_[i].bodies[j], names_[i].joints[j]))
+      for (SubsystemCoordinate& coordinate : name_coordinates(
+               *body.model, static_cast<int>(j), names_[i].bodies[j], names_[i].joints[j]))
         list.push_back(std::move(coordinate));
       q.push_back(Eigen::VectorXd::Zero(body.layout.size()));
       v.push_back(Eigen::VectorXd::Zero(body.layout.size()));
@@ -124,14 +128,14 @@ void SteadySystem<World>::set_undeformed() {
       data(i).bodies[j].v_elastic = v[j].data();
     }
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(std::ssize(list));
-    TreeResponse response;
+    SubsystemResponse response;
     evaluate(i, {zero, zero, zero, zero}, no_offset(), response);
     tip_axes_.push_back(places(i).back().axes);
     stiffness_.push_back(assemble_stiffness(i));
   }
 }
 
-/// Whether a sensor is constant in steady rotation, as is what turns with the hub.
+/// Whether a sensor is constant in steady rotation, as are those whose frames turn with the hub.
 template <class World>
 bool SteadySystem<World>::is_steady(const SensorColumn& column) const {
   const bool is_local = is_motion(column.quantity) ||
@@ -143,9 +147,9 @@ bool SteadySystem<World>::is_steady(const SensorColumn& column) const {
 template <class World>
 void SteadySystem<World>::set_outputs(std::vector<SensorColumn> columns) {
   static constexpr const char* kAxes[] = {"x", "y", "z"};
-  columns_.resize(trees());
-  outputs_.resize(trees());
-  for (std::size_t i = 0; i < trees(); ++i)
+  columns_.resize(subsystems());
+  outputs_.resize(subsystems());
+  for (std::size_t i = 0; i < subsystems(); ++i)
     for (int c = 0; c < World::kPosition; ++c)
       outputs_[i].push_back({names_[i].sensors + ".tip." + kAxes[c], "m"});
   for (SensorColumn& column : columns) {
@@ -153,32 +157,33 @@ void SteadySystem<World>::set_outputs(std::vector<SensorColumn> columns) {
       other_sensors_.push_back(column.name);
       continue;
     }
-    outputs_[column.blade].push_back({column.name, column.unit});
-    columns_[column.blade].push_back(std::move(column));
+    outputs_[column.subsystem].push_back({column.name, column.unit});
+    columns_[column.subsystem].push_back(std::move(column));
   }
 }
 
 template <class World>
-Eigen::VectorXd SteadySystem<World>::measure(std::size_t tree) {
-  SubsystemData<World>& subsystem = data(tree);
-  keep_joint_loads(context_.system.subsystems[tree], subsystem);
-  const Eigen::Vector3d displacement = tip(tree).displacement;
-  calc_readings(context_.system, tree, 0, 0.0, context_.data);
-  Eigen::VectorXd values(std::ssize(outputs_[tree]));
-  const Eigen::Index tips = values.size() - std::ssize(columns_[tree]);
+Eigen::VectorXd SteadySystem<World>::measure(std::size_t subsystem) {
+  assert(subsystem < subsystems());
+  SubsystemData<World>& own = data(subsystem);
+  keep_joint_loads(context_.system.subsystems[subsystem], own);
+  const Eigen::Vector3d displacement = tip(subsystem).displacement;
+  calc_readings(context_.system, subsystem, 0, 0.0, context_.data);
+  Eigen::VectorXd values(std::ssize(outputs_[subsystem]));
+  const Eigen::Index tips = values.size() - std::ssize(columns_[subsystem]);
   values.head(tips) = displacement.head(tips);
-  for (std::size_t k = 0; k < columns_[tree].size(); ++k)
+  for (std::size_t k = 0; k < columns_[subsystem].size(); ++k)
     values[tips + static_cast<Eigen::Index>(k)] =
-        value_of(columns_[tree][k], hub_, 0, context_.data);
+        value_of(columns_[subsystem][k], hub_, 0, context_.data);
   return values;
 }
 
 template <class World>
-Eigen::MatrixXd SteadySystem<World>::assemble_stiffness(std::size_t tree) const {
-  const Eigen::Index n = std::ssize(coordinates_[tree]);
+Eigen::MatrixXd SteadySystem<World>::assemble_stiffness(std::size_t subsystem) const {
+  const Eigen::Index n = std::ssize(coordinates_[subsystem]);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
   Eigen::Index at = 0;
-  for (const BodyData<World>& body : data(tree).bodies) {
+  for (const BodyData<World>& body : data(subsystem).bodies) {
     const Eigen::Index nf = body.model->body->coordinates();
     at += count_joint_coordinates(*body.model);
     if (nf > 0) K.block(at, at, nf, nf) = calc_body_stiffness(body);
@@ -188,8 +193,8 @@ Eigen::MatrixXd SteadySystem<World>::assemble_stiffness(std::size_t tree) const 
 }
 
 template <class World>
-Eigen::Matrix3d SteadySystem<World>::root_axes(std::size_t tree, int body) const {
-  return axes_of(root_rotation(context_.system.subsystems[tree], body));
+Eigen::Matrix3d SteadySystem<World>::root_axes(std::size_t subsystem, int body) const {
+  return axes_of(root_rotation(context_.system.subsystems[subsystem], body));
 }
 
 template <class World>
@@ -199,16 +204,17 @@ bool SteadySystem<World>::has_torque_drive() const {
 
 template <class World>
 void SteadySystem<World>::set_share(double share) {
+  assert(share >= 0.0 && share <= 1.0);
   share_ = share;
   loads_->set_share(share);
   hold_hub();
 }
 
 template <class World>
-Eigen::VectorXd SteadySystem<World>::initial(std::size_t tree) const {
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(std::ssize(coordinates_[tree]));
+Eigen::VectorXd SteadySystem<World>::initial(std::size_t subsystem) const {
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(std::ssize(coordinates_[subsystem]));
   Eigen::Index at = 0;
-  for (const TreeBody<World>& body : context_.system.subsystems[tree].bodies) {
+  for (const TreeBody<World>& body : context_.system.subsystems[subsystem].bodies) {
     take_initial(body, q.data() + at);
     at += count_joint_coordinates(body) + body.body->coordinates();
   }
@@ -216,28 +222,33 @@ Eigen::VectorXd SteadySystem<World>::initial(std::size_t tree) const {
 }
 
 template <class World>
-void SteadySystem<World>::settle(std::size_t tree, Eigen::VectorXd& q) {
+void SteadySystem<World>::settle(std::size_t subsystem, Eigen::VectorXd& q) {
+  assert(subsystem < subsystems() && std::cmp_equal(q.size(), coordinates_[subsystem].size()));
   Eigen::Index at = 0;
-  for (BodyData<World>& body : data(tree).bodies) {
+  for (BodyData<World>& body : data(subsystem).bodies) {
     fold_joint(q.data() + at, body);
     at += count_joint_coordinates(*body.model) + body.model->body->coordinates();
   }
 }
 
 template <class World>
-void SteadySystem<World>::settle_at(std::size_t tree, const Eigen::VectorXd& absolute) {
+void SteadySystem<World>::settle_at(std::size_t subsystem, const Eigen::VectorXd& absolute) {
+  assert(subsystem < subsystems() &&
+         std::cmp_equal(absolute.size(), coordinates_[subsystem].size()));
   const double* next = absolute.data();
-  for (BodyData<World>& body : data(tree).bodies) {
+  for (BodyData<World>& body : data(subsystem).bodies) {
     put_absolute(next, body);
     next += count_joint_coordinates(*body.model) + body.model->body->coordinates();
   }
 }
 
 template <class World>
-Eigen::VectorXd SteadySystem<World>::absolute(std::size_t tree, const Eigen::VectorXd& q) const {
+Eigen::VectorXd SteadySystem<World>::absolute(std::size_t subsystem,
+                                              const Eigen::VectorXd& q) const {
+  assert(subsystem < subsystems() && std::cmp_equal(q.size(), coordinates_[subsystem].size()));
   Eigen::VectorXd result = q;
   Eigen::Index at = 0;
-  for (const BodyData<World>& body : data(tree).bodies) {
+  for (const BodyData<World>& body : data(subsystem).bodies) {
     make_absolute(body, result.data() + at);
     at += count_joint_coordinates(*body.model) + body.model->body->coordinates();
   }
@@ -245,10 +256,10 @@ Eigen::VectorXd SteadySystem<World>::absolute(std::size_t tree, const Eigen::Vec
 }
 
 template <class World>
-void SteadySystem<World>::put_bodies(std::size_t tree, const Eigen::VectorXd& q,
+void SteadySystem<World>::put_bodies(std::size_t subsystem, const Eigen::VectorXd& q,
                                      const Eigen::VectorXd& v) {
   Eigen::Index at = 0;
-  for (BodyData<World>& body : data(tree).bodies) {
+  for (BodyData<World>& body : data(subsystem).bodies) {
     put_joint(q.data() + at, v.data() + at, body);
     at += count_joint_coordinates(*body.model);
     for (int k = 0; k < body.model->body->coordinates(); ++k, ++at) {
@@ -259,15 +270,18 @@ void SteadySystem<World>::put_bodies(std::size_t tree, const Eigen::VectorXd& q,
 }
 
 template <class World>
-void SteadySystem<World>::place(std::size_t tree, const TreeState& state) {
-  put_bodies(tree, state.q, state.v);
+void SteadySystem<World>::place(std::size_t subsystem, const SubsystemState& state) {
+  assert(subsystem < subsystems() &&
+         std::cmp_equal(state.q.size(), coordinates_[subsystem].size()));
+  assert(state.v.size() == state.q.size());
+  put_bodies(subsystem, state.q, state.v);
   Eigen::Index at = 0;
-  for (std::size_t j = 0; j < data(tree).bodies.size(); ++j) {
-    const BodyData<World>& body = data(tree).bodies[j];
+  for (std::size_t j = 0; j < data(subsystem).bodies.size(); ++j) {
+    const BodyData<World>& body = data(subsystem).bodies[j];
     at += count_joint_coordinates(*body.model);
     for (int k = 0; k < body.model->body->coordinates(); ++k, ++at) {
-      q_elastic_[tree][j][body.layout.offset(k)] = state.q_elastic[at];
-      v_elastic_[tree][j][body.layout.offset(k)] = state.v_elastic[at];
+      q_elastic_[subsystem][j][body.layout.offset(k)] = state.q_elastic[at];
+      v_elastic_[subsystem][j][body.layout.offset(k)] = state.v_elastic[at];
     }
   }
 }
@@ -283,25 +297,26 @@ PrescribedHub<World> SteadySystem<World>::hub_motion(const HubOffset& offset) co
 }
 
 template <class World>
-void SteadySystem<World>::evaluate(std::size_t tree, const TreeState& state, const HubOffset& hub,
-                                   TreeResponse& response) {
-  place(tree, state);
-  SubsystemData<World>& subsystem = data(tree);
-  subsystem.prescribed = hub_motion(hub);
-  for (const graph::NodeId node : terms_[tree]) graph_->run_node(node);
-  calc_forces(context_.system.subsystems[tree], subsystem, response);
+void SteadySystem<World>::evaluate(std::size_t subsystem, const SubsystemState& state,
+                                   const HubOffset& hub, SubsystemResponse& response) {
+  place(subsystem, state);
+  SubsystemData<World>& own = data(subsystem);
+  own.prescribed = hub_motion(hub);
+  for (const graph::NodeId node : terms_[subsystem]) graph_->run_node(node);
+  calc_forces(context_.system.subsystems[subsystem], own, response);
   response.is_valid =
       response.force.allFinite() &&
-      std::none_of(subsystem.bodies.begin(), subsystem.bodies.end(),
+      std::none_of(own.bodies.begin(), own.bodies.end(),
                    [](const BodyData<World>& body) { return has_left_limits(body); });
 }
 
 template <class World>
-Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t tree) {
-  for (const graph::NodeId node : solution_[tree]) graph_->run_node(node);
-  Eigen::VectorXd a(std::ssize(coordinates_[tree]));
+Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t subsystem) {
+  assert(subsystem < subsystems());
+  for (const graph::NodeId node : solution_[subsystem]) graph_->run_node(node);
+  Eigen::VectorXd a(std::ssize(coordinates_[subsystem]));
   Eigen::Index at = 0;
-  for (const BodyData<World>& body : data(tree).bodies) {
+  for (const BodyData<World>& body : data(subsystem).bodies) {
     take_joint(body, a.data() + at);
     at += count_joint_coordinates(*body.model);
     for (int k = 0; k < body.model->body->coordinates(); ++k, ++at)
@@ -310,12 +325,12 @@ Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t tree) {
   return a;
 }
 
-/// The coordinates in the table.
+/// Returns the coordinates in the table.
 template <class World>
-Eigen::VectorXd SteadySystem<World>::take_bodies(std::size_t tree) const {
-  Eigen::VectorXd q(std::ssize(coordinates_[tree]));
+Eigen::VectorXd SteadySystem<World>::take_bodies(std::size_t subsystem) const {
+  Eigen::VectorXd q(std::ssize(coordinates_[subsystem]));
   Eigen::Index at = 0;
-  for (const BodyData<World>& body : data(tree).bodies) {
+  for (const BodyData<World>& body : data(subsystem).bodies) {
     take_joint_position(body, q.data() + at);
     at += count_joint_coordinates(*body.model);
     for (int k = 0; k < body.model->body->coordinates(); ++k, ++at)
@@ -324,46 +339,48 @@ Eigen::VectorXd SteadySystem<World>::take_bodies(std::size_t tree) const {
   return q;
 }
 
-/// Twists of the bodies' frames, below one another, by those of the hub and by velocities.
+/// Returns the twists of the frames of bodies, below one another, in columns for the twist of the
+/// hub and for velocities.
 template <class World>
-Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t tree) {
-  SubsystemData<World>& subsystem = data(tree);
-  const Subsystem<World>& model = context_.system.subsystems[tree];
-  const Eigen::Index n = std::ssize(coordinates_[tree]);
-  const auto bodies = static_cast<Eigen::Index>(subsystem.bodies.size());
+Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t subsystem) {
+  SubsystemData<World>& own = data(subsystem);
+  const Subsystem<World>& model = context_.system.subsystems[subsystem];
+  const Eigen::Index n = std::ssize(coordinates_[subsystem]);
+  const auto bodies = static_cast<Eigen::Index>(own.bodies.size());
   Eigen::MatrixXd twists(World::kTwist * bodies, World::kTwist + n);
-  const Eigen::VectorXd q = take_bodies(tree);
+  const Eigen::VectorXd q = take_bodies(subsystem);
   Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
-  const PrescribedHub<World> kept = subsystem.prescribed;
+  const PrescribedHub<World> kept = own.prescribed;
   for (Eigen::Index c = 0; c < twists.cols(); ++c) {
     const bool is_hub = c < World::kTwist;
-    subsystem.prescribed.state.twist = is_hub ? Twist(Twist::Unit(c)) : Twist(Twist::Zero());
+    own.prescribed.state.twist = is_hub ? Twist(Twist::Unit(c)) : Twist(Twist::Zero());
     if (!is_hub) v[c - World::kTwist] = 1.0;
-    put_bodies(tree, q, v);
+    put_bodies(subsystem, q, v);
     if (!is_hub) v[c - World::kTwist] = 0.0;
-    calc_rotations(model, subsystem);
-    calc_velocities(model, subsystem);
+    calc_rotations(model, own);
+    calc_velocities(model, own);
     for (Eigen::Index j = 0; j < bodies; ++j)
       twists.block(World::kTwist * j, c, World::kTwist, 1) =
-          subsystem.twists[static_cast<std::size_t>(j)];
+          own.twists[static_cast<std::size_t>(j)];
   }
-  subsystem.prescribed = kept;
+  own.prescribed = kept;
   return twists;
 }
 
 template <class World>
-TreeMatrices SteadySystem<World>::matrices(std::size_t tree) {
+SubsystemMatrices SteadySystem<World>::matrices(std::size_t subsystem) {
+  assert(subsystem < subsystems());
   constexpr Eigen::Index kHub = World::kTwist;
-  SubsystemData<World>& subsystem = data(tree);
-  const Eigen::Index n = std::ssize(coordinates_[tree]);
-  TreeMatrices result{Eigen::MatrixXd::Zero(kHub + n, kHub + n), Eigen::MatrixXd::Zero(n, n)};
+  SubsystemData<World>& own = data(subsystem);
+  const Eigen::Index n = std::ssize(coordinates_[subsystem]);
+  SubsystemMatrices result{Eigen::MatrixXd::Zero(kHub + n, kHub + n), Eigen::MatrixXd::Zero(n, n)};
   std::vector<Eigen::MatrixXd> masses;
-  for (const BodyData<World>& body : subsystem.bodies) masses.push_back(calc_body_mass(body));
-  const auto stiffening = sum_stiffening<World>(subsystem.bodies);
-  const Eigen::MatrixXd twists = calc_twists(tree);
+  for (const BodyData<World>& body : own.bodies) masses.push_back(calc_body_mass(body));
+  const auto stiffening = sum_stiffening<World>(own.bodies);
+  const Eigen::MatrixXd twists = calc_twists(subsystem);
   Eigen::Index at = 0;
   for (std::size_t j = 0; j < masses.size(); ++j) {
-    const BodyData<World>& body = subsystem.bodies[j];
+    const BodyData<World>& body = own.bodies[j];
     const Eigen::Index nf = body.model->body->coordinates();
     at += count_joint_coordinates(*body.model);
     const auto T = twists.middleRows(kHub * static_cast<Eigen::Index>(j), kHub);
@@ -397,42 +414,44 @@ Eigen::MatrixXd SteadySystem<World>::hub_mass() const {
 }
 
 template <class World>
-std::vector<NodePlace> SteadySystem<World>::places(std::size_t tree) {
-  SubsystemData<World>& subsystem = data(tree);
-  calc_poses(context_.system.subsystems[tree], subsystem, subsystem.poses);
+std::vector<NodePlace> SteadySystem<World>::places(std::size_t subsystem) {
+  assert(subsystem < subsystems());
+  SubsystemData<World>& own = data(subsystem);
+  calc_poses(context_.system.subsystems[subsystem], own, own.poses);
   std::vector<NodePlace> places;
-  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j)
-    add_places(subsystem, static_cast<int>(j), places);
+  for (std::size_t j = 0; j < own.bodies.size(); ++j) add_places(own, static_cast<int>(j), places);
   return places;
 }
 
 template <class World>
-TipMotion SteadySystem<World>::tip(std::size_t tree) {
-  const Eigen::Matrix3d turned = places(tree).back().axes * tip_axes_[tree].transpose();
-  const SubsystemSample<World> sample = calc_sample(context_.system, tree, data(tree));
+TipMotion SteadySystem<World>::tip(std::size_t subsystem) {
+  const Eigen::Matrix3d turned = places(subsystem).back().axes * tip_axes_[subsystem].transpose();
+  const SubsystemSample<World> sample = calc_sample(context_.system, subsystem, data(subsystem));
   return {in_space(sample.tip), space::logarithm(space::Rotation{turned})};
 }
 
 template <class World>
-std::vector<RootLoad> SteadySystem<World>::root_loads(std::size_t tree) const {
+std::vector<RootLoad> SteadySystem<World>::root_loads(std::size_t subsystem) const {
+  assert(subsystem < subsystems());
   std::vector<RootLoad> loads;
-  const SubsystemData<World>& subsystem = data(tree);
-  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
-    const TwistOf<World>& wrench = subsystem.wrenches[j].inboard;
-    const Eigen::Matrix3d to_section = inboard_axes(subsystem.bodies[j]).transpose();
-    loads.push_back({names_[tree].bodies[j], station_of(context_.system.subsystems[tree], j),
+  const SubsystemData<World>& own = data(subsystem);
+  for (std::size_t j = 0; j < own.bodies.size(); ++j) {
+    const TwistOf<World>& wrench = own.wrenches[j].inboard;
+    const Eigen::Matrix3d to_section = inboard_axes(own.bodies[j]).transpose();
+    loads.push_back({names_[subsystem].bodies[j],
+                     station_of(context_.system.subsystems[subsystem], j),
                      -to_section * force_of(wrench), -to_section * moment_of(wrench)});
   }
-  // As of the sensor: in the plane the root has the moment of the tension on the hub.
+  // As the sensor shows: in the plane the root has the moment of the tension on the hub.
   if constexpr (std::is_same_v<World, Plane>)
-    loads.front().moment.z() += sum_stiffening<World>(subsystem.bodies).moment;
+    loads.front().moment.z() += sum_stiffening<World>(own.bodies).moment;
   return loads;
 }
 
 template <class World>
-std::vector<double> SteadySystem<World>::bending(std::size_t tree) const {
+std::vector<double> SteadySystem<World>::bending(std::size_t subsystem) const {
   std::vector<double> bending;
-  for (const BodyData<World>& body : data(tree).bodies)
+  for (const BodyData<World>& body : data(subsystem).bodies)
     bending.push_back(find_large_deflection(body));
   return bending;
 }

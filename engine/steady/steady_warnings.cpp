@@ -1,10 +1,10 @@
-// Words as those of engine/simulation/observations.cpp, of one state in place of many.
+// Words warnings as engine/simulation/observations.cpp does, for one state in place of many.
 
 #include "engine/steady/steady_warnings.h"
 
 #include <sstream>
 
-#include "engine/kernels/suggested_bodies.h"
+#include "engine/plane/suggested_bodies.h"
 
 namespace spoke::steady {
 
@@ -12,18 +12,18 @@ LargestBending find_largest_bending(const EquilibriumResult& result) {
   LargestBending largest;
   for (std::size_t i = 0; i < result.blades.size(); ++i)
     for (std::size_t j = 0; j < result.blades[i].bending.size(); ++j)
-      // Blades that are alike differ by round-off: the first one is named.
+      // Subsystems that are alike differ by round-off: the first one is named.
       if (result.blades[i].bending[j] > largest.ratio * (1.0 + 1e-9))
         largest = {i, j, result.blades[i].bending[j]};
   return largest;
 }
 
 std::string name_body(const EquilibriumResult& result, const LargestBending& bending) {
-  const BladeEquilibrium& blade = result.blades.at(bending.blade);
-  const std::string body = blade.loads.size() > bending.body
-                               ? blade.loads[bending.body].body
+  const BladeEquilibrium& bent = result.blades.at(bending.subsystem);
+  const std::string body = bent.loads.size() > bending.body
+                               ? bent.loads[bending.body].body
                                : "body " + std::to_string(bending.body + 1);
-  return blade.name + " / " + body;
+  return bent.name + " / " + body;
 }
 
 void add_warnings(const Scenario& scenario, EquilibriumResult& result) {
@@ -36,12 +36,12 @@ void add_warnings(const Scenario& scenario, EquilibriumResult& result) {
     text << 100.0 * largest.ratio << " % of its length, more than " << 100.0 * limit
          << " %, up to which its linear elasticity holds: cut the beam into more bodies";
   } else {
-    const Blade& blade = scenario.rotor.blades.at(largest.blade);
+    const Blade& blade = scenario.rotor.blades.at(largest.subsystem);
     const double length = blade.length / blade.bodies;
     text << largest.ratio * length << " m, " << 100.0 * largest.ratio << " %, more than "
          << 100.0 * limit << " % of its length of " << length
          << " m, up to which its linear elasticity holds: cut the blade into about "
-         << suggest_bodies(blade.bodies, largest.ratio, limit) << " bodies instead of "
+         << plane::suggest_bodies(blade.bodies, largest.ratio, limit) << " bodies instead of "
          << blade.bodies;
   }
   result.warnings.push_back({WarningKind::linear_range, 0.0, text.str()});

@@ -1,4 +1,4 @@
-// Lists that several nodes declare.
+// Lists of parts that several nodes declare.
 
 #include "engine/step/assembly.h"
 
@@ -13,13 +13,14 @@ using graph::PartId;
 template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j) {
   PartList list;
-  if (g.c.data.subsystems[i].bodies[j].applied.empty()) return list;  // spares a look at all blades
+  if (g.c.data.subsystems[i].bodies[j].applied.empty())
+    return list;  // spares a look at all subsystems
   for (std::size_t first = 0; first < g.parts.subsystems.size(); ++first) {
     const std::vector<LoadData<World>>& loads = g.c.data.subsystems[first].loads;
     for (std::size_t k = 0; k < loads.size(); ++k)
       if (std::any_of(loads[k].markers.begin(), loads[k].markers.end(),
                       [i, j](const PlacedMarker<World>& marker) {
-                        return marker.blade == i && marker.body == j;
+                        return marker.subsystem == i && marker.body == j;
                       }))
         list.push_back(g.parts.subsystems[first].loads[k]);
   }

@@ -1,10 +1,11 @@
 #pragma once
 
-// What the sources that add the nodes of a pass share.
+// Helpers of the sources that add the nodes of a pass.
 
 #include <vector>
 
 #include "engine/formulation/tree_joints.h"
+#include "engine/step/stages.h"
 #include "engine/step/step_context.h"
 #include "engine/step/step_parts.h"
 #include "graph/step_graph.h"
@@ -13,7 +14,7 @@ namespace spoke {
 
 using PartList = std::vector<graph::PartId>;
 
-/// What adds nodes, and the pass they belong to.
+/// The builder of a graph, the context of its nodes, and the pass that they belong to.
 template <class World>
 struct Assembly {
   SystemContext<World>& c;
@@ -21,13 +22,13 @@ struct Assembly {
   graph::StepGraphBuilder& builder;
   int pass = -1;
 
-  const SubsystemParts& blade(int i) const { return parts.subsystems[i]; }
+  const SubsystemParts& subsystem(int i) const { return parts.subsystems[i]; }
   graph::NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
     return {stage, subsystem, body, pass};
   }
 };
 
-/// The body of a node that has nothing to do while its progress is halted.
+/// Makes the body of a node that has nothing to do while its progress is halted.
 template <class Body>
 auto unless_halted(const StepProgress& progress, Body body) {
   return [&progress, body]() noexcept {
@@ -35,7 +36,7 @@ auto unless_halted(const StepProgress& progress, Body body) {
   };
 }
 
-/// The loads of the user's that act on body `j` of blade `i`.
+/// Returns the parts of the user's loads that act on body `j` of subsystem `i`.
 template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j);
 /// Whether a body's joint has coordinates, whose accelerations then are among those of the body.

@@ -1,7 +1,10 @@
 // Begins the blocks of coordinates of a pass.
 
+#include <cassert>
+
+#include "engine/integrator/rotation.h"
 #include "engine/kernels/hub_motion.h"
-#include "engine/space/integrator/rotation.h"
+#include "engine/kernels/kinematics.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -21,13 +24,13 @@ void begin_coordinates(const Method& method, const PassControl& control,
   }
 }
 
-/// A joint's coordinates with the orientation of its spherical primitive, if it has one.
+/// Returns a joint's coordinates with the orientation of its spherical primitive, if it has one.
 space::RotationBlock rotation_block(BodyData<Space>& body) {
   const space::Joint& joint = body.model->joint.joint;
   return {&body.joint.coordinates, joint.spherical_at, body.joint.rotation, joint.spherical_frame};
 }
 
-// Of the joints that carry the bodies; those of the plane have no coordinates.
+// Coordinates of the joints that carry the bodies; planar joints have none.
 
 void begin_joint(const Method&, const PassControl&, BodyData<Plane>&) {}
 void begin_joint(const Method& method, const PassControl& control, BodyData<Space>& body) {
@@ -35,7 +38,7 @@ void begin_joint(const Method& method, const PassControl& control, BodyData<Spac
   begin_coordinates(method, control, rotation_block(body));
 }
 
-// The hub's free coordinates; those that are prescribed follow.
+// Coordinates of the hub: first the free ones; those that are prescribed follow.
 
 void begin_hub_coordinates(const System<Plane>&, const Method& method, const PassControl& control,
                            StepData<Plane>& data) {
@@ -59,6 +62,7 @@ void begin_hub_coordinates(const System<Space>& system, const Method& method,
 
 template <class World>
 void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcept {
+  assert(subsystem.progress);
   const PassControl& control = subsystem.progress->control;
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {

@@ -1,14 +1,13 @@
-// What these nodes read, write and call.
+// Declares what these nodes read and write, and adds them.
 
 #include "engine/step/closing_nodes.h"
 
 #include "engine/kernels/hub_solve.h"
-#include "engine/kernels/joint_values.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
-#include "engine/kernels/section_balance.h"
-#include "engine/kernels/spatial_samples.h"
+#include "engine/plane/section_balance.h"
+#include "engine/space/joint_values.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -18,18 +17,19 @@ using graph::PartId;
 using graph::reads;
 using graph::writes;
 
-/// What keeping the loads of the joints reads.
+/// Returns the parts that keeping the loads of the joints reads.
 template <class World>
 PartList joint_load_inputs(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  PartList inputs{blade.wrenches, blade.rotations};
+  const SubsystemParts& own = g.subsystem(i);
+  PartList inputs{own.wrenches, own.rotations};
   if (!g.c.system.subsystems[i].bodies.front().stiffening) return inputs;
-  inputs.push_back(blade.hub_acceleration);
-  for (const PartId terms : blade.all(&BodyParts::terms)) inputs.push_back(terms);
+  inputs.push_back(own.hub_acceleration);
+  for (const PartId terms : own.all(&BodyParts::terms)) inputs.push_back(terms);
   return inputs;
 }
 
-/// What the scenario's sensors read beyond the places, twists and loads of joints of the blade.
+/// Returns the parts that the scenario's sensors read beyond the places, twists and loads of joints
+/// of the subsystem.
 PartList reading_inputs(const Assembly<Plane>& g, int i) {
   PartList inputs;
   const std::vector<Reading<Plane>>& readings = g.c.data.subsystems[i].readings;
@@ -44,7 +44,7 @@ PartList reading_inputs(const Assembly<Plane>& g, int i) {
     if (is_load) add(loads_on(g, i, reading.body));
     if (!is_accelerated) continue;
     for (int j = 0; j <= reading.body; ++j)
-      inputs.push_back(g.blade(i).bodies[static_cast<std::size_t>(j)].accelerations);
+      inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
     if (feels_hub && g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
   }
   return inputs;
@@ -60,16 +60,17 @@ PartList reading_inputs(const Assembly<Space>& g, int i) {
     if (is_load) add(loads_on(g, i, reading.body()));
     if (!is_load && !is_motion(reading.quantity)) continue;
     for (const int j : reading.path)
-      inputs.push_back(g.blade(i).bodies[static_cast<std::size_t>(j)].accelerations);
+      inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
     if (g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
   }
   return inputs;
 }
 
-/// What calculating a sample writes besides it: in space kernels share the workspaces.
+/// Return the parts that calculating a sample writes besides it: spatial kernels share the
+/// workspaces.
 PartList sample_outputs(const Assembly<Plane>&, int) { return {}; }
 PartList sample_outputs(const Assembly<Space>& g, int i) {
-  return g.blade(i).all(&BodyParts::scratch);
+  return g.subsystem(i).all(&BodyParts::scratch);
 }
 
 void keep_readings(const SystemContext<Plane>& c, std::size_t i, std::int64_t step,
@@ -79,9 +80,9 @@ void keep_readings(const SystemContext<Plane>& c, std::size_t i, std::int64_t st
 }
 void keep_readings(const SystemContext<Space>& c, std::size_t i, std::int64_t step,
                    StepData<Space>& table) {
-  SubsystemData<Space>& tree = table.subsystems[i];
-  if (tree.reading_count > 0) keep_joint_values(c.system.subsystems[i], step, tree);
-  if (!tree.readings.empty())
+  SubsystemData<Space>& own = table.subsystems[i];
+  if (own.reading_count > 0) keep_joint_values(c.system.subsystems[i], step, own);
+  if (!own.readings.empty())
     calc_readings(c.system, i, step, static_cast<double>(step) * step_size(c.integrator), table);
 }
 
@@ -94,7 +95,7 @@ void add_finish(const Assembly<World>& g) {
   const bool is_corrected = corrects_hub(g);
   PartList outputs{parts.progress, parts.records};
   if (is_corrected) outputs.push_back(parts.hub_state);
-  g.builder.add_node(g.label("finish"),
+  g.builder.add_node(g.label(stages::kFinish),
                      reads(outputs, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
                            parts.hub_solution, parts.hub_state, parts.hub_coordinates),
                      writes(outputs), [&c, is_corrected]() noexcept {
@@ -104,7 +105,7 @@ void add_finish(const Assembly<World>& g) {
                          return;
                        }
                        finish_system(c.system, c.integrator, c.data);
-                       // For the sensors: the last correction has moved the hub once more.
+                       // The sensors need it: the last correction has moved the hub once more.
                        if (is_corrected && progress.completed >= 0)
                          c.data.hub = calc_hub_state(c.data);
                      });
@@ -112,38 +113,37 @@ void add_finish(const Assembly<World>& g) {
 
 template <class World>
 void add_subsystem_finish(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   const Integrator& integrator = g.c.integrator;
   const Window& window = g.c.data.window;
   SubsystemData<World>& data = g.c.data.subsystems[i];
-  g.builder.add_node(
-      g.label("finish", i),
-      reads(blade.progress, blade.all(&BodyParts::report), blade.all(&BodyParts::terms),
-            blade.effective, blade.hub_state, blade.records),
-      writes(blade.progress, blade.records),
-      [&hub = g.c.system.hub, &integrator, &window, &data]() noexcept {
-        if (data.progress->is_halted)
-          data.progress->completed = StepProgress::kNone;
-        else
-          finish_subsystem<World>(hub, integrator, window, data);
-      });
+  g.builder.add_node(g.label(stages::kFinish, i),
+                     reads(own.progress, own.all(&BodyParts::report), own.all(&BodyParts::terms),
+                           own.effective, own.hub_state, own.records),
+                     writes(own.progress, own.records),
+                     [&hub = g.c.system.hub, &integrator, &window, &data]() noexcept {
+                       if (data.progress->is_halted)
+                         data.progress->completed = StepProgress::kNone;
+                       else
+                         finish_subsystem<World>(hub, integrator, window, data);
+                     });
 }
 
 template <class World>
 void add_sensors(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   const SystemContext<World>& c = g.c;
   StepData<World>& table = g.c.data;
   SubsystemData<World>& data = table.subsystems[i];
   const bool is_corrected = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
-  PartList outputs{blade.poses, blade.samples, blade.joint_loads};
-  if (data.reading_count > 0) outputs.push_back(blade.readings);
+  PartList outputs{own.poses, own.samples, own.joint_loads};
+  if (data.reading_count > 0) outputs.push_back(own.readings);
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
-  const PartList inputs{blade.rotations, blade.twists};
+  const PartList inputs{own.rotations, own.twists};
   if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
-  g.builder.add_node(g.label("sensors", i),
-                     reads(blade.progress, blade.all(&BodyParts::coordinates), blade.hub_state,
-                           inputs, joint_load_inputs(g, i), reading_inputs(g, i), outputs),
+  g.builder.add_node(g.label(stages::kSensors, i),
+                     reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,
+                           joint_load_inputs(g, i), reading_inputs(g, i), outputs),
                      writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
                        const std::int64_t step = data.progress->completed;
                        if (step < 0) return;

@@ -1,18 +1,19 @@
 #pragma once
 
-// The nodes with which a pass ends: what the integrator makes of it, and the sensors.
+// The nodes with which a pass ends: the integrator takes its results, and the sensors read them.
 
 #include "engine/step/assembly.h"
 
 namespace spoke {
 
-/// Ends the pass of the system.
+/// Adds the node that ends the pass of the system.
 template <class World>
 void add_finish(const Assembly<World>& g);
-/// Ends the pass of blade `i`, with its own progress.
+/// Adds the node that ends the pass of subsystem `i`, with its own progress.
 template <class World>
 void add_subsystem_finish(const Assembly<World>& g, int i);
-/// What the sensors show of blade `i`, if the pass has completed a step that is observed.
+/// Adds the node that samples subsystem `i` for the sensors, if the pass has completed a step that
+/// is observed.
 template <class World>
 void add_sensors(const Assembly<World>& g, int i);
 

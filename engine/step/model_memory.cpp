@@ -12,7 +12,7 @@
 namespace spoke {
 namespace {
 
-/// Memory of the step graph of one pass, while it is built [bytes].
+/// Returns the memory of the step graph of one pass, while it is built [bytes].
 template <class World>
 double estimate_graph_memory(const System<World>& system) {
   const double nodes = 3.0 + 8.0 * static_cast<double>(system.subsystems.size()) +

@@ -1,13 +1,14 @@
 #pragma once
 
-// How much memory a model takes, and whether this machine has it.
+// The memory that a model takes, and whether this machine has it.
 
 #include "engine/formulation/formulation.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
 
-/// What data and step graph of a model take, by measurements of models of many sizes [bytes].
+/// Estimates the memory of data and step graph of a model, by measurements of models of many sizes
+/// [bytes].
 template <class World>
 double estimate_model_memory(const System<World>& system, Formulation formulation);
 

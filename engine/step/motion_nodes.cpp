@@ -1,15 +1,15 @@
-// What these nodes read, write and call.
+// Declares what these nodes read and write, and adds them.
 
 #include "engine/step/motion_nodes.h"
 
 #include <algorithm>
 
 #include "engine/kernels/applied_forces.h"
-#include "engine/kernels/blade_loads.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
-#include "engine/kernels/spatial_terms.h"
+#include "engine/plane/section_loads.h"
+#include "engine/space/table_terms.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -19,31 +19,32 @@ using graph::NodeLabel;
 using graph::reads;
 using graph::writes;
 
-/// Coordinates that the kinematics of a chain read: of the tip body those of its inboard handle
-/// only, which a clamped frame has none of.
+/// Returns the coordinates that the kinematics of a subsystem read. Of a planar tip body they are
+/// those of its inboard handle only; a clamped frame has none.
 template <class World>
 PartList chain_coordinates(const Assembly<World>& g, int i) {
-  PartList list = g.blade(i).all(&BodyParts::coordinates);
+  PartList list = g.subsystem(i).all(&BodyParts::coordinates);
   if constexpr (!tree::kHasJointCoordinates<World>)
     if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
   return list;
 }
 
-/// What the places of a load's markers depend on: on each of its blades the bodies up to the
-/// outermost marker's own; in space the handles of those inboard are with the rotations.
+/// Returns the parts on which the places of a load's markers depend: on each of its subsystems the
+/// bodies up to the outermost marker's own; in space the handles of those inboard are with the
+/// rotations.
 template <class World>
 PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
-  const SubsystemParts& first = g.blade(load.blades.front());
+  const SubsystemParts& first = g.subsystem(load.subsystems.front());
   PartList inputs{first.progress, first.hub_state};
-  for (const int i : load.blades) {
-    const SubsystemParts& blade = g.blade(i);
+  for (const int i : load.subsystems) {
+    const SubsystemParts& own = g.subsystem(i);
     int last = 0;
     for (const PlacedMarker<World>& marker : load.markers)
-      if (marker.blade == i) last = std::max(last, marker.body);
-    inputs.push_back(blade.rotations);
-    inputs.push_back(blade.twists);
+      if (marker.subsystem == i) last = std::max(last, marker.body);
+    inputs.push_back(own.rotations);
+    inputs.push_back(own.twists);
     for (int j = 0; j <= last; ++j)
-      inputs.push_back(blade.bodies[static_cast<std::size_t>(j)].coordinates);
+      inputs.push_back(own.bodies[static_cast<std::size_t>(j)].coordinates);
   }
   return inputs;
 }
@@ -51,7 +52,7 @@ PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
 /// Whether an implicit step has tension of any body of a subsystem on its left-hand side.
 template <class World>
 bool needs_angular_accelerations(const Assembly<World>& g, int i) {
-  const std::vector<BodyParts>& bodies = g.blade(i).bodies;
+  const std::vector<BodyParts>& bodies = g.subsystem(i).bodies;
   return std::any_of(bodies.begin(), bodies.end(),
                      [](const BodyParts& body) { return !body.tension.empty(); });
 }
@@ -63,7 +64,7 @@ void add_hub_motion(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
   g.builder.add_node(
-      g.label("hub motion"), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
+      g.label(stages::kHubMotion), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
       writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
       unless_halted(c.data.progress[0],
                     [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
@@ -71,12 +72,12 @@ void add_hub_motion(const Assembly<World>& g) {
 
 template <class World>
 void add_prescribed_hub_motion(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   const SubsystemData<World>& data = g.c.data.subsystems[i];
   const SystemContext<World>& c = g.c;
   PrescribedHub<World>& prescribed = g.c.data.subsystems[i].prescribed;
   g.builder.add_node(
-      g.label("hub motion", i), reads(blade.progress, blade.hub_state), writes(blade.hub_state),
+      g.label(stages::kHubMotion, i), reads(own.progress, own.hub_state), writes(own.hub_state),
       unless_halted(*data.progress, [&c, &prescribed, &progress = *data.progress]() noexcept {
         if (is_at_new_time(c.integrator.method, progress.control))
           prescribed = calc_prescribed_motion(c.system, progress.control.time);
@@ -85,16 +86,16 @@ void add_prescribed_hub_motion(const Assembly<World>& g, int i) {
 
 template <class World>
 void add_coordinates(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const PartList coordinates = blade.all(&BodyParts::coordinates);
-  const PartList history = blade.all(&BodyParts::history);
-  const PartList accelerations = blade.all(&BodyParts::accelerations);
+  const SubsystemParts& own = g.subsystem(i);
+  const PartList coordinates = own.all(&BodyParts::coordinates);
+  const PartList history = own.all(&BodyParts::history);
+  const PartList accelerations = own.all(&BodyParts::accelerations);
   const Method& method = g.c.integrator.method;
   PartList predicted;
   if (std::holds_alternative<GeneralizedAlpha>(method)) predicted = accelerations;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(
-      g.label("coordinates", i), reads(blade.progress, coordinates, history, accelerations),
+      g.label(stages::kCoordinates, i), reads(own.progress, coordinates, history, accelerations),
       writes(coordinates, history, predicted),
       unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
 }
@@ -105,37 +106,38 @@ void add_position(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList inputs = chain_coordinates(g, i);
   if constexpr (tree::kHasJointCoordinates<World>)
-    inputs.push_back(g.blade(i).rotations);  // sets the handles
-  g.builder.add_node(
-      g.label("position", i), reads(g.blade(i).progress, inputs), writes(g.blade(i).rotations),
-      unless_halted(*data.progress,
-                    [&subsystem, &data]() noexcept { calc_rotations(subsystem, data); }));
+    inputs.push_back(g.subsystem(i).rotations);  // the node sets the handles, too
+  g.builder.add_node(g.label(stages::kPosition, i), reads(g.subsystem(i).progress, inputs),
+                     writes(g.subsystem(i).rotations),
+                     unless_halted(*data.progress, [&subsystem, &data]() noexcept {
+                       calc_rotations(subsystem, data);
+                     }));
 }
 
 template <class World>
 void add_velocity(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   const System<World>& system = g.c.system;
   const Subsystem<World>& subsystem = system.subsystems[i];
   StepData<World>& table = g.c.data;
   SubsystemData<World>& data = table.subsystems[i];
-  PartList outputs{blade.twists}, azimuth;
-  if (!data.drag_poses.empty()) outputs.push_back(blade.drag_poses);
+  PartList outputs{own.twists}, azimuth;
+  if (!data.drag_poses.empty()) outputs.push_back(own.drag_poses);
   if constexpr (tree::kHasJointCoordinates<World>)
-    outputs.push_back(blade.rotations);  // with the joints
+    outputs.push_back(own.rotations);  // the node sets the joints, too
   if constexpr (tree::kHasJointCoordinates<World>)
     if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts.hub_coordinates);
   const bool has_tension = needs_angular_accelerations(g, i);
   PartList accelerations;
   if (has_tension) {
-    accelerations = blade.all(&BodyParts::accelerations);
-    for (const BodyParts& body : blade.bodies)
+    accelerations = own.all(&BodyParts::accelerations);
+    for (const BodyParts& body : own.bodies)
       accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
     if (table.is_coupled) accelerations.push_back(g.parts.hub_coordinates);
   }
-  g.builder.add_node(g.label("velocity", i),
-                     reads(blade.progress, chain_coordinates(g, i), blade.rotations,
-                           blade.hub_state, azimuth, accelerations),
+  g.builder.add_node(g.label(stages::kVelocity, i),
+                     reads(own.progress, chain_coordinates(g, i), own.rotations, own.hub_state,
+                           azimuth, accelerations),
                      writes(outputs),
                      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
                                                     has_tension]() noexcept {
@@ -154,9 +156,10 @@ void add_loads_of_user(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < data.loads.size(); ++k) {
     LoadData<World>& load = data.loads[k];
-    const NodeLabel label = load.blades.size() > 1 ? g.label("load") : g.label("load", i);
+    const NodeLabel label =
+        load.subsystems.size() > 1 ? g.label(stages::kLoad) : g.label(stages::kLoad, i);
     g.builder.add_node(
-        label, reads(load_inputs(g, load)), writes(g.blade(i).loads[k]),
+        label, reads(load_inputs(g, load)), writes(g.subsystem(i).loads[k]),
         unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
           evaluate_load(progress.control.time, c.system, c.data, load);
         }));
@@ -165,33 +168,33 @@ void add_loads_of_user(const Assembly<World>& g, int i) {
 
 namespace {
 
-/// What the forces that are applied to the bodies of a subsystem depend on.
+/// Returns the parts on which the forces that are applied to the bodies of a subsystem depend.
 template <class World>
 PartList force_inputs(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   const SubsystemData<World>& data = g.c.data.subsystems[i];
-  PartList inputs{blade.progress};
+  PartList inputs{own.progress};
   const auto add = [&inputs](auto... parts) { (inputs.push_back(parts), ...); };
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData<World>& body = data.bodies[j];
     const TreeBody<World>& model = *body.model;
     const bool has_pose = !model.drags.empty() && !data.drag_poses.empty();
-    if (depend_on_pose(body) && !has_pose) add(blade.rotations);
+    if (depend_on_pose(body) && !has_pose) add(own.rotations);
     if (depend_on_pose(body) && !(model.loads.empty() && model.drags.empty()))
-      add(blade.bodies[j].coordinates);
-    if (!model.drags.empty()) add(blade.twists, blade.hub_state);
-    if (has_pose) add(blade.drag_poses);
+      add(own.bodies[j].coordinates);
+    if (!model.drags.empty()) add(own.twists, own.hub_state);
+    if (has_pose) add(own.drag_poses);
     if (std::any_of(model.loads.begin(), model.loads.end(), [](const BodyLoad<World>& load) {
           return load.frame == decltype(load.frame)::inertial;
         }))
-      add(blade.hub_state);
+      add(own.hub_state);
     const PartList loads = loads_on(g, i, static_cast<int>(j));
     inputs.insert(inputs.end(), loads.begin(), loads.end());
     if (!has_slide(model)) continue;
-    add(blade.bodies[j].coordinates);
+    add(own.bodies[j].coordinates);
     for (int k = model.parent; k >= 0; k = data.bodies[static_cast<std::size_t>(k)].model->parent)
       if (data.bodies[static_cast<std::size_t>(k)].model->stiffening)
-        add(blade.bodies[static_cast<std::size_t>(k)].coordinates);
+        add(own.bodies[static_cast<std::size_t>(k)].coordinates);
   }
   return inputs;
 }
@@ -204,7 +207,8 @@ void add_applied_forces(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = table.subsystems[i];
   if (data.applied_forces.empty()) return;
   g.builder.add_node(
-      g.label("applied forces", i), reads(force_inputs(g, i)), writes(g.blade(i).applied_forces),
+      g.label(stages::kAppliedForces, i), reads(force_inputs(g, i)),
+      writes(g.subsystem(i).applied_forces),
       unless_halted(*data.progress, [&system = g.c.system, &table, &data, i]() noexcept {
         calc_applied_forces(system, static_cast<std::size_t>(i), data.progress->control.time,
                             table);
@@ -222,7 +226,7 @@ void add_flight_acceleration(const Assembly<World>& g) {
     if (!data.applied_forces.empty()) inputs.push_back(g.parts.subsystems[i].applied_forces);
   }
   if (!is_needed) return;
-  g.builder.add_node(g.label("flight acceleration"), reads(inputs),
+  g.builder.add_node(g.label(stages::kFlightAcceleration), reads(inputs),
                      writes(g.parts.flight_acceleration),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
                        calc_flight_acceleration(c.system, c.data.progress[0].control.time, c.data);

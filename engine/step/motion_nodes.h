@@ -7,28 +7,31 @@
 
 namespace spoke {
 
-/// The hub's motion where it has a free coordinate, or is solved for with all else.
+/// Adds the node of the hub's motion where it has a free coordinate, or is solved for with all
+/// else.
 template <class World>
 void add_hub_motion(const Assembly<World>& g);
-/// The hub's motion as blade `i` follows it, where it is prescribed.
+/// Adds the node of the hub's motion as subsystem `i` follows it, where it is prescribed.
 template <class World>
 void add_prescribed_hub_motion(const Assembly<World>& g, int i);
-/// The coordinates that the integrator sets for the pass.
+/// Adds the node in which the integrator sets the coordinates for the pass.
 template <class World>
 void add_coordinates(const Assembly<World>& g, int i);
-/// Rotations of the bodies.
+/// Adds the node of the bodies' rotations.
 template <class World>
 void add_position(const Assembly<World>& g, int i);
-/// Twists of the bodies; their poses only where drag depends on them.
+/// Adds the node of the bodies' twists, and of their poses only where drag depends on them.
 template <class World>
 void add_velocity(const Assembly<World>& g, int i);
-/// Loads whose first blade this is. A load between blades is a node of no blade.
+/// Adds the nodes of the loads whose first subsystem is `i`. A load between subsystems is a node of
+/// no subsystem.
 template <class World>
 void add_loads_of_user(const Assembly<World>& g, int i);
-/// The sums of applied forces along a blade, where tension depends on them.
+/// Adds the node that sums the applied forces along a subsystem, where tension depends on them.
 template <class World>
 void add_applied_forces(const Assembly<World>& g, int i);
-/// Of a hub that flies: what they accelerate its mass centre by, likewise.
+/// Adds the node of the acceleration that the applied forces give the mass centre of a hub that
+/// flies, where tension depends on it.
 template <class World>
 void add_flight_acceleration(const Assembly<World>& g);
 

@@ -1,9 +1,9 @@
-// Hands accelerations to the integrator, and sums the reports of
-// bodies.
+// Hands accelerations to the integrator, and sums the reports of bodies.
 
 #include "engine/step/pass_integration.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -17,8 +17,10 @@
 namespace spoke {
 namespace {
 
-/// Sum of the squares of a body's coordinates, which are even in number or followed by a zero.
+/// Returns the sum of the squares of a body's coordinates, which are even in number or followed by
+/// a zero.
 double sum_squares(const CoordinateBlock& coordinates) {
+  assert(coordinates.margin % 2 == 0 && coordinates.gap_end % 2 == 0);
   const double* q = coordinates.q;
   Double2 sum{};
   coordinates.for_parts([&](int first, int n) {
@@ -27,8 +29,8 @@ double sum_squares(const CoordinateBlock& coordinates) {
   return total(sum);
 }
 
-/// Length by which deformations are limited [m].
-double extent_of(const FlexibleBody& body) { return body.length; }
+/// Returns the length by which deformations are limited [m].
+double extent_of(const plane::FlexibleBody& body) { return body.length; }
 double extent_of(const space::Body& body) { return body.extent(); }
 
 /// Whether a body surely is within its limits: one comparison, which NaN and infinity fail as well.
@@ -48,7 +50,7 @@ Correction correct_by_share(const GeneralizedAlpha& method, double share, const 
 Correction take_accelerations(const Method& method, const PassControl& control, const double* found,
                               CoordinateBlock& block) {
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
-  if (!alpha) return {};  // of rk4 they are the block's own
+  if (!alpha) return {};  // rk4 finds them in the block itself
   if (control.stage == PassControl::kEvaluateOnly) {
     block.for_parts([&](int first, int n) { std::copy_n(found + first, n, block.a + first); });
     return {};
@@ -88,9 +90,9 @@ void add_largest(const SubsystemData<World>& subsystem, int i, PassReport& sum) 
   }
 }
 
-/// Adds what blade `blade` did.
+/// Adds the record of subsystem `i`.
 template <class World>
-void add_record(const ReactionRecord<World>& record, int blade, SystemRecord<World>& sum) {
+void add_record(const ReactionRecord<World>& record, int i, SystemRecord<World>& sum) {
   StepRecord& step = sum.step;
   step.passes = std::max(step.passes, record.step.passes);
   step.work += record.step.work;
@@ -98,18 +100,18 @@ void add_record(const ReactionRecord<World>& record, int blade, SystemRecord<Wor
   sum.reaction += record.reaction;
   const LargeDeflection& deflection = record.step.deflection;
   if (deflection.ratio > step.deflection.ratio)
-    step.deflection = {deflection.ratio, blade, deflection.body};
+    step.deflection = {deflection.ratio, i, deflection.body};
   const StepError& error = record.step.error;
-  if (error.size > step.error.size) step.error = {error.size, blade, error.body, error.place};
+  if (error.size > step.error.size) step.error = {error.size, i, error.body, error.place};
 }
 
-/// On the hub's own inertia, which turns faster [J].
+/// Returns the work on the hub's own inertia, which turns faster [J].
 template <class World>
 double work_on_hub(const System<World>& system, double speed_before, double speed) {
   return 0.5 * axial_inertia(system.hub) * (speed * speed - speed_before * speed_before);
 }
 
-/// Of gravity on the hub itself [W]; hub frame.
+/// Returns the power of gravity on the hub itself [W]; hub frame.
 double gravity_power(const Hub& hub, const Position& gravity, const Twist& twist) {
   return hub.mass * gravity.dot(linear(twist));
 }
@@ -122,14 +124,15 @@ double gravity_power(const space::Hub& hub, const space::Position& gravity,
 bool has_mount(const Hub&) { return false; }
 bool has_mount(const space::Hub& hub) { return hub.mount.has_value(); }
 
-/// What a mount that moves does to the hub besides turning it about the axle [W].
+/// Returns the power of a moving mount on the hub besides turning it about the axle [W].
 double mount_power(const Hub&, const Twist&, const Twist&) { return 0.0; }
 double mount_power(const space::Hub& hub, const space::Twist& reaction, const space::Twist& twist) {
   if (!hub.mount) return 0.0;
   return reaction.head<Space::kAxial>().dot(twist.head<Space::kAxial>());
 }
 
-/// Of a hub alone: kinetic, less the work of gravity, which is that of a load if it rises [J].
+/// Returns the energy of a hub alone: kinetic, less the work of gravity, which is that of a load if
+/// it rises [J].
 double mechanical_energy(const System<Space>& system, const HubState<Space>& hub) {
   const double kinetic = 0.5 * hub.twist.dot(system.hub.inertia * hub.twist);
   if (system.gravity_ramp > 0.0) return kinetic;
@@ -138,7 +141,7 @@ double mechanical_energy(const System<Space>& system, const HubState<Space>& hub
   return kinetic - system.gravity.dot(system.hub.mass * hub.p + hub.R * moment);
 }
 
-/// Place, velocity and orientation of the hub at the end of a step.
+/// Records place, velocity and orientation of the hub at the end of a step.
 template <class World>
 void record_hub(const StepData<World>& data, SystemRecord<World>& record) {
   record.position = Eigen::Map<const TwistOf<World>>(data.hub_coordinates.q);
@@ -147,7 +150,7 @@ void record_hub(const StepData<World>& data, SystemRecord<World>& record) {
     record.hub_rotation = {calc_hub_state(data).R, data.hub_attitude.mount_spin};
 }
 
-// Of the joints that carry the bodies; those of the plane have no coordinates.
+// Coordinates of the joints that carry the bodies; planar joints have none.
 
 double complete_joint(const Method&, const PassControl&, BodyData<Plane>&) { return 0.0; }
 double complete_joint(const Method& method, const PassControl& control, BodyData<Space>& body) {
@@ -183,8 +186,8 @@ void complete_body(const Method& method, const PassControl& control,
   body.report.error = error;
   const bool is_rk4_step = std::holds_alternative<Rk4>(method) && control.stage == 0;
   const double squares = is_rk4_step ? sum_squares(body.coordinates) : correction.squares;
-  // Whatever is wrong with the deformation's accelerations is wrong with the frame's, too. Limits
-  // are those of states: rk4's stages within a step are none.
+  // An error in the deformation's accelerations is one in the frame's, too. Limits are those of
+  // states: rk4's stages within a step are none.
   const bool is_fine = is_finite(body.X) && (is_small(squares, body) || !has_left_limits(body));
   body.report.failed = !is_fine;
   body.report.deflection = squares <= body.surely_linear ? 0.0 : find_large_deflection(body);
@@ -240,7 +243,7 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   StepProgress& progress = data.progress[0];
   const HubSolution<World>& hub = data.hub_solution;
   PassReport report;
-  // Of a rotation that is prescribed in space the step's work on the hub's own inertia is known.
+  // Where the rotation in space is prescribed, the step's work on the hub's own inertia is known.
   const bool is_turned = is_prescribed(system.hub, World::kAxial) && !has_mount(system.hub);
   const double known =
       is_turned ? axial_inertia(system.hub) * hub.acceleration[World::kAxial] : 0.0;
@@ -276,7 +279,8 @@ void finish_system(const System<World>& system, const Integrator& integrator,
 
 namespace {
 
-/// Work on a hub whose whole motion is prescribed in a step, besides that on its subsystems [J].
+/// Returns the work on a hub whose whole motion is prescribed in a step, besides that on its
+/// subsystems [J].
 double work_in_step(const System<Plane>& system, double, double speed_before,
                     const StepData<Plane>& data) {
   return work_on_hub(system, speed_before, data.hub_coordinates.v[Plane::kAxial]);
@@ -287,12 +291,13 @@ double work_in_step(const System<Space>& system, double t_before, double,
          mechanical_energy(system, calc_prescribed_motion(system, t_before).state);
 }
 
-/// The hub at the end of a step; of that in the plane its orientation, where anything depends on
+/// Returns the hub at the end of a step; in the plane its orientation, where anything depends on
 /// it.
 HubState<Plane> state_in_record(const System<Plane>& system, const StepData<Plane>& data) {
   const CoordinateBlock& hub = data.hub_coordinates;
   const bool needs_rotation = system.gravity != Position(0.0, 0.0) || !system.hub_loads.empty();
-  return {Position::Zero(), needs_rotation ? rotation_of(system.hub, hub.q[kRotation]) : Rotation{},
+  return {Position::Zero(),
+          needs_rotation ? rotation_of(system.hub, hub.q[kRotation]) : plane::Rotation{},
           Twist::Map(hub.v)};
 }
 HubState<Space> state_in_record(const System<Space>&, const StepData<Space>& data) {
@@ -314,7 +319,7 @@ void record_reactions(const System<World>& system, const Integrator& integrator,
     impose_hub_motion(system, t, hub);
     place_axle(system, t, data.hub_attitude);
     record_hub(data, record);
-    // Its own inertia takes what the subsystems leave of the work of support and drive.
+    // Support and drive do work on the hub's own inertia besides that on the subsystems.
     if (step > 0) record.step.work = work_in_step(system, t - h, speed_before, data);
     const HubState<World> state = state_in_record(system, data);
     HubSolution<World> applied{};

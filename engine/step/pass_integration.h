@@ -1,8 +1,8 @@
 #pragma once
 
-// Where a pass meets the integrator: at its start coordinates are set, at its end the integrator
-// takes the accelerations found, the state is checked, all reports are summed in fixed order, and
-// the progress moves on.
+// Start and end of a pass, where it meets the integrator: at its start coordinates are set, at its
+// end the integrator takes the accelerations found, the state is checked, all reports are summed in
+// fixed order, and the progress moves on.
 
 #include "engine/integrator/step_control.h"
 #include "engine/table/step_data.h"
@@ -16,7 +16,8 @@ void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcep
 /// Whether a pass stands at another time than the one before it.
 bool is_at_new_time(const Method& method, const PassControl& control) noexcept;
 
-/// Coupled: sets the hub's coordinates, the prescribed ones by the drive, and its state.
+/// Sets the hub's coordinates, the prescribed ones by the drive, and its state, in a coupled
+/// system.
 template <class World>
 void begin_hub(const System<World>& system, const Method& method, StepData<World>& data) noexcept;
 
@@ -27,30 +28,30 @@ template <class World>
 void complete_body(const Method& method, const PassControl& control,
                    BodyData<World>& body) noexcept;
 
-/// Coupled: hands the hub's acceleration to the integrator; prescribed components follow the drive.
-/// Reports the largest change of a free coordinate.
+/// Hands the hub's acceleration to the integrator, in a coupled system; prescribed components
+/// follow the drive. Reports the largest change of a free coordinate.
 template <class World>
 void complete_hub(const System<World>& system, const Method& method,
                   StepData<World>& data) noexcept;
 
-/// Not coupled: ends the pass of a subsystem, with its own progress.
+/// Ends the pass of a subsystem with its own progress, in a system that is not coupled.
 template <class World>
 void finish_subsystem(const typename World::Hub& hub, const Integrator& integrator,
                       const Window& window, SubsystemData<World>& subsystem) noexcept;
 
-/// Coupled: ends the pass of the system.
+/// Ends the pass of a coupled system.
 template <class World>
 void finish_system(const System<World>& system, const Integrator& integrator,
                    StepData<World>& data) noexcept;
 
-/// Not coupled: (P 9) where the hub's whole motion is prescribed, for every step that all
-/// subsystems have completed since the window began: the reaction, from the shares of the
-/// subsystems in their order, and the hub's motion.
+/// Solves (P 9) in a system that is not coupled, where the hub's whole motion is prescribed, for
+/// every step that all subsystems have completed since the window began: the reaction, from the
+/// shares of the subsystems in their order, and the hub's motion.
 template <class World>
 void record_reactions(const System<World>& system, const Integrator& integrator,
                       StepData<World>& data) noexcept;
 
-/// The last step that all subsystems have completed; -1: not even the start.
+/// Returns the last step that all subsystems have completed; -1: not even the start.
 std::int64_t last_complete_step(const StepTable& data) noexcept;
 
 }  // namespace spoke

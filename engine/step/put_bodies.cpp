@@ -1,4 +1,4 @@
-// Joints and deformations of each body.
+// Puts joints and deformations of each body.
 
 #include "engine/step/put_bodies.h"
 
@@ -21,6 +21,7 @@ const double* put_joint_of(const double* q, BodyData<Space>& body) {
 
 template <class World>
 void put_bodies(const std::vector<Eigen::VectorXd>& q, SystemContext<World>& context) {
+  assert(q.size() == context.data.subsystems.size());
   for (std::size_t i = 0; i < q.size(); ++i) {
     const double* next = q[i].data();
     for (BodyData<World>& body : context.data.subsystems[i].bodies) {

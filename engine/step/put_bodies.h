@@ -1,6 +1,6 @@
 #pragma once
 
-// Puts the bodies of a system where they are to start.
+// Start of the bodies of a system at given coordinates.
 
 #include <Eigen/Core>
 #include <vector>

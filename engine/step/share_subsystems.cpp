@@ -1,8 +1,9 @@
-// What the processes tell one another of the subsystems that each of them has.
+// Finds the places of the table that the processes tell one another, by the subsystems of each.
 
 #include "engine/step/share_subsystems.h"
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 #include <utility>
 
@@ -15,7 +16,7 @@ namespace {
 
 using graph::bytes_of;
 
-/// What finish_system() sums of a subsystem.
+/// Returns the memory of a subsystem that finish_system() sums.
 template <class World>
 MemoryPieces memory_of_reports(SubsystemData<World>& subsystem) {
   MemoryPieces memory;
@@ -33,7 +34,8 @@ MemoryPieces memory_of_reports(SubsystemData<World>& subsystem) {
   return memory;
 }
 
-/// What the steps of the window leave of subsystem `i`, to be recorded and measured.
+/// Adds the memory that the steps of the window leave of subsystem `i`, to be recorded and
+/// measured.
 template <class World>
 void add_window(StepData<World>& data, std::size_t i, MemoryPieces& memory) {
   SubsystemData<World>& subsystem = data.subsystems[i];
@@ -47,7 +49,7 @@ void add_window(StepData<World>& data, std::size_t i, MemoryPieces& memory) {
   }
 }
 
-/// `memory_of` each subsystem, by rank.
+/// Returns `memory_of` each subsystem, by rank.
 template <class MemoryOf>
 std::vector<MemoryPieces> by_rank(const std::vector<int>& first, const MemoryOf& memory_of) {
   std::vector<MemoryPieces> all(first.size() - 1);
@@ -75,6 +77,8 @@ std::vector<double> weights_of(const StepData<World>& data) {
 
 template <class World>
 void share_out(Exchange& exchange, SystemContext<World>& context) {
+  assert(context.formulation != Formulation::augmented && !context.data.has_loads());
+  assert(std::cmp_less_equal(exchange.count(), context.data.subsystems.size()));
   StepData<World>& data = context.data;
   const std::vector<int> first = share_out(weights_of(data), exchange.count());
   const auto inertia = [&data](std::size_t i) {

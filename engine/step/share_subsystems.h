@@ -1,6 +1,6 @@
 #pragma once
 
-// How the subsystems of a model are shared out over processes.
+// Sharing of the subsystems of a model over processes.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace spoke {
 
-/// What the subsystems cost, about: their coordinates, and the frames of their bodies.
+/// Estimates the costs of the subsystems: their coordinates, and the frames of their bodies.
 template <class World>
 std::vector<double> weights_of(const StepData<World>& data);
 /// Shares the subsystems of an allocated context out over the processes of `exchange`, which must

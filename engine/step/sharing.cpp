@@ -1,4 +1,4 @@
-// Shares out weights, and packs what the processes tell one another.
+// Shares out weights, and packs the values that the processes tell one another.
 
 #include "engine/step/sharing.h"
 

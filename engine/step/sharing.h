@@ -1,9 +1,9 @@
 #pragma once
 
-// A model whose subsystems are shared out over several processes: who has which, and what they tell
-// one another. Every process has the whole table. Its nodes are those of its own subsystems and of
-// the hub; what others found is put into the same places of the table as if it had found it itself,
-// so that all that follows has the same bits in every process.
+// A model whose subsystems are shared out over several processes: the subsystems of each, and the
+// values that they tell one another. Every process has the whole table. Its nodes are those of its
+// own subsystems and of the hub; results of others are put into the same places of the table as if
+// it had found them itself, so that all that follows has the same bits in every process.
 
 #include <cstddef>
 #include <optional>
@@ -14,8 +14,9 @@
 
 namespace spoke {
 
-/// Shares of neighbours with weights about equal in sum, none of them empty: the first index of
-/// each share, and at the end the number of weights. Precondition: 1 <= shares <= weights.size().
+/// Divides weights into shares of neighbours about equal in sum, none of them empty. Returns the
+/// first index of each share, and at the end the number of weights. Precondition: 1 <= shares <=
+/// weights.size().
 std::vector<int> share_out(std::span<const double> weights, int shares);
 
 /// Steps after which processes meet, at most, unless a window was asked for.
@@ -30,13 +31,13 @@ class SharedPlaces {
   /// `by_rank`: the places that each rank fills, of the same sizes in all processes.
   SharedPlaces(Exchange& exchange, std::vector<MemoryPieces> by_rank);
 
-  /// Gives what stands in the own places to the others, and fills in theirs.
+  /// Gives the values of the own places to the others, and fills in theirs.
   void share() noexcept;
 
  private:
   Exchange& exchange_;
   std::vector<MemoryPieces> places_;
-  std::vector<std::size_t> first_;  ///< byte of each rank
+  std::vector<std::size_t> first_;  ///< by rank, its first byte
   std::vector<std::byte> bytes_;
 };
 
@@ -44,11 +45,11 @@ class SharedPlaces {
 struct Sharing {
   Exchange& exchange;
   std::vector<int> first;  ///< by rank its first subsystem, and at the end their number
-  // Where the hub has a free coordinate, in every pass: effective inertias for the hub's solve, and
-  // what bodies report to its end.
+  // Places told in every pass where the hub has a free coordinate: effective inertias for the hub's
+  // solve, and the bodies' reports for the end of the pass.
   SharedPlaces inertias, reports;
-  SharedPlaces state;  ///< of the subsystems, see state_values.h
-  /// In every pass, where the hub flies and tension depends on it: sums of applied forces.
+  SharedPlaces state;  ///< state of the subsystems, see state_values.h
+  /// Sums of applied forces, told in every pass where the hub flies and tension depends on them.
   std::optional<SharedPlaces> forces;
 
   int own_first() const { return first[static_cast<std::size_t>(exchange.rank())]; }

@@ -1,11 +1,11 @@
-// What these nodes read, write and call, by formulation.
+// Declares what these nodes read and write, by formulation, and adds them.
 
 #include "engine/step/solution_nodes.h"
 
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
-#include "engine/kernels/spatial_terms.h"
+#include "engine/space/table_terms.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -22,27 +22,27 @@ bool clears_rows(const TreeBody<Space>& body) {
   return flexible && flexible->reference_frame == ReferenceFrame::chord;
 }
 
-/// What condensing or inverting a body writes.
+/// Return the parts that condensing or inverting a body writes.
 PartList inverse_outputs(const Assembly<Plane>& g, int i, int j) {
-  const BodyParts& parts = g.blade(i).bodies[j];
+  const BodyParts& parts = g.subsystem(i).bodies[j];
   return {parts.inverse, parts.workspace};
 }
 PartList inverse_outputs(const Assembly<Space>& g, int i, int j) {
-  const BodyParts& parts = g.blade(i).bodies[j];
+  const BodyParts& parts = g.subsystem(i).bodies[j];
   if (g.c.formulation != Formulation::structured) return {parts.inverse, parts.workspace};
   PartList outputs{parts.inverse, parts.port};
   if (clears_rows(g.c.system.subsystems[i].bodies[j])) outputs.push_back(parts.terms);
   return outputs;
 }
 
-/// What handing the hub's acceleration to the integrator reads.
+/// Returns the parts that handing the hub's acceleration to the integrator reads.
 template <class World>
 PartList hub_inputs(const Assembly<World>& g) {
   PartList inputs{g.parts.progress, g.parts.hub_state, g.parts.hub_coordinates};
   if (corrects_hub(g)) inputs.push_back(g.parts.hub_history);
   return inputs;
 }
-/// What solving for the hub's acceleration writes.
+/// Returns the parts that solving for the hub's acceleration writes.
 template <class World>
 PartList hub_outputs(const Assembly<World>& g) {
   PartList outputs{g.parts.hub_solution};
@@ -50,60 +50,61 @@ PartList hub_outputs(const Assembly<World>& g) {
   return outputs;
 }
 
-/// Multi-ports that recovery needs, and in space terms: forces of joints are among them. The tips'
-/// ports are in the effective inertia already.
+/// Returns the multi-ports that recovery needs, and in space the terms, forces of joints among
+/// them. The tips' ports are in the effective inertia already.
 template <class World>
 PartList inner_ports(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   if constexpr (tree::kHasJointCoordinates<World>) {
-    PartList ports = blade.ports;
-    for (const PartId terms : blade.all(&BodyParts::terms)) ports.push_back(terms);
+    PartList ports = own.ports;
+    for (const PartId terms : own.all(&BodyParts::terms)) ports.push_back(terms);
     return ports;
   } else {
-    PartList ports = blade.all(&BodyParts::inverse);
+    PartList ports = own.all(&BodyParts::inverse);
     ports.pop_back();
     return ports;
   }
 }
 
-/// Accelerations of joints, which rk4 finds in their place at once.
+/// Returns the accelerations of joints, which rk4 finds in their place at once.
 template <class World>
 PartList found_with_multipliers(const Assembly<World>& g, int i) {
   PartList list;
   if (!std::holds_alternative<Rk4>(g.c.integrator.method)) return list;
   const std::vector<TreeBody<World>>& bodies = g.c.system.subsystems[i].bodies;
   for (std::size_t j = 0; j < bodies.size(); ++j)
-    if (has_coordinates(bodies[j])) list.push_back(g.blade(i).bodies[j].accelerations);
+    if (has_coordinates(bodies[j])) list.push_back(g.subsystem(i).bodies[j].accelerations);
   return list;
 }
 
-/// What a recovery reads and writes.
+/// Parts that a recovery reads and writes.
 struct RecoveryAccess {
   PartList inputs;
   PartList outputs;
 };
 template <class World>
 RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
-  const SubsystemParts& blade = g.blade(i);
-  const BodyParts& body = blade.bodies[j];
-  PartList inputs{blade.progress, body.coordinates};  // checked, and by generalized_alpha corrected
+  const SubsystemParts& own = g.subsystem(i);
+  const BodyParts& body = own.bodies[j];
+  PartList inputs{own.progress, body.coordinates};  // checked, and corrected by generalized_alpha
   PartList outputs{body.accelerations, body.report};
   if (g.c.formulation == Formulation::augmented) {
     inputs.push_back(g.parts.augmented_solution);
   } else {
-    inputs.push_back(blade.wrenches);
+    inputs.push_back(own.wrenches);
     inputs.push_back(body.inverse);
   }
   if constexpr (tree::kHasJointCoordinates<World>) {
     const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];
     if (g.c.formulation == Formulation::structured) {
-      for (const PartId part : {blade.rotations, body.terms, body.scratch}) inputs.push_back(part);
+      for (const PartId part : {own.rotations, body.terms, body.scratch}) inputs.push_back(part);
       inputs.insert(inputs.end(), body.tension.begin(), body.tension.end());
       outputs.push_back(body.scratch);
     }
-    if (has_coordinates(model)) inputs.push_back(blade.wrenches);  // found with them
+    if (has_coordinates(model))
+      inputs.push_back(own.wrenches);  // its accelerations are found with them
     if (model.joint.joint.driven > 0)
-      for (const PartId part : {blade.rotations, blade.wrenches}) inputs.push_back(part);
+      for (const PartId part : {own.rotations, own.wrenches}) inputs.push_back(part);
     if (std::holds_alternative<Rk4>(g.c.integrator.method) && has_coordinates(model))
       inputs.push_back(body.accelerations);
   }
@@ -119,15 +120,16 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
 
 template <class World>
 void add_inverse(const Assembly<World>& g, int i, int j) {
-  const SubsystemParts& blade = g.blade(i);
-  const BodyParts& parts = blade.bodies[j];
-  PartList inputs{blade.progress, parts.coordinates, blade.twists, parts.terms};
+  const SubsystemParts& own = g.subsystem(i);
+  const BodyParts& parts = own.bodies[j];
+  PartList inputs{own.progress, parts.coordinates, own.twists, parts.terms};
   PartList outputs = inverse_outputs(g, i, j);
-  if constexpr (tree::kHasJointCoordinates<World>) inputs.push_back(blade.rotations);  // handles
+  if constexpr (tree::kHasJointCoordinates<World>)
+    inputs.push_back(own.rotations);  // for its handles
   inputs.insert(inputs.end(), parts.tension.begin(), parts.tension.end());
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto invert, auto& work) {
-    g.builder.add_node(g.label("inverse", i, j), reads(inputs), writes(outputs),
+    g.builder.add_node(g.label(stages::kInverse, i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
                          invert(data.bodies[j], data.twists[j], data.progress->control.is_implicit,
                                 work);
@@ -145,30 +147,29 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
 
 template <class World>
 void add_effective(const Assembly<World>& g, int i) {
-  const SubsystemParts& blade = g.blade(i);
-  const auto inputs =
-      reads(blade.progress, blade.all(&BodyParts::inverse), blade.all(&BodyParts::terms),
-            blade.rotations, blade.hub_state, blade.ports);
+  const SubsystemParts& own = g.subsystem(i);
+  const auto inputs = reads(own.progress, own.all(&BodyParts::inverse), own.all(&BodyParts::terms),
+                            own.rotations, own.hub_state, own.ports);
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
     g.builder.add_node(
-        g.label("effective", i), inputs, outputs,
+        g.label(stages::kEffective, i), inputs, outputs,
         unless_halted(*data.progress, [&subsystem, &data, condense, &work]() noexcept {
           condense(subsystem, data, work);
         }));
   };
   if (g.c.formulation == Formulation::structured)
     return add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
-               writes(blade.effective, blade.workspace, blade.joints(), blade.ports));
+               writes(own.effective, own.workspace, own.joints(), own.ports));
   add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
-      writes(blade.effective, blade.workspace));
+      writes(own.effective, own.workspace));
 }
 
 template <class World>
 void add_hub_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  g.builder.add_node(g.label("hub solve"),
+  g.builder.add_node(g.label(stages::kHubSolve),
                      reads(g.parts.all(&SubsystemParts::effective), hub_inputs(g)),
                      writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
                        solve_hub(c.system, c.data);
@@ -192,16 +193,15 @@ template <class World>
 void add_augmented_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
-  PartList
-      outboard_joints;  // their Jacobians depend on the deformation; inboard, nodes stand fixed
+  PartList outboard_joints;  // Jacobians depend on the deformation; inboard nodes stand fixed
   PartList tensions;
-  for (const SubsystemParts& blade : parts.subsystems) {
-    for (std::size_t j = 0; j + 1 < blade.bodies.size(); ++j)
-      outboard_joints.push_back(blade.bodies[j].coordinates);
-    for (const BodyParts& body : blade.bodies)
+  for (const SubsystemParts& own : parts.subsystems) {
+    for (std::size_t j = 0; j + 1 < own.bodies.size(); ++j)
+      outboard_joints.push_back(own.bodies[j].coordinates);
+    for (const BodyParts& body : own.bodies)
       tensions.insert(tensions.end(), body.tension.begin(), body.tension.end());
   }
-  g.builder.add_node(g.label("solve"),
+  g.builder.add_node(g.label(stages::kSolve),
                      reads(parts.all(&BodyParts::terms), outboard_joints, tensions,
                            parts.all(&SubsystemParts::rotations),
                            parts.all(&SubsystemParts::twists), hub_inputs(g)),
@@ -215,29 +215,29 @@ void add_augmented_solve(const Assembly<World>& g) {
 template <class World>
 void add_multipliers(const Assembly<World>& g, int i) {
   SystemContext<World>& c = g.c;
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   const Subsystem<World>& subsystem = c.system.subsystems[i];
   SubsystemData<World>& data = c.data.subsystems[i];
   const PartList accelerations = found_with_multipliers(g, i);
   const auto add = [&](const graph::Reads& inputs, auto recover) {
-    g.builder.add_node(g.label("multipliers", i), inputs, writes(blade.wrenches, accelerations),
-                       unless_halted(*data.progress, recover));
+    g.builder.add_node(g.label(stages::kMultipliers, i), inputs,
+                       writes(own.wrenches, accelerations), unless_halted(*data.progress, recover));
   };
   switch (c.formulation) {
     case Formulation::structured:
-      return add(reads(blade.progress, blade.effective, blade.joints(), inner_ports(g, i),
-                       blade.rotations, blade.hub_state, blade.hub_acceleration, accelerations),
+      return add(reads(own.progress, own.effective, own.joints(), inner_ports(g, i), own.rotations,
+                       own.hub_state, own.hub_acceleration, accelerations),
                  [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
                    structured::recover_wrenches(subsystem, work, data);
                  });
     case Formulation::subsystem:
-      return add(reads(blade.progress, blade.effective, blade.rotations, blade.hub_acceleration,
-                       accelerations),
-                 [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
-                   subsystem::recover_wrenches(subsystem, work, data);
-                 });
+      return add(
+          reads(own.progress, own.effective, own.rotations, own.hub_acceleration, accelerations),
+          [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
+            subsystem::recover_wrenches(subsystem, work, data);
+          });
     case Formulation::augmented:
-      return add(reads(blade.progress, g.parts.augmented_solution, blade.rotations, accelerations),
+      return add(reads(own.progress, g.parts.augmented_solution, own.rotations, accelerations),
                  [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
                    augmented::recover_wrenches(i, subsystem, work, data);
                  });
@@ -247,30 +247,29 @@ void add_multipliers(const Assembly<World>& g, int i) {
 template <class World>
 void add_recovery(const Assembly<World>& g, int i, int j) {
   SystemContext<World>& c = g.c;
-  SubsystemData<World>& blade = c.data.subsystems[i];
+  SubsystemData<World>& data = c.data.subsystems[i];
   const Method& method = c.integrator.method;
   const auto add = [&](auto recover) {
     const auto [inputs, outputs] = recovery_access(g, i, j);
-    g.builder.add_node(g.label("recovery", i, j), reads(inputs), writes(outputs),
-                       unless_halted(*blade.progress, [&blade, &method, j, recover]() noexcept {
-                         BodyData<World>& body = blade.bodies[j];
+    g.builder.add_node(g.label(stages::kRecovery, i, j), reads(inputs), writes(outputs),
+                       unless_halted(*data.progress, [&data, &method, j, recover]() noexcept {
+                         BodyData<World>& body = data.bodies[j];
                          recover(body);
-                         report_drives(static_cast<std::size_t>(j), blade);
-                         complete_body(method, blade.progress->control, body);
+                         report_drives(static_cast<std::size_t>(j), data);
+                         complete_body(method, data.progress->control, body);
                        }));
   };
   switch (c.formulation) {
     case Formulation::structured:
       return add(
-          [&blade, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
-            structured::recover_body(blade, static_cast<std::size_t>(j), work,
-                                     blade.progress->control.is_implicit, body, body.a_found);
+          [&data, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
+            structured::recover_body(data, static_cast<std::size_t>(j), work,
+                                     data.progress->control.is_implicit, body, body.a_found);
           });
     case Formulation::subsystem:
-      return add(
-          [&blade, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
-            subsystem::recover_body(blade, static_cast<std::size_t>(j), work, body, body.a_found);
-          });
+      return add([&data, j, &work = c.work.subsystem[i].bodies[j]](BodyData<World>& body) noexcept {
+        subsystem::recover_body(data, static_cast<std::size_t>(j), work, body, body.a_found);
+      });
     case Formulation::augmented:
       return add([i, j, &work = c.work.augmented](BodyData<World>& body) noexcept {
         augmented::recover_body(i, j, work, body, body.a_found);

@@ -3,6 +3,7 @@
 #include "engine/step/step_context.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
@@ -12,8 +13,8 @@
 namespace spoke {
 namespace {
 
-/// Shares of Mff and K in the constant block of an implicit step: Mhat = Mff + beta' h^2 K +
-/// gamma' h D, with Rayleigh damping D; and of tension.
+/// Returns the shares of Mff and K in the constant block of an implicit step: Mhat = Mff + beta'
+/// h^2 K + gamma' h D, with Rayleigh damping D; and the share of tension.
 ElasticShares implicit_shares(const Method& method, const Damping& damping) {
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   if (!alpha) return {};
@@ -26,7 +27,7 @@ ElasticShares implicit_shares(const Method& method, const Damping& damping) {
 
 namespace {
 
-// Where the motion begins, besides the drive's.
+// Start of the motion, besides the drive's.
 
 void set_start_of_hub(const System<Plane>&, StepData<Plane>&) {}
 
@@ -56,12 +57,13 @@ void set_start(const System<Space>& system, bool is_explicit, StepData<Space>& d
 
 template <class World>
 void allocate(SystemContext<World>& context, int window_steps) {
+  assert(window_steps >= 1 && step_size(context.integrator) > 0.0);
   const Method& method = context.integrator.method;
   const auto* alpha = std::get_if<GeneralizedAlpha>(&method);
   const int history = alpha ? int{GeneralizedAlpha::count} : int{Rk4::count};
   StepData<World>& data = context.data;
   const bool is_coupled = context.formulation == Formulation::augmented ||
-                          !is_prescribed(context.system) || context.loads_tie_blades;
+                          !is_prescribed(context.system) || context.loads_tie_subsystems;
   allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
   set_lengths(data);
   for (SubsystemData<World>& subsystem : data.subsystems)

@@ -1,6 +1,6 @@
 #pragma once
 
-// All that the nodes of a step graph work on.
+// The context of a step graph: all data that its nodes work on.
 
 #include <limits>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace spoke {
 
-/// What the steps of a simulation are made with, whatever the world.
+/// The context of a simulation's steps, whatever the world.
 class StepContext {
  public:
   StepContext() = default;
@@ -24,29 +24,30 @@ class StepContext {
   Formulation formulation = Formulation::structured;
   Integrator integrator;
   double linear_range = std::numeric_limits<double>::infinity();  ///< see TableOptions
-  bool loads_tie_blades = false;                                  ///< see StepTable::is_coupled
+  bool loads_tie_subsystems = false;                              ///< see StepTable::is_coupled
 
   /// None unless several processes simulate the model together, see share_out().
   std::unique_ptr<Sharing> sharing;
 
   virtual StepTable& table() = 0;
-  /// The step graph of `passes` passes over the own subsystems, see build_step_graph().
+  /// Builds the step graph of `passes` passes over the own subsystems, see build_step_graph().
   virtual graph::StepGraph build_graph(int passes) = 0;
-  /// Of one pass over all subsystems, which tells other processes nothing.
+  /// Builds the graph of one pass over all subsystems, which tells other processes nothing.
   virtual graph::StepGraph build_whole_graph() = 0;
 
-  // Where subsystems are shared out. All processes call these at once, between runs.
-  /// Progress of the own subsystems; of all where they are not shared out.
+  // Functions for shared subsystems. All processes call them at once, between runs.
+  /// Returns the progress of the own subsystems; of all where they are not shared out.
   std::span<const StepProgress> own_progress();
-  /// When all own subsystems have come to the end of the window: lets all processes know what its
-  /// steps have left, the progress among it. Whether any of them asks to stop.
+  /// Lets all processes know the results of the window's steps, the progress among them, when all
+  /// own subsystems have come to its end. Returns whether any process asks to stop.
   virtual bool share_window(bool asks_to_stop) = 0;
 
  protected:
   ~StepContext() = default;
 };
 
-/// What the nodes of a step graph work on. Must outlive the graph and stay in place.
+/// The context of a step graph: the data that its nodes work on. Must outlive the graph and stay in
+/// place.
 template <class World>
 class SystemContext final : public StepContext {
  public:

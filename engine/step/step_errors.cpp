@@ -10,7 +10,8 @@
 namespace spoke {
 namespace {
 
-/// Of an orientation with velocity w and accelerations a before, and a + change after [rad].
+/// Returns the error of an orientation with velocity w and accelerations a before, and a + change
+/// after [rad].
 double calc_turn_error(const GeneralizedAlpha& method, const space::Angular& w,
                        const space::Angular& a, const space::Angular& change,
                        space::TurnFrame frame) {
@@ -21,7 +22,7 @@ double calc_turn_error(const GeneralizedAlpha& method, const space::Angular& w,
 
 space::Angular angular_at(const double* values) { return {values[0], values[1], values[2]}; }
 
-/// The error of coordinate `c` of a block that finds accelerations `found` [m, rad].
+/// Returns the error of coordinate `c` of a block that finds accelerations `found` [m, rad].
 double calc_error(const GeneralizedAlpha& method, const double* found, int c,
                   const CoordinateBlock& block) {
   return method.error_share * method.position_gain *
@@ -29,14 +30,14 @@ double calc_error(const GeneralizedAlpha& method, const double* found, int c,
 }
 
 double length_of(const TreeBody<Plane>& body) { return body.body->length; }
-/// Of a rigid one 0.
+/// Returns 0 for a rigid body.
 double length_of(const TreeBody<Space>& body) {
   const space::FlexibleBody* flexible = body.body->flexible();
   return flexible ? flexible->length() : 0.0;
 }
 
 double reach_of(const TreeBody<Plane>&) { return 0.0; }
-/// How far a rigid body extends: to its handles, its centre, and by its inertia [m].
+/// Returns how far a rigid body extends: to its handles, its centre, and by its inertia [m].
 double reach_of(const TreeBody<Space>& body) {
   const space::RigidBody* rigid = body.body->rigid();
   if (!rigid) return 0.0;

@@ -1,18 +1,20 @@
-// The order of a pass, and its nodes between motion_nodes.h and solution_nodes.h, the terms of the
-// bodies: what each reads, writes and calls.
+// The order of a pass, and those of its nodes between motion_nodes.h and solution_nodes.h, the
+// terms of the bodies: the parts that each reads and writes, and the kernel that it calls.
 
 #include "engine/step/step_graph_builder.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 #include "engine/kernels/applied_forces.h"
-#include "engine/kernels/planar_terms.h"
-#include "engine/kernels/spatial_terms.h"
+#include "engine/plane/table_terms.h"
+#include "engine/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
 #include "engine/step/motion_nodes.h"
 #include "engine/step/solution_nodes.h"
 
-// One pass of one blade of two bodies (structured and subsystem formulations), where the whole
+// One pass of one subsystem of two bodies (structured and subsystem formulations), where the whole
 // motion of the hub is prescribed:
 //
 //   hub motion -----------------+
@@ -21,21 +23,22 @@
 //                                        +-> mass 2 -> inverse 2 -+                 |
 //   next pass's coordinates <- sensors <- finish <-+- recovery 1 <------------------+
 //                                  |               +- recovery 2 <------------------+
-//                                  +-> hub solve, once, behind all passes of all blades
+//                                  +-> hub solve, once, behind all passes of all subsystems
 //
-// A load of the user's on the blade is a node between "velocity" and the "mass" of its bodies. One
-// between blades is a node of no blade, and makes the passes of all blades one, as below.
+// A load of the user's on the subsystem is a node between "velocity" and the "mass" of its bodies.
+// One between subsystems is a node of no subsystem, and makes the passes of all subsystems one, as
+// below.
 //
-// Nothing that a blade's next pass reads comes from another blade: the passes of a graph, and with
-// them the steps of a window, are one chain for each blade, with its own progress. The hub solve
-// only yields the reaction.
+// Nothing that a subsystem's next pass reads comes from another subsystem: the passes of a graph,
+// and with them the steps of a window, are one chain for each subsystem, with its own progress. The
+// hub solve only yields the reaction.
 //
-// Where the hub has a free coordinate, its acceleration is what the multipliers of all blades wait
-// for, "hub solve" stands between "effective" and "multipliers", and "hub motion" and "finish" are
-// nodes of the system. The same declarations then leave one pass after the other. The augmented
+// Where the hub has a free coordinate, the multipliers of all subsystems wait for its acceleration,
+// "hub solve" stands between "effective" and "multipliers", and "hub motion" and "finish" are nodes
+// of the system. The same declarations then leave one pass after the other. The augmented
 // formulation has one node, "solve", in place of those from "inverse" to "hub solve".
 //
-// The bodies of a blade meet in its position and velocity analysis, its effective inertia, its
+// The bodies of a subsystem meet in its position and velocity analysis, its effective inertia, its
 // multipliers and its finish: the two layers of parallelism, and the window as the third, are what
 // the declarations leave unordered.
 
@@ -47,16 +50,16 @@ using graph::reads;
 using graph::StepGraphBuilder;
 using graph::writes;
 
-/// What a body's terms read: only what its options make them depend on.
+/// Returns the parts that a body's terms read: only those on which its options make them depend.
 template <class World>
 PartList terms_inputs(const Assembly<World>& g, int i, int j) {
-  const SubsystemParts& blade = g.blade(i);
+  const SubsystemParts& own = g.subsystem(i);
   const TreeBody<World>& member = g.c.system.subsystems[i].bodies[j];
-  PartList inputs{blade.progress, blade.bodies[j].coordinates, blade.twists};
+  PartList inputs{own.progress, own.bodies[j].coordinates, own.twists};
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
-    inputs.push_back(blade.bodies[j].history);  // q_elastic, v_elastic
-    if (has_coordinates(member) || !blade.bodies[j].tension.empty())
-      inputs.push_back(blade.bodies[j].accelerations);
+    inputs.push_back(own.bodies[j].history);  // q_elastic, v_elastic
+    if (has_coordinates(member) || !own.bodies[j].tension.empty())
+      inputs.push_back(own.bodies[j].accelerations);
   }
   const PartList loads = loads_on(g, i, j);
   inputs.insert(inputs.end(), loads.begin(), loads.end());
@@ -66,12 +69,12 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   bool needs_rotations = has_rising_gravity;
   if (member.stiffening) {
     const BodyData<World>& body = data.bodies[j];
-    if (body.forces.carried && !has_slide(member)) inputs.push_back(blade.applied_forces);
+    if (body.forces.carried && !has_slide(member)) inputs.push_back(own.applied_forces);
     needs_rotations |= body.forces.applied;
   }
-  // The tension, on either side of the equations.
+  // The tension may stand on either side of the equations.
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
-  if (has_slide(member)) inputs.push_back(blade.applied_forces);
+  if (has_slide(member)) inputs.push_back(own.applied_forces);
   if (flies) inputs.push_back(g.parts.flight_acceleration);
   for (const BodyLoad<World>& load : member.loads) {
     using Frame = decltype(load.frame);
@@ -81,57 +84,58 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   if (std::any_of(member.drags.begin(), member.drags.end(),
                   [](const BodyDrag<World>& drag) { return drag.relative_to == DragFrame::hub; })) {
     needs_hub = true;
-    inputs.push_back(blade.drag_poses);
+    inputs.push_back(own.drag_poses);
   }
-  if (needs_rotations) inputs.push_back(blade.rotations);
-  if (needs_hub) inputs.push_back(blade.hub_state);
+  if (needs_rotations) inputs.push_back(own.rotations);
+  if (needs_hub) inputs.push_back(own.hub_state);
   return inputs;
 }
 
-// The terms of a body and of what acts on it, by world.
+// Calculate the terms of a body and of all that acts on it, by world.
 
 void calc_mass_terms(const SystemContext<Plane>& c, int i, int j,
-                     SubsystemData<Plane>& blade) noexcept {
-  calc_terms(c.system, c.system.subsystems[i], blade.progress->control.time, j, blade);
+                     SubsystemData<Plane>& data) noexcept {
+  calc_terms(c.system, c.system.subsystems[i], data.progress->control.time, j, data);
 }
 
 void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
-                     SubsystemData<Space>& blade) noexcept {
-  const PassControl& control = blade.progress->control;
+                     SubsystemData<Space>& data) noexcept {
+  const PassControl& control = data.progress->control;
   space::ImplicitShares shares;
   if (control.is_implicit) {
     const auto& alpha = std::get<GeneralizedAlpha>(c.integrator.method);
     shares = {alpha.position_gain, alpha.velocity_gain};
-    if (control.begins_iteration()) follow_hub_speed(*blade.hub, blade.bodies[j]);
+    if (control.begins_iteration()) follow_hub_speed(*data.hub, data.bodies[j]);
   }
-  calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, blade);
+  calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, data);
 }
 
 template <class World>
 void add_mass(const Assembly<World>& g, int i, int j) {
   const SystemContext<World>& c = g.c;
-  SubsystemData<World>& blade = g.c.data.subsystems[i];
-  const BodyParts& parts = g.blade(i).bodies[j];
+  SubsystemData<World>& data = g.c.data.subsystems[i];
+  const BodyParts& parts = g.subsystem(i).bodies[j];
   PartList outputs{parts.terms};
   PartList inputs = terms_inputs(g, i, j);
   for (const PartId tension : parts.tension) {
     inputs.push_back(tension);  // it stays while the speed does
     outputs.push_back(tension);
-    inputs.push_back(g.blade(i).rotations);  // with the frames' angular accelerations
+    inputs.push_back(g.subsystem(i).rotations);  // for the frames' angular accelerations
   }
   if constexpr (tree::kHasJointCoordinates<World>) {
     inputs.push_back(parts.scratch);  // not all of it is overwritten
     outputs.push_back(parts.scratch);
   }
-  g.builder.add_node(g.label("mass", i, j), reads(inputs), writes(outputs),
-                     unless_halted(*blade.progress, [&c, &blade, i, j]() noexcept {
-                       calc_mass_terms(c, i, j, blade);
+  g.builder.add_node(g.label(stages::kMass, i, j), reads(inputs), writes(outputs),
+                     unless_halted(*data.progress, [&c, &data, i, j]() noexcept {
+                       calc_mass_terms(c, i, j, data);
                      }));
 }
 
-/// Where subsystems are shared out: lets all processes know what the subsystems of each have found
-/// in these parts. Those of others are read as well, for not all of a part is told. `behind`: what
-/// puts it behind another exchange, as all processes must make theirs in one order.
+/// Adds the node, where subsystems are shared out, that lets all processes know the results of the
+/// subsystems of each in these parts. Those of others are read as well, for not all of a part is
+/// told. `behind`: parts that put it behind another exchange, as all processes must make theirs in
+/// one order.
 template <class World>
 void add_share(const Assembly<World>& g, const char* stage, const PartList& parts,
                SharedPlaces& places, const PartList& behind = {}) {
@@ -147,10 +151,10 @@ void add_motion(const Assembly<World>& g, int i) {
   add_velocity(g, i);
 }
 
-/// From the masses to the inverses, or to the effective inertia where there is one.
+/// Adds the nodes from the masses to the inverses, or to the effective inertia where there is one.
 template <class World>
 void add_condensation(const Assembly<World>& g, int i) {
-  const int bodies = static_cast<int>(g.blade(i).bodies.size());
+  const int bodies = static_cast<int>(g.subsystem(i).bodies.size());
   for (int j = 0; j < bodies; ++j) add_mass(g, i, j);
   if (g.c.formulation == Formulation::augmented) return;
   for (int j = 0; j < bodies; ++j) add_inverse(g, i, j);
@@ -159,12 +163,13 @@ void add_condensation(const Assembly<World>& g, int i) {
 
 template <class World>
 void add_recoveries(const Assembly<World>& g, int i) {
-  const int bodies = static_cast<int>(g.blade(i).bodies.size());
+  const int bodies = static_cast<int>(g.subsystem(i).bodies.size());
   add_multipliers(g, i);
   for (int j = 0; j < bodies; ++j) add_recovery(g, i, j);
 }
 
-/// Subsystems whose nodes a graph has, and how they let other processes know; null: not.
+/// Subsystems whose nodes a graph has, and the way in which they let other processes know; null:
+/// none.
 struct Extent {
   int first = 0, last = 0;
   Sharing* sharing = nullptr;
@@ -177,22 +182,22 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
   };
   add_hub_motion(g);
   for_each(add_motion<World>);
-  for_each(add_loads_of_user<World>);  // which may be between blades
+  for_each(add_loads_of_user<World>);  // some of them between subsystems
   for_each(add_applied_forces<World>);
   if (own.sharing && own.sharing->forces) {
     PartList forces;
     for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i)
       if (!g.c.data.subsystems[i].applied_forces.empty())
         forces.push_back(g.parts.subsystems[i].applied_forces);
-    add_share(g, "share forces", forces, *own.sharing->forces);
+    add_share(g, stages::kShareForces, forces, *own.sharing->forces);
   }
   add_flight_acceleration(g);
   for_each(add_condensation<World>);
   if (own.sharing) {
     const PartList behind =
         own.sharing->forces ? PartList{g.parts.flight_acceleration} : PartList{};
-    add_share(g, "share inertias", g.parts.all(&SubsystemParts::effective), own.sharing->inertias,
-              behind);
+    add_share(g, stages::kShareInertias, g.parts.all(&SubsystemParts::effective),
+              own.sharing->inertias, behind);
   }
   if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
@@ -202,14 +207,14 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
   if (own.sharing) {
     PartList reports = g.parts.all(&BodyParts::report);
     for (const PartId terms : g.parts.all(&BodyParts::terms)) reports.push_back(terms);
-    add_share(g, "share reports", reports, own.sharing->reports);
+    add_share(g, stages::kShareReports, reports, own.sharing->reports);
   }
   add_finish(g);
   for_each(add_sensors<World>);
 }
 
 template <class World>
-void add_pass_of_blade(const Assembly<World>& g, int i) {
+void add_pass_of_subsystem(const Assembly<World>& g, int i) {
   add_motion(g, i);
   add_loads_of_user(g, i);
   add_applied_forces(g, i);
@@ -221,18 +226,20 @@ void add_pass_of_blade(const Assembly<World>& g, int i) {
 
 template <class World>
 graph::StepGraph build(SystemContext<World>& c, int passes, const Extent& own) {
+  assert(passes >= 1 && own.first >= 0 && own.first <= own.last);
+  assert(std::cmp_less_equal(own.last, c.data.subsystems.size()));
   StepGraphBuilder builder("blade");
   const StepParts parts = add_parts(c, builder);
   Assembly<World> g{c, parts, builder, passes > 1 ? 0 : -1};
   if (c.data.is_coupled)
     add_coupled_pass(g, own);
   else
-    for (int i = own.first; i < own.last; ++i) add_pass_of_blade(g, i);
-  // The progress says what the nodes are to do: those of all passes are the same.
+    for (int i = own.first; i < own.last; ++i) add_pass_of_subsystem(g, i);
+  // The progress controls the nodes: those of all passes are the same.
   const int nodes = builder.node_count();
   for (int pass = 1; pass < passes; ++pass)
     for (int n = 0; n < nodes; ++n) builder.repeat_node({n}, pass);
-  // Of shared subsystems the hub's reaction is found when all are at the end of the window.
+  // The hub's reaction on shared subsystems is found when all are at the end of the window.
   if (!c.data.is_coupled && !own.sharing) add_prescribed_hub_solve(g);
   return builder.build();
 }

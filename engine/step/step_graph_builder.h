@@ -1,6 +1,6 @@
 #pragma once
 
-// The step graph of a system: what a step does.
+// The step graph of a system: the nodes of a step, and their order.
 
 #include "engine/step/step_context.h"
 #include "graph/step_graph.h"

@@ -1,8 +1,11 @@
-// Where in the table each part lies.
+// Finds the memory of each part in the table.
 
 #include "engine/step/step_parts.h"
 
+#include <cassert>
 #include <string>
+
+#include "engine/formulation/body_memory.h"
 
 namespace spoke {
 namespace {
@@ -10,18 +13,11 @@ namespace {
 using graph::bytes_of;
 using graph::PartId;
 using graph::StepGraphBuilder;
-using Memory = std::vector<std::span<std::byte>>;
 
-template <class Layout>
-void add_flex(Memory& memory, double* flex, const Layout& layout) {
-  layout.for_parts([&](int first, int n) {
-    memory.push_back(bytes_of(flex[first], static_cast<std::size_t>(n)));
-  });
-}
-
-/// A node touches the record of its step.
+/// Adds the part of a ring of records; a node touches the record of its step.
 template <class Ring>
 PartId add_ring(const std::string& name, Ring& records, StepGraphBuilder& builder) {
+  assert(!records.empty());
   return builder.add_part(name, {bytes_of(records[0], records.size())}, sizeof(records[0]));
 }
 
@@ -30,177 +26,18 @@ std::span<std::byte> memory_of(Matrix& matrix) {
   return bytes_of(*matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
-// What parts hold, by world.
-
-template <class T>
-std::span<std::byte> memory_of(T* first, std::size_t count) {
-  return bytes_of(*first, count);
-}
-
-void add_joint_coordinates(BodyData<Plane>&, Memory&, Memory&, Memory&) {}
-void add_joint_coordinates(BodyData<Space>& body, Memory& coordinates, Memory& history,
-                           Memory& accelerations) {
-  const CoordinateBlock& block = body.joint.coordinates;
-  if (block.size == 0) return;
-  const auto n = static_cast<std::size_t>(block.size);
-  coordinates.push_back(memory_of(block.q, n));
-  coordinates.push_back(memory_of(block.v, n));
-  coordinates.push_back(bytes_of(body.joint.rotation->reference));
-  accelerations.push_back(memory_of(block.a, n));
-  for (double* h : block.history)
-    if (h) history.push_back(memory_of(h, n));
-  history.push_back(bytes_of(body.joint.rotation->sum));
-}
-
-Memory memory_of_motions(SubsystemData<Plane>& data) {
-  return {bytes_of(data.joints[0], data.joints.size())};
-}
-Memory memory_of_motions(SubsystemData<Space>& data) {
-  Memory memory{bytes_of(data.joints[0], data.joints.size())};
-  for (BodyData<Space>& body : data.bodies) {
-    memory.push_back(
-        memory_of(body.work.handles, static_cast<std::size_t>(body.work.port.handles)));
-    memory.push_back(bytes_of(body.alpha));
-    const int driven = body.model->joint.joint.driven;
-    if (driven > 0)
-      memory.push_back(memory_of(body.joint.driven, static_cast<std::size_t>(driven)));
-  }
-  return memory;
-}
-
-Memory memory_of_slides(SubsystemData<Plane>&) { return {}; }
-Memory memory_of_slides(SubsystemData<Space>& data) {
-  Memory memory;
-  for (BodyData<Space>& body : data.bodies)
-    if (body.model->joint.slide) memory.push_back(bytes_of(body.slide));
-  return memory;
-}
-
-Memory memory_of_wrenches(SubsystemData<Plane>& data) {
-  return {bytes_of(data.wrenches[0], data.wrenches.size())};
-}
-Memory memory_of_wrenches(SubsystemData<Space>& data) {
-  Memory memory{bytes_of(data.wrenches[0], data.wrenches.size())};
-  for (BodyData<Space>& body : data.bodies) {
-    memory.push_back(
-        memory_of(body.work.wrenches, static_cast<std::size_t>(body.work.port.handles)));
-    const CoordinateBlock& joint = body.joint.coordinates;
-    if (joint.size > 0 && body.joint.a_found != joint.a)
-      memory.push_back(memory_of(body.joint.a_found, static_cast<std::size_t>(joint.size)));
-  }
-  return memory;
-}
-
-Memory memory_of_terms(BodyData<Space>& body) {
-  Memory memory{bytes_of(body.terms)};
-  if (body.joint.coordinates.size > 0) memory.push_back(bytes_of(*body.joint.forces));
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    memory.push_back(memory_of(
-        body.work.rows, static_cast<std::size_t>(space::kNodeRows * flexible->node_count())));
-  return memory;
-}
-
-Memory memory_of_inverse(BodyData<Space>& body) {
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return {};
-  Memory memory{bytes_of(body.work.condensed.S_inverse), bytes_of(body.work.condensed.p)};
-  const int first = flexible->first_node();
-  memory.push_back(
-      memory_of(body.work.half + space::kNodeRows * first,
-                static_cast<std::size_t>(space::kNodeRows * (flexible->node_count() - first))));
-  memory.push_back(memory_of(body.work.condensed.X, flexible->handles.size()));
-  return memory;
-}
-
-Memory memory_of_port(BodyData<Space>& body) {
-  const tree::MultiPort<Space>& port = body.work.port;
-  const auto n = static_cast<std::size_t>(port.handles);
-  Memory memory{memory_of(port.diagonal, n), memory_of(port.free, n)};
-  const int pairs = tree::MultiPort<Space>::count_pairs(port.handles);
-  if (pairs > 0) memory.push_back(memory_of(port.pairs, static_cast<std::size_t>(pairs)));
-  return memory;
-}
-
-Memory memory_of_scratch(BodyData<Space>& body) {
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return {};
-  const auto nodes = static_cast<std::size_t>(flexible->node_count());
-  const std::size_t slots =
-      space::kSlot * (space::kNodeSlots * nodes + static_cast<std::size_t>(flexible->elements));
-  const space::BodyWork& work = body.work;
-  Memory memory{memory_of(work.slots, slots), memory_of(work.momenta, slots),
-                memory_of(work.force, space::kTwist * nodes)};
-  if (flexible->directions) memory.push_back(memory_of(work.lanes, count_lanes(*flexible)));
-  for (double* nodal : work.nodal) memory.push_back(memory_of(nodal, space::kTwist * nodes));
-  return memory;
-}
-
-void add_tension_part(BodyData<Plane>&, const std::string&, StepGraphBuilder&, BodyParts&) {}
-void add_tension_part(BodyData<Space>& body, const std::string& name, StepGraphBuilder& builder,
-                      BodyParts& parts) {
-  if (!body.tension) return;
-  space::ImplicitTension& tension = *body.tension;
-  space::ElasticBlock& block = tension.block;
-  Memory memory{bytes_of(tension.w), bytes_of(tension.turn), bytes_of(block.C_W)};
-  const auto add = [&memory](auto& values) {
-    if (!values.empty()) memory.push_back(bytes_of(values[0], values.size()));
-  };
-  add(tension.elements);
-  add(tension.stiffness.diagonal);
-  add(tension.stiffness.below);
-  add(tension.lean);
-  for (std::vector<double>* values : {&block.inverse, &block.below, &block.W_t}) add(*values);
-  for (std::vector<double>& Z : block.Z) add(Z);
-  add(block.Z_W);
-  add(block.Z_diagonal);
-  add(block.Z_pairs);
-  parts.tension.push_back(builder.add_part(name + "tension", memory));
-}
-
-Memory memory_of_terms(BodyData<Plane>& body) {
-  Memory memory{bytes_of(body.terms)};
-  add_flex(memory, body.c_theta, body.layout);
-  add_flex(memory, body.Q_f, body.layout);
-  if (!body.element_forces.empty())
-    memory.push_back(memory_of(body.element_forces.data(), body.element_forces.size()));
-  return memory;
-}
-
-Memory memory_of_inverse(PlanarCondensed& body, const FlexLayout& layout) {
-  Memory memory{bytes_of(body.port)};
-  add_flex(memory, body.W_theta, layout);
-  add_flex(memory, body.z, layout);
-  return memory;
-}
-
-Memory memory_of_workspace(PlanarCondensed& body, const FlexLayout& layout) {
-  return {bytes_of(*body.scratch, static_cast<std::size_t>(layout.scratch_size()))};
-}
-
-// What the formulation structured keeps of a body besides the elimination of its joint.
-
-void add_condensed_parts(SystemContext<Plane>& context, int i, int j, const std::string& name,
-                         StepGraphBuilder& builder, BodyParts& parts) {
-  structured::BodyWork<Plane>& work = context.work.structured[i].bodies[j];
-  const FlexLayout& layout = context.data.subsystems[i].bodies[j].layout;
-  parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(work, layout));
-  parts.workspace = builder.add_part(name + "workspace", memory_of_workspace(work, layout));
-}
-void add_condensed_parts(SystemContext<Space>& context, int i, int j, const std::string& name,
-                         StepGraphBuilder& builder, BodyParts& parts) {
-  BodyData<Space>& body = context.data.subsystems[i].bodies[j];
-  parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(body));
-  parts.port = builder.add_part(name + "port", memory_of_port(body));
-}
-
 template <class World>
 void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::string& name,
                        StepGraphBuilder& builder, BodyParts& parts) {
   if (context.formulation == Formulation::structured) {
-    add_condensed_parts(context, i, j, name, builder, parts);
-    if (!parts.is_root)
-      parts.joint =
-          builder.add_part(name + "joint", {bytes_of(context.work.structured[i].bodies[j].joint)});
+    BodyData<World>& body = context.data.subsystems[i].bodies[j];
+    structured::BodyWork<World>& work = context.work.structured[i].bodies[j];
+    parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(body, work));
+    if (Memory memory = memory_of_workspace(body, work); !memory.empty())
+      parts.workspace = builder.add_part(name + "workspace", memory);
+    if (Memory memory = memory_of_port(body); !memory.empty())
+      parts.port = builder.add_part(name + "port", memory);
+    if (!parts.is_root) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
   } else if (context.formulation == Formulation::subsystem) {
     subsystem::BodyWork<World>& work = context.work.subsystem[i].bodies[j];
     parts.inverse = builder.add_part(
@@ -237,12 +74,13 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
     parts.scratch = builder.add_part(name + "scratch", memory_of_scratch(data));
   }
   parts.report = builder.add_part(name + "report", report);
-  add_tension_part(data, name, builder, parts);
+  if (Memory memory = memory_of_tension(data); !memory.empty())
+    parts.tension.push_back(builder.add_part(name + "tension", memory));
   add_inverse_parts(context, i, j, name, builder, parts);
   return parts;
 }
 
-/// What the subsystem synthesis finds of a whole subsystem, and what it works on.
+/// Adds the results of the subsystem synthesis for a whole subsystem, and its workspace.
 template <class World>
 void add_synthesis_memory(subsystem::SubsystemWork<World>& work, Memory& effective,
                           Memory& workspace) {
@@ -303,7 +141,7 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   return parts;
 }
 
-/// What subsystems follow: one progress and hub motion of the system, or their own.
+/// Adds the parts that subsystems follow: one progress and hub motion of the system, or their own.
 template <class World>
 void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, StepParts& parts) {
   StepData<World>& data = context.data;
@@ -315,19 +153,19 @@ void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, St
         builder.add_part("flight acceleration", {bytes_of(data.flight_acceleration)});
   }
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    SubsystemParts& blade = parts.subsystems[i];
+    SubsystemParts& own = parts.subsystems[i];
     if (data.is_coupled) {
-      blade.progress = parts.progress;
-      blade.hub_state = parts.hub_state;
-      blade.hub_acceleration = parts.hub_solution;
+      own.progress = parts.progress;
+      own.hub_state = parts.hub_state;
+      own.hub_acceleration = parts.hub_solution;
       continue;
     }
     SubsystemData<World>& subsystem = data.subsystems[i];
     const std::string name = "blade " + std::to_string(i + 1) + " / ";
-    blade.progress = builder.add_part(name + "progress", {bytes_of(data.progress[i])});
-    blade.hub_state = blade.hub_acceleration =
+    own.progress = builder.add_part(name + "progress", {bytes_of(data.progress[i])});
+    own.hub_state = own.hub_acceleration =
         builder.add_part(name + "hub motion", {bytes_of(subsystem.prescribed)});
-    blade.records = add_ring(name + "records", subsystem.records, builder);
+    own.records = add_ring(name + "records", subsystem.records, builder);
   }
 }
 

@@ -18,29 +18,29 @@ struct BodyParts {
   graph::PartId accelerations;  ///< a, X
   graph::PartId terms;          ///< with c_theta and Q_f
   graph::PartId inverse;        ///< two-port, or dense inverse columns
-  graph::PartId workspace;      ///< of who makes the inverse
-  graph::PartId scratch;        ///< of the kernels of its terms and of its recovery (space)
-  graph::PartId joint;          ///< elimination of the inboard joint (structured, not at the hub)
-  graph::PartId port;  ///< multi-port, which the effective inertia changes (structured, space)
+  graph::PartId workspace;      ///< workspace of the inverse
+  graph::PartId scratch;  ///< workspace of the kernels of its terms and of its recovery (space)
+  graph::PartId joint;    ///< elimination of the inboard joint (structured, not at the hub)
+  graph::PartId port;     ///< multi-port, which the effective inertia changes (structured, space)
   graph::PartId report;
-  std::vector<graph::PartId> tension;  ///< of implicit steps, if the body has any (space)
+  std::vector<graph::PartId> tension;  ///< tension in implicit steps, if the body has any (space)
 };
 
 struct SubsystemParts {
   std::vector<BodyParts> bodies;
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
   graph::PartId drag_poses;             ///< if there are any
-  graph::PartId applied_forces;         ///< likewise
-  graph::PartId joint_loads, readings;  ///< with the load of the root; of the sensors, if any
-  graph::PartId progress, hub_state, hub_acceleration;  ///< its own, or the system's if coupled
+  graph::PartId applied_forces;         ///< if a tension depends on them
+  graph::PartId joint_loads, readings;  ///< with the load of the root; if there are sensors
+  graph::PartId progress, hub_state, hub_acceleration;  ///< own ones, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
-  graph::PartId workspace;                              ///< of who makes the effective inertia
-  std::vector<graph::PartId> ports;                     ///< of the bodies (structured, space)
-  std::vector<graph::PartId> loads;                     ///< of the user's: wrenches
+  graph::PartId workspace;                              ///< workspace of the effective inertia
+  std::vector<graph::PartId> ports;                     ///< ports of the bodies (structured, space)
+  std::vector<graph::PartId> loads;                     ///< wrenches of the user's loads
 
-  /// One member of all bodies, parents before children.
+  /// Returns one member of all bodies, parents before children.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
-  /// Of the joints between the bodies.
+  /// Returns the parts of the joints between the bodies.
   std::vector<graph::PartId> joints() const;
 };
 
@@ -48,12 +48,12 @@ struct StepParts {
   std::vector<SubsystemParts> subsystems;
   graph::PartId hub_coordinates, hub_history, records;
   graph::PartId progress, hub_state, hub_solution;  ///< if coupled
-  graph::PartId flight_acceleration;                ///< likewise
+  graph::PartId flight_acceleration;                ///< if coupled
   graph::PartId augmented_solution;
 
-  /// One member of all bodies of all subsystems.
+  /// Returns one member of all bodies of all subsystems.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
-  /// One member of all subsystems.
+  /// Returns one member of all subsystems.
   std::vector<graph::PartId> all(graph::PartId SubsystemParts::*member) const;
 };
 

@@ -46,7 +46,8 @@ class ByteReader {
     return static_cast<Unsigned>(number);
   }
   double take_number() { return std::bit_cast<double>(take<std::uint64_t>()); }
-  /// A number of items of at least `size` bytes each; more than the bytes can hold is a failure.
+  /// Takes a number of items of at least `size` bytes each; a number larger than the bytes can hold
+  /// is a failure.
   std::size_t take_count(std::size_t size) {
     const auto count = take<std::uint64_t>();
     if (count <= bytes_.size() / size) return static_cast<std::size_t>(count);
@@ -59,7 +60,7 @@ class ByteReader {
   bool is_done() const { return !has_failed_ && bytes_.empty(); }
 
  private:
-  /// Empty if there are not as many.
+  /// Returns nothing if there are not as many.
   std::string_view take_bytes(std::size_t count) {
     if (has_failed_ || count > bytes_.size()) {
       has_failed_ = true;

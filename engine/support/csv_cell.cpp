@@ -1,4 +1,4 @@
-// Quotes, and what keeps spreadsheets from computing.
+// Quotes texts, and keeps spreadsheets from computing them.
 
 #include "engine/support/csv_cell.h"
 

@@ -15,7 +15,7 @@ bool is_forbidden() {
   return tunables && std::string_view(tunables).find(kWithoutFusing) != std::string_view::npos;
 }
 
-/// The last ones that the processor, and the system that runs it, can run.
+/// Returns the last kernels that the processor, and the system that runs it, can run.
 Kernels last_possible() {
 #if SPOKE_WIDE_KERNELS
   __builtin_cpu_init();  // before main()
@@ -38,7 +38,7 @@ Kernels kernels = choose_kernels();
 }
 
 Kernels use_kernels(Kernels kernels) noexcept {
-  // What the environment forbids stays so: the C library keeps to it, too.
+  // The prohibition by the environment stands: the C library keeps to it, too.
   return std::exchange(detail::kernels, std::min(kernels, choose_kernels()));
 }
 

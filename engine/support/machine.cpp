@@ -1,4 +1,4 @@
-// Reads what Linux says of the machine.
+// Reads the description of the machine from Linux.
 
 #include "engine/support/machine.h"
 
@@ -19,7 +19,8 @@
 namespace spoke {
 namespace {
 
-/// What follows the separator in the first line of a file that begins with `key`; else empty.
+/// Returns the text after the separator in the first line of a file that begins with `key`; else
+/// nothing.
 std::string value_in_file(const char* file, std::string_view key, char separator) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {

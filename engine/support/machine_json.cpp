@@ -1,4 +1,4 @@
-// The fields of "machine".
+// Sets the fields of "machine".
 
 #include "engine/support/machine_json.h"
 

@@ -2,16 +2,16 @@
 
 // The machine in the JSON files that Spoke writes.
 
-#include "engine/support/json.h"
 #include "engine/support/machine.h"
+#include "models/support/json.h"
 
 namespace spoke {
 
-/// "cpu", "cores", "memory_bytes", "os", "compiler".
+/// Returns "cpu", "cores", "memory_bytes", "os", "compiler".
 Json describe_machine(const Machine& machine);
-/// "threads", "before", "after"; null if it was not measured.
+/// Returns "threads", "before", "after"; null if it was not measured.
 Json describe(const Capacity& capacity);
-/// A load average; null if it is not known.
+/// Returns a load average; null if it is not known.
 Json load_or_null(double load);
 
 }  // namespace spoke

@@ -1,9 +1,9 @@
 #pragma once
 
 // An arena for the memory of each subsystem, in pages of its own. Processors fetch lines ahead of
-// those that are read, within a page: where a blade's arrays follow what another thread reads, that
-// thread takes their lines away again and again. Two blades on two threads ran 1.4 times as fast as
-// on one so, and run 1.9 times as fast with pages of their own.
+// those that are read, within a page: where a subsystem's arrays follow data that another thread
+// reads, that thread takes their lines away again and again. Two blades on two threads ran 1.4
+// times as fast as on one so, and run 1.9 times as fast with pages of their own.
 
 #include <algorithm>
 #include <cstddef>
@@ -28,7 +28,7 @@ class Arena {
     for (std::byte* chunk : chunks_) ::operator delete (chunk, std::align_val_t{kPage});
   }
 
-  /// At the begin of a cache line.
+  /// Returns memory that begins with a cache line.
   void* allocate(std::size_t bytes) {
     bytes = rounded(bytes, kLine);
     if (bytes > left_) {

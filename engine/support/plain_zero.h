@@ -4,7 +4,7 @@
 
 namespace spoke {
 
-/// The number, but no zero with a sign: "-0" says nothing.
+/// Returns the number, but no zero with a sign: "-0" says nothing.
 inline double plain_zero(double number) { return number + 0.0; }
 
 }  // namespace spoke

@@ -4,8 +4,8 @@
 // architecture have, for AVX2 with fused multiply-add, and for AVX-512. Which ones run is decided
 // when the process starts, for all of it (instructions.h): results depend on it in their last bits.
 //
-// Of AVX-512 they have the 32 registers and the masks, not the widest vectors: these sources are
-// compiled for vectors of 256 bits (engine/CMakeLists.txt).
+// The AVX-512 version uses its 32 registers and its masks, not the widest vectors: these sources
+// are compiled for vectors of 256 bits (engine/CMakeLists.txt).
 
 #include "engine/support/instructions.h"
 
@@ -17,7 +17,7 @@ namespace spoke {
 
 namespace detail {
 
-/// The kernel and all that it calls, as far as it is visible, as one function for these
+/// Runs the kernel and all that it calls, as far as it is visible, as one function for these
 /// instructions. Functions of the kernel's have one version each for the rest of the program: no
 /// function with wide instructions is ever linked in place of another.
 template <class Kernel>
@@ -31,9 +31,9 @@ template <class Kernel>
   return kernel();
 }
 
-/// The same with a stack frame aligned to a cache line's half, which Clang gives to no function by
-/// itself: of registers that do not fit into 16 and are kept there, every other one would cross the
-/// end of a line, or not, by where main() happens to stand.
+/// Runs it with a stack frame aligned to a cache line's half besides, which Clang gives to no
+/// function by itself: of registers that do not fit into 16 and are kept there, every other one
+/// would cross the end of a line, or not, by where main() happens to stand.
 template <class Kernel>
 [[gnu::target(SPOKE_AVX2), gnu::flatten, gnu::noinline, gnu::force_align_arg_pointer]] auto
 run_avx2_aligned(const Kernel& kernel) noexcept {
@@ -61,7 +61,7 @@ template <class Kernel>
   return kernel();
 }
 
-/// The same for kernels with more values at a time than registers.
+/// Calls kernels with more values at a time than registers.
 template <class Kernel>
 [[gnu::always_inline]] inline auto run_large_kernel(const Kernel& kernel) noexcept {
 #if SPOKE_WIDE_KERNELS

@@ -8,26 +8,26 @@
 #include <vector>
 
 #include "engine/body/coordinate_block.h"
-#include "engine/body/planar_body.h"
-#include "engine/space/spatial_body.h"
+#include "engine/plane/body.h"
+#include "engine/space/body.h"
 #include "engine/table/load_data.h"
 #include "engine/table/step_progress.h"
 #include "models/system/system.h"
 
 namespace spoke {
 
-/// What a body's recovery reports to the end of the pass.
+/// Values that a body's recovery reports to the end of the pass.
 struct BodyReport {
   double change;       ///< largest change of a coordinate in this iteration [m, rad]
-  double step_change;  ///< see PassReport; of the first iteration of a step, else 0
+  double step_change;  ///< see PassReport; only in the first iteration of a step, else 0
   double deflection;   ///< by the body's length, if beyond the linear range; else 0
-  StepError error;     ///< of the first iteration of a step; else 0
-  double drive_power;  ///< of what drives the joint that carries it [W]; in the plane 0
+  StepError error;     ///< only in the first iteration of a step, else 0
+  double drive_power;  ///< power of the drive of the joint that carries it [W]; 0 in the plane
   Flag failed;         ///< a coordinate is not finite or beyond its limit
 };
 
-/// Whether forces are applied to a body itself, and to what it carries: its tension depends on
-/// them.
+/// Whether forces are applied to a body itself, and to bodies that it carries: its tension depends
+/// on them.
 struct ForceSources {
   bool applied = false;
   bool carried = false;
@@ -42,8 +42,8 @@ struct BodyData : BodyTypes<World>::Fields {
   const TreeBody<World>* model = nullptr;
   std::array<const typename Types::Block*, 2> blocks{};  ///< explicit, implicit
   typename Types::Layout layout;
-  double linear_range = std::numeric_limits<double>::infinity();  ///< of deflections [m]
-  double length = 1.0;  ///< by which errors of its coordinates are measured [m]
+  double linear_range = std::numeric_limits<double>::infinity();  ///< bound of deflections [m]
+  double length = 1.0;  ///< of the body, by which errors of its coordinates are measured [m]
   /// No deflection is beyond the linear range if the sum of the squares of all coordinates is not
   /// greater than this.
   double surely_linear = std::numeric_limits<double>::infinity();
@@ -53,15 +53,17 @@ struct BodyData : BodyTypes<World>::Fields {
   const double* v_elastic = nullptr;  ///< velocities in the damping force (flex vector)
 
   typename Types::Terms terms;
-  double* a_found = nullptr;  ///< accelerations that the pass finds (flex vector); rk4: `a` itself
-  TwistOf<World> X;           ///< frame acceleration, body frame, less gravity
+  double* a_found =
+      nullptr;       ///< accelerations that the pass finds (flex vector); for rk4 `a` itself
+  TwistOf<World> X;  ///< frame acceleration, body frame, less gravity
   BodyReport report;
-  std::vector<AppliedWrench<World>> applied;  ///< by loads of the user's
+  std::vector<AppliedWrench<World>> applied;  ///< wrenches of the user's loads
   std::vector<PlacedLoad<World, BodyLoad<World>>> loads;
   std::vector<PlacedLoad<World, BodyDrag<World>>> drags;
   ForceSources forces;
-  /// In the plane, where the tension depends on applied forces: those that act in each element and,
-  /// the last value, those of bodies that it carries, body frame [N]. Of the kernel of its terms.
+  /// Planar bodies whose tension depends on applied forces: the forces that act in each element
+  /// and, the last value, those of bodies that it carries, body frame [N]. Memory of the kernel of
+  /// its terms.
   ArenaVector<PositionOf<World>> element_forces;
 };
 

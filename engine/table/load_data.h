@@ -14,7 +14,7 @@
 
 namespace spoke {
 
-/// What acts on a body's section, in the body frame. Part of the table: doubles only.
+/// A wrench on a body's section, in the body frame. Part of the table: doubles only.
 template <class World>
 struct SectionWrench {
   PositionOf<World> force = PositionOf<World>::Zero();  ///< [N]
@@ -24,7 +24,7 @@ struct SectionWrench {
 /// A marker on its body.
 template <class World>
 struct PlacedMarker {
-  int blade = 0;
+  int subsystem = 0;
   int body = 0;
   typename BodyTypes<World>::Section section;
 };
@@ -40,13 +40,13 @@ struct LoadData {
   int number = 0;  ///< in the list that it was given in
   std::shared_ptr<const Load> load;
   std::vector<Marker> given;
-  std::vector<int> blades;  ///< those of the markers, each once, ascending
+  std::vector<int> subsystems;  ///< those of the markers, each once, ascending
   std::vector<PlacedMarker<World>> markers;
   ArenaVector<SectionWrench<World>> wrenches;  ///< by marker
-  // What the load is handed and hands back: rewritten at every evaluation, no part of the table.
+  // Arguments and results of the load: rewritten at every evaluation, no part of the table.
   std::vector<MarkerMotion> motions;
   std::vector<Wrench> forces;
-  std::exception_ptr thrown;  ///< by the load, since it was last cleared
+  std::exception_ptr thrown;  ///< exception of the load, since it was last cleared
 };
 
 /// A wrench of a load on a section of the body that it is listed with.
@@ -63,7 +63,7 @@ struct PlacedLoad {
   std::vector<typename BodyTypes<World>::Section> sections;
 };
 
-/// In space; on a rigid body it acts at the places of its points.
+/// A load on a spatial body; on a rigid one it acts at the places of its points.
 template <>
 struct PlacedLoad<Space, BodyLoad<Space>> {
   const BodyLoad<Space>* load = nullptr;

@@ -1,14 +1,14 @@
 #pragma once
 
-// What a sensor of the scenario's measures on a blade.
+// The readings that a sensor of the scenario's takes from a subsystem.
 
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 #include "engine/body/body_types.h"
-#include "engine/body/section.h"
-#include "engine/space/spatial_body.h"
+#include "engine/plane/section.h"
+#include "engine/space/body.h"
 #include "models/sensor.h"
 #include "models/system/blade_loads.h"
 
@@ -18,22 +18,23 @@ namespace spoke {
 struct MassPoint {
   double mass = 0.0;     ///< [kg]
   double inertia = 0.0;  ///< [kg m^2]
-  Section section;
+  plane::Section section;
 };
-/// Those of a body, or of its part outboard of a section; bodies that are alike share them.
+/// The mass points of a body, or of its part outboard of a section; bodies that are alike share
+/// them.
 using MassPoints = std::shared_ptr<const std::vector<MassPoint>>;
 
-/// A sensor on its blade.
+/// A sensor on its planar subsystem.
 template <class World>
 struct Reading {
   SensorQuantity quantity = SensorQuantity::displacement;
   SensorFrame frame = SensorFrame::hub;
-  int body = 0;          ///< of the section, or the body outboard of the joint
-  double station = 0.0;  ///< of the section on its body, 0 to 1
+  int body = 0;          ///< body of the section, or the one outboard of the joint
+  double station = 0.0;  ///< place of the section on its body, 0 to 1
   typename BodyTypes<World>::Section section;
-  std::size_t first = 0;  ///< place of its values among those of the blade
-  /// Of a section's force that of the body outboard of the section, of a momentum that of each
-  /// body.
+  std::size_t first = 0;  ///< place of its values among those of the subsystem
+  /// For a section's force the points of the body outboard of the section, for a momentum those of
+  /// each body.
   std::vector<MassPoints> masses;
 };
 
@@ -43,7 +44,7 @@ struct OutboardLoad {
   std::vector<space::Section> sections;  ///< by point
 };
 
-/// A sensor on its tree in space.
+/// A sensor on its spatial subsystem.
 template <>
 struct Reading<Space> {
   SensorQuantity quantity = SensorQuantity::displacement;
@@ -51,15 +52,15 @@ struct Reading<Space> {
   /// Bodies from the hub to that of the section, or to the one outboard of the joint.
   std::vector<int> path;
   space::Section section;
-  space::Pose rest;       ///< of the section in H, undeformed and with all joint coordinates zero
-  std::size_t first = 0;  ///< place of its values among those of the tree
-  // Of a section's force.
+  space::Pose rest;  ///< pose of the section in H, undeformed and with all joint coordinates zero
+  std::size_t first = 0;  ///< place of its values among those of the subsystem
+  // Members for a section's force.
   double along = 0.0;  ///< where it is on its body, in elements from the inboard end
-  space::SlotMatrix mass = space::SlotMatrix::Zero();  ///< of its element, outboard
+  space::SlotMatrix mass = space::SlotMatrix::Zero();  ///< mass of its element's part outboard
   std::vector<OutboardLoad> loads;
 
   int body() const { return path.back(); }
-  /// Whether it shows what the first joint does to the tree.
+  /// Whether it shows the load of the first joint on the subsystem.
   bool is_root() const { return path.size() == 1 && along == 0.0; }
 };
 

@@ -8,17 +8,16 @@
 #include <span>
 #include <type_traits>
 
+#include "engine/support/hash.h"
+
 namespace spoke {
 namespace {
 
 std::uint64_t hash(std::uint64_t value, const double* first, int count) {
-  constexpr std::uint64_t kPrime = 1099511628211u;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(first);
-  for (std::size_t k = 0; k < count * sizeof(double); ++k) value = (value ^ bytes[k]) * kPrime;
-  return value;
+  return hash_bytes(first, static_cast<std::size_t>(count) * sizeof(double), value);
 }
 
-/// A whole number; -1 for what a file may hold instead of one.
+/// Returns a whole number; -1 if the value, which a file may hold, is none.
 int to_whole(double value) {
   return value >= 0.0 && value <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
 }
@@ -26,8 +25,8 @@ int to_whole(double value) {
 template <class World>
 constexpr bool has_attitude = !std::is_empty_v<typename BodyTypes<World>::Attitude>;
 
-/// The values of a record, some of which are no doubles in the table, as they stand in the state:
-/// lets `exchange` take each from the record or put it there.
+/// Lets `exchange` take each value of a record as it stands in the state, or put it there; some are
+/// no doubles in the table.
 template <class World, class Exchange>
 void for_each_value(SystemRecord<World>& record, Exchange&& exchange) {
   const auto exchange_whole = [&](auto& whole) {
@@ -44,7 +43,7 @@ void for_each_value(SystemRecord<World>& record, Exchange&& exchange) {
   exchange(step.dissipated);
   exchange_all(record.reaction);
   exchange(step.deflection.ratio);
-  exchange_whole(step.deflection.blade);
+  exchange_whole(step.deflection.subsystem);
   exchange_whole(step.deflection.body);
   exchange(record.applied_torque);
   exchange_all(record.position);
@@ -113,6 +112,7 @@ std::size_t count_state_values(StepData<World>& data) {
 
 template <class World>
 void StepData<World>::take_state(std::int64_t step, std::vector<double>& values) {
+  assert(step >= 0);
   values.clear();
   values.reserve(count_state_values(*this));
   for_each_state_part(
@@ -165,8 +165,7 @@ void hash_joint(const BodyData<Space>& body, std::uint64_t& value) {
 
 template <class World>
 std::uint64_t hash_state(const StepData<World>& data) {
-  std::uint64_t value = 14695981039346656037u;
-  value = hash(value, data.hub_coordinates.q, World::kTwist);
+  std::uint64_t value = hash_bytes(data.hub_coordinates.q, World::kTwist * sizeof(double));
   value = hash(value, data.hub_coordinates.v, World::kTwist);
   if constexpr (has_attitude<World>) value = hash(value, &data.hub_attitude.reference.w, 4);
   for (const SubsystemData<World>& subsystem : data.subsystems)

@@ -1,6 +1,6 @@
 #pragma once
 
-// The numbers that make up a state, in their fixed order: what is saved, and what state_hash is of.
+// The numbers that make up a state, in their fixed order: these are saved and hashed.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +22,14 @@ namespace spoke {
 template <class World>
 std::size_t count_state_values(StepData<World>& data);
 
-/// The values at the end of step `step`. To put them back: StepTable::put_state(), with as many.
+/// Returns the values at the end of step `step`. StepTable::put_state() puts as many back.
 std::vector<double> take_state_values(std::int64_t step, StepTable& data);
 
-/// Where the values of subsystem `i` lie.
+/// Returns the places of the values of subsystem `i`.
 template <class World>
 std::vector<std::span<std::byte>> state_of_subsystem(StepData<World>& data, std::size_t i);
 
-/// A hash (FNV-1a, 64 bits) of all coordinates and velocities, to compare runs bit by bit.
+/// Returns a hash (FNV-1a, 64 bits) of all coordinates and velocities, to compare runs bit by bit.
 template <class World>
 std::uint64_t hash_state(const StepData<World>& data);
 

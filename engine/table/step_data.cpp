@@ -1,8 +1,9 @@
-// Allocates the table, each blade's data in pages of its own.
+// Allocates the table, each subsystem's data in pages of its own.
 
 #include "engine/table/step_data.h"
 
 #include <algorithm>
+#include <cassert>
 #include <type_traits>
 #include <utility>
 
@@ -26,8 +27,8 @@ void place_fields(const TreeBody<Space>& model, int history, double* memory,
   space::place_fields(*model.body, model.joint.joint, history, memory, data);
 }
 
-Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
-  Section section = make_section(*data.model->body, data.layout, point.element, point.s);
+plane::Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
+  plane::Section section = make_section(*data.model->body, data.layout, point.element, point.s);
   section.x = point.x;
   return section;
 }
@@ -35,13 +36,13 @@ space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& p
   return space::make_section(*data.model->body, point.element, point.s);
 }
 
-double mass_of(const FlexibleBody& body) { return body.mass; }
+double mass_of(const plane::FlexibleBody& body) { return body.mass; }
 double mass_of(const space::Body& body) {
   return body.flexible() ? body.flexible()->mass : body.rigid()->mass;
 }
 
-/// Lengths by which deformations are measured [m].
-double extent_of(const FlexibleBody& body) { return body.length; }
+/// Returns the length by which deformations are measured [m].
+double extent_of(const plane::FlexibleBody& body) { return body.length; }
 double extent_of(const space::Body& body) { return body.extent(); }
 
 /// Calls `apply` with the blocks of coordinates of the joint that carries a body.
@@ -96,7 +97,7 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
   }
 }
 
-/// The sections at which a load acts on a body.
+/// Finds the sections at which a load acts on a body.
 template <class World, class Load>
 PlacedLoad<World, Load> place(const Load& load, const BodyData<World>& data) {
   PlacedLoad<World, Load> placed{&load, {}};
@@ -146,6 +147,7 @@ void follow_progress(std::size_t i, StepData<World>& data, SubsystemData<World>&
 
 template <class World>
 void allocate(const System<World>& system, const TableOptions& options, StepData<World>& data) {
+  assert(options.window_steps >= 1 && options.linear_range >= 0.0 && options.history >= 0);
   data.hub_storage.fill(TwistOf<World>::Zero());
   CoordinateBlock& hub = data.hub_coordinates;
   hub.size = World::kTwist;
@@ -191,6 +193,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
 
 template <class World>
 std::int64_t StepData<World>::passes_of(std::size_t index, std::int64_t step) const {
+  assert(is_coupled ? index == 0 : index < subsystems.size());
   return is_coupled ? of_step(records, step).step.passes
                     : of_step(subsystems[index].records, step).step.passes;
 }
@@ -247,7 +250,7 @@ void StepData<World>::return_record(std::int64_t step) {
 
 namespace {
 
-/// Applies to all loads of the user's, until one is true.
+/// Whether `check` is true of any load of the user's.
 template <class World, class Check>
 bool any_load(const StepData<World>& data, Check&& check) {
   return std::any_of(data.subsystems.begin(), data.subsystems.end(),

@@ -5,6 +5,7 @@
 // accesses by memory.
 
 #include <array>
+#include <cassert>
 #include <limits>
 #include <memory>
 #include <span>
@@ -43,42 +44,43 @@ struct PrescribedHub {
 template <class World>
 struct HubSolution {
   TwistOf<World> acceleration;  ///< hub frame, less gravity: a - g (see solve_hub)
-  /// Wrench of the support and drive on the hub, hub frame [N, N m].
+  /// Wrench of support and drive on the hub, hub frame [N, N m].
   TwistOf<World> reaction;
-  double applied_torque;  ///< of a torque drive [N m]
-  TwistOf<World> load;    ///< of the loads on the hub, about its axis, hub frame [N, N m]
-  double change;          ///< of a free coordinate in this iteration [m, rad]
-  double step_change;     ///< see PassReport; of the first iteration of a step, else 0
-  StepError error;        ///< of the first iteration of a step; else 0
+  double applied_torque;  ///< torque of the drive, where it gives one [N m]
+  TwistOf<World> load;    ///< wrench of the loads on the hub, about its axis, hub frame [N, N m]
+  double change;          ///< largest change of a free coordinate in this iteration [m, rad]
+  double step_change;     ///< see PassReport; only in the first iteration of a step, else 0
+  StepError error;        ///< only in the first iteration of a step, else 0
 };
 
-/// What the sensors show of a subsystem at the end of a step.
+/// Sample of a subsystem at the end of a step, for the sensors.
 template <class World>
 struct SubsystemSample {
   PositionOf<World> tip = PositionOf<World>::Zero();  ///< displacement, hub frame [m]
   double kinetic = 0.0;                               ///< energy, stiffening term included [J]
   double strain = 0.0;                                ///< energy [J]
-  /// Work of gravity since the undeformed start [J]; of gravity that rises 0: it is work of loads.
+  /// Work of gravity since the undeformed start [J]; 0 for gravity that rises, whose work is that
+  /// of loads.
   double gravity = 0.0;
   TwistOf<World> root = TwistOf<World>::Zero();  ///< see SubsystemData::root_load
 };
 
-/// What a subsystem, or a coupled system, did in a step.
+/// Work and reaction of a subsystem, or of a coupled system, in a step.
 template <class World>
 struct ReactionRecord {
   StepRecord step;
-  /// Of the support and drive on the hub at its end, hub frame [N, N m].
+  /// Wrench of support and drive on the hub at its end, hub frame [N, N m].
   TwistOf<World> reaction = TwistOf<World>::Zero();
 };
 
-/// The step as a whole: what all subsystems did, and the hub.
+/// The step as a whole: the sums over all subsystems, and the hub.
 template <class World>
 struct SystemRecord : ReactionRecord<World> {
-  double applied_torque = 0.0;  ///< of a torque drive at the step's end [N m]
-  /// Of the hub, inertial frame: x, y [m], angle [rad].
+  double applied_torque = 0.0;  ///< torque of the drive at the step's end, where it gives one [N m]
+  /// Place of the hub, inertial frame: x, y [m], angle [rad].
   TwistOf<World> position = TwistOf<World>::Zero();
   TwistOf<World> velocity = TwistOf<World>::Zero();  ///< [m/s, rad/s]
-  /// Hub frame to inertial frame, in space; in the plane nothing.
+  /// Rotation from the hub frame to the inertial frame; empty in the plane.
   [[no_unique_address]] typename BodyTypes<World>::RecordedRotation hub_rotation;
 };
 
@@ -86,19 +88,20 @@ struct SystemRecord : ReactionRecord<World> {
 template <class World>
 struct alignas(kInterferenceSize) SubsystemData {
   using Types = BodyTypes<World>;
-  Arena* arena = nullptr;  ///< of its arrays
+  Arena* arena = nullptr;  ///< memory of its arrays
   ArenaVector<BodyData<World>> bodies;
   /// From the parent's frame (that of the hub, where the hub carries the body) to the body's: R is
   /// R_PB.
   ArenaVector<typename BodyTypes<World>::JointMotion> joints;
-  ArenaVector<TwistOf<World>> twists;  ///< of the body frames, in the body frames
+  ArenaVector<TwistOf<World>> twists;  ///< body frames' twists, each in its body frame
   EffectiveInertia<World> effective;
   ArenaVector<typename Types::HandleWrenches> wrenches;
   ArenaVector<PoseOf<World>> poses;  ///< in the hub frame; for sensors, no part of a step
   ArenaVector<PoseOf<World>>
-      drag_poses;                      ///< the same during a step; none unless drag depends on them
-  ArenaVector<double> storage;         ///< of all flex vectors
-  std::vector<LoadData<World>> loads;  ///< of the user's, whose first blade this is
+      drag_poses;               ///< poses during a step; empty unless drag depends on them
+  ArenaVector<double> storage;  ///< memory of all flex vectors
+  std::vector<LoadData<World>>
+      loads;  ///< the user's loads that have their first marker's subsystem here
   /// By body, the sum of the forces that are applied to it and to all that it carries, as the joint
   /// that carries it hands it on, hub frame [N], and at the end that of all that is applied; empty
   /// unless a tension depends on them.
@@ -106,7 +109,8 @@ struct alignas(kInterferenceSize) SubsystemData {
   /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
   const PositionOf<World>* flight_acceleration = nullptr;
 
-  // What the subsystem's nodes follow: the system's if it is coupled, else its own.
+  // Progress and hub that the subsystem's nodes follow: the system's if it is coupled, else its
+  // own.
   StepProgress* progress = nullptr;
   const HubState<World>* hub = nullptr;
   const TwistOf<World>* hub_acceleration = nullptr;  ///< hub frame, less gravity
@@ -115,22 +119,23 @@ struct alignas(kInterferenceSize) SubsystemData {
   ArenaVector<ReactionRecord<World>> records;   ///< ring by step, if not coupled
   ArenaVector<SubsystemSample<World>> samples;  ///< ring by step
 
-  // At the end of the last step, by its last evaluation.
-  /// What the blade does to the hub, in the blade's axes [N, N m]. In space: what all bodies on the
-  /// hub do, in H, about the origin of the first one.
+  // Values at the end of the last step, by its last evaluation.
+  /// Wrench of the subsystem on the hub, in the axes of its root bracket [N, N m]. In space: of all
+  /// bodies on the hub, in H, about the origin of the first one.
   TwistOf<World> root_load = TwistOf<World>::Zero();
   ArenaVector<TwistOf<World>>
       joint_loads;  ///< on the inboard handle of each body, body frames [N, N m]
 
   // Sensors of the scenario's.
   std::vector<Reading<World>> readings;
-  std::size_t reading_count = 0;     ///< values that they take
+  std::size_t reading_count = 0;     ///< values that the readings take
   ArenaVector<double> reading_ring;  ///< by step, reading_count each
 };
 
-/// Values of the readings of a step in the ring.
+/// Returns the values of the readings of a step in the ring.
 template <class World>
 double* readings_of(SubsystemData<World>& data, std::int64_t step) {
+  assert(step >= 0 && !data.samples.empty());
   return data.reading_ring.data() +
          data.reading_count * (static_cast<std::size_t>(step) % data.samples.size());
 }
@@ -145,18 +150,19 @@ class StepData final : public StepTable {
   HubState<World> hub;
   HubSolution<World> hub_solution;
   CoordinateBlock hub_coordinates;
-  std::array<TwistOf<World>, 7> hub_storage;  ///< of hub_coordinates
-  /// What the hub's orientation has besides hub_coordinates; nothing in the plane.
+  std::array<TwistOf<World>, 7> hub_storage;  ///< memory of hub_coordinates
+  /// State of the hub's orientation besides hub_coordinates; empty in the plane.
   typename BodyTypes<World>::Attitude hub_attitude;
   std::vector<std::unique_ptr<Arena>> arenas;  ///< by subsystem; they outlive what lies in them
   std::vector<SubsystemData<World>> subsystems;
-  double length = 1.0;  ///< of the model, by which errors of places are measured [m]
+  double length = 1.0;  ///< length of the model, by which errors of places are measured [m]
   std::vector<SystemRecord<World>> records;  ///< ring by step
   SystemRecord<World> evaluated;             ///< see take_evaluated_record()
   bool flies = false;                        ///< whether the hub's translation is free
-  double mass = 0.0;                         ///< of hub and bodies [kg]
-  bool has_hub_loads = false;                ///< forces on the hub
-  /// Of a hub that flies: what the applied forces accelerate the mass centre by, hub frame [m/s^2].
+  double mass = 0.0;                         ///< mass of hub and bodies [kg]
+  bool has_hub_loads = false;                ///< whether forces act on the hub itself
+  /// Acceleration that the applied forces give the mass centre of a hub that flies, hub frame
+  /// [m/s^2].
   PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
 
   std::size_t ring_size() const override { return records.size(); }
@@ -177,7 +183,7 @@ class StepData final : public StepTable {
   SystemRecord<World> kept_;
 };
 
-/// What the table's size depends on besides the system.
+/// Options, besides the system, on which the table's size depends.
 struct TableOptions {
   int history = 0;          ///< flex vectors per body that the integrator keeps
   bool is_coupled = false;  ///< see StepData
@@ -186,7 +192,8 @@ struct TableOptions {
   double linear_range = std::numeric_limits<double>::infinity();
 };
 
-/// What the rings hold of a step, `readings` values of sensors of the scenario's among it [bytes].
+/// Returns the bytes that the rings hold for one step, with `readings` values of the scenario's
+/// sensors.
 template <class World>
 double ring_bytes(const System<World>& system, std::size_t readings) {
   return sizeof(SystemRecord<World>) + static_cast<double>(readings) * sizeof(double) +
@@ -194,18 +201,19 @@ double ring_bytes(const System<World>& system, std::size_t readings) {
              (sizeof(ReactionRecord<World>) + sizeof(SubsystemSample<World>));
 }
 
-/// Allocates the table for a system, at rest and undeformed. What depends on the method is left to
-/// allocate(StepContext&). The system must outlive the data, which must not move.
+/// Allocates the table for a system, at rest and undeformed. Memory that depends on the method is
+/// left to allocate(StepContext&). The system must outlive the data, which must not move.
 template <class World>
 void allocate(const System<World>& system, const TableOptions& options, StepData<World>& data);
 
-/// The record of a step in a ring.
+/// Returns the record of a step in a ring.
 template <class Ring>
 auto& of_step(Ring& ring, std::int64_t step) {
+  assert(step >= 0 && !ring.empty());
   return ring[static_cast<std::size_t>(step) % ring.size()];
 }
 
-/// Memory of a structure of doubles, or of `count` of them in a row.
+/// Views a structure of doubles, or `count` of them in a row, as doubles.
 template <class T>
 std::span<double> doubles(T& first, std::size_t count = 1) {
   static_assert(sizeof(T) % sizeof(double) == 0);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What of the table does not depend on the world: how far the simulation has come, and what is done
-// with a state as a whole.
+// The table as far as it does not depend on the world: the progress of the simulation, and
+// functions on a state as a whole.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace spoke {
 
-/// The table, whatever the world. What steps and windows, failures and restarts need.
+/// The table, whatever the world: functions that steps and windows, failures and restarts need.
 class StepTable {
  public:
   StepTable() = default;
@@ -30,14 +30,14 @@ class StepTable {
 
   /// Steps that have a place in the rings of records.
   virtual std::size_t ring_size() const = 0;
-  /// Passes of a step, by progress number `index`; the most of all. Precondition: the step has a
-  /// record.
+  /// Return the passes of a step, by progress number `index`, and the most of all. Precondition:
+  /// the step has a record.
   virtual std::int64_t passes_of(std::size_t index, std::int64_t step) const = 0;
   virtual std::int64_t most_passes_of(std::int64_t step) const = 0;
   /// Calls `apply` with each block of coordinates, in fixed order.
   virtual void for_each_block(const std::function<void(CoordinateBlock&)>& apply) = 0;
-  /// Where all that the next step and the sensors depend on lies: coordinates, histories and
-  /// accelerations, loads of the joints, and the progress.
+  /// Returns the memory of all that the next step and the sensors depend on: coordinates, histories
+  /// and accelerations, loads of the joints, and the progress.
   virtual std::vector<std::span<std::byte>> state_memory() = 0;
   /// Copies the state at the end of step `step`; `values` keeps its memory (state_values.h).
   virtual void take_state(std::int64_t step, std::vector<double>& values) = 0;
@@ -45,13 +45,14 @@ class StepTable {
   virtual void put_state(std::span<const double> values, std::int64_t step) = 0;
   /// Remembers the record of a step, which an evaluation at its end overwrites.
   virtual void keep_record(std::int64_t step) = 0;
-  /// Takes what an evaluation made of the record of a step.
+  /// Takes the record that an evaluation has made of a step.
   virtual void take_evaluated_record(std::int64_t step) = 0;
-  /// Puts the record back that was kept.
+  /// Puts back the record that was kept.
   virtual void return_record(std::int64_t step) = 0;
 
-  virtual bool has_loads() const = 0;           ///< of the user's
-  virtual bool is_any_load_failed() const = 0;  ///< since they were last cleared
+  virtual bool has_loads() const = 0;  ///< whether the user has given loads
+  virtual bool is_any_load_failed()
+      const = 0;  ///< whether one has failed since clear_load_failures()
   virtual void clear_load_failures() = 0;
 
  protected:

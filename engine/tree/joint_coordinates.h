@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cassert>
 #include <cstddef>
 
 #include "engine/tree/multi_port.h"
@@ -19,7 +20,7 @@ namespace spoke::tree {
 //   Pi_k = Pi_(k-1) - d_k y_k y_k^T,                       t_k = d_k (tau_k + H_k^T s_(k-1))
 //   s_k = s_(k-1) - t_k y_k,                               q_k'' = t_k + d_k y_k^T r_k
 
-/// What the elimination of a joint's coordinates leaves besides Pi.
+/// Quantities that the elimination of a joint's coordinates leaves besides Pi.
 template <class World>
 struct JointResponse {
   static constexpr int kMost = World::kMostJointCoordinates;
@@ -36,6 +37,7 @@ struct JointResponse {
 template <class World, class Joint>
 void eliminate_coordinates(const Joint& joint, typename World::SymmetricTwistMatrix& Pi,
                            JointResponse<World>& response) noexcept {
+  assert(joint.coordinates >= 0 && joint.coordinates <= World::kMostJointCoordinates);
   using Twist = typename World::Twist;
   response.wrench.setZero();
   response.gain.setZero();
@@ -53,10 +55,11 @@ void eliminate_coordinates(const Joint& joint, typename World::SymmetricTwistMat
   }
 }
 
-/// The accelerations q'' of n coordinates at the relative acceleration r.
+/// Calculates the accelerations q'' of n coordinates at the relative acceleration r.
 template <class World>
 void recover_coordinates(const JointResponse<World>& response, typename World::Twist r, int n,
                          double* a) noexcept {
+  assert(n >= 0 && n <= World::kMostJointCoordinates && (n == 0 || a));
   for (int c = n; c-- > 0;) {
     a[c] = response.given[static_cast<std::size_t>(c)] + response.gain.col(c).dot(r);
     r -= a[c] * response.H.col(c);

@@ -17,14 +17,16 @@
 // (their number n), tau and share. Of a root joint, R and p lead to the hub's frame, and all have p
 // and bias.
 
+#include <cassert>
+
 #include "engine/tree/joint_coordinates.h"
 #include "engine/tree/multi_port.h"
+#include "models/plane/plane.h"
 #include "models/space/vectors.h"
-#include "models/system/plane.h"
 
 namespace spoke::tree {
 
-/// Of joints without coordinates, nothing.
+/// Joints without coordinates keep nothing.
 template <class World, bool has_coordinates = kHasJointCoordinates<World>>
 struct ResponseOfJoint {};
 template <class World>
@@ -32,8 +34,8 @@ struct ResponseOfJoint<World, true> {
   JointResponse<World> response;
 };
 
-/// What recovery needs of a joint: its wrench on the parent is f = Pi (rhs - sum of P_oh f_h), over
-/// the other handles h of the parent, and response.wrench.
+/// Quantities of a joint that recovery needs: its wrench on the parent is f = Pi (rhs - sum of P_oh
+/// f_h), over the other handles h of the parent, and response.wrench.
 template <class World>
 struct JointElimination : ResponseOfJoint<World> {
   typename World::SymmetricTwistMatrix Pi;
@@ -70,7 +72,7 @@ template <class World, class Joint>
   }
 }
 
-/// The branch that is left of a body with two handles when the joint at its outboard one is
+/// Returns the branch that a body with two handles becomes when the joint at its outboard one is
 /// eliminated with Pi and f.
 template <class World>
 Branch<World> join(const typename World::SymmetricTwistMatrix& P_ii,
@@ -87,6 +89,7 @@ template <class World, class Joint>
                                                    const Branch<World>& child,
                                                    const MultiPort<World>& port,
                                                    JointElimination<World>& elimination) noexcept {
+  assert(o > 0 && o < port.handles);
   using Matrix = typename World::TwistMatrix;
   const typename World::Twist f =
       eliminate_joint(port.diagonal[o], port.free[o], joint, child, elimination);
@@ -101,11 +104,12 @@ template <class World, class Joint>
   }
 }
 
-/// What recovery needs of a root joint.
+/// Quantities of a root joint that recovery needs.
 template <class World>
 struct RootElimination : ResponseOfJoint<World> {
-  typename World::SymmetricTwistMatrix mass;  ///< Lambda^-1, and less what its coordinates yield
-  typename World::Twist free;                 ///< acceleration of the root handle without wrench
+  typename World::SymmetricTwistMatrix
+      mass;                    ///< Lambda^-1, less the yield of the joint's coordinates
+  typename World::Twist free;  ///< acceleration of the root handle without wrench
 };
 
 /// A subsystem as the hub feels it, (P 10), in the hub frame.

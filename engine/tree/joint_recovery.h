@@ -3,13 +3,15 @@
 // Recovery of the wrenches of the joints, the multipliers of (P 8), from the root of a tree
 // outward, and of the accelerations of the joints' coordinates.
 
+#include <cassert>
+
 #include "engine/tree/joint_elimination.h"
 
 namespace spoke::tree {
 
-/// The wrench on the root handle, in its body's frame, from the acceleration that the hub gives it:
-/// R^T (T Y'' + bias), in the same frame. `a`: accelerations of the joint's coordinates, if it has
-/// any.
+/// Returns the wrench on the root handle, in its body's frame, from the acceleration that the hub
+/// gives it: R^T (T Y'' + bias), in the same frame. `a`: accelerations of the joint's coordinates,
+/// if it has any.
 template <class World, class Joint>
 typename World::Twist recover_root(const Joint& joint, const RootElimination<World>& root,
                                    const typename World::Twist& acceleration,
@@ -23,8 +25,8 @@ typename World::Twist recover_root(const Joint& joint, const RootElimination<Wor
   }
 }
 
-/// The wrench on a parent's handle from `r`, what is left of elimination.rhs when the wrenches on
-/// its other handles are known.
+/// Returns the wrench on a parent's handle from `r`, the rest of elimination.rhs when the wrenches
+/// on its other handles are known.
 template <class World, class Joint>
 typename World::Twist recover_joint(const Joint& joint, const JointElimination<World>& elimination,
                                     const typename World::Twist& r, double* a = nullptr) noexcept {
@@ -36,19 +38,20 @@ typename World::Twist recover_joint(const Joint& joint, const JointElimination<W
   }
 }
 
-/// The wrench on handle `o` of a body, with those on the handles before, f[0] ... f[o - 1], known.
-/// (Children are recovered in the reverse of the order in which they were eliminated.)
+/// Returns the wrench on handle `o` of a body, with those on the handles before, f[0] ... f[o - 1],
+/// known. (Children are recovered in the reverse of the order in which they were eliminated.)
 template <class World, class Joint>
 [[gnu::always_inline]] inline typename World::Twist recover_child(
     int o, const Joint& joint, const MultiPort<World>& port,
     const JointElimination<World>& elimination, const typename World::Twist* f,
     double* a = nullptr) noexcept {
+  assert(o > 0 && o < port.handles && f);
   typename World::Twist r = elimination.rhs;
   for (int h = 0; h < o; ++h) r = r - port.between(h, o).transpose().lazyProduct(f[h]);
   return recover_joint(joint, elimination, r, a);
 }
 
-/// The wrench on a child's inboard handle, in its frame, from that on the parent's handle.
+/// Returns the wrench on a child's inboard handle, in its frame, from that on the parent's handle.
 template <class World, class Joint>
 typename World::Twist pass_to_child(const Joint& joint, const typename World::Twist& f) noexcept {
   if constexpr (kHasJointCoordinates<World>)
@@ -57,7 +60,8 @@ typename World::Twist pass_to_child(const Joint& joint, const typename World::Tw
     return -(joint.R.inverse() * f);
 }
 
-/// The wrench on the parent's handle, in its frame, from that on the child's inboard handle.
+/// Returns the wrench on the parent's handle, in its frame, from that on the child's inboard
+/// handle.
 template <class World, class Joint>
 typename World::Twist pass_to_parent(const Joint& joint, const typename World::Twist& F) noexcept {
   const typename World::Twist f = -(joint.R * F);

@@ -5,20 +5,20 @@
 // child's inboard one and b their accelerations at zero accelerations,
 //   R^T T (J_h (X, q'')_parent + b_h) - J_i (X, q'')_child - b_i + R^T (H q'' + bias) = 0
 
+#include "models/plane/plane.h"
 #include "models/space/space.h"
-#include "models/system/plane.h"
 
 namespace spoke::tree {
 
-/// R^T T a with T = [1, -p~; 0, 1]: what the acceleration `a` of the handle that carries a joint
-/// makes of that of the child, in the child's frame.
+/// Returns R^T T a with T = [1, -p~; 0, 1]: the share of the acceleration `a` of the handle that
+/// carries a joint in the acceleration of the child, in the child's frame.
 template <class World, class Joint>
 typename World::Twist carry_to_child(const Joint& joint, typename World::Twist a) noexcept {
   linear(a) += cross(angular(a), joint.p);
   return joint.R.inverse() * a;
 }
 
-/// R^T T.
+/// Returns R^T T.
 template <class World, class Joint>
 typename World::TwistMatrix carrying_matrix(const Joint& joint) noexcept {
   typename World::TwistMatrix C;

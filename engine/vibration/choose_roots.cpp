@@ -15,20 +15,20 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-/// x^H A x.
+/// Returns x^H A x.
 template <class Product>
 Complex calc_form(const VectorXcd& x, const Product& product) {
   const VectorXd real = product(x.real()), imag = product(x.imag());
   return {x.real().dot(real) + x.imag().dot(imag), x.real().dot(imag) - x.imag().dot(real)};
 }
 
-/// A root, and what its shape says of it.
+/// A root, and the estimates from its shape.
 struct Judged {
   Complex s;
   VectorXcd x;             ///< of unit mass
-  Complex quotient;        ///< the root of x^H P x near it: of undamped vibrations to second order
+  Complex quotient;        ///< root of x^H P x near s, of second order for undamped vibrations
   double slope = 0.0;      ///< |x^H P'(s) x|
-  double round_off = 0.0;  ///< of x^H P(s) x
+  double round_off = 0.0;  ///< that of x^H P(s) x
 };
 Judged judge(const Pencil& pencil, const Spectrum& spectrum, Index k) {
   const Complex s = spectrum.values[k];
@@ -42,8 +42,9 @@ Judged judge(const Pencil& pencil, const Spectrum& spectrum, Index k) {
           pencil.calc_round_off(x, std::abs(s)) + spectrum.lost(s)};
 }
 
-/// Whether it is one of a rigid motion: of its shape, and zero but for what is lost of two roots
-/// that meet. One that damping or gyroscopic forces slow down has that shape, too.
+/// Whether a root belongs to a rigid motion: it has the shape of one, and is zero up to the digits
+/// that are lost where two roots meet. A root that damping or gyroscopic forces slow down has that
+/// shape, too.
 bool is_rigid(const Judged& root, const Pencil& pencil, const MatrixXd& rigid) {
   constexpr double kLost = 1e4, kOfShape = 1e-4;
   if (rigid.cols() == 0 || std::abs(root.s) * root.slope > kLost * root.round_off) return false;
@@ -53,10 +54,10 @@ bool is_rigid(const Judged& root, const Pencil& pencil, const MatrixXd& rigid) {
   return calc_form(left, times_mass).real() < kOfShape;
 }
 
-/// Without the parts that are round-off.
+/// Returns the root without the parts that are round-off.
 Complex clear(const Judged& root) {
-  constexpr double kReal = 1e-9;      // imaginary parts below this are those of real roots
-  constexpr double kUndamped = 1e-7;  // real parts below this are judged by the quotient
+  constexpr double kReal = 1e-9;      // below this imaginary parts are zero
+  constexpr double kUndamped = 1e-7;  // below this real parts are taken from the quotient
   const double size = std::abs(root.s);
   const double unknown = root.slope * root.slope > root.round_off ? root.round_off / root.slope
                                                                   : std::sqrt(root.round_off);
@@ -98,7 +99,7 @@ ChosenRoots choose_roots(const Pencil& pencil, const Spectrum& spectrum, const M
     chosen.checked.push_back({k, root.slope < kNear * std::abs(root.s)});
     chosen.roots.push_back({clear(root), root.x});
   }
-  // Where forces are in no balance, more than two roots zero may belong to a motion.
+  // More than two roots of zero may belong to a motion where forces are not in balance.
   const bool is_all = values.size() == 2 * pencil.size();
   while (is_all && !spare.empty() && std::ssize(chosen.roots) < std::min(count, pencil.size())) {
     chosen.roots.insert(chosen.roots.begin() + rigid.cols(), {0.0, spare.back()});

@@ -1,8 +1,9 @@
-// Takes trees that are alike apart into patterns.
+// Takes subsystems that are alike apart into patterns.
 
 #include "engine/vibration/coupled_roots.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 
@@ -17,17 +18,18 @@ using steady::LinearModel;
 
 constexpr Index kMeetHub = 3;  ///< patterns: 1, cosine, sine
 
-/// Trees that are alike, and orthonormal amplitudes by tree: the first patterns are those that the
-/// hub feels.
+/// Subsystems that are alike, and orthonormal amplitudes for each. The first patterns are those
+/// that the hub feels.
 struct Family {
-  std::vector<std::size_t> trees;
-  MatrixXd patterns;  ///< a column each
+  std::vector<std::size_t> subsystems;
+  MatrixXd patterns;  ///< one in each column
   Index meeting = 0;  ///< patterns that meet at the hub
 
   Index held() const { return patterns.cols() - meeting; }
 };
 
-/// Columns 1, cos, sin, cos of twice the azimuth, ... made orthonormal, as many as there are trees.
+/// Returns the columns 1, cos, sin, cos of twice the azimuth, ... made orthonormal, as many as
+/// there are subsystems.
 MatrixXd make_harmonics(const VectorXd& azimuths) {
   const Index count = azimuths.size();
   MatrixXd patterns(count, count);
@@ -45,71 +47,73 @@ MatrixXd make_harmonics(const VectorXd& azimuths) {
     add((static_cast<double>(n) * azimuths).array().cos());
     add((static_cast<double>(n) * azimuths).array().sin());
   }
-  for (Index k = 0; k < count; ++k) add(VectorXd::Unit(count, k));  // at one azimuth
+  for (Index k = 0; k < count; ++k) add(VectorXd::Unit(count, k));  // for subsystems at one azimuth
   return patterns;
 }
 
 std::vector<Family> find_families(const LinearModel& model, const std::vector<double>& azimuths) {
+  assert(azimuths.size() == model.trees.size() && model.alike.size() == model.trees.size());
   std::vector<Family> families;
-  for (std::size_t first = 0; first < model.trees.size(); ++first) {
+  for (std::size_t first = 0; first < model.subsystems.size(); ++first) {
     if (model.alike[first] != first) continue;
     Family& family = families.emplace_back();
-    for (std::size_t i = first; i < model.trees.size(); ++i)
-      if (model.alike[i] == first) family.trees.push_back(i);
-    const Index count = std::ssize(family.trees);
+    for (std::size_t i = first; i < model.subsystems.size(); ++i)
+      if (model.alike[i] == first) family.subsystems.push_back(i);
+    const Index count = std::ssize(family.subsystems);
     family.meeting = std::min(count, kMeetHub);
     family.patterns = MatrixXd::Identity(count, count);
     if (count <= kMeetHub) continue;
     VectorXd own(count);
-    for (Index k = 0; k < count; ++k) own[k] = azimuths[family.trees[static_cast<std::size_t>(k)]];
+    for (Index k = 0; k < count; ++k)
+      own[k] = azimuths[family.subsystems[static_cast<std::size_t>(k)]];
     family.patterns = make_harmonics(own);
   }
   return families;
 }
 
-/// What a pattern of trees has to do with the hub.
+/// Returns the coupling of a pattern of subsystems with the hub.
 HubCoupling combine(const LinearModel& model, const Family& family, Index pattern) {
-  HubCoupling sum = model.couplings[family.trees[0]];
+  HubCoupling sum = model.couplings[family.subsystems[0]];
   for (MatrixXd HubCoupling::*part : {&HubCoupling::M_bh, &HubCoupling::C_bh, &HubCoupling::K_bh,
                                       &HubCoupling::M_hb, &HubCoupling::C_hb, &HubCoupling::K_hb}) {
     (sum.*part).setZero();
-    for (std::size_t k = 0; k < family.trees.size(); ++k)
-      sum.*part +=
-          family.patterns(static_cast<Index>(k), pattern) * model.couplings[family.trees[k]].*part;
+    for (std::size_t k = 0; k < family.subsystems.size(); ++k)
+      sum.*part += family.patterns(static_cast<Index>(k), pattern) *
+                   model.couplings[family.subsystems[k]].*part;
   }
   return sum;
 }
 
-/// A model of the hub with a tree for each pattern that meets there.
+/// Returns a model of the hub with a subsystem for each pattern that meets there.
 LinearModel reduce(const LinearModel& model, const std::vector<Family>& families) {
   LinearModel reduced{model.M, model.C, model.K, {}, {}, {}, model.round_off, model.rate};
   for (const Family& family : families) {
-    const std::size_t first = reduced.trees.size();
+    const std::size_t first = reduced.subsystems.size();
     for (Index pattern = 0; pattern < family.meeting; ++pattern) {
-      reduced.trees.emplace_back();
+      reduced.subsystems.emplace_back();
       reduced.couplings.push_back(combine(model, family, pattern));
       reduced.alike.push_back(first);
     }
-    reduced.trees[first] = model.tree(family.trees[0]);
+    reduced.subsystems[first] = model.subsystem(family.subsystems[0]);
   }
   return reduced;
 }
 
-/// Places of the coordinates of all trees in a vector that begins with those of the hub.
+/// Places of the coordinates of all subsystems in a vector that begins with those of the hub.
 class Layout {
  public:
   explicit Layout(const LinearModel& model) : size_(model.M.rows()) {
-    for (std::size_t i = 0; i < model.trees.size(); ++i) {
+    for (std::size_t i = 0; i < model.subsystems.size(); ++i) {
       starts_.push_back(size_);
-      size_ += model.tree(i).M.rows();
+      size_ += model.subsystem(i).M.rows();
     }
   }
   Eigen::VectorXcd zero() const { return Eigen::VectorXcd::Zero(size_); }
-  /// Adds a motion of all trees of a family.
+  /// Adds a motion of all subsystems of a family.
   template <class Motion>
   void add(const Family& family, Index pattern, const Motion& motion, Eigen::VectorXcd& x) const {
-    for (std::size_t k = 0; k < family.trees.size(); ++k)
-      x.segment(starts_[family.trees[k]], motion.size()) +=
+    for (std::size_t k = 0; k < family.subsystems.size(); ++k)
+      x.segment(starts_[family.subsystems[k]], motion.size()) +=
           family.patterns(static_cast<Index>(k), pattern) * motion;
   }
 
@@ -118,7 +122,7 @@ class Layout {
   Index size_;
 };
 
-/// Of patterns that move the hub, or feel it.
+/// Adds the roots of patterns that move the hub, or feel it.
 void add_meeting(const LinearModel& model, const std::vector<Family>& families,
                  const Layout& layout, Index count, std::vector<Root>& roots) {
   const LinearModel reduced = reduce(model, families);
@@ -126,20 +130,21 @@ void add_meeting(const LinearModel& model, const std::vector<Family>& families,
   for (const Root& root : find_roots(pencil, std::min(count, pencil.size()))) {
     Root& whole = roots.emplace_back(Root{root.s, layout.zero()});
     whole.x.head(model.M.rows()) = root.x.head(model.M.rows());
-    std::size_t tree = 0;
+    std::size_t subsystem = 0;
     for (const Family& family : families)
-      for (Index pattern = 0; pattern < family.meeting; ++pattern, ++tree)
-        layout.add(family, pattern, root.x.segment(pencil.start(tree), reduced.tree(tree).M.rows()),
+      for (Index pattern = 0; pattern < family.meeting; ++pattern, ++subsystem)
+        layout.add(family, pattern,
+                   root.x.segment(pencil.start(subsystem), reduced.subsystem(subsystem).M.rows()),
                    whole.x);
   }
 }
 
-/// A tree of a family by itself, the hub held.
+/// Returns the model of one subsystem of a family while the hub is held.
 LinearModel hold_hub(const LinearModel& model, const Family& family) {
-  return {{}, {}, {}, {model.tree(family.trees[0])}, {}, {0}, {}, model.rate};
+  return {{}, {}, {}, {model.subsystem(family.subsystems[0])}, {}, {0}, {}, model.rate};
 }
 
-/// Of patterns that leave the hub where it is.
+/// Adds the roots of patterns that leave the hub at rest.
 void add_held(const LinearModel& model, const Family& family, const Layout& layout, Index count,
               std::vector<Root>& roots) {
   if (family.held() == 0) return;

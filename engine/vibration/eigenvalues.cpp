@@ -1,17 +1,16 @@
-// Symmetric and quadratic eigenproblems.
+// Solves symmetric and quadratic eigenproblems.
 
 #include "engine/vibration/eigenvalues.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <random>
 #include <utility>
 
+#include "engine/support/dense.h"
+#include "engine/vibration/arnoldi_space.h"
 #include "engine/vibration/choose_roots.h"
 #include "engine/vibration/rigid_motions.h"
 
@@ -25,15 +24,15 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-/// Sizes of the matrices that are left to Eigen's dense solvers.
+/// Largest sizes of the matrices that Eigen's dense solvers take.
 constexpr Index kSmallSymmetric = 400;
 constexpr Index kSmall = 24;
 constexpr double kDigit = std::numeric_limits<double>::epsilon();
-/// Of the frequency of the softest coordinate, where a shift is needed.
+/// The shift, where one is needed, by the frequency of the softest coordinate.
 constexpr double kShift = 0.05;
 
-/// Whether a matrix is symmetric but for differences of forces: beside the diagonal, not beside
-/// what is stiffest.
+/// Whether a matrix is symmetric up to round-off of the differences of forces. Each pair is judged
+/// by its own diagonal entries, not by the stiffest ones.
 bool is_symmetric(const MatrixXd& K, double round_off) {
   const VectorXd size = K.diagonal().cwiseAbs().cwiseSqrt();
   for (Index i = 0; i < K.rows(); ++i)
@@ -42,13 +41,13 @@ bool is_symmetric(const MatrixXd& K, double round_off) {
   return true;
 }
 
-/// Where a shift was needed.
+/// Returns the rigid motions if a shift was needed, else none.
 MatrixXd rigid_motions(const Pencil& pencil, double shift) {
   constexpr double kBelow = 0.02;
   return shift > 0.0 ? find_rigid_motions(pencil, kBelow * shift) : MatrixXd(pencil.size(), 0);
 }
 
-/// Unit mass, and a first large component that is real and positive.
+/// Scales the vector to unit mass, its largest component real and positive.
 void normalise(const Pencil& pencil, Root& root) {
   root.x = to_unit_mass(pencil, root.x);
   Index largest = 0;
@@ -57,54 +56,52 @@ void normalise(const Pencil& pencil, Root& root) {
   root.x = pencil.scale().asDiagonal() * root.x;
 }
 
-/// K + shift^2 M factorised, with the least shift of some that makes it positive definite.
+/// K + shift^2 M factorised, with the smallest of some shifts that makes it positive definite.
 struct ShiftedFactor {
   double square = 0.0;
-  Eigen::LLT<MatrixXd> factor;
+  CholeskyFactor factor;
 };
 ShiftedFactor factorise(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil) {
   const VectorXd diagonal = K.diagonal();
   if (pencil.is_held() && diagonal.minCoeff() > 0.0) {
     const VectorXd balance = diagonal.cwiseSqrt().cwiseInverse();
-    const Eigen::LLT<MatrixXd> balanced(balance.asDiagonal() * K * balance.asDiagonal());
-    if (balanced.info() == Eigen::Success && balanced.rcond() > 1e-13)
-      return {0.0, Eigen::LLT<MatrixXd>(K)};
+    const CholeskyFactor balanced(balance.asDiagonal() * K * balance.asDiagonal());
+    if (balanced.is_positive_definite() && balanced.rcond() > 1e-13)
+      return {0.0, CholeskyFactor(K)};
   }
   for (double shift = kShift * pencil.softest();; shift *= 4.0) {
-    ShiftedFactor shifted{shift * shift, Eigen::LLT<MatrixXd>(K + shift * shift * M)};
-    if (shifted.factor.info() == Eigen::Success || !std::isfinite(shift)) return shifted;
+    ShiftedFactor shifted{shift * shift, CholeskyFactor(K + shift * shift * M)};
+    if (shifted.factor.is_positive_definite() || !std::isfinite(shift)) return shifted;
   }
 }
 
-/// Roots of the symmetric problem K x = w^2 M x, by the inverse of K, shifted where it is not
-/// positive definite: that keeps the digits of the lowest ones.
+/// Returns the roots of the symmetric problem K x = w^2 M x, from the inverse of K, which keeps the
+/// digits of the lowest ones. K is shifted where it is not positive definite.
 std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil,
                                  Index count) {
   const ShiftedFactor shifted = factorise(K, M, pencil);
-  const MatrixXd half = shifted.factor.matrixL().solve(M);
-  const MatrixXd flexibility = shifted.factor.matrixL().solve(half.transpose());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(0.5 *
-                                                       (flexibility + flexibility.transpose()));
-  const VectorXd& inverse = solver.eigenvalues();
+  const MatrixXd half = shifted.factor.solve_lower(M);
+  const MatrixXd flexibility = shifted.factor.solve_lower(half.transpose());
+  const SymmetricEigen eigen = solve_symmetric(0.5 * (flexibility + flexibility.transpose()));
+  const VectorXd& inverse = eigen.values;
   const auto& factor = shifted.factor;
   const double square = shifted.square;
-  // Round-off of the inverse of K, whose trace this is; coordinates by themselves may have little
-  // mass.
-  const double trace = factor.matrixL().solve(MatrixXd::Identity(K.rows(), K.rows())).squaredNorm();
-  const Spectrum spectrum{
-      (square - inverse.array().inverse()).cast<Complex>().sqrt(),
-      [&](Index k) -> VectorXcd {
-        return factor.matrixU().solve(solver.eigenvectors().col(k)).cast<Complex>();
-      },
-      [=](Complex s) {
-        const double distance = std::abs(square - s * s);
-        return 10.0 * kDigit * trace * distance * distance;
-      }};
+  // Round-off of the inverse of K is judged by its trace, because single coordinates may have
+  // little mass.
+  const double trace = factor.solve_lower(MatrixXd::Identity(K.rows(), K.rows())).squaredNorm();
+  const Spectrum spectrum{(square - inverse.array().inverse()).cast<Complex>().sqrt(),
+                          [&](Index k) -> VectorXcd {
+                            return factor.solve_upper(eigen.vectors.col(k)).cast<Complex>();
+                          },
+                          [=](Complex s) {
+                            const double distance = std::abs(square - s * s);
+                            return 10.0 * kDigit * trace * distance * distance;
+                          }};
   return choose_roots(pencil, spectrum, rigid_motions(pencil, std::sqrt(square)), count).roots;
 }
 
-/// The inverse of the first-order system less a shift, on blocks of vectors (f x, x') with the
-/// frequency f that makes both parts equally large where the inverse is largest.
+/// The inverse of the first-order system less a shift, on blocks of vectors (f x, x'). The
+/// frequency f makes both parts equally large where the inverse is largest.
 class Inverse {
  public:
   Inverse(const Pencil& pencil, double shift)
@@ -125,7 +122,7 @@ class Inverse {
   double shift() const { return shift_; }
 
  private:
-  /// By vector iteration: the inverse is as large as the reciprocal of the least root.
+  /// Finds f by vector iteration: the inverse is as large as the reciprocal of the least root.
   void find_frequency() {
     VectorXd x = VectorXd::Ones(pencil_->size());
     for (int k = 0; k < 4; ++k) {
@@ -143,8 +140,8 @@ class Inverse {
   double frequency_ = 1.0;
 };
 
-/// Roots and vectors of the inverse's eigenvalues. What is lost of a root follows from round-off of
-/// the inverse, by its largest eigenvalue.
+/// Returns roots and vectors of the inverse's eigenvalues. The error of a root follows from
+/// round-off of the inverse, by its largest eigenvalue.
 Spectrum make_spectrum(const VectorXcd& eigenvalues, double shift,
                        std::function<VectorXcd(Index)> vector) {
   constexpr double kRoundOff = 100.0 * kDigit;
@@ -155,113 +152,47 @@ Spectrum make_spectrum(const VectorXcd& eigenvalues, double shift,
           }};
 }
 
-/// All roots of a small pencil, from the whole matrix of the inverse: it keeps the digits of the
-/// roots of least magnitude, which stiff coordinates would take away from the matrix itself.
+/// Returns the roots of a small pencil from the whole matrix of the inverse, which keeps the digits
+/// of the roots of least magnitude; in the matrix itself stiff coordinates would take them away.
 std::vector<Root> find_small(const Pencil& pencil, const Inverse& inverse, Index count) {
   const Index n = pencil.size();
-  const Eigen::EigenSolver<MatrixXd> solver(inverse * MatrixXd::Identity(2 * n, 2 * n));
-  const Spectrum spectrum = make_spectrum(solver.eigenvalues(), inverse.shift(), [&](Index k) {
-    return VectorXcd(solver.eigenvectors().col(k).head(n));
+  const GeneralEigen eigen = solve_general(inverse * MatrixXd::Identity(2 * n, 2 * n));
+  const Spectrum spectrum = make_spectrum(eigen.values, inverse.shift(), [&](Index k) {
+    return VectorXcd(eigen.vectors.col(k).head(n));
   });
   return choose_roots(pencil, spectrum, rigid_motions(pencil, inverse.shift()), count).roots;
 }
 
-/// Takes out of a block what lies in a basis.
-void project_out(const MatrixXd& basis, MatrixXd& block) {
-  block.noalias() -= basis * (basis.transpose() * block).eval();
-}
+/// Eigenvalues of the projection of the inverse on a space, and their vectors in its basis.
+using RitzPairs = GeneralEigen;
+RitzPairs find_pairs(const ArnoldiSpace& space) { return solve_general(space.projected()); }
 
-/// Makes the columns of a block orthonormal, among themselves and to a basis. What is left of a
-/// column that depends on others is thrown dice for.
-void orthonormalise(const MatrixXd& basis, std::mt19937& dice, MatrixXd& block) {
-  std::normal_distribution<double> normal;
-  for (int twice = 0; twice < 2; ++twice) {
-    VectorXd before = block.colwise().norm();
-    project_out(basis, block);
-    for (Index k = 0; k < block.cols(); ++k)
-      for (int trial = 0; trial < 3; ++trial) {
-        VectorXd column = block.col(k);
-        for (int again = 0; again < 2; ++again)
-          column -= block.leftCols(k) * (block.leftCols(k).transpose() * column);
-        const double after = column.norm();
-        block.col(k) = column / after;
-        if (after > 1e-12 * before[k]) break;
-        MatrixXd thrown = MatrixXd::NullaryExpr(block.rows(), 1, [&] { return normal(dice); });
-        project_out(basis, thrown);
-        block.col(k) = thrown;
-        before[k] = thrown.norm();
-      }
-  }
-}
-
-/// The space that an operator spans from a block of vectors on.
-class BlockSpace {
- public:
-  BlockSpace(Index size, Index width) : block_(size, width), basis_(size, 0), image_(size, 0) {
-    std::normal_distribution<double> normal;
-    for (Index k = 0; k < width; ++k)
-      for (Index i = 0; i < size; ++i) block_(i, k) = normal(dice_);
-  }
-
-  Index size() const { return basis_.cols(); }
-  bool is_all() const { return basis_.cols() == basis_.rows(); }
-  const MatrixXd& basis() const { return basis_; }
-  const MatrixXd& image() const { return image_; }  ///< of the basis, by the operator
-
-  /// Adds the image of the last block.
-  void grow(const Inverse& inverse) {
-    const Index rows = basis_.rows(), used = basis_.cols();
-    block_.conservativeResize(rows, std::min(block_.cols(), rows - used));
-    orthonormalise(basis_, dice_, block_);
-    const Index added = block_.cols();
-    basis_.conservativeResize(rows, used + added);
-    image_.conservativeResize(rows, used + added);
-    basis_.rightCols(added) = block_;
-    image_.rightCols(added) = inverse * block_;
-    block_ = image_.rightCols(added);
-  }
-
- private:
-  std::mt19937 dice_{1};
-  MatrixXd block_, basis_, image_;
-};
-
-/// Eigenvalues of the inverse as a space has them, and their vectors in the basis.
-struct RitzPairs {
-  VectorXcd inverse;
-  MatrixXcd vectors;
-};
-RitzPairs find_pairs(const BlockSpace& space) {
-  const Eigen::EigenSolver<MatrixXd> solver(MatrixXd(space.basis().transpose() * space.image()));
-  return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
-/// What is left of the equation of the inverse by a pair, its vector being of length one.
-double find_remainder(const BlockSpace& space, const RitzPairs& pairs, Index k) {
-  const VectorXcd x = pairs.vectors.col(k), y = pairs.inverse[k] * x;
+/// Returns the remainder of the equation of the inverse for a pair whose vector has length one.
+double find_remainder(const ArnoldiSpace& space, const RitzPairs& pairs, Index k) {
+  const VectorXcd x = pairs.vectors.col(k), y = pairs.values[k] * x;
   const double real = (space.image() * x.real() - space.basis() * y.real()).squaredNorm();
   const double imag = (space.image() * x.imag() - space.basis() * y.imag()).squaredNorm();
   return std::sqrt(real + imag) / x.norm();
 }
 
-/// Whether eigenvalues have converged: to 11 digits, or where two are near one another, of which
-/// they would leave the half, to round-off of the largest ones of the inverse.
-bool have_converged(const BlockSpace& space, const RitzPairs& pairs,
+/// Whether eigenvalues have converged: to 11 digits; where two are close, which would leave half of
+/// the digits, to round-off of the largest eigenvalues of the inverse.
+bool have_converged(const ArnoldiSpace& space, const RitzPairs& pairs,
                     const std::vector<Checked>& checked) {
   const double lost = 100.0 * kDigit * space.image().colwise().norm().maxCoeff();
   return std::all_of(checked.begin(), checked.end(), [&](const Checked& pair) {
-    const double digits = pair.is_double ? 0.0 : 1e-11 * std::abs(pairs.inverse[pair.column]);
+    const double digits = pair.is_double ? 0.0 : 1e-11 * std::abs(pairs.values[pair.column]);
     return find_remainder(space, pairs, pair.column) <= digits + lost;
   });
 }
 
-/// Ritz values of the inverse in a space that grows by blocks, until those that are wanted have
-/// converged or the space is all.
+/// Returns the roots from Ritz values of the inverse in a space that grows by blocks, until those
+/// that are wanted have converged or the space is complete.
 std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, Index count) {
   const Index n = pencil.size(), size = 2 * n;
-  const Index width = std::min(size, std::ssize(pencil.trees()) + 1);
+  const Index width = std::min(size, std::ssize(pencil.subsystems()) + 1);
   const MatrixXd rigid = rigid_motions(pencil, inverse.shift());
-  BlockSpace space(size, width);
+  ArnoldiSpace space(size, width);
   Index wanted = 2 * count + 2 * width + 8;
   while (true) {
     while (!space.is_all() && space.size() < wanted) space.grow(inverse);
@@ -273,7 +204,7 @@ std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, Index co
       return x;
     };
     ChosenRoots chosen =
-        choose_roots(pencil, make_spectrum(pairs.inverse, inverse.shift(), vector), rigid, count);
+        choose_roots(pencil, make_spectrum(pairs.values, inverse.shift(), vector), rigid, count);
     if (space.is_all() ||
         (std::ssize(chosen.roots) == count && have_converged(space, pairs, chosen.checked)))
       return std::move(chosen.roots);
@@ -281,7 +212,7 @@ std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, Index co
   }
 }
 
-/// What nothing holds makes the stiffness singular: the shift leaves something to divide by.
+/// Motions that nothing holds make the stiffness singular: the shift makes it regular.
 Inverse make_inverse(const Pencil& pencil) {
   if (!pencil.has_hub() && pencil.is_held()) {
     Inverse plain(pencil, 0.0);
@@ -293,13 +224,14 @@ Inverse make_inverse(const Pencil& pencil) {
 }  // namespace
 
 std::vector<Root> find_roots(const Pencil& pencil, Index count) {
+  assert(count >= 0 && count <= pencil.size());
   const Index n = pencil.size();
   std::vector<Root> roots;
   if (n == 0) return roots;
   if (n <= kSmallSymmetric) {
     const MatrixXd M = pencil.dense_mass(), C = pencil.dense_damping();
     const MatrixXd K = pencil.dense_stiffness();
-    // M is of unit diagonal: C is a rate, to be compared with the frequencies.
+    // M has a unit diagonal: C is a rate, to be compared with the frequencies.
     if (C.lpNorm<Eigen::Infinity>() <= 1e-9 * pencil.softest() &&
         is_symmetric(K, pencil.largest_round_off()))
       roots = find_symmetric(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()), pencil, count);

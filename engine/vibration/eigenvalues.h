@@ -9,11 +9,12 @@
 
 namespace spoke::vibration {
 
-/// The `count` roots of least magnitude, in ascending order, or all if there are fewer. Rigid
-/// motions (find_rigid_motions()) are roots zero, one for each. Without damping and gyroscopic
-/// forces, and with a symmetric stiffness, by the symmetric eigenproblem; else by the one of twice
-/// the size, inverted: all of it if the pencil is small, a block Arnoldi iteration if it is large.
-/// Blocks, because equal blades have equal roots, of which a single vector finds one.
+/// Returns the `count` roots of least magnitude in ascending order, or all if there are fewer.
+/// Rigid motions (find_rigid_motions()) are roots of zero, one for each. Without damping and
+/// gyroscopic forces, and with a symmetric stiffness, the symmetric eigenproblem is solved;
+/// otherwise the one of twice the size is inverted, and solved by its whole matrix if the pencil is
+/// small, by a block Arnoldi iteration if it is large. The iteration uses blocks because equal
+/// subsystems have equal roots, of which a single vector finds one.
 std::vector<Root> find_roots(const Pencil& pencil, Eigen::Index count);
 
 }  // namespace spoke::vibration

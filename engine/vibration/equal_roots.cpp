@@ -1,10 +1,11 @@
-// Eigenvectors of one Hermitian form after the other.
+// Solves one Hermitian form after the other.
 
 #include "engine/vibration/equal_roots.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "engine/support/dense.h"
 
 namespace spoke::vibration {
 namespace {
@@ -12,23 +13,23 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-constexpr double kEqual = 1e-7;      // of roots, by their magnitude
-constexpr double kSame = 1e-6;       // of features, by the mass of a vector or more
-constexpr double kDependent = 1e-3;  // of vectors: those of roots that only meet
+constexpr double kEqual = 1e-7;      // largest difference of equal roots, by their magnitude
+constexpr double kSame = 1e-6;       // largest difference of equal features, by a vector's mass
+constexpr double kDependent = 1e-3;  // below this vectors are dependent: their roots only meet
 
 /// Turns columns by features from `kind` on.
 void separate(const std::vector<MatrixXcd>& features, std::size_t kind,
               Eigen::Ref<MatrixXcd> columns) {
   if (columns.cols() < 2 || kind == features.size()) return;
   const MatrixXcd seen = features[kind] * columns;
-  const Eigen::SelfAdjointEigenSolver<MatrixXcd> solver(seen.adjoint() * seen);
-  const Eigen::VectorXd sizes = solver.eigenvalues().reverse();
+  const HermitianEigen eigen = solve_hermitian(seen.adjoint() * seen);
+  const Eigen::VectorXd sizes = eigen.values.reverse();
   const double same = kSame * std::max(1.0, sizes[0]);
   if (sizes[0] - sizes[sizes.size() - 1] <= same) {
     separate(features, kind + 1, columns);
     return;
   }
-  columns = (columns * solver.eigenvectors().rowwise().reverse()).eval();
+  columns = (columns * eigen.vectors.rowwise().reverse()).eval();
   for (Index begin = 0, end = 0; begin < columns.cols(); begin = end) {
     ++end;
     while (end < columns.cols() && sizes[begin] - sizes[end] <= same) ++end;
@@ -36,7 +37,7 @@ void separate(const std::vector<MatrixXcd>& features, std::size_t kind,
   }
 }
 
-/// x_i^H M x_k.
+/// Returns the matrix of x_i^H M x_k.
 MatrixXcd multiply_by_mass(const Pencil& pencil, const MatrixXcd& vectors) {
   const MatrixXcd x = pencil.scale().cwiseInverse().asDiagonal() * vectors;
   MatrixXcd momentum(x.rows(), x.cols());
@@ -51,9 +52,9 @@ void separate_group(const Pencil& pencil,
                     Root* roots, Index count) {
   MatrixXcd vectors(roots[0].x.size(), count);
   for (Index k = 0; k < count; ++k) vectors.col(k) = roots[k].x;
-  const Eigen::SelfAdjointEigenSolver<MatrixXcd> solver(multiply_by_mass(pencil, vectors));
-  if (solver.eigenvalues()[0] < kDependent) return;
-  vectors = (vectors * solver.operatorInverseSqrt()).eval();
+  const HermitianEigen eigen = solve_hermitian(multiply_by_mass(pencil, vectors));
+  if (eigen.values[0] < kDependent) return;
+  vectors = (vectors * eigen.inverse_square_root()).eval();
   std::vector<MatrixXcd> features;
   for (Index k = 0; k < count; ++k) {
     const Features own = features_of(vectors.col(k));

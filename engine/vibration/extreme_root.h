@@ -1,6 +1,6 @@
 #pragma once
 
-// The other end of a spectrum: the roots of largest magnitude.
+// The upper end of a spectrum: the roots of largest magnitude.
 
 #include <complex>
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace spoke::vibration {
 
-/// How much a root s [1/s] counts; grows with its magnitude.
+/// Measure of a root s [1/s]; grows with its magnitude.
 using RootMeasure = std::function<double(std::complex<double>)>;
 
-/// The root of a pencil that counts most, of a pair of conjugate ones that with the positive
-/// imaginary part; 0 if there is none. By an Arnoldi iteration on the first-order system, until the
-/// measure stands to 1e-6: ends of a spectrum are what it finds first.
+/// Returns the root of a pencil with the largest measure, the one with positive imaginary part of a
+/// conjugate pair; 0 if there is none. An Arnoldi iteration on the first-order system goes on until
+/// the measure stands to 1e-6: it finds the ends of a spectrum first.
 std::complex<double> find_extreme_root(const Pencil& pencil, const RootMeasure& measure);
 
 }  // namespace spoke::vibration

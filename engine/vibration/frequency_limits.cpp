@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/natural_frequencies.h"
-#include "engine/steady/alike_trees.h"
+#include "engine/plane/natural_frequencies.h"
+#include "engine/steady/alike_subsystems.h"
 #include "engine/steady/find_equilibrium.h"
 #include "engine/steady/linear_model.h"
 #include "engine/vibration/coupled_roots.h"
@@ -23,50 +23,52 @@ namespace {
 
 using steady::LinearModel;
 
-constexpr std::int64_t kMostInTree = 1000;   ///< coordinates, for full matrices
-constexpr std::int64_t kMostInAll = 100000;  ///< coordinates
+constexpr std::int64_t kMostInSubsystem = 1000;  ///< coordinates of one, for full matrices
+constexpr std::int64_t kMostInAll = 100000;      ///< most coordinates of a model
 
 void require_size(const spatial::Model& model) {
   std::int64_t all = 0;
   for (const spatial::Tree& tree : build_trees(model)) {
     const std::int64_t own = count_coordinates(tree);
     all += own;
-    if (own > kMostInTree)
+    if (own > kMostInSubsystem)
       throw InputError("the frequencies of \"" + tree.name + "\" are not computed: it has " +
                        std::to_string(own) + " coordinates, expected at most " +
-                       std::to_string(kMostInTree));
+                       std::to_string(kMostInSubsystem));
   }
   if (all > kMostInAll)
     throw InputError("frequencies are not computed of " + std::to_string(all) +
                      " coordinates, expected at most " + std::to_string(kMostInAll));
 }
 
-/// The motion of the mount is none of the model's.
+/// Returns the scenario without the motion of the mount, which is not one of the model.
 Scenario without_mount(const Scenario& scenario) {
   Scenario held = scenario;
   held.space->hub.mount.reset();
   return held;
 }
 
-/// `share` of loads, gravity and the square of the speed.
+/// Linearises the parts of the model with `share` of loads, gravity and the square of the speed.
 std::vector<LinearModel> linearize_parts(const Scenario& scenario, double speed, double share) {
   const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(scenario, {speed});
   model->set_share(share);
   steady::Equilibrium start;
   start.alike = steady::find_alike(*model);
-  for (std::size_t i = 0; i < model->trees(); ++i) {
+  for (std::size_t i = 0; i < model->subsystems(); ++i) {
     start.q.push_back(model->initial(i));
     model->settle(i, start.q.back());
   }
   return take_apart(steady::linearize(start, *model), model->azimuths());
 }
 
-/// Motions below this are nothing but round-off: they go on by nothing in the whole duration.
+/// Returns the root below which motions are round-off: they do not change within the whole
+/// duration.
 double least_root(const Scenario& scenario) { return 1e-6 / scenario.integration.duration; }
 
-/// Of motions that grow it asks what of those that decay as fast.
+/// Returns the largest stable step for a root. A motion that grows counts like one that decays as
+/// fast.
 double rk4_step_of(std::complex<double> root) {
-  return calc_rk4_limit({-std::abs(root.real()), root.imag()});
+  return plane::calc_rk4_limit({-std::abs(root.real()), root.imag()});
 }
 
 Rk4Limit find_rk4_limit_of(const std::vector<LinearModel>& parts, double speed, double least) {
@@ -82,14 +84,14 @@ Rk4Limit find_rk4_limit_of(const std::vector<LinearModel>& parts, double speed, 
 
 void drop_damping(LinearModel& model) {
   model.C.setZero();
-  for (steady::LinearTree& tree : model.trees) tree.C.setZero();
+  for (steady::LinearSubsystem& subsystem : model.subsystems) subsystem.C.setZero();
   for (steady::HubCoupling& coupling : model.couplings) {
     coupling.C_bh.setZero();
     coupling.C_hb.setZero();
   }
 }
 
-/// The lowest root that is none of a motion that nothing holds; 0 if there is none.
+/// Returns the lowest root of the motions that something holds [rad/s]; 0 if there is none.
 double find_lowest(const Pencil& pencil, double least) {
   for (Eigen::Index count = 8; pencil.size() > 0; count *= 2) {
     for (const Root& root : find_roots(pencil, std::min(count, pencil.size())))
@@ -118,7 +120,7 @@ double largest_speed(const spatial::Hub& hub) {
   return std::visit(LargestSpeed{}, hub.drive);
 }
 
-/// The lesser one of that at rest, of `parts`, and that at the largest speed.
+/// Returns the smaller one of the limit at rest, of `parts`, and the limit at the largest speed.
 Rk4Limit find_least(const Scenario& scenario, const std::vector<LinearModel>& parts) {
   constexpr double kNotable = 0.999;
   const double least = least_root(scenario), speed = largest_speed(scenario.space->hub);

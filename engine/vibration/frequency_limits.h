@@ -1,6 +1,6 @@
 #pragma once
 
-// Between which frequencies a model in space vibrates, and the step that they allow rk4.
+// Lowest and highest frequency of a model in space, and the step that they allow rk4.
 
 #include <complex>
 
@@ -15,7 +15,7 @@ struct Rk4Limit {
   std::complex<double> root;  ///< of the motion [1/s]
 };
 
-/// Of a model in space.
+/// Limits of a model in space.
 struct FrequencyLimits {
   /// Natural frequencies at rest, undeformed, without damping, loads and gravity [rad/s]; 0 if
   /// there is none. Motions that nothing holds do not count.
@@ -24,14 +24,15 @@ struct FrequencyLimits {
   Rk4Limit rk4;
 };
 
-/// Finds them from the model linearised about its undeformed state, the joints where they start: at
-/// rest, and with damping, drag and loads at rest and at the largest speed that the drive
-/// prescribes or starts with, whichever allows rk4 the smaller step. Equilibria move the stiffest
-/// motions by next to nothing. Stops count where they are touched, and loads of the program's own
-/// not. Throws InputError if a tree has too many coordinates, or all trees together.
+/// Finds the limits from the model linearised about its undeformed state, with joints where they
+/// start: at rest; and with damping, drag and loads both at rest and at the largest speed that the
+/// drive prescribes or starts with, of which the one with the smaller step of rk4 counts.
+/// Equilibria hardly change the stiffest motions. Stops count where they are touched; loads of the
+/// program's own do not count. Throws InputError if a subsystem has too many coordinates, or all
+/// subsystems together.
 FrequencyLimits find_frequency_limits(const Scenario& scenario);
 
-/// The last of these alone.
+/// Returns only the limit of rk4.
 Rk4Limit find_rk4_limit(const Scenario& scenario);
 
 }  // namespace spoke::vibration

@@ -1,4 +1,4 @@
-// Moves the model along a mode and sees which way its nodes go.
+// Moves the model along a mode, and observes the motion of its nodes.
 
 #include "engine/vibration/mode_shapes.h"
 
@@ -18,30 +18,30 @@ using Eigen::VectorXd;
 using steady::NodePlace;
 using steady::SteadyModel;
 
-std::vector<NodePlace> places_at(std::size_t tree, const VectorXd& q, SteadyModel& model) {
-  steady::TreeResponse response;
-  model.evaluate(tree, steady::make_state(q), model.no_offset(), response);
-  return model.places(tree);
+std::vector<NodePlace> places_at(std::size_t subsystem, const VectorXd& q, SteadyModel& model) {
+  steady::SubsystemResponse response;
+  model.evaluate(subsystem, steady::make_state(q), model.no_offset(), response);
+  return model.places(subsystem);
 }
 
 /// Motion of a node by a unit of a direction.
 struct NodeMotion {
   Vector3d p = Vector3d::Zero();
-  Vector3d centre = Vector3d::Zero();  ///< of its mass
+  Vector3d centre = Vector3d::Zero();  ///< of the centre of its mass
   Vector3d rotation = Vector3d::Zero();
 };
 
-std::vector<NodeMotion> move(std::size_t tree, const VectorXd& q, const VectorXd& direction,
+std::vector<NodeMotion> move(std::size_t subsystem, const VectorXd& q, const VectorXd& direction,
                              SteadyModel& model) {
   double largest = 0.0;
-  const auto& coordinates = model.coordinates(tree);
+  const auto& coordinates = model.coordinates(subsystem);
   for (Eigen::Index k = 0; k < direction.size(); ++k)
     largest =
         std::max(largest, std::abs(direction[k]) / coordinates[static_cast<std::size_t>(k)].scale);
   std::vector<NodeMotion> motions;
   const double h = largest > 0.0 ? 1e-5 / largest : 0.0;
-  const std::vector<NodePlace> ahead = places_at(tree, q + h * direction, model);
-  const std::vector<NodePlace> behind = places_at(tree, q - h * direction, model);
+  const std::vector<NodePlace> ahead = places_at(subsystem, q + h * direction, model);
+  const std::vector<NodePlace> behind = places_at(subsystem, q - h * direction, model);
   for (std::size_t k = 0; k < ahead.size(); ++k) {
     if (h == 0.0) {
       motions.emplace_back();
@@ -55,7 +55,7 @@ std::vector<NodeMotion> move(std::size_t tree, const VectorXd& q, const VectorXd
   return motions;
 }
 
-/// c_n = mean of a_b exp(-i n psi_b).
+/// Returns c_n = mean of a_b exp(-i n psi_b).
 std::complex<double> calc_multiple(const VectorXcd& amplitudes, const std::vector<double>& azimuths,
                                    int n) {
   std::complex<double> sum = 0.0;
@@ -64,28 +64,28 @@ std::complex<double> calc_multiple(const VectorXcd& amplitudes, const std::vecto
   return sum / static_cast<double>(azimuths.size());
 }
 
-std::string name_multiple(int n, int blades) {
+std::string name_multiple(int n, int subsystems) {
   if (n == 0) return "collective";
-  if (2 * std::abs(n) == blades) return "differential";
+  if (2 * std::abs(n) == subsystems) return "differential";
   const std::string sense = n > 0 ? "progressive" : "regressive";
   return std::abs(n) == 1 ? sense : sense + " order " + std::to_string(std::abs(n));
 }
 
 }  // namespace
 
-TreeShape calc_tree_shape(std::size_t tree, const VectorXd& q, const VectorXcd& x,
-                          SteadyModel& model) {
-  const std::vector<NodeMotion> real = move(tree, q, x.real(), model);
-  const std::vector<NodeMotion> imag = move(tree, q, x.imag(), model);
-  const std::vector<NodePlace> places = places_at(tree, q, model);
+SubsystemShape calc_subsystem_shape(std::size_t subsystem, const VectorXd& q, const VectorXcd& x,
+                                    SteadyModel& model) {
+  const std::vector<NodeMotion> real = move(subsystem, q, x.real(), model);
+  const std::vector<NodeMotion> imag = move(subsystem, q, x.imag(), model);
+  const std::vector<NodePlace> places = places_at(subsystem, q, model);
   constexpr std::complex<double> kI(0.0, 1.0);
-  TreeShape shape;
+  SubsystemShape shape;
   for (VectorXcd& motion : shape.motions) motion.resize(std::ssize(places));
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     shape.nodes.push_back(real[k].p + kI * imag[k].p);
     shape.rotations.push_back(real[k].rotation + kI * imag[k].rotation);
-    const Eigen::Matrix3d to_root = model.root_axes(tree, places[k].body).transpose();
+    const Eigen::Matrix3d to_root = model.root_axes(subsystem, places[k].body).transpose();
     const Eigen::Vector3cd centre =
         to_root.cast<std::complex<double>>() * (real[k].centre + kI * imag[k].centre);
     const std::complex<double> twist =
@@ -109,16 +109,16 @@ std::string KindNames::find_direction(const std::array<double, 4>& energies) {
   return is_second_ ? "flap" : "lag";
 }
 
-std::string KindNames::name(std::size_t tree, const VectorXcd& x, const Eigen::MatrixXd& mass,
-                            const TreeShape& shape, const SteadyModel& model) {
+std::string KindNames::name(std::size_t subsystem, const VectorXcd& x, const Eigen::MatrixXd& mass,
+                            const SubsystemShape& shape, const SteadyModel& model) {
   const auto energy = [&mass](const VectorXcd& y) {
     return y.real().dot(mass * y.real()) + y.imag().dot(mass * y.imag());
   };
-  const auto& coordinates = model.coordinates(tree);
-  std::map<int, VectorXcd> by_joint;  // by the body that it carries
+  const auto& coordinates = model.coordinates(subsystem);
+  std::map<int, VectorXcd> by_joint;  // by number of the body that the joint carries
   std::map<int, std::string> names;
   for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const steady::TreeCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+    const steady::SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
     if (coordinate.node >= 0) continue;
     VectorXcd& only =
         by_joint.try_emplace(coordinate.body, VectorXcd::Zero(x.size())).first->second;
@@ -132,17 +132,17 @@ std::string KindNames::name(std::size_t tree, const VectorXcd& x, const Eigen::M
   return kind;
 }
 
-std::string name_pattern(const std::vector<VectorXcd>& blades,
+std::string name_pattern(const std::vector<VectorXcd>& subsystems,
                          const std::vector<double>& azimuths) {
-  if (blades.size() < 2) return {};
+  if (subsystems.size() < 2) return {};
   const auto most =
-      std::max_element(blades.begin(), blades.end(),
+      std::max_element(subsystems.begin(), subsystems.end(),
                        [](const auto& a, const auto& b) { return a.norm() < b.norm(); });
-  const int count = static_cast<int>(blades.size());
+  const int count = static_cast<int>(subsystems.size());
   VectorXcd amplitudes(count);
   double explained = 0.0, all = 0.0;
   for (int b = 0; b < count; ++b) {
-    const VectorXcd& x = blades[static_cast<std::size_t>(b)];
+    const VectorXcd& x = subsystems[static_cast<std::size_t>(b)];
     if (x.size() != most->size()) return {};
     amplitudes[b] = most->dot(x) / most->squaredNorm();
     explained += std::norm(amplitudes[b]) * most->squaredNorm();
@@ -166,7 +166,8 @@ std::string name_pattern(const std::vector<VectorXcd>& blades,
   const double sum = amplitudes.squaredNorm() / count;
   if (largest > 0.75 * sum) return name_multiple(best, count);
   if (best != -second || largest + next < 0.75 * sum) return {};
-  // Both senses alike: a standing pattern. Cosine where blade 1 moves more than sine has it.
+  // Both senses are equally large: a standing pattern. It is named cosine where the first subsystem
+  // moves more than it would in a sine.
   const int n = std::abs(best);
   const std::complex<double> plus = calc_multiple(amplitudes, azimuths, n);
   const std::complex<double> minus = calc_multiple(amplitudes, azimuths, -n);

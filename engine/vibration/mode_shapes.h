@@ -12,31 +12,31 @@
 
 namespace spoke::vibration {
 
-/// How a tree moves in a mode.
-struct TreeShape {
+/// Motion of a subsystem in a mode.
+struct SubsystemShape {
   std::vector<Eigen::Vector3cd> nodes;      ///< displacements, hub frame [m]
-  std::vector<Eigen::Vector3cd> rotations;  ///< of the same nodes [rad]
-  /// By node its motion times the root of its mass: along x, y (lag), z (flap) of the tree's root,
-  /// and of rotation about x.
+  std::vector<Eigen::Vector3cd> rotations;  ///< rotations of the same nodes [rad]
+  /// By node, motion times the square root of its mass: along x, y (lag) and z (flap) of the root
+  /// of the subsystem, and rotation about x.
   std::array<Eigen::VectorXcd, 4> motions{};
-  std::array<double, 4> energies{};  ///< kinetic ones of these
+  std::array<double, 4> energies{};  ///< kinetic energies of these motions
   double total() const { return energies[0] + energies[1] + energies[2] + energies[3]; }
 };
 
-/// The motion of a tree by its coordinates `x` about its equilibrium q, relative to the hub. Leaves
-/// the model at q.
-TreeShape calc_tree_shape(std::size_t tree, const Eigen::VectorXd& q, const Eigen::VectorXcd& x,
-                          steady::SteadyModel& model);
+/// Returns the motion of a subsystem relative to the hub, for the coordinates `x` of a mode about
+/// its equilibrium q. Leaves the model at q.
+SubsystemShape calc_subsystem_shape(std::size_t subsystem, const Eigen::VectorXd& q,
+                                    const Eigen::VectorXcd& x, steady::SteadyModel& model);
 
 /// Names kinds of modes, in ascending order of their roots.
 class KindNames {
  public:
-  /// "flap", "lag", "axial" or "torsion", by the largest energy; before it the name of the joint
-  /// that has more than half of the kinetic energy x^H M x by itself, if there is one: "hinges
-  /// flap", or only "flap_hinge" where the name says it. Of two modes that have as much flap as
-  /// lag, the whirls of equal stiffnesses, the first is flap, the second lag.
-  std::string name(std::size_t tree, const Eigen::VectorXcd& x, const Eigen::MatrixXd& mass,
-                   const TreeShape& shape, const steady::SteadyModel& model);
+  /// Returns "flap", "lag", "axial" or "torsion", by the largest energy. Before it stands the name
+  /// of the joint, if any, that has more than half of the kinetic energy x^H M x: "hinges flap", or
+  /// only "flap_hinge" where the name says it. Of two modes with as much flap as lag, the whirls of
+  /// equal stiffnesses, the first is flap, the second lag.
+  std::string name(std::size_t subsystem, const Eigen::VectorXcd& x, const Eigen::MatrixXd& mass,
+                   const SubsystemShape& shape, const steady::SteadyModel& model);
 
  private:
   std::string find_direction(const std::array<double, 4>& energies);
@@ -44,11 +44,12 @@ class KindNames {
   bool is_second_ = false;
 };
 
-/// How equal blades move together: their amplitudes, by the blade that moves most, as sums over
-/// multiples n of the azimuth. "collective" (0), "progressive", "regressive" (whirl with and
-/// against the rotation), "cosine" and "sine" (both alike), "differential" (N/2), "order n" with
-/// its sense. Empty if there are less than two blades, or their amplitudes are no such pattern.
-std::string name_pattern(const std::vector<Eigen::VectorXcd>& blades,
+/// Names the pattern of subsystems that are alike: their amplitudes, by the one that moves most, as
+/// sums over multiples n of the azimuth. "collective" (0), "progressive" and "regressive" (whirl
+/// with and against the rotation), "cosine" and "sine" (standing patterns), "differential" (N/2),
+/// "order n" with its sense. Empty if there are fewer than two subsystems, or their amplitudes form
+/// no such pattern.
+std::string name_pattern(const std::vector<Eigen::VectorXcd>& subsystems,
                          const std::vector<double>& azimuths);
 
 }  // namespace spoke::vibration

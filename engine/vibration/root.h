@@ -7,8 +7,8 @@
 
 namespace spoke::vibration {
 
-/// A root s of the pencil with its vector x, in coordinates of the model, of unit mass:
-/// x^H M x = 1. Of a pair of conjugate ones that with the positive imaginary part.
+/// A root s of the pencil with its vector x of unit mass, x^H M x = 1, in coordinates of the model.
+/// It stands for a conjugate pair by the root with positive imaginary part.
 struct Root {
   std::complex<double> s;  ///< [rad/s]
   Eigen::VectorXcd x;

@@ -1,4 +1,4 @@
-// Shares speeds out to threads, and follows modes through them.
+// Distributes speeds over threads, and follows modes through them.
 
 #include <algorithm>
 #include <atomic>
@@ -18,9 +18,9 @@
 namespace spoke {
 namespace {
 
-/// Modes beyond those that are followed: one of these may be the one that comes down.
+/// Number of modes beyond those that are followed, one of which may come down.
 constexpr int kSpare = 4;
-/// The least modal assurance criterion by which a mode is taken for the one before.
+/// Smallest modal assurance criterion at which a mode continues the one before.
 constexpr double kLeastLikeness = 0.3;
 
 void check(const CampbellOptions& options) {
@@ -38,7 +38,7 @@ void check(const CampbellOptions& options) {
   if (count < 1) throw InputError(std::to_string(count) + " modes, expected 1 or more");
 }
 
-/// At one speed, with as many more as there are, up to the spare ones.
+/// Finds the modes at one speed, with up to kSpare more.
 ModesResult solve_with_spares(const Scenario& scenario, double speed,
                               const CampbellOptions& options) {
   return vibration::solve_modes(
@@ -46,14 +46,14 @@ ModesResult solve_with_spares(const Scenario& scenario, double speed,
       {options.count.value_or(0), options.count.value_or(options.most) + kSpare});
 }
 
-/// What became of a speed that has no modes.
+/// The failure of a speed that has no modes.
 struct Failure {
   std::exception_ptr exception;
-  std::string gap;  ///< why there is no equilibrium; empty: it is no gap
+  std::string gap;  ///< reason why there is no equilibrium; empty: the speed is no gap
 };
 
-/// Speeds without equilibrium are gaps, of which fewer than two others are too many; the failure at
-/// the lowest of the other speeds is thrown.
+/// Makes gaps of speeds without equilibrium, and throws their first failure if fewer than two other
+/// speeds are left. Of other failures that at the lowest speed is thrown.
 void settle_failures(const std::vector<Failure>& failures, const CampbellOptions& options,
                      CampbellResult& result) {
   std::exception_ptr first;
@@ -67,7 +67,7 @@ void settle_failures(const std::vector<Failure>& failures, const CampbellOptions
   if (result.gaps.size() + 2 > failures.size() && first) std::rethrow_exception(first);
 }
 
-/// Solves all speeds, the next one by whichever thread is free.
+/// Solves all speeds; each free thread takes the next one.
 void solve_all(const Scenario& scenario, const CampbellOptions& options, CampbellResult& result) {
   const std::size_t count = options.speeds.size();
   std::vector<ModesResult>& states = result.states;
@@ -78,7 +78,7 @@ void solve_all(const Scenario& scenario, const CampbellOptions& options, Campbel
     try {
       options.progress(now);
     } catch (...) {
-      next = count;  // the others begin no more
+      next = count;  // the other threads begin no more
       throw;
     }
   };
@@ -105,16 +105,17 @@ void solve_all(const Scenario& scenario, const CampbellOptions& options, Campbel
   settle_failures(failures, options, result);
 }
 
-/// The first blade that a mode is of.
-std::size_t first_blade(const Mode& mode) {
+/// Returns the first subsystem that moves in a mode.
+std::size_t first_subsystem(const Mode& mode) {
   return static_cast<std::size_t>(std::find_if(mode.shape.begin(), mode.shape.end(),
                                                [](const auto& nodes) { return !nodes.empty(); }) -
                                   mode.shape.begin());
 }
 
-/// The modal assurance criterion of two modes, from 0 to 1.
+/// Returns the modal assurance criterion of two modes, from 0 to 1.
 double likeness(const Mode& a, const Mode& b) {
-  if (a.coordinates.size() != b.coordinates.size() || first_blade(a) != first_blade(b)) return 0.0;
+  if (a.coordinates.size() != b.coordinates.size() || first_subsystem(a) != first_subsystem(b))
+    return 0.0;
   return std::norm(a.coordinates.dot(b.coordinates)) /
          (a.coordinates.squaredNorm() * b.coordinates.squaredNorm());
 }
@@ -145,7 +146,7 @@ void follow(std::size_t before, std::size_t k, const std::vector<ModesResult>& s
   }
 }
 
-/// What most of its modes are called.
+/// Names a branch as most of its modes are named.
 void name(const std::vector<ModesResult>& states, CampbellBranch& branch) {
   std::map<std::pair<std::string, std::string>, int> votes;
   for (std::size_t k = 0; k < states.size(); ++k)
@@ -159,7 +160,8 @@ void name(const std::vector<ModesResult>& states, CampbellBranch& branch) {
   branch.name = most->first.second;
 }
 
-/// Branches begin with the first modes of each blade, or of the whole, at speed k.
+/// Makes the branches, which begin with the first modes of each subsystem, or of the whole model,
+/// at speed k.
 std::vector<CampbellBranch> begin_branches(std::size_t k, const std::vector<ModesResult>& states,
                                            int count) {
   std::vector<CampbellBranch> branches;
@@ -173,7 +175,7 @@ std::vector<CampbellBranch> begin_branches(std::size_t k, const std::vector<Mode
   return branches;
 }
 
-/// Follows all modes through the speeds that are no gaps.
+/// Follows all modes through the speeds that are not gaps.
 void follow_all(const std::vector<ModesResult>& states, int count,
                 std::vector<CampbellBranch>& branches) {
   std::vector<std::size_t> found;
@@ -182,7 +184,7 @@ void follow_all(const std::vector<ModesResult>& states, int count,
   if (found.size() < 2) return;  // nothing vibrates
   branches = begin_branches(found[0], states, count);
   for (std::size_t i = 1; i < found.size(); ++i) follow(found[i - 1], found[i], states, branches);
-  // Blades that gravity parts at rest are alike again as soon as the hub turns.
+  // Subsystems that differ at rest by gravity are alike as soon as the hub turns.
   std::erase_if(branches, [&](const CampbellBranch& branch) { return !branch.modes[found[1]]; });
   for (CampbellBranch& branch : branches) name(states, branch);
 }
@@ -213,7 +215,7 @@ std::optional<double> find_operating_speed(const Scenario& scenario) {
   try {
     return steady::find_steady_speed(scenario, std::nullopt);
   } catch (const InputError&) {
-    return std::nullopt;  // of a torque
+    return std::nullopt;  // a torque
   }
 }
 

@@ -1,4 +1,4 @@
-// From a scenario to its modes: equilibrium, linearisation, roots, names.
+// Takes a scenario to its modes: equilibrium, linearisation, roots, names.
 
 #include "engine/vibration/solve_modes.h"
 
@@ -29,29 +29,30 @@ using vibration::Features;
 using vibration::ModeCount;
 using vibration::Pencil;
 using vibration::Root;
-using vibration::TreeShape;
+using vibration::SubsystemShape;
 
-/// All that modes are made from.
+/// All data that modes are made from.
 struct Linearised {
   SteadyModel& model;
   const Equilibrium& equilibrium;
   const LinearModel& linear;
 };
 
-/// "blade 1", "blades 1 to 3", "blade 1, blade 3".
-std::string name_trees(const std::vector<std::size_t>& trees, const SteadyModel& model) {
-  const bool is_row = trees.size() > 1 && trees.back() - trees.front() + 1 == trees.size();
-  const std::string& first = model.name_of(trees.front());
-  const std::string& last = model.name_of(trees.back());
+/// Returns the names of subsystems as "blade 1", "blades 1 to 3" or "blade 1, blade 3".
+std::string name_subsystems(const std::vector<std::size_t>& subsystems, const SteadyModel& model) {
+  const bool is_row =
+      subsystems.size() > 1 && subsystems.back() - subsystems.front() + 1 == subsystems.size();
+  const std::string& first = model.name_of(subsystems.front());
+  const std::string& last = model.name_of(subsystems.back());
   const std::string word = "blade ";
   if (is_row && first.starts_with(word) && last.starts_with(word))
     return "blades " + first.substr(word.size()) + " to " + last.substr(word.size());
   std::string list;
-  for (const std::size_t i : trees) list += (list.empty() ? "" : ", ") + model.name_of(i);
+  for (const std::size_t i : subsystems) list += (list.empty() ? "" : ", ") + model.name_of(i);
   return list;
 }
 
-/// The trees that tree `i` stands for.
+/// Returns the subsystems that subsystem `i` stands for.
 std::vector<std::size_t> find_like(std::size_t i, const std::vector<std::size_t>& alike) {
   std::vector<std::size_t> list;
   for (std::size_t k = 0; k < alike.size(); ++k)
@@ -69,7 +70,7 @@ Mode make_mode(const Root& root) {
   return mode;
 }
 
-/// Makes the largest displacement of all nodes 1.
+/// Scales a mode to a largest displacement of 1.
 void normalise(Mode& mode) {
   std::complex<double> largest = 0.0;
   for (const auto& nodes : mode.shape)
@@ -95,7 +96,7 @@ class Numbering {
   std::map<std::string, int> counts_;
 };
 
-/// Of so many that there are.
+/// Returns how many of `size` modes to find. Throws InputError if they are too few.
 Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::string& why = "") {
   if (count.least > size)
     throw InputError(std::to_string(count.least) + " modes, expected at most " +
@@ -105,25 +106,26 @@ Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::st
 
 bool is_rigid(const Mode& mode) { return mode.eigenvalue == 0.0; }
 
-/// Flap, lag, torsion and the rest of a shape, by which modes of equal roots are told apart.
-Features list_features(const TreeShape& shape) {
+/// Returns flap, lag, torsion and axial motion of a shape, by which modes of equal roots are told
+/// apart.
+Features list_features(const SubsystemShape& shape) {
   return {shape.motions[2], shape.motions[1], shape.motions[3], shape.motions[0]};
 }
 
-/// Some more than are asked for: of equal roots all are needed to tell them apart, of a pair or of
-/// as many blades.
+/// Returns a larger count than asked for: to tell equal roots apart, all of a pair or of all
+/// subsystems are needed.
 Eigen::Index count_with_partners(Eigen::Index count, const Pencil& pencil) {
   constexpr Eigen::Index kMost = 8;
-  return std::min(count + std::min(kMost, std::ssize(pencil.trees())), pencil.size());
+  return std::min(count + std::min(kMost, std::ssize(pencil.subsystems())), pencil.size());
 }
 
-void add_modes_of_tree(std::size_t i, const ModeCount& count, const Linearised& all,
-                       ModesResult& result) {
+void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Linearised& all,
+                            ModesResult& result) {
   const Pencil pencil(all.linear, {i});
-  const std::string of = name_trees(find_like(i, all.linear.alike), all.model);
+  const std::string of = name_subsystems(find_like(i, all.linear.alike), all.model);
   const Eigen::Index wanted = find_count(count, pencil.size(), ": there are no more of " + of);
   const auto shape_of = [&](const Eigen::VectorXcd& x) {
-    return vibration::calc_tree_shape(i, all.equilibrium.q[i], x, all.model);
+    return vibration::calc_subsystem_shape(i, all.equilibrium.q[i], x, all.model);
   };
   std::vector<Root> roots = vibration::find_roots(pencil, count_with_partners(wanted, pencil));
   separate_equal_roots(
@@ -134,13 +136,13 @@ void add_modes_of_tree(std::size_t i, const ModeCount& count, const Linearised& 
   for (const Root& root : roots) {
     Mode mode = make_mode(root);
     mode.of = of;
-    const TreeShape shape = shape_of(root.x);
-    mode.shape.resize(all.model.trees());
-    mode.rotations.resize(all.model.trees());
+    const SubsystemShape shape = shape_of(root.x);
+    mode.shape.resize(all.model.subsystems());
+    mode.rotations.resize(all.model.subsystems());
     mode.shape[i] = shape.nodes;
     mode.rotations[i] = shape.rotations;
     normalise(mode);
-    mode.kind = kinds.name(i, root.x, all.linear.tree(i).M, shape, all.model);
+    mode.kind = kinds.name(i, root.x, all.linear.subsystem(i).M, shape, all.model);
     numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
     result.modes.push_back(std::move(mode));
   }
@@ -158,9 +160,9 @@ void set_hub_motion(const Eigen::VectorXcd& x, const SteadyModel& model, Mode& m
   }
 }
 
-/// Adds a tree, which goes with the hub.
-void add_shape(std::size_t tree, const TreeShape& shape, SteadyModel& model, Mode& mode) {
-  const std::vector<steady::NodePlace> places = model.places(tree);
+/// Adds the shape of a subsystem, which moves with the hub.
+void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& model, Mode& mode) {
+  const std::vector<steady::NodePlace> places = model.places(subsystem);
   auto& nodes = mode.shape.emplace_back(shape.nodes);
   auto& rotations = mode.rotations.emplace_back(shape.rotations);
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -170,41 +172,41 @@ void add_shape(std::size_t tree, const TreeShape& shape, SteadyModel& model, Mod
   }
 }
 
-/// How blades that are like tree `i` move together.
+/// Names the pattern in which the subsystems that are like subsystem `i` move.
 std::string find_pattern(std::size_t i, const Pencil& pencil, const Eigen::VectorXcd& x,
                          const Linearised& all) {
-  std::vector<Eigen::VectorXcd> blades;
+  std::vector<Eigen::VectorXcd> subsystems;
   std::vector<double> azimuths;
   for (const std::size_t k : find_like(all.equilibrium.alike[i], all.equilibrium.alike)) {
-    blades.emplace_back(x.segment(pencil.start(k), all.linear.tree(k).M.rows()));
+    subsystems.emplace_back(x.segment(pencil.start(k), all.linear.subsystem(k).M.rows()));
     azimuths.push_back(all.model.azimuth(k));
   }
-  return vibration::name_pattern(blades, azimuths);
+  return vibration::name_pattern(subsystems, azimuths);
 }
 
-/// Kinds of all trees together, then cosine and sine parts of multiples of the azimuth of those
-/// that are alike.
+/// Returns kinds of motion of all subsystems together, then cosine and sine parts of multiples of
+/// the azimuth of those that are alike.
 Features list_coupled_features(const Eigen::VectorXcd& x, const Pencil& pencil,
                                const Linearised& all) {
-  const std::size_t trees = all.model.trees();
+  const std::size_t subsystems = all.model.subsystems();
   std::vector<Features> shapes;
   std::vector<Eigen::Index> starts;
   Eigen::Index size = 0;
-  for (std::size_t i = 0; i < trees; ++i) {
-    const Eigen::VectorXcd own = x.segment(pencil.start(i), all.linear.tree(i).M.rows());
+  for (std::size_t i = 0; i < subsystems; ++i) {
+    const Eigen::VectorXcd own = x.segment(pencil.start(i), all.linear.subsystem(i).M.rows());
     shapes.push_back(
-        list_features(vibration::calc_tree_shape(i, all.equilibrium.q[i], own, all.model)));
+        list_features(vibration::calc_subsystem_shape(i, all.equilibrium.q[i], own, all.model)));
     starts.push_back(size);
     size += shapes[i][0].size();
   }
   Features features(4, Eigen::VectorXcd(size));
   for (std::size_t kind = 0; kind < 4; ++kind)
-    for (std::size_t i = 0; i < trees; ++i)
+    for (std::size_t i = 0; i < subsystems; ++i)
       features[kind].segment(starts[i], shapes[i][kind].size()) = shapes[i][kind];
-  for (std::size_t n = 0; 2 * n <= trees; ++n)
+  for (std::size_t n = 0; 2 * n <= subsystems; ++n)
     for (const double phase : {0.0, 0.5 * std::numbers::pi}) {
       Eigen::VectorXcd& sum = features.emplace_back(Eigen::VectorXcd::Zero(4 * size));
-      for (std::size_t i = 0; i < trees; ++i) {
+      for (std::size_t i = 0; i < subsystems; ++i) {
         const std::size_t first = all.equilibrium.alike[i];
         const double share = std::cos(static_cast<double>(n) * all.model.azimuth(i) - phase);
         const Eigen::Index own = shapes[i][0].size(), at = 4 * starts[first];
@@ -221,14 +223,14 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   mode.of = "all";
   const Eigen::Index h = all.linear.M.rows();
   set_hub_motion(root.x.head(h), all.model, mode);
-  constexpr double kAlike = 1e-6;  // of blades that move as much the first one counts
+  constexpr double kAlike = 1e-6;  // of subsystems that move equally the first one counts
   std::size_t most = 0;
   double largest = 0.0;
-  std::vector<TreeShape> shapes;
-  for (std::size_t i = 0; i < all.model.trees(); ++i) {
-    const Eigen::VectorXcd x = root.x.segment(pencil.start(i), all.linear.tree(i).M.rows());
-    TreeShape& shape =
-        shapes.emplace_back(vibration::calc_tree_shape(i, all.equilibrium.q[i], x, all.model));
+  std::vector<SubsystemShape> shapes;
+  for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
+    const Eigen::VectorXcd x = root.x.segment(pencil.start(i), all.linear.subsystem(i).M.rows());
+    SubsystemShape& shape =
+        shapes.emplace_back(vibration::calc_subsystem_shape(i, all.equilibrium.q[i], x, all.model));
     if (shape.total() > largest * (1.0 + kAlike)) {
       largest = shape.total();
       most = i;
@@ -236,17 +238,18 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
     add_shape(i, shape, all.model, mode);
   }
   normalise(mode);
-  if (shapes.empty()) {  // a hub alone
+  if (shapes.empty()) {  // a model of the hub alone
     mode.kind = "hub";
     return mode;
   }
   const Eigen::VectorXcd hub = root.x.head(h);
   const double of_hub =
       hub.real().dot(all.linear.M * hub.real()) + hub.imag().dot(all.linear.M * hub.imag());
-  const Eigen::VectorXcd x = root.x.segment(pencil.start(most), all.linear.tree(most).M.rows());
+  const Eigen::VectorXcd x =
+      root.x.segment(pencil.start(most), all.linear.subsystem(most).M.rows());
   mode.kind = of_hub > 0.5 && largest < 0.25
                   ? "hub"
-                  : kinds.name(most, x, all.linear.tree(most).M, shapes[most], all.model);
+                  : kinds.name(most, x, all.linear.subsystem(most).M, shapes[most], all.model);
   mode.name = find_pattern(most, pencil, root.x, all);
   return mode;
 }
@@ -292,10 +295,10 @@ ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& 
     add_coupled_modes(count, all, result);
     return result;
   }
-  // What has no coordinates has no modes.
-  for (std::size_t i = 0; i < model->trees(); ++i)
-    if (linear.alike[i] == i && linear.tree(i).M.rows() > 0)
-      add_modes_of_tree(i, count, all, result);
+  // Subsystems without coordinates have no modes.
+  for (std::size_t i = 0; i < model->subsystems(); ++i)
+    if (linear.alike[i] == i && linear.subsystem(i).M.rows() > 0)
+      add_modes_of_subsystem(i, count, all, result);
   if (result.modes.empty())
     throw InputError("nothing of the model moves, expected a body or a joint that does");
   return result;

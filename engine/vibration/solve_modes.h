@@ -1,15 +1,15 @@
 #pragma once
 
-// Modes, as many as there are within bounds.
+// Modes with bounds of their number.
 
 #include "engine/modes.h"
 #include "models/scenario.h"
 
 namespace spoke::vibration {
 
-/// How many modes are wanted, of each blade where blades do not couple.
+/// Number of modes that are wanted, of each subsystem where subsystems do not couple.
 struct ModeCount {
-  int least = 0;  ///< InputError if there are fewer
+  int least = 0;  ///< solve_modes() throws InputError if there are fewer
   int most = 10;
 };
 

@@ -13,7 +13,7 @@
 #include "engine/results.h"
 #include "engine/vtk/vtk_text.h"
 #include "models/error.h"
-#include "models/system/plane.h"
+#include "models/plane/plane.h"
 
 namespace spoke {
 namespace {
@@ -54,14 +54,14 @@ void add_field_data(const Simulation& simulation, VtkText& file) {
   file.line("</FieldData>");
 }
 
-/// Calls visit(node) for the nodes of all blades.
+/// Calls visit(node) for the nodes of all subsystems.
 template <class Visit>
 void each_node(const Shapes& shapes, Visit visit) {
   for (const BladeShape& shape : shapes)
     for (const ShapeNode& node : shape.nodes) visit(node);
 }
 
-/// Calls visit(blade, element of the blade) for the elements of all blades.
+/// Calls visit(subsystem, element of the subsystem) for the elements of all subsystems.
 template <class Visit>
 void each_element(const Shapes& shapes, Visit visit) {
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -71,7 +71,7 @@ void each_element(const Shapes& shapes, Visit visit) {
 void add_points(const Simulation& simulation, const Shapes& shapes, VtkText& file) {
   const Twist hub = simulation.hub().position;
   const Position origin = hub.head<kPosition>();
-  const Rotation R = Rotation::from_angle(hub[kRotation]);
+  const plane::Rotation R = plane::Rotation::from_angle(hub[kRotation]);
   constexpr std::string_view kVector = "NumberOfComponents=\"3\"";
   file.line("<PointData Vectors=\"displacement\">");
   file.array("Float64", "displacement", kVector, [&] {
@@ -107,7 +107,7 @@ void add_cells(const Shapes& shapes, VtkText& file) {
   file.line("</CellData>");
   file.line("<Lines>");
   file.array("Int64", "connectivity", "", [&] {
-    std::size_t first = 0;  // point of a blade
+    std::size_t first = 0;  // first point of a subsystem
     for (const BladeShape& shape : shapes) {
       for (std::size_t e = 0; e < shape.axial_forces.size(); ++e) {
         file.add(first + e);
@@ -129,7 +129,7 @@ void add_cells(const Shapes& shapes, VtkText& file) {
 
 }  // namespace
 
-std::string make_vtk_blades(const Simulation& simulation, Shapes& shapes) {
+std::string make_planar_vtk(const Simulation& simulation, Shapes& shapes) {
   shapes.resize(simulation.scenario().rotor.blades.size());
   std::size_t points = 0, lines = 0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -163,7 +163,7 @@ void remove_vtk_series(const fs::path& folder) {
 }
 
 VtkSeries::VtkSeries(const Simulation& simulation, fs::path folder) : folder_(std::move(folder)) {
-  if (simulation.scenario().space) trees_.emplace(simulation.scenario());
+  if (simulation.scenario().space) spatial_.emplace(simulation.scenario());
   remove_vtk_series(folder_);
   std::error_code error;
   fs::create_directories(folder_, error);
@@ -172,7 +172,7 @@ VtkSeries::VtkSeries(const Simulation& simulation, fs::path folder) : folder_(st
 
 void VtkSeries::write(const Simulation& simulation) {
   write_file(folder_ / file_name(times_.size()),
-             trees_ ? trees_->make(simulation) : make_vtk_blades(simulation, shapes_));
+             spatial_ ? spatial_->make(simulation) : make_planar_vtk(simulation, shapes_));
   times_.push_back(simulation.time());
 }
 

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "engine/simulation.h"
-#include "engine/vtk/vtk_trees.h"
+#include "engine/vtk/spatial_vtk.h"
 
 namespace spoke {
 
 class VtkSeries {
  public:
-  /// Makes the folder, free of an earlier series. Throws InputError if that cannot be done; so do
-  /// the others.
+  /// Makes the folder, free of an earlier series. All functions throw InputError if their work
+  /// cannot be done.
   VtkSeries(const Simulation& simulation, std::filesystem::path folder);
 
   /// Writes the model at simulation.time() as the next file, whole or not at all.
@@ -29,16 +29,16 @@ class VtkSeries {
  private:
   std::filesystem::path folder_;
   std::vector<double> times_;
-  std::vector<BladeShape> shapes_;  ///< by blade
-  std::optional<VtkTrees> trees_;   ///< of a model in space
+  std::vector<BladeShape> shapes_;     ///< by subsystem, in the plane
+  std::optional<SpatialVtk> spatial_;  ///< only for a model in space
 };
 
 /// Removes the files of a series, and the folder if nothing else is in it. Throws InputError if
 /// that cannot be done.
 void remove_vtk_series(const std::filesystem::path& folder);
 
-/// The text of a .vtp file: the blades at simulation.time(). `shapes` is memory, kept from call to
-/// call.
-std::string make_vtk_blades(const Simulation& simulation, std::vector<BladeShape>& shapes);
+/// Makes the text of a .vtp file of a rotor in the plane at simulation.time(). `shapes` is memory
+/// that is kept from call to call.
+std::string make_planar_vtk(const Simulation& simulation, std::vector<BladeShape>& shapes);
 
 }  // namespace spoke

@@ -14,7 +14,7 @@
 
 namespace spoke {
 
-/// The elements of a VTK file in XML, numbers as text that reads back equal.
+/// Builds the elements of a VTK file in XML. Numbers are written so that they read back equal.
 class VtkText {
  public:
   void line(std::string_view text) { text_.append(text).append("\n"); }
@@ -34,7 +34,7 @@ class VtkText {
   void add(const Eigen::Vector3d& v) {
     for (const double x : v) add(x);
   }
-  /// An array; `fill` adds its numbers.
+  /// Adds an array; `fill` adds its numbers.
   template <class Fill>
   void array(std::string_view type, std::string_view name, std::string_view attributes, Fill fill) {
     text_.append("<DataArray type=\"").append(type).append("\" Name=\"").append(name).append("\"");
@@ -43,7 +43,7 @@ class VtkText {
     fill();
     text_.append("\n</DataArray>\n");
   }
-  /// A text as VTK has it: the codes of its letters and a zero.
+  /// Adds a text as VTK stores it: the codes of its letters and a zero.
   void text_array(std::string_view name, std::string_view text) {
     text_.append("<Array type=\"String\" Name=\"").append(name);
     text_.append("\" NumberOfTuples=\"1\" format=\"ascii\">\n");

@@ -9,14 +9,14 @@
 
 namespace spoke::graph {
 
-StepGraph make_fork_joins(int count, double busy, int branches) {
+StepGraph make_fork_joins(int count, double busy) {
   StepGraphBuilder builder;
   std::vector<PartId> before;
   for (int k = 0; k <= count; ++k) {
     const PartId join = builder.add_part("join", {});
     builder.add_node({"join"}, reads(before), writes(join), []() noexcept {});
     before.clear();
-    for (int branch = 0; branch < branches && k < count; ++branch) {
+    for (int branch = 0; branch < 2 && k < count; ++branch) {
       before.push_back(builder.add_part("branch", {}));
       builder.add_node({"busy"}, reads(join), writes(before.back()), [busy]() noexcept {
         if (busy > 0.0) be_busy(busy);

@@ -1,16 +1,16 @@
 #pragma once
 
-// Small graphs on which the costs of runtimes are measured, none of them a model's.
+// Small graphs on which the costs of runtimes are measured; none belongs to a model.
 
 #include "graph/step_graph.h"
 
 namespace spoke::graph {
 
-/// `count` times one node that some busy ones wait for, two if not told otherwise; a last one joins
+/// Makes a graph that has, `count` times, one node that two busy ones wait for; a last node joins
 /// the last of them.
-StepGraph make_fork_joins(int count, double busy, int branches = 2);
+StepGraph make_fork_joins(int count, double busy);
 
-/// Levels of two empty nodes, each of which waits for both nodes of the level before.
+/// Makes levels of two empty nodes, each of which waits for both nodes of the level before.
 StepGraph make_ladder(int levels);
 
 }  // namespace spoke::graph

@@ -15,7 +15,7 @@
 namespace spoke::graph {
 namespace {
 
-// A chain of dependent multiplications, which is the same work wherever it runs.
+// Runs a chain of dependent multiplications, which is the same work wherever it runs.
 void work(int iterations) noexcept {
   volatile double sink = 1.0;
   double value = sink;
@@ -23,7 +23,7 @@ void work(int iterations) noexcept {
   sink = value;
 }
 
-// A node of that work for each thread, independent of the others.
+// Makes a node of that work for each thread, independent of the others.
 StepGraph make_busy_graph(int threads, int iterations) {
   StepGraphBuilder builder;
   for (int k = 0; k < threads; ++k)

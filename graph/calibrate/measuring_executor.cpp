@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <numeric>
 
 #include "graph/calibrate/quantiles.h"
@@ -17,12 +18,12 @@ double seconds_of(std::uint64_t ticks) {
   return std::max(0.0, static_cast<double>(ticks) * scale.seconds_per_tick - scale.cost);
 }
 
-// The Thue-Morse sequence: half of the runs, and half of the runs of any small period, such as the
-// passes of a step.
+// Follows the Thue-Morse sequence: half of the runs, and half of the runs of any small period, such
+// as the passes of a step.
 bool has_stamps(int run) { return std::popcount(static_cast<unsigned>(run)) % 2 == 0; }
 
-// The median over stretches of their means: dear runs count as cheap ones do, but not the stretches
-// that another program disturbed. Short of two whole stretches it is the mean.
+// Returns the median over stretches of their means: dear runs count as cheap ones do, but not the
+// stretches that another program disturbed. With less than two whole stretches it is the mean.
 double robust_mean(const std::vector<double>& times) {
   constexpr double stretch = 20e-3;  // s
   const double seconds = std::accumulate(times.begin(), times.end(), 0.0);
@@ -46,13 +47,10 @@ std::vector<double> in_seconds(const std::vector<std::uint64_t>& ticks) {
 
 }  // namespace
 
-MeasuringExecutor::MeasuringExecutor(const StepGraph& graph, NodeOrder order)
-    : graph_(graph), costs_(graph, order) {}
-
 void MeasuringExecutor::run() {
   if (has_stamps(runs())) return costs_.run();
   const std::uint64_t begin = time_stamp();
-  for (const NodeId node : costs_.order()) graph_.run_node(node);
+  for (const NodeId node : graph_.serial_order()) graph_.run_node(node);
   plain_ticks_.push_back(time_stamp() - begin);
 }
 
@@ -66,9 +64,10 @@ void MeasuringExecutor::run_while(const std::function<bool()>& more) {
   }
 }
 
-// A stamp costs less between nodes, whose instructions overlap with it, than it does alone: what is
-// missing in the sum was taken from all nodes alike. What is too much is in proportion.
+// A stamp costs less between nodes, whose instructions overlap with it, than it does alone: a
+// deficit of the sum was taken from all nodes alike, and an excess is in proportion to their times.
 std::vector<double> MeasuringExecutor::node_costs() const {
+  assert(runs() > 0);
   std::vector<double> costs = costs_.costs();
   if (plain_ticks_.empty() || costs.empty()) return costs;
   const double stamped = std::accumulate(costs.begin(), costs.end(), 0.0);

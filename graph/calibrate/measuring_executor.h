@@ -1,6 +1,6 @@
 #pragma once
 
-// An executor that measures what nodes cost while it runs them.
+// An executor that measures the costs of nodes while it runs them.
 
 #include <cstdint>
 #include <vector>
@@ -10,14 +10,13 @@
 
 namespace spoke::graph {
 
-/// Runs the nodes serially, in one order or another, and measures what each of them costs and what
-/// is done between two runs. So what runs by an executor can be measured at work.
-/// Time stamps stand between the nodes of half of the runs only; the others tell what all nodes
-/// cost together, undisturbed.
+/// Runs the nodes serially, and measures the cost of each and of the work between two runs. So a
+/// program that runs by an executor can be measured at work. Time stamps stand between the nodes of
+/// only half of the runs; the others tell the undisturbed cost of all nodes together.
 class MeasuringExecutor final : public Executor {
  public:
-  /// Refers to `graph`, which must outlive it.
-  explicit MeasuringExecutor(const StepGraph& graph, NodeOrder order = NodeOrder::serial);
+  /// Refers to `graph`, which must outlive this executor.
+  explicit MeasuringExecutor(const StepGraph& graph) : graph_(graph), costs_(graph) {}
 
   void run() override;
   void run_while(const std::function<bool()>& more) override;
@@ -25,13 +24,14 @@ class MeasuringExecutor final : public Executor {
   Threads threads() const override { return 1; }
 
   int runs() const { return costs_.runs() + static_cast<int>(plain_ticks_.size()); }
-  /// By index of the node its mean cost per run [s]. Their sum is the mean time of the runs without
-  /// stamps; where these take longer than two stretches of 20 ms, the median of the stretches'
-  /// means. Precondition: runs() > 0; of a single run stamps distort it.
+  /// Returns by index of the node its mean cost per run [s]. Their sum is the mean time of the runs
+  /// without stamps; where these take longer than two stretches of 20 ms, the median of the
+  /// stretches' means. Precondition: runs() > 0; after a single run, stamps distort the costs.
   std::vector<double> node_costs() const;
-  /// The times of the runs without stamps between the nodes [s].
+  /// Returns the times of the runs without stamps between the nodes [s].
   std::vector<double> run_times() const;
-  /// What asking whether to go on took, in the runs of run_while(), likewise [s]; 0 without any.
+  /// Returns the mean time of asking whether to go on, in the runs of run_while() [s]; 0 without
+  /// any.
   double between_runs() const;
 
  private:

@@ -3,15 +3,17 @@
 #include "graph/calibrate/node_costs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <numeric>
+#include <span>
 
 #include "graph/machine/time_stamp.h"
 
 namespace spoke::graph {
 namespace {
 
-/// Of samples in ticks; sorts them.
+/// Returns a robust mean of samples in ticks, which it sorts.
 double robust_mean(std::vector<std::uint64_t>& samples) {
   std::sort(samples.begin(), samples.end());
   const std::size_t kept = (3 * samples.size() + 3) / 4;
@@ -23,16 +25,14 @@ double robust_mean(std::vector<std::uint64_t>& samples) {
 
 }  // namespace
 
-NodeCosts::NodeCosts(const StepGraph& graph, NodeOrder order)
-    : graph_(graph), order_(make_order(graph, order)) {}
-
 void NodeCosts::run() {
+  const std::span<const NodeId> order = graph_.serial_order();
   const std::size_t begin = ticks_.size();
-  ticks_.resize(begin + order_.size());
+  ticks_.resize(begin + order.size());
   const std::uint64_t first = time_stamp();
   std::uint64_t before = first;
-  for (std::size_t k = 0; k < order_.size(); ++k) {
-    graph_.run_node(order_[k]);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    graph_.run_node(order[k]);
     const std::uint64_t now = time_stamp();
     ticks_[begin + k] = now - before;
     before = now;
@@ -42,15 +42,17 @@ void NodeCosts::run() {
 }
 
 std::vector<double> NodeCosts::costs() const {
+  assert(runs_ > 0);
   const TimeStampScale& scale = time_stamp_scale();
-  std::vector<double> costs(order_.size());
+  const std::span<const NodeId> order = graph_.serial_order();
+  std::vector<double> costs(order.size());
   std::vector<std::uint64_t> samples(static_cast<std::size_t>(runs_));
-  for (std::size_t k = 0; k < order_.size(); ++k) {
+  for (std::size_t k = 0; k < order.size(); ++k) {
     for (std::size_t run = 0; run < samples.size(); ++run) {
-      samples[run] = ticks_[run * order_.size() + k];
+      samples[run] = ticks_[run * order.size() + k];
     }
     const double seconds = robust_mean(samples) * scale.seconds_per_tick - scale.cost;
-    costs[static_cast<std::size_t>(order_[k].index)] = std::max(seconds, 0.0);
+    costs[static_cast<std::size_t>(order[k].index)] = std::max(seconds, 0.0);
   }
   return costs;
 }

@@ -1,38 +1,35 @@
 #pragma once
 
-// What the nodes of a graph cost, from some runs on the calling thread.
+// Measures the costs of a graph's nodes in some runs on the calling thread.
 
 #include <cstdint>
 #include <vector>
 
-#include "graph/plan/node_order.h"
 #include "graph/step_graph.h"
 
 namespace spoke::graph {
 
-/// Measures what the nodes of a graph cost, on real runs on the calling thread.
+/// Measures the costs of a graph's nodes in real runs on the calling thread.
 class NodeCosts {
  public:
-  /// Refers to `graph`, which must outlive it.
-  explicit NodeCosts(const StepGraph& graph, NodeOrder order = NodeOrder::serial);
+  /// Refers to `graph`, which must outlive this object.
+  explicit NodeCosts(const StepGraph& graph) : graph_(graph) {}
 
-  /// Runs every node once, in that order, with a time stamp between any two.
+  /// Runs every node once, in serial order, with a time stamp between any two.
   void run();
 
-  /// The number of runs so far, and the time they took [s].
+  /// Returns the number of runs so far, or the time they took [s].
   int runs() const { return runs_; }
   double seconds() const { return seconds_; }
-  const std::vector<NodeId>& order() const { return order_; }
 
-  /// Per node its cost [s], less that of the stamp: the mean over the cheaper three quarters of the
-  /// runs. That leaves out interruptions, but not that a node may be idle in some runs and busy in
-  /// others. Precondition: runs() > 0.
+  /// Returns for each node its cost [s], less that of the stamp: the mean over the cheaper three
+  /// quarters of the runs. That leaves out interruptions, but keeps the mean of nodes that are idle
+  /// in some runs and busy in others. Precondition: runs() > 0.
   std::vector<double> costs() const;
 
  private:
   const StepGraph& graph_;
-  std::vector<NodeId> order_;
-  std::vector<std::uint64_t> ticks_;  // per run and place in the order
+  std::vector<std::uint64_t> ticks_;  // ticks per run and place in the order
   int runs_ = 0;
   double seconds_ = 0.0;
 };

@@ -3,6 +3,7 @@
 // Medians and quartiles of measured times.
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -10,9 +11,11 @@
 namespace spoke::graph {
 
 namespace detail {
-/// The value below which `numerator` of `denominator` of all lie. Precondition: not empty.
+/// Returns the value below which the fraction `numerator`/`denominator` of all values lies.
+/// Precondition: not empty.
 template <class Value>
 Value order_statistic(std::vector<Value> values, std::size_t numerator, std::size_t denominator) {
+  assert(!values.empty() && numerator < denominator);
   const auto place =
       values.begin() + static_cast<std::ptrdiff_t>(values.size() * numerator / denominator);
   std::nth_element(values.begin(), place, values.end());
@@ -20,13 +23,14 @@ Value order_statistic(std::vector<Value> values, std::size_t numerator, std::siz
 }
 }  // namespace detail
 
-/// The middle one, of an even number the upper. Precondition: not empty.
+/// Returns the middle value, the upper one for an even number. Precondition: not empty.
 template <class Value>
 Value median(std::vector<Value> values) {
   return detail::order_statistic(std::move(values), 1, 2);
 }
 
-/// What an undisturbed sample is like, since what disturbs only adds. Precondition: not empty.
+/// Returns the value of an undisturbed sample, since disturbances only add time. Precondition: not
+/// empty.
 inline double lower_quartile(std::vector<double> values) {
   return detail::order_statistic(std::move(values), 1, 4);
 }

@@ -1,29 +1,21 @@
 #pragma once
 
-// What the runtimes under the executors cost on this machine.
+// Measures the costs of the runtimes under the executors on this machine.
 
-#include <vector>
-
-#include "graph/simulate/data_traffic.h"
 #include "graph/simulate/schedule.h"
 
 namespace spoke::graph {
 
-/// What the runtimes under the executors cost on a machine, beside the nodes [s].
+/// The costs of the runtimes under the executors on a machine, beside those of the nodes [s].
 struct RuntimeCosts {
   Overheads flow_graph;
   double barrier = 0.0;        ///< an OpenMP barrier of two threads; 0: no OpenMP, not known
-  double barrier_alone = 0.0;  ///< of a team of one thread
-  Transfer transfer;           ///< of data from another processor's caches
+  double barrier_alone = 0.0;  ///< a barrier of a team of one thread
 };
 
-/// Measured on graphs of empty nodes and of busy ones, none of them a model's, in about a tenth of
-/// a second. Bounded to what is plausible, for busy machines. Threads of OpenMP spin on for some
+/// Measures the costs on graphs of empty and of busy nodes, in about a tenth of a second. Results
+/// are bounded to plausible values, for busy machines. Threads of OpenMP spin on for some
 /// milliseconds after that.
 RuntimeCosts measure_runtime_costs();
-
-/// Of each cost the median. Precondition: there is one. Processors change their speed from one
-/// second to the next, so costs are measured again in the rounds in which nodes are.
-RuntimeCosts median(std::vector<RuntimeCosts> measured);
 
 }  // namespace spoke::graph

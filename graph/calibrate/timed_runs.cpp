@@ -2,6 +2,7 @@
 
 #include "graph/calibrate/timed_runs.h"
 
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ void be_busy(double seconds) noexcept {
 }
 
 double seconds_per_run(Executor& executor, int runs) {
+  assert(runs > 0);
   executor.run();
   std::vector<double> seconds(static_cast<std::size_t>(runs));
   for (double& taken : seconds) {

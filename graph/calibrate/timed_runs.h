@@ -1,6 +1,6 @@
 #pragma once
 
-// What the calibrations of this folder time with.
+// Clocks and timed runs for the calibrations of this folder.
 
 #include <cstdint>
 
@@ -8,13 +8,13 @@
 
 namespace spoke::graph {
 
-/// Since time_stamp() gave `begin` [s].
+/// Returns the time since time_stamp() gave `begin` [s].
 double seconds_since(std::uint64_t begin);
 
-/// Keeps the calling thread busy for so long [s].
+/// Keeps the calling thread busy for `seconds`.
 void be_busy(double seconds) noexcept;
 
-/// Of `runs` runs, behind one that warms up, the lower quartile [s].
+/// Returns the lower quartile of the times of `runs` runs, after one that warms up [s].
 double seconds_per_run(Executor& executor, int runs);
 
 }  // namespace spoke::graph

@@ -1,4 +1,4 @@
-// Counts processors by affinity, control groups and what OpenMP has bound.
+// Counts processors by affinity, control groups and OpenMP's binding.
 
 #include "graph/execute/available_threads.h"
 

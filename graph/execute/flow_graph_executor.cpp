@@ -28,10 +28,10 @@ namespace {
 namespace flow = oneapi::tbb::flow;
 using oneapi::tbb::global_control;
 
-// How many threads oneTBB lets work at once: as many as there are processors, or what the program
-// allows by a global_control of its own. It counts the processors once. If OpenMP had bound the
-// thread that asked first, it has counted too few; then a control tells it (of several the smallest
-// counts, and this one is the same for all executors).
+// Returns how many threads oneTBB lets work at once: as many as there are processors, or as the
+// program allows by a global_control of its own. It counts the processors once. If OpenMP had bound
+// the thread that asked first, it has counted too few; then a control tells it (the smallest of
+// several counts, and this one is the same for all executors).
 int allowed_threads(std::optional<global_control>& control) {
   constexpr auto limit = global_control::max_allowed_parallelism;
   const auto processors = static_cast<std::size_t>(available_threads());
@@ -95,10 +95,10 @@ class FlowGraphExecutor final : public Executor {
   FlowGraphExecutor(const StepGraph& graph, Plan plan, int threads, std::vector<int> partition)
       : graph_(graph), plan_(std::move(plan)), threads_(threads) {
     const int width = level_width(plan_);
-    if (width <= 1) return;  // no threads for what one thread does
+    if (width <= 1) return;  // no threads where one thread does all
     // Threads beyond those that find work would only wake and search for it.
     working_ = std::min({threads, width, allowed_threads(thread_limit_)});
-    // oneTBB ends the program if the system refuses it a thread: that shows here.
+    // oneTBB ends the program if the system refuses it a thread: so that is tried before.
     if (working_ > available_threads()) try_threads(working_);
     arena_.initialize(working_);
     if (partition.empty()) partition = partition_clusters(plan_, working_);
@@ -145,15 +145,16 @@ class FlowGraphExecutor final : public Executor {
               [this](NodeId node) { run_told(graph_, node); });
   }
 
-  // The calling thread is the only one that enters the arena, and gets its reserved place, 0.
+  // Returns the thread's number. The calling thread is the only one that enters the arena, and gets
+  // its reserved place, 0.
   int this_thread() const {
     return recorder() == nullptr ? 0 : oneapi::tbb::this_task_arena::current_thread_index();
   }
 
-  // oneTBB's edges are to stay within a flow graph: a cluster of another one is notified by its
-  // predecessors themselves. Threads of oneTBB go on with what became ready last: successors are
-  // notified from the last to the first, so that a thread comes through the clusters, and through
-  // the memory of their flow nodes, in depth-first order.
+  // Makes the flow nodes and their edges. oneTBB's edges stay within a flow graph: predecessors
+  // themselves notify a cluster of another one. Threads of oneTBB go on with the cluster that
+  // became ready last, so successors are notified from the last to the first, so that a thread
+  // comes through the clusters, and through the memory of their flow nodes, in depth-first order.
   void make_flow(const std::vector<int>& partition) {
     const auto are_apart = [&](int a, int b) {
       return partition[static_cast<std::size_t>(a)] != partition[static_cast<std::size_t>(b)];
@@ -182,8 +183,8 @@ class FlowGraphExecutor final : public Executor {
     }
   }
 
-  // None of them is ever without anything to wait for, so that it does not look for threads to wake
-  // whenever none of its tasks is under way.
+  // Makes flow graphs that always have something to wait for: otherwise a graph looks for threads
+  // to wake whenever none of its tasks is under way.
   void make_flows(int count) {
     for (int k = 0; k < count; ++k) flows_.emplace_back(context_).graph.reserve_wait();
     unfinished_.emplace(run_context_);
@@ -204,17 +205,19 @@ class FlowGraphExecutor final : public Executor {
   int working_ = 1;  // of them
   std::optional<global_control> thread_limit_;
   Arena arena_;
-  // With the floating-point environment of the thread that makes the executor: that of the arena is
-  // an earlier one's.
+  // A context with the floating-point environment of the thread that makes the executor: that of
+  // the arena is an earlier one's.
   oneapi::tbb::task_group_context context_{oneapi::tbb::task_group_context::isolated,
                                            oneapi::tbb::task_group_context::default_traits |
                                                oneapi::tbb::task_group_context::fp_settings};
   oneapi::tbb::task_group_context run_context_{oneapi::tbb::task_group_context::isolated};
-  std::deque<CountedFlow> flows_;          // one per part of the partition; none: no threads
-  std::optional<CountedFlow> unfinished_;  // has no nodes: counts final clusters yet to end
-  int final_clusters_ = 0;                 // without successors
-  std::deque<FlowNode> nodes_;             // neither move nor copy with their edges
-  CompressedRows<FlowNode*> notified_;     // per cluster its successors in other flow graphs
+  std::deque<CountedFlow> flows_;  // one flow per part of the partition; none: no threads
+  // a flow without nodes that counts final clusters yet to end.
+  std::optional<CountedFlow> unfinished_;
+  int final_clusters_ = 0;  // number of clusters without successors
+  // In a deque, since they neither move nor copy with their edges.
+  std::deque<FlowNode> nodes_;
+  CompressedRows<FlowNode*> notified_;  // successors of each cluster in other flow graphs
   std::vector<FlowNode*> roots_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Handing work to a team of threads and waiting for it, for OpenMP scheme 1.
+// Hands work to a team of threads and waits for it, for OpenMP scheme 1.
 
 #include <atomic>
 #include <chrono>
@@ -23,14 +23,15 @@ inline void relax_processor() {
 /// A number that threads wait for.
 class AwaitedNumber {
  public:
-  /// While nobody waits.
+  /// Sets the number. Precondition: nobody waits.
   void set(std::uint32_t value) { value_.store(value, std::memory_order_relaxed); }
-  /// What was written before is seen by whom it makes ready. The value after it.
+  /// Adds to the number and returns the new value. Threads that this makes ready see all earlier
+  /// writes.
   std::uint32_t add(std::uint32_t change) { return value_.fetch_add(change) + change; }
-  /// Behind add(), if it may have made somebody ready.
+  /// Wakes the waiting threads, after an add() that may have made one ready.
   void wake() {
-    // Who parks counts itself first and looks at the value then; here it is the other way round, so
-    // that one of the two sees the other.
+    // A thread that parks counts itself first and then looks at the value; here the order is
+    // reversed, so that one of the two sees the other.
     if (parked_.load() > 0) unpark_all(value_);
   }
 
@@ -47,13 +48,12 @@ class AwaitedNumber {
   }
 
  private:
-  // Of the order of what it costs to park and to be woken, so that neither choice costs twice the
-  // other.
+  // About the cost of parking and being woken, so that neither choice costs twice the other.
   static constexpr std::chrono::microseconds kSpinTime{50};
 
   std::uint32_t look() const { return value_.load(std::memory_order_acquire); }
 
-  // The last value seen.
+  // Spins until `ready(value)` holds, or for some time. Returns the last value seen.
   template <class Ready>
   std::uint32_t spin_until(Ready ready) const {
     using Clock = std::chrono::steady_clock;
@@ -71,18 +71,19 @@ class AwaitedNumber {
   }
 
   std::atomic<std::uint32_t> value_{0};
-  std::atomic<std::uint32_t> parked_{0};  // how many threads
+  std::atomic<std::uint32_t> parked_{0};  // number of threads
 };
 
-/// Where the first thread of a team hands work to the others and waits for them. Between two works
-/// the others wait, so that the first may do alone what no other may do meanwhile.
+/// A place where the first thread of a team hands work to the others and waits for them. Between
+/// two works the others wait, so that the first may do alone what no other may do meanwhile.
 template <class Work>
 class ForkJoin {
  public:
-  /// For the first thread, before its first fork: how many others take part.
+  /// Sets how many other threads take part; for the first thread, before its first fork.
   void set_workers(int workers) { workers_ = static_cast<std::uint32_t>(workers); }
 
-  /// For the first thread: lets the others work. They end at a null pointer; else join() follows.
+  /// Lets the others work; for the first thread. They end at a null pointer; otherwise join()
+  /// follows.
   void fork(const Work* work) {
     if (workers_ == 0) return;
     work_ = work;
@@ -90,12 +91,12 @@ class ForkJoin {
     forks_.add(1);
     forks_.wake();
   }
-  /// For the first thread: returns when all others are done.
+  /// Returns when all others are done; for the first thread.
   void join() {
     pending_.wait_until([](std::uint32_t pending) { return pending == 0; });
   }
 
-  /// For each of the others: `work(const Work&)` of every fork until the last one.
+  /// Calls `work(const Work&)` for every fork until the last one; for each of the others.
   template <class Function>
   void serve(Function&& work) {
     for (std::uint32_t seen = 0;;) {
@@ -111,7 +112,8 @@ class ForkJoin {
 
   static constexpr std::size_t kCacheLine = 64;
 
-  // What the first thread writes and what the others write are in cache lines of their own.
+  // The number that the first thread writes and the one that the others write have cache lines of
+  // their own.
   alignas(kCacheLine) AwaitedNumber forks_;
   const Work* work_ = nullptr;
   std::uint32_t workers_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Asking the caller's function from inside a team of threads.
+// Asks the caller's function from inside a team of threads.
 
 #include <exception>
 #include <functional>
@@ -8,7 +8,7 @@
 namespace spoke::graph {
 
 /// Asks whether another pass is wanted, from inside a team of threads, which an exception must not
-/// leave: it counts as no, and is thrown again when the team has ended.
+/// leave: an exception counts as no, and is thrown again when the team has ended.
 class PassQuestion {
  public:
   explicit PassQuestion(const std::function<bool()>& more) : more_(more) {}

@@ -1,8 +1,10 @@
-// Room, beginning and end of recorded runs.
+// Manages room, beginning and end of recorded runs.
 
 #include "graph/execute/node_recorder.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 namespace spoke::graph {
 
@@ -44,7 +46,7 @@ bool NodeRecorder::begin_run() noexcept {
 void NodeRecorder::end_run() noexcept {
   if (!is_recording_) return;
   is_recording_ = false;
-  run_times_[runs_].end = time_stamp_after_reads();  // no earlier than the last node of a thread
+  run_times_[runs_].end = time_stamp_after_reads();  // no earlier than the last node of any thread
   for (std::size_t thread = 0; thread < lanes_.size(); ++thread) {
     const Lane& lane = lanes_[thread];
     ends_[end_place(runs_, thread)] = static_cast<std::size_t>(lane.next - lane.records.data());
@@ -53,6 +55,8 @@ void NodeRecorder::end_run() noexcept {
 }
 
 std::span<const NodeRecord> NodeRecorder::records(int run, int thread) const {
+  assert(run >= 0 && std::cmp_less(run, runs_));
+  assert(thread >= 0 && std::cmp_less(thread, lanes_.size()));
   const auto r = static_cast<std::size_t>(run);
   const auto t = static_cast<std::size_t>(thread);
   const std::size_t begin = r == 0 ? 0 : ends_[end_place(r - 1, t)];

@@ -1,7 +1,6 @@
 #pragma once
 
-// Recording of which thread runs which node when, and run_nodes(), by which all executors run
-// nodes.
+// Records which thread runs which node when. All executors run nodes by run_nodes().
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +12,7 @@
 
 namespace spoke::graph {
 
-/// That a node ran: when, in ticks of time_stamp(), and in which cluster of the executor's plan
+/// A run of a node: when, in ticks of time_stamp(), and in which cluster of the executor's plan
 /// (-1: the executor has no plan). Where nodes follow each other without a pause, the end of one is
 /// the begin of the next.
 struct NodeRecord {
@@ -23,14 +22,14 @@ struct NodeRecord {
   std::uint64_t end = 0;
 };
 
-/// What a NodeRecorder has room for.
+/// The room of a NodeRecorder.
 struct RecorderRoom {
   std::size_t runs = 0;
   std::size_t records_per_thread = 0;
 };
 
-/// Room for `runs` runs of `nodes` nodes, whichever threads they run on, unless that takes more
-/// than `most_bytes`: then what fits.
+/// Returns room for `runs` runs of `nodes` nodes, whichever threads they run on, or for fewer where
+/// that takes more than `most_bytes`.
 RecorderRoom make_room(std::size_t runs, int nodes, int threads, std::size_t most_bytes);
 
 /// Records which thread runs which node when, for an executor that is told to by
@@ -39,39 +38,41 @@ RecorderRoom make_room(std::size_t runs, int nodes, int threads, std::size_t mos
 /// nodes of one more run, that run is not recorded, only counted.
 class NodeRecorder {
  public:
-  /// The records of one thread. Members are plain, so that graph/execute/flow_graph_executor.cpp,
-  /// which the thread sanitizer does not watch, shares no function with files that it does.
+  /// The records of one thread. Members are plain, so that executors that the thread sanitizer does
+  /// not watch (thread_sanitizer.h) share no function with files that it does.
   struct alignas(128) Lane {     // 128: processors fetch cache lines in pairs
-    NodeRecord* next = nullptr;  ///< where the next record goes
+    NodeRecord* next = nullptr;  ///< place of the next record
     std::vector<NodeRecord> records;
   };
 
-  /// From before the first node to after the last [ticks].
+  /// The time from before the first node to after the last [ticks].
   struct Run {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
   };
 
-  /// For an executor whose threads().total() is `threads`, on a graph of `nodes` nodes.
+  /// Makes a recorder for an executor whose threads().total() is `threads`, on a graph of `nodes`
+  /// nodes.
   NodeRecorder(int threads, int nodes, const RecorderRoom& room);
 
   int threads() const { return static_cast<int>(lanes_.size()); }
 
-  /// To be called on the calling thread before a run, while no node runs. Whether the run is
-  /// recorded. Without it nothing is.
+  /// Begins a run; to be called on the calling thread while no node runs. Returns whether the run
+  /// is recorded. Without this call nothing is.
   bool begin_run() noexcept;
-  /// The same after the run.
+  /// Ends the run; to be called on the calling thread while no node runs.
   void end_run() noexcept;
 
-  /// Between begin_run() and end_run(): whether nodes are to be recorded.
+  /// Whether nodes are to be recorded, between begin_run() and end_run().
   bool is_recording() const { return is_recording_; }
-  /// Where thread `thread` of the executor records, 0 <= thread < threads(); 0 is the calling one.
+  /// Returns the lane in which thread `thread` of the executor records, 0 <= thread < threads(); 0
+  /// is the calling one.
   Lane& lane(int thread) { return lanes_[static_cast<std::size_t>(thread)]; }
 
   int runs() const { return static_cast<int>(runs_); }  ///< recorded
-  int dropped_runs() const { return dropped_; }         ///< for want of room
+  int dropped_runs() const { return dropped_; }         ///< runs not recorded for want of room
   const Run& run(int index) const { return run_times_[static_cast<std::size_t>(index)]; }
-  /// What a thread did in a run, in order.
+  /// Returns the nodes that a thread ran in a run, in order.
   std::span<const NodeRecord> records(int run, int thread) const;
 
   /// Forgets all runs.
@@ -84,8 +85,8 @@ class NodeRecorder {
 
   std::size_t nodes_;
   std::vector<Lane> lanes_;
-  std::vector<Run> run_times_;     // as many as there is room for
-  std::vector<std::size_t> ends_;  // per run and thread, records up to its end
+  std::vector<Run> run_times_;     // as many runs as there is room for
+  std::vector<std::size_t> ends_;  // end of the records per run and thread
   std::size_t runs_ = 0;
   int dropped_ = 0;
   bool is_recording_ = false;

@@ -32,7 +32,7 @@ class OpenMpLevelsExecutor final : public Executor {
     }
   }
 
-  // One region for all passes.
+  // Runs all passes in one region.
   void run_while(const std::function<bool()>& more) override {
     omp_set_dynamic(0);
     const FloatingPointEnvironment environment;
@@ -58,8 +58,8 @@ class OpenMpLevelsExecutor final : public Executor {
   Threads threads() const override { return threads_; }
 
  private:
-  // For each thread of the team. If it has fewer threads than were asked for, each takes the nodes
-  // of several.
+  // Runs the rounds on each thread of the team. If it has fewer threads than were asked for, each
+  // takes the nodes of several.
   void run_rounds() const {
     const auto first = static_cast<std::size_t>(omp_get_thread_num());
     const auto team = static_cast<std::size_t>(omp_get_num_threads());
@@ -78,7 +78,7 @@ class OpenMpLevelsExecutor final : public Executor {
   const StepGraph& graph_;
   int threads_;
   std::vector<Round> rounds_;
-  bool ends_alone_;  // then the question whether to go on needs no barrier before it
+  bool ends_alone_;  // if so, the question whether to go on needs no barrier before it
 };
 
 }  // namespace

@@ -16,10 +16,10 @@
 #include "graph/plan/nested_loops.h"
 #include "graph/plan/static_share.h"
 
-// The two schemes of parallel threads in two layers, subsystems and the bodies within them, of
-// Han, Song and Kim (2017), section 4: teams that last as long as the integration, and teams that
-// begin and end with every loop. The runtime may give fewer threads than are asked for; the work is
-// shared out among those it gives.
+// The two schemes of parallel threads in two layers, subsystems and the bodies within them, of Han,
+// Song and Kim (2017), section 4: teams that last as long as the integration, and teams that begin
+// and end with every loop. The runtime may give fewer threads than are asked for; the work is
+// shared out among those.
 
 namespace spoke::graph {
 namespace {
@@ -31,14 +31,14 @@ void ask_for_nested_teams() {
   if (omp_get_max_active_levels() < levels) omp_set_max_active_levels(levels);
 }
 
-/// As many threads as there are processors for, first of all one for each team.
+/// Returns as many threads as there are processors for, first of all one for each team.
 Threads threads_with_processors(const Threads& asked, int processors) {
   if (asked.total() <= processors) return asked;
   const int teams = std::min(asked.outer, processors);
   return {teams, std::min(asked.inner, processors / teams)};
 }
 
-/// The work of both schemes; how its loops are shared out is theirs.
+/// The work common to both schemes; each shares out its loops in its own way.
 class NestedExecutor : public Executor {
  public:
   /// `working`: those of `threads` that get work.
@@ -55,20 +55,20 @@ class NestedExecutor : public Executor {
     int count;
   };
 
-  /// On thread `thread` of team `team`.
+  /// Runs a chain on thread `thread` of team `team`.
   void run_chain(const NodeChain& chain, int team, int thread) const {
     run_nodes(recorder(), team * working_.inner + thread, -1, chain,
               [this](NodeId node) { graph_.run_node(node); });
   }
 
-  /// One thread's share of a loop over bodies, in team `team`.
+  /// Runs one thread's share of a loop over bodies, in team `team`.
   void run_share(const BodyLoop& loop, int team, Member thread) const {
     const StaticShare share = static_share(loop.bodies.size(), thread.index, thread.count);
     for (std::size_t k = share.begin; k < share.end; ++k)
       run_chain(loop.bodies[k], team, thread.index);
   }
 
-  /// One team's share of a loop over subsystems; `run_bodies` shares out a loop over bodies.
+  /// Runs one team's share of a loop over subsystems; `run_bodies` shares out a loop over bodies.
   template <class RunBodies>
   void run_share(const SubsystemLoop& loop, Member team, RunBodies run_bodies) const {
     const StaticShare share = static_share(loop.subsystems.size(), team.index, team.count);
@@ -88,7 +88,7 @@ class NestedExecutor : public Executor {
 
 /// Both layers of threads are there from the first pass to the last. The first thread of each team
 /// hands work to the others through a ForkJoin: OpenMP's own barriers bind to the innermost team.
-/// Threads without a processor would keep those that wait for them from working: there are none.
+/// There are no threads without a processor, since they would delay those that wait for them.
 class OpenMpScheme1Executor final : public NestedExecutor {
  public:
   OpenMpScheme1Executor(const StepGraph& graph, Threads threads, int processors)
@@ -127,7 +127,7 @@ class OpenMpScheme1Executor final : public NestedExecutor {
   using Subsystems = ForkJoin<SubsystemLoop>;
   using Bodies = ForkJoin<BodyLoop>;
 
-  // For the first thread of each team, from the first pass to the last.
+  // Runs the work of the first thread of each team, from the first pass to the last.
   void lead(Member team, int threads, Subsystems& subsystems, Bodies& bodies,
             PassQuestion& question) const {
     bodies.set_workers(threads - 1);

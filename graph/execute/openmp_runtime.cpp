@@ -18,9 +18,9 @@ namespace spoke::graph {
 
 namespace {
 
-/// Whether the environment may ask for bound threads. Without, the runtime is not asked either:
-/// LLVM's begins at the first question, which costs time, and a process that is then killed leaves
-/// a file in /dev/shm that may keep a later process of the same number from using OpenMP.
+/// Whether the environment may ask for bound threads. If not, the runtime is not queried: LLVM's
+/// starts at the first query, which costs time, and a process that is then killed leaves a file in
+/// /dev/shm that may keep a later process of the same number from using OpenMP.
 bool may_bind() {
   const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
   return is_set("OMP_PROC_BIND") || is_set("OMP_PLACES") || is_set("GOMP_CPU_AFFINITY") ||
@@ -28,7 +28,7 @@ bool may_bind() {
 }
 
 /// Whether LLVM's runtime survives this value of OMP_NUM_THREADS: whole numbers, joined by commas.
-/// Of others it ends the process, or takes memory for as many threads as an int can count.
+/// With other values it ends the process, or takes memory for as many threads as an int can count.
 bool is_harmless(std::string_view text) {
   constexpr int most = 65536;
   while (true) {
@@ -45,7 +45,7 @@ bool is_harmless(std::string_view text) {
   }
 }
 
-/// Whether the runtime may be asked at all: at the first question LLVM's reads its environment.
+/// Whether the runtime may be queried at all: LLVM's reads its environment at the first query.
 bool may_be_asked() {
   const char* const text = std::getenv("OMP_NUM_THREADS");
   return text == nullptr || is_harmless(text);

@@ -1,5 +1,4 @@
-// How executors of other programs run and record nodes: the recorder is none of the public
-// interface.
+// Runs and records nodes for executors of other programs: the recorder is not public.
 
 #include <cassert>
 

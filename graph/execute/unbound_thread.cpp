@@ -19,9 +19,9 @@ UnboundThread::UnboundThread() {
   };
   const std::vector<int> before = thread_affinity();
   if (before.empty() || is_whole(before)) return;
-  // The runtime tells how many processors the process had, but not which. If the system has no
-  // more for it, they are those; else they were narrowed down from outside, and of what is left the
-  // runtime tells what it made places of.
+  // The runtime tells how many processors the process had, but not which. If that is all the system
+  // has for it, all are allowed; otherwise they were restricted from outside, and the runtime only
+  // tells those it made places of.
   set_widest_thread_affinity();
   if (!is_whole(thread_affinity())) set_thread_affinity(binding->places);
   before_ = before;

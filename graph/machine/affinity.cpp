@@ -66,7 +66,8 @@ void set_thread_affinity(const std::vector<int>& processors) {
 }
 
 void set_widest_thread_affinity() {
-  constexpr int most = 1 << 16;  // processors of a machine; the kernel passes over those it has not
+  // Most processors of a machine; the kernel ignores those that are not there.
+  constexpr int most = 1 << 16;
   std::vector<int> all(most);
   std::iota(all.begin(), all.end(), 0);
   set_thread_affinity(all);

@@ -1,19 +1,19 @@
 #pragma once
 
-// The processors that a thread may run on.
+// Reads and sets the processors that a thread may run on.
 
 #include <vector>
 
 namespace spoke::graph {
 
-/// Numbers of the processors that the calling thread may run on, ascending. Empty if the system
-/// does not say.
+/// Returns the numbers of the processors that the calling thread may run on, ascending. Empty if
+/// the system does not say.
 std::vector<int> thread_affinity();
 
-/// Has the calling thread, and threads that it makes later, run on these processors, as far as the
-/// system allows.
+/// Lets the calling thread, and threads that it makes later, run only on these processors, as far
+/// as the system allows.
 void set_thread_affinity(const std::vector<int>& processors);
-/// The same with all that the system allows it.
+/// Lets them run on all processors that the system allows.
 void set_widest_thread_affinity();
 
 }  // namespace spoke::graph

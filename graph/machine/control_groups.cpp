@@ -18,7 +18,8 @@ std::optional<double> smaller(std::optional<double> a, std::optional<double> b) 
 }
 
 // A group is limited by every group it lies in as well. Inside a container the path may be the
-// host's, which is not there; the walk to the mount point then still finds the container's own.
+// host's, which does not exist there; the walk to the mount point then still finds the container's
+// own.
 std::optional<double> limit_along(const fs::path& mount, const std::string& path,
                                   const GroupLimit& limit_of) {
   std::optional<double> limit = limit_of(mount);

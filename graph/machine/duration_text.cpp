@@ -1,4 +1,4 @@
-// Times as people read them.
+// Writes times as people read them.
 
 #include "graph/machine/duration_text.h"
 

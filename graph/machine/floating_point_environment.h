@@ -7,8 +7,8 @@
 namespace spoke::graph {
 
 /// The floating-point environment (rounding, flushing of small numbers) of the thread that makes
-/// it, to be applied on others: a thread keeps what held when it was started, which may be long
-/// ago, and equal bits need equal control words.
+/// it, to be applied on others: a thread keeps the environment that held when it was started, which
+/// may be long ago, and equal bits need equal control words.
 class FloatingPointEnvironment {
  public:
   FloatingPointEnvironment() { std::fegetenv(&environment_); }

@@ -32,7 +32,7 @@ class WaitingThreads {
     pthread_attr_destroy(&attributes_);
   }
 
-  /// errno's value; 0: it was made.
+  /// Returns errno's value; 0: the thread was made.
   int add_one() {
     pthread_t thread{};
     const int error = pthread_create(&thread, &attributes_, wait, &may_end_);

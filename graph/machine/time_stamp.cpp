@@ -39,14 +39,14 @@ std::uint64_t steady_clock_ticks() noexcept {
 
 namespace {
 
-/// The same instant by the clock and by the counter.
+/// One instant, by the clock and by the counter.
 struct Instant {
   Clock::time_point time = Clock::now();
   std::uint64_t ticks = time_stamp();
 };
 const Instant program_start;
 
-// Since the program's start, which is mostly long enough ago.
+// Measures the rate since the program's start, which is mostly long enough ago.
 double measure_seconds_per_tick() {
   Instant now;
   while (now.time - program_start.time < std::chrono::milliseconds(2)) now = {};

@@ -13,7 +13,7 @@ std::uint64_t steady_clock_ticks() noexcept;
 }  // namespace detail
 
 /// Reads the fastest clock that counts at a constant rate and never stops: the processor's time
-/// stamp counter where it does, otherwise std::chrono::steady_clock. In ticks.
+/// stamp counter where it has one, otherwise std::chrono::steady_clock. In ticks.
 inline std::uint64_t time_stamp() noexcept {
 #if defined(__x86_64__) || defined(__i386__)
   if (detail::has_steady_counter) return __builtin_ia32_rdtsc();
@@ -21,9 +21,9 @@ inline std::uint64_t time_stamp() noexcept {
   return detail::steady_clock_ticks();
 }
 
-/// The same, not before all has arrived that the thread has read so far: if that tells it of
-/// something another thread did after a stamp of its own, this stamp is no earlier. Processors read
-/// the counter ahead of reads that they wait for.
+/// Reads the clock after all earlier reads of the thread are complete: if they show that another
+/// thread did something after a stamp of its own, this stamp is no earlier. Without this,
+/// processors read the counter ahead of reads that they wait for.
 inline std::uint64_t time_stamp_after_reads() noexcept {
 #ifdef __SSE2__
   __builtin_ia32_lfence();
@@ -31,13 +31,13 @@ inline std::uint64_t time_stamp_after_reads() noexcept {
   return time_stamp();
 }
 
-/// What time stamps mean on this machine.
+/// The unit and cost of time stamps on this machine.
 struct TimeStampScale {
   double seconds_per_tick = 0.0;
-  double cost = 0.0;  ///< [s] from one stamp to the next with nothing in between
+  double cost = 0.0;  ///< time from one stamp to the next with nothing in between [s]
 };
 
-/// Measured once per process, against std::chrono::steady_clock, in about 2 ms.
+/// Returns the scale, measured once per process, against std::chrono::steady_clock, in about 2 ms.
 const TimeStampScale& time_stamp_scale();
 
 }  // namespace spoke::graph

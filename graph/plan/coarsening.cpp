@@ -13,16 +13,16 @@
 namespace spoke::graph {
 namespace {
 
-using Groups = std::vector<int>;  // per cluster the group it goes to, -1 = none yet
+using Groups = std::vector<int>;  // the group that each cluster goes to, -1 = none yet
 
 // A plan while it is coarsened.
 struct Coarse {
   Plan plan;
-  std::vector<double> costs;  // [s] per cluster
+  std::vector<double> costs;  // cost of each cluster [s]
 };
 
 // Numbers groups in the order of their first members. That is a topological order of the groups of
-// all rules: of siblings all share their predecessors, a chain is entered at its first link, and
+// all rules: all siblings share their predecessors, a chain is entered at its first link, and
 // nothing follows an end.
 int number_by_first_member(Groups& groups) {
   std::vector<int> number(groups.size(), -1);
@@ -69,11 +69,12 @@ Coarse contract(const Coarse& fine, Groups groups) {
   return {Plan(std::move(clusters), std::move(successors)), std::move(costs)};
 }
 
-// One sweep along the topological order finds whole chains. Returns whether there were any.
+// Merges chains, whole ones in one sweep along the topological order. Returns whether there were
+// any.
 bool contract_chains(Coarse& coarse, double longest) {
   const Plan& plan = coarse.plan;
   Groups groups(index_of(plan.cluster_count()));
-  std::vector<double> sums = coarse.costs;  // of the chain so far, by its first link
+  std::vector<double> sums = coarse.costs;  // costs of the chains so far, by their first links
   bool any = false;
   for (int c = 0; c < plan.cluster_count(); ++c) {
     groups[index_of(c)] = c;
@@ -123,7 +124,7 @@ bool are_siblings(const Plan& plan, int a, int b) {
          std::ranges::equal(plan.successors(a), plan.successors(b));
 }
 
-// Clusters with their hashes of predecessors and successors, siblings next to each other.
+// Returns clusters with their hashes of predecessors and successors, siblings next to each other.
 std::vector<std::pair<std::uint64_t, int>> sorted_by_neighbours(const Plan& plan) {
   std::vector<std::pair<std::uint64_t, int>> keys(index_of(plan.cluster_count()));
   for (int c = 0; c < plan.cluster_count(); ++c) {
@@ -186,7 +187,7 @@ Plan coarsen(const Plan& plan, std::span<const double> costs, const CoarseningOp
   Coarse coarse{plan, cluster_costs(plan, costs)};
   bool changed = true;
   while (changed) {
-    // Ends first: they are cheap to take in while clusters are small.
+    // Ends come first: they are cheap to take in while clusters are small.
     changed = contract_ends(coarse, options);
     changed |= contract_chains(coarse, options.longest);
     changed |= contract_siblings(coarse, options);

@@ -10,9 +10,9 @@
 namespace spoke::graph {
 
 struct CoarseningOptions {
-  double grain = 0.0;  ///< [s] siblings are packed into clusters of about that cost, or more
-  int max_bins = std::numeric_limits<int>::max();  ///< at most that many clusters of siblings
-  /// [s] no cluster of several nodes costs more: what would be a long chain is cut into pieces
+  double grain = 0.0;  ///< cost of a cluster [s] into which siblings are packed, or more
+  int max_bins = std::numeric_limits<int>::max();  ///< most clusters of siblings
+  /// Most cost of a cluster of several nodes [s]: longer chains are cut into pieces.
   double longest = std::numeric_limits<double>::infinity();
 };
 
@@ -28,10 +28,11 @@ struct CoarseningOptions {
 Plan coarsen(const StepGraph& graph, std::span<const double> costs,
              const CoarseningOptions& options);
 
-/// The same, of a plan's clusters; its edges stay honoured, those that only order clusters, too.
+/// Coarsens a plan's clusters by these rules; its edges stay honoured, also those that only order
+/// clusters.
 Plan coarsen(const Plan& plan, std::span<const double> costs, const CoarseningOptions& options);
 
-/// Merges chains only.
+/// Merges only chains.
 Plan merge_chains(const Plan& plan, std::span<const double> costs, double longest);
 
 }  // namespace spoke::graph

@@ -3,6 +3,7 @@
 #include "graph/plan/flow_graph_partition.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 
 #include "graph/structure/depth_first_order.h"
@@ -11,7 +12,7 @@
 namespace spoke::graph {
 namespace {
 
-// How many edges lead from before the k-th of `order` to it or behind it.
+// Counts the edges that lead from before the k-th of `order` to it or behind it.
 std::vector<int> edges_across(const Plan& plan, const std::vector<int>& order) {
   std::vector<std::size_t> position(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) position[index_of(order[k])] = k;
@@ -26,8 +27,8 @@ std::vector<int> edges_across(const Plan& plan, const std::vector<int>& order) {
   return across;
 }
 
-// Where the flow graphs' stretches of an order begin: about equally long, cut where the fewest
-// edges lead across. Last comes the end.
+// Returns where the flow graphs' stretches of an order begin: they are about equally long, cut
+// where the fewest edges lead across. Last comes the end.
 std::vector<std::size_t> cut(const std::vector<int>& across, std::size_t flows) {
   const std::size_t count = across.size() - 1;
   const auto slack = static_cast<std::ptrdiff_t>(count / flows / 4);
@@ -44,6 +45,7 @@ std::vector<std::size_t> cut(const std::vector<int>& across, std::size_t flows) 
 }  // namespace
 
 std::vector<int> partition_clusters(const Plan& plan, int threads) {
+  assert(threads >= 1);
   // More of them are no faster, and with fewer threads meet more often.
   constexpr int clusters_per_flow = 16, flows_per_thread = 4;
   const int count = plan.cluster_count();

@@ -1,8 +1,9 @@
-// Levels by the longest path, shares of threads, and barriers that can be left out.
+// Derives levels by the longest path, shares of threads, and the barriers that can be left out.
 
 #include "graph/plan/level_rounds.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "graph/plan/static_share.h"
 #include "graph/structure/index_of.h"
@@ -26,6 +27,7 @@ std::vector<std::vector<NodeId>> nodes_by_level(const StepGraph& graph) {
 }  // namespace
 
 std::vector<Round> derive_level_rounds(const StepGraph& graph, int threads) {
+  assert(threads >= 1);
   struct Place {
     std::size_t round;
     int thread;

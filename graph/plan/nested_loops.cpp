@@ -40,7 +40,7 @@ class SubsystemLoopBuilder {
   };
   using OpenSubsystem = std::vector<OpenBodyLoop>;
 
-  // Where a node has been put: which loop over subsystems, and which over bodies in it (-1: alone).
+  // The place of a node: which loop over subsystems, and which over bodies in it (-1: alone).
   struct Place {
     std::size_t loop = 0;
     std::ptrdiff_t body_loop = -1;

@@ -12,7 +12,7 @@ namespace spoke::graph {
 /// Nodes that one thread runs one after the other.
 using NodeChain = std::vector<NodeId>;
 
-/// A stretch of one subsystem: what the first thread of its team runs alone, then a loop over
+/// A stretch of one subsystem: nodes that the first thread of its team runs alone, then a loop over
 /// bodies, whose chains are independent of each other.
 struct BodyLoop {
   NodeChain alone;
@@ -22,16 +22,16 @@ struct BodyLoop {
 /// The work of one subsystem: loops with a barrier of its team after each.
 using SubsystemWork = std::vector<BodyLoop>;
 
-/// A stretch of the graph: what the first of all threads runs alone, then a loop over subsystems
-/// that are independent of each other, with a barrier of all threads after it.
+/// A stretch of the graph: nodes that the first of all threads runs alone, then a loop over
+/// subsystems that are independent of each other, with a barrier of all threads after it.
 struct SubsystemLoop {
   NodeChain alone;
   std::vector<SubsystemWork> subsystems;
 };
 
-/// The graph as the loops that a programmer with nested teams of threads would write, from nothing
-/// but the coordinates (NodeLabel) and edges of its nodes. Keeps the order of insertion but for
-/// what is independent, and so honours all edges of any graph: where one connects subsystems or
+/// Derives the loops that a programmer with nested teams of threads would write, from nothing but
+/// the coordinates (NodeLabel) and edges of its nodes. The order of insertion is kept except among
+/// independent nodes, so all edges of any graph are honoured: where one connects subsystems or
 /// bodies within a loop, a new loop begins. Nodes of no subsystem are run alone.
 std::vector<SubsystemLoop> derive_nested_loops(const StepGraph& graph);
 

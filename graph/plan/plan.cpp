@@ -3,6 +3,7 @@
 #include "graph/plan/plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 
@@ -12,10 +13,10 @@
 namespace spoke::graph {
 namespace {
 
-// Where a plan runs a node.
+// The place where a plan runs a node.
 struct Place {
   int cluster = -1;
-  int position = -1;  // within the cluster
+  int position = -1;  // place within the cluster
 };
 
 Reachability descendants_of(const Plan& plan) {
@@ -92,6 +93,7 @@ Plan serial_plan(const StepGraph& graph) {
 }
 
 std::vector<double> cluster_costs(const Plan& plan, std::span<const double> node_costs) {
+  assert(std::cmp_equal(node_costs.size(), plan.node_count()));
   std::vector<double> costs(static_cast<std::size_t>(plan.cluster_count()), 0.0);
   for (int c = 0; c < plan.cluster_count(); ++c) {
     for (const NodeId node : plan.nodes(c))

@@ -1,6 +1,6 @@
 #pragma once
 
-// A plan: which nodes run together as a cluster, and the order of clusters.
+// A plan: the clusters of nodes that run together, and their order.
 
 #include <span>
 #include <string>
@@ -15,10 +15,10 @@ namespace spoke::graph {
 /// order, without interruption. A cluster starts when its predecessors have ended. Immutable.
 class Plan {
  public:
-  /// The plan of an empty graph.
+  /// Makes the plan of an empty graph.
   Plan() = default;
-  /// Clusters in a topological order: every edge leads from a lower to a higher index. `successors`
-  /// has a row per cluster, ascending and without repetitions.
+  /// Takes clusters in a topological order: every edge leads from a lower to a higher index.
+  /// `successors` has a row per cluster, ascending and without repetitions.
   Plan(CompressedRows<NodeId> clusters, CompressedRows<int> successors);
 
   int cluster_count() const { return static_cast<int>(clusters_.row_count()); }
@@ -41,22 +41,22 @@ class Plan {
   CompressedRows<int> predecessors_;
 };
 
-/// One cluster per node, in serial order: the step graph as it is.
+/// Returns one cluster per node, in serial order: the step graph as it is.
 Plan plan_of_single_nodes(const StepGraph& graph);
 
-/// All nodes in one cluster, in serial order.
+/// Returns all nodes in one cluster, in serial order.
 Plan serial_plan(const StepGraph& graph);
 
-/// The sums of the nodes' costs per cluster [s].
+/// Returns the sums of the nodes' costs per cluster [s].
 std::vector<double> cluster_costs(const Plan& plan, std::span<const double> node_costs);
 
-/// The most clusters that lie equally deep, in clusters from the start: about as many as can run at
-/// once. 1 if the plan is a chain.
+/// Returns the largest number of clusters that lie equally deep, in clusters from the start: about
+/// as many as can run at once. 1 if the plan is a chain.
 int level_width(const Plan& plan);
 
-/// What is wrong with a plan of `graph`, in words, or nothing: a node missing or twice, an edge of
-/// the graph that neither a cluster's order nor a path of clusters honours, an edge that leads
-/// back. Quadratic in the number of clusters.
+/// Returns what is wrong with a plan of `graph`, in words; empty if nothing is. Faults are: a node
+/// missing or twice, an edge of the graph that neither a cluster's order nor a path of clusters
+/// honours, an edge that leads back. Quadratic in the number of clusters.
 std::string find_fault(const Plan& plan, const StepGraph& graph);
 
 }  // namespace spoke::graph

@@ -1,4 +1,4 @@
-// Work, span, and what clusters take.
+// Computes work, span, and the times of clusters.
 
 #include "graph/simulate/schedule.h"
 
@@ -24,7 +24,7 @@ double work_of(std::span<const double> node_costs) {
 }
 
 double span_of(const Plan& plan, std::span<const double> node_costs) {
-  // Per cluster the costliest path that begins with it.
+  // The cost, per cluster, of the costliest path that begins with it.
   std::vector<double> levels = cluster_costs(plan, node_costs);
   for (int c = plan.cluster_count(); c-- > 0;) {
     double longest = 0.0;

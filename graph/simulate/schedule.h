@@ -1,6 +1,6 @@
 #pragma once
 
-// What a schedule of a plan is, what its clusters take, and its bounds.
+// Schedules of a plan, the times of its clusters, and bounds.
 
 #include <span>
 #include <vector>
@@ -9,18 +9,17 @@
 
 namespace spoke::graph {
 
-/// What running a plan costs beside its nodes' bodies [s]: by default what oneTBB takes on common
-/// processors. Plans that are tried on real runs need no more; predictions measure it
-/// (calibrate/runtime_costs.h).
+/// The costs of running a plan beside its nodes' bodies [s]; the defaults are those of oneTBB on
+/// common processors. They are enough for plans that are tried on real runs; predictions measure
+/// the costs of a cluster and a handover (calibrate/runtime_costs.h).
 struct Overheads {
   double per_node = 2e-9;      ///< calling a node within its cluster
-  double per_cluster = 60e-9;  ///< starting a cluster with which its processor goes on
+  double per_cluster = 80e-9;  ///< starting a cluster
   double handover = 0.8e-6;    ///< a cluster starts on another processor than made it ready
-  double spawn = 45e-9;        ///< what a cluster takes longer that was spawned to the ready deque
 };
 
-/// Where and when a cluster runs [s from the start of the run]; its overheads are part of it, a
-/// handover delays the start.
+/// The place and time of a cluster in a schedule [s from the start of the run]; its overheads are
+/// part of it, a handover delays the start.
 struct Slot {
   int processor = -1;
   double start = 0.0;
@@ -33,13 +32,13 @@ struct Schedule {
   std::vector<Slot> slots;  ///< per cluster
 };
 
-/// Per cluster what it takes with its nodes and overheads, without handovers [s].
+/// Returns for each cluster its time with nodes and overheads, without handovers [s].
 std::vector<double> cluster_times(const Plan& plan, std::span<const double> node_costs,
                                   const Overheads& overheads);
 
-/// The work T1: the sum of all nodes' costs [s].
+/// Returns the work T1: the sum of all nodes' costs [s].
 double work_of(std::span<const double> node_costs);
-/// The span Tinf: the costliest path of clusters [s], without overheads.
+/// Returns the span Tinf: the costliest path of clusters [s], without overheads.
 double span_of(const Plan& plan, std::span<const double> node_costs);
 
 }  // namespace spoke::graph

@@ -19,10 +19,9 @@ namespace {
 class WorkStealer {
  public:
   WorkStealer(const Plan& plan, std::span<const double> node_costs, int processors,
-              const Overheads& overheads, DataTraffic* traffic)
+              const Overheads& overheads)
       : plan_(plan),
         overheads_(overheads),
-        traffic_(traffic),
         durations_(cluster_times(plan, node_costs, overheads)),
         processors_(index_of(processors)),
         schedule_{processors, 0.0, std::vector<Slot>(durations_.size())} {
@@ -52,8 +51,8 @@ class WorkStealer {
 
  private:
   static constexpr int kTheft = -1;
-  // The part of a handover that passes until a thief has found the victim; in the rest, what it
-  // took comes to it.
+  // The part of a handover that passes until a thief has found the victim; in the rest, the stolen
+  // cluster's data come to it.
   static constexpr double kSearch = 0.5;
 
   enum class State { idle, stealing, working };
@@ -64,7 +63,7 @@ class WorkStealer {
   struct Event {
     double time;  // s
     int processor;
-    int cluster;  // that ends, or kTheft
+    int cluster;  // the cluster that ends, or kTheft
     bool operator>(const Event& other) const {
       return std::tie(time, cluster, processor) >
              std::tie(other.time, other.cluster, other.processor);
@@ -72,10 +71,7 @@ class WorkStealer {
   };
 
   void start(int cluster, int processor, double now) {
-    double end = now + durations_[index_of(cluster)];
-    if (traffic_) {
-      for (const NodeId node : plan_.nodes(cluster)) end += traffic_->run(node, processor);
-    }
+    const double end = now + durations_[index_of(cluster)];
     schedule_.slots[index_of(cluster)] = {processor, now, end};
     events_.push({end, processor, cluster});
     processors_[index_of(processor)].state = State::working;
@@ -105,7 +101,7 @@ class WorkStealer {
     const int cluster = own.back();
     own.pop_back();
     --spawned_;
-    start(cluster, processor, now + overheads_.spawn);
+    start(cluster, processor, now);
   }
 
   void let_idle_steal(double now) {
@@ -132,11 +128,10 @@ class WorkStealer {
 
   const Plan& plan_;
   const Overheads overheads_;
-  DataTraffic* traffic_;
   std::vector<double> durations_;
   std::vector<int> waiting_for_;
   std::vector<Processor> processors_;
-  int spawned_ = 0;  // clusters in all deques
+  int spawned_ = 0;  // number of clusters in all deques
   std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
   Schedule schedule_;
 };
@@ -144,9 +139,9 @@ class WorkStealer {
 }  // namespace
 
 Schedule simulate_work_stealing(const Plan& plan, std::span<const double> node_costs,
-                                int processors, const Overheads& overheads, DataTraffic* traffic) {
+                                int processors, const Overheads& overheads) {
   assert(processors >= 1);
-  return WorkStealer(plan, node_costs, processors, overheads, traffic).run();
+  return WorkStealer(plan, node_costs, processors, overheads).run();
 }
 
 }  // namespace spoke::graph

@@ -17,8 +17,9 @@
 namespace spoke::graph {
 namespace {
 
-using Chain = std::vector<int>;         // clusters, each the only successor of the one before
-using ChainGroup = std::vector<Chain>;  // between the same predecessors and successors
+// Chain of clusters, each the only successor of the one before.
+using Chain = std::vector<int>;
+using ChainGroup = std::vector<Chain>;  // chains between the same predecessors and successors
 
 std::vector<Chain> find_chains(const Plan& plan) {
   std::vector<Chain> chains;
@@ -36,7 +37,8 @@ std::vector<Chain> find_chains(const Plan& plan) {
   return chains;
 }
 
-// In the order of their first clusters, which is a topological order of the groups.
+// Finds the groups in the order of their first clusters, which is a topological order of the
+// groups.
 std::vector<ChainGroup> find_groups(const Plan& plan) {
   std::vector<ChainGroup> groups;
   std::map<std::vector<int>, std::size_t> group_of;
@@ -58,8 +60,8 @@ double sum_over(const Chain& chain, const std::vector<double>& costs) {
                          [&](double sum, int c) { return sum + costs[index_of(c)]; });
 }
 
-// How many of the chain's first clusters to leave to the next processor, so that the rest fits
-// best into `room` [s].
+// Returns how many of the chain's first clusters are left to the next processor, so that the rest
+// best fits into `room` [s].
 std::size_t cut(const Chain& chain, const std::vector<double>& costs, double room) {
   std::size_t head = chain.size();
   while (head > 0 && 0.5 * costs[index_of(chain[head - 1])] <= room) {
@@ -93,7 +95,7 @@ void assign(const ChainGroup& group, const std::vector<double>& costs, Processor
   }
 }
 
-// All clusters in an order that ascends along the plan's edges and along each list.
+// Returns all clusters in an order that ascends along the plan's edges and along each list.
 std::vector<int> merge_lists(const Plan& plan, const ProcessorLists& lists) {
   std::vector<std::size_t> waiting_for(index_of(plan.cluster_count()));
   for (int c = 0; c < plan.cluster_count(); ++c)
@@ -108,7 +110,7 @@ std::vector<int> merge_lists(const Plan& plan, const ProcessorLists& lists) {
         for (const int next : plan.successors(merged.back())) --waiting_for[index_of(next)];
       }
     }
-    assert(merged.size() > before);  // else the lists and edges make a cycle
+    assert(merged.size() > before);  // otherwise the lists and edges make a cycle
   }
   return merged;
 }

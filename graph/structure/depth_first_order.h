@@ -9,9 +9,9 @@
 
 namespace spoke::graph {
 
-/// The `count` nodes of any graph, each after its predecessors, depth first: the one made ready
-/// last comes next; among those made ready together, the first in the list of successors, or, of
-/// those without predecessors, the lowest. For an `Id` (an int or a NodeId), `predecessors` and
+/// Returns the `count` nodes of any graph, each after its predecessors, depth first: the one made
+/// ready last comes next; among those made ready together, the first in the list of successors, or,
+/// of those without predecessors, the lowest. For an `Id` (an int or a NodeId), `predecessors` and
 /// `successors` give the list of its neighbours.
 template <class Id, class Predecessors, class Successors>
 std::vector<Id> depth_first_order(int count, Predecessors predecessors, Successors successors) {

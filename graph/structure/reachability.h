@@ -1,6 +1,6 @@
 #pragma once
 
-// Which nodes a node reaches.
+// Sets of nodes that each node reaches.
 
 #include <cstdint>
 #include <vector>

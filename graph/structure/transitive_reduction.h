@@ -3,6 +3,7 @@
 // Dropping of edges that other paths of a graph imply.
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,14 +12,14 @@
 
 namespace spoke::graph {
 
-// Which of some successive nodes, the block, lead to each node.
+// The nodes of a block of successive ones that lead to each node.
 class AncestorsInBlock {
  public:
   explicit AncestorsInBlock(std::size_t nodes) : words_(nodes * kWords), has_any_(nodes) {}
 
   static constexpr std::size_t kNodes = 1024;
 
-  // Forgets what it knows, for a block that begins at node `first`.
+  // Forgets all, for a block that begins at node `first`.
   void begin(std::size_t first) {
     for (std::size_t node = first_; node < has_any_.size(); ++node)
       if (has_any_[node]) std::fill_n(row(node), kWords, 0);
@@ -26,8 +27,9 @@ class AncestorsInBlock {
     first_ = first;
   }
   bool is_in_block(std::size_t node) const { return node >= first_ && node < first_ + kNodes; }
-  // Precondition: is_in_block(ancestor).
+  // Whether `ancestor` leads to `node`. Precondition: is_in_block(ancestor).
   bool leads_to(std::size_t node, std::size_t ancestor) {
+    assert(is_in_block(ancestor));
     return (row(node)[(ancestor - first_) / 64] >> ((ancestor - first_) % 64)) & 1U;
   }
   // Adds `from` and its ancestors to those of `node`.
@@ -70,9 +72,9 @@ void reduce_from_block(std::size_t first, AncestorsInBlock& ancestors,
   }
 }
 
-/// Drops the edges that other paths imply. `predecessors`: per node, whose order is topological,
-/// ascending handles or 0-based indices; may repeat one. By blocks of ancestors, for a table of all
-/// of them would grow with the square of the nodes.
+/// Drops the edges that other paths imply. `predecessors`: per node, in a topological order,
+/// ascending handles or 0-based indices, which may repeat. Works by blocks of ancestors, since a
+/// table of all of them would grow with the square of the nodes.
 template <class Id>
 void reduce_transitively(std::vector<std::vector<Id>>& predecessors) {
   AncestorsInBlock ancestors(predecessors.size());

@@ -1,4 +1,4 @@
-// The ways to run a graph that auto tries, what each has taken, and the budget of trying.
+// The alternatives that auto tries for a graph, their times, and the budget for trials.
 
 #include "graph/tune/auto_executor.h"
 
@@ -27,16 +27,17 @@
 namespace spoke::graph {
 namespace {
 
-// s, that a plan may be slower than serial runs, summed up, before it is left
+// s by which a plan may be slower than serial runs, summed up, before it is left
 constexpr double kLeastAllowance = 1e-3, kMostAllowance = 4e-3;
-constexpr double kTurn = 1e-3;           // s, of runs in turn
-constexpr std::size_t kTimedTurns = 5;   // whose median counts, and ...
+constexpr double kTurn = 1e-3;           // s, length of a turn of runs
+constexpr std::size_t kTimedTurns = 5;   // turns whose median counts, and ...
 constexpr std::size_t kFewestTurns = 3;  // ... how many say which alternative is the faster one
 constexpr std::size_t kMostPlans = 3;
-// Of the time of all runs, up to which alternatives are tried again that have proved slower.
+// The share of the time of all runs up to which alternatives that have proved slower are tried
+// again.
 constexpr double kRepeatShare = kTuningShare / 4;
 
-// Runs that are timed node by node: enough for a robust mean.
+// Whether enough runs were timed node by node for a robust mean.
 bool is_enough(const NodeCosts& costs) {
   constexpr int fewest = 4, usual = 8;
   constexpr double short_time = 0.5e-3, long_time = 20e-3;  // s
@@ -107,7 +108,7 @@ class AutoExecutor final : public Executor {
   Alternative& running() { return alternatives_[running_]; }
   const Alternative& serial() const { return alternatives_.front(); }
 
-  // Recording takes time, so these runs are not timed.
+  // Runs with a recorder. Recording takes time, so these runs are not timed.
   void run_recorded() { alternatives_[chosen_].executor->run(); }
 
   void stay_serial(std::string reason) {
@@ -138,27 +139,27 @@ class AutoExecutor final : public Executor {
     if (choices_ == 0 || alternative != chosen_) ++choices_;
     chosen_ = alternative;
   }
-  // What tuning may still cost [s].
+  // Returns the time that tuning may still take [s].
   double budget() const { return kTuningShare * std::max(expected_seconds_, elapsed_) - spent_; }
 
   const StepGraph& graph_;
   int threads_;
   double expected_seconds_;
   int processors_;
-  bool threads_are_worth_;  // to begin with
+  bool threads_are_worth_;  // whether other threads are worth it, to begin with
   CapacityProbes probes_;
   std::optional<NodeCosts> costs_;         // while they are measured
-  std::vector<Alternative> alternatives_;  // the serial one first
+  std::vector<Alternative> alternatives_;  // alternatives, the serial one first
   std::size_t chosen_ = 0, running_ = 0;
-  bool is_final_ = false;  // serial for good
-  std::string reason_;     // for running serially
+  bool is_final_ = false;  // whether serial runs were chosen for good
+  std::string reason_;     // reason for serial runs
   int choices_ = 0;
 
-  double elapsed_ = 0.0;       // s, of all runs
-  double spent_ = 0.0;         // s, on planning, probes, trials and slow plans
-  double lost_ = 0.0;          // s, by the chosen plan since it was slower than serial runs
-  double gained_ = 0.0;        // s, by plans since serial runs were left
-  double turn_seconds_ = 0.0;  // of the turn's runs
+  double elapsed_ = 0.0;       // s, time of all runs
+  double spent_ = 0.0;         // s, time of planning, probes, trials and slow plans
+  double lost_ = 0.0;          // s, lost by the chosen plan since it was slower than serial runs
+  double gained_ = 0.0;        // s, gained by plans since serial runs were left
+  double turn_seconds_ = 0.0;  // s, time of the turn's runs
   int turn_runs_ = 0, runs_in_turn_ = 1;
   std::size_t next_trial_ = 0;
 };
@@ -191,7 +192,7 @@ void AutoExecutor::plan(const std::vector<double>& costs) {
   spent_ += seconds_since(begin);
 }
 
-// Whether the machine has a processor for other threads at present.
+// Finds whether the machine has a processor for other threads at present.
 bool AutoExecutor::find_worth() {
   const bool are_worth = probes_.find_worth(elapsed_);
   if (!are_worth) reason_ = "serial: " + probes_.describe();
@@ -227,7 +228,7 @@ void AutoExecutor::leave_plan() {
   reason_ = text_of("serial: the plan of %d clusters was slower at present",
                     alternatives_[running_].clusters);
   for (Alternative& alternative : alternatives_) alternative.turns.clear();
-  // A plan that was worth while met a passing disturbance.
+  // A passing disturbance met a plan that had been worth it.
   probes_.begin_pause(elapsed_, gained_ > 0.0);
   gained_ = 0.0;
   choose(0);
@@ -244,7 +245,7 @@ void AutoExecutor::end_turn() {
   start_turn(next_alternative());
 }
 
-// The chosen one, or if the budget allows it another one in turn.
+// Returns the chosen alternative, or another one in turn if the budget allows it.
 std::size_t AutoExecutor::next_alternative() {
   if (chosen_ == 0) {
     if (probes_.pause_left(elapsed_) > 0.0) return 0;
@@ -267,7 +268,7 @@ std::size_t AutoExecutor::next_alternative() {
   return chosen_;
 }
 
-// Whether a turn is within what may still be spent.
+// Returns whether a turn is within the budget that is left.
 bool AutoExecutor::can_pay(const Alternative& trial) const {
   const double cost =
       kTurn * std::max(0.0, 1.0 - alternatives_[chosen_].seconds() / trial.seconds());

@@ -18,7 +18,8 @@ namespace {
 constexpr double kLeastCapacity = 1.2;  // below it, other threads are not worth waking
 constexpr double kFirstPause = 5e-3;    // s; the next ones are ...
 constexpr double kLongerPause = 3.0;    // ... times as long
-// So many, whatever they cost: threads that were just made may all wait on one processor.
+// So many probes are made whatever they cost: threads that were just made may all wait on one
+// processor.
 constexpr int kLeastProbes = 2;
 
 }  // namespace
@@ -49,6 +50,7 @@ void CapacityProbes::begin_pause(double elapsed, bool is_passing) {
 }
 
 std::string CapacityProbes::describe() const {
+  assert(capacity_ > 0.0 && "measured once");
   std::array<char, 100> text{};
   std::snprintf(text.data(), text.size(), "%d threads do %.2g times the work of one here", threads_,
                 capacity_);

@@ -1,4 +1,4 @@
-// Makes the executor of a kind, after its number of threads has been checked.
+// Checks the number of threads and makes the executor of a kind.
 
 #include <algorithm>
 #include <memory>
@@ -19,7 +19,8 @@ namespace spoke::graph {
 namespace {
 
 #ifdef SPOKE_HAS_OPENMP
-// OpenMP's runtimes end the program if the system refuses them a thread: that shows here.
+// OpenMP's runtimes end the program if the system refuses them a thread: try_threads() finds it out
+// before.
 void try_if_many(const Threads& threads) {
   const std::size_t stack = openmp_stack();
   if (stack > 0 || threads.total() > processors_of_process()) try_threads(threads.total(), stack);
@@ -66,6 +67,9 @@ std::unique_ptr<Executor> make_executor(const StepGraph& graph, ExecutorKind kin
     case ExecutorKind::openmp_levels:
       try_if_many(threads);
       return make_openmp_levels_executor(graph, threads.outer);
+    case ExecutorKind::openmp_tasks:
+      try_if_many(threads);
+      return make_openmp_tasks_executor(graph, threads.outer);
 #else
     default:
       break;

@@ -18,12 +18,14 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Grains from about what a cluster costs to start up to a share that leaves nothing to choose.
+// Returns options whose grains go from about what a cluster costs to start up to a share that
+// leaves nothing to choose.
 std::vector<CoarseningOptions> option_grid(double work, int processors,
                                            const Overheads& overheads) {
   const double unit = overheads.per_cluster + overheads.handover;
   const double share = work / processors;
-  std::vector<CoarseningOptions> grid{{}};  // chains only, for nodes or processors in plenty
+  // Chains only, where there are plenty of nodes or processors.
+  std::vector<CoarseningOptions> grid{{}};
   // Layers packed into long chains of short pieces, for wrap-around, whatever a handover takes.
   grid.push_back({share / 32.0, processors, share / 16.0});
   for (const double factor : {1.0, 4.0, 16.0}) {

@@ -3,6 +3,7 @@
 #include "graph/tune/run_prediction.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -15,36 +16,28 @@
 namespace spoke::graph {
 namespace {
 
-// Between one pass and the next: the thread that asks whether to go on, and the others.
+// Counts the barriers of a pass, with those around the question whether to go on, which the first
+// thread asks between two passes.
 double barriers_of(const std::vector<Round>& rounds) {
   return static_cast<double>(rounds.size()) - 1.0 + (ends_alone(rounds) ? 1.0 : 2.0);
 }
 
-// Of a run of the flow graph that finds the data where the run before has left them [s].
-double seconds_of_plan(const StepGraph& graph, const Plan& plan, const std::vector<double>& costs,
-                       int threads, const RuntimeCosts& runtime) {
+// Returns the time of a run of the flow graph [s].
+double seconds_of_plan(const Plan& plan, const std::vector<double>& costs, int threads,
+                       const Overheads& overheads) {
   const int width = level_width(plan);
   if (width <= 1) return work_of(costs);  // the executor then does without a flow graph
-  DataTraffic traffic(graph, runtime.transfer);
-  const auto run = [&] {
-    return simulate_work_stealing(plan, costs, std::min(threads, width), runtime.flow_graph,
-                                  &traffic)
-        .makespan;
-  };
-  run();
-  return run();
+  return simulate_work_stealing(plan, costs, std::min(threads, width), overheads).makespan;
 }
 
-// Per round the costliest thread [s].
-double critical_shares(const std::vector<Round>& rounds, const std::vector<double>& costs,
-                       DataTraffic& traffic) {
+// Returns per round the costliest thread [s].
+double critical_shares(const std::vector<Round>& rounds, const std::vector<double>& costs) {
   double seconds = 0.0;
   for (const Round& round : rounds) {
     double most = 0.0;
-    for (std::size_t thread = 0; thread < round.size(); ++thread) {
+    for (const auto& nodes : round) {
       double share = 0.0;
-      for (const NodeId node : round[thread])
-        share += costs[index_of(node)] + traffic.run(node, static_cast<int>(thread));
+      for (const NodeId node : nodes) share += costs[index_of(node)];
       most = std::max(most, share);
     }
     seconds += most;
@@ -54,7 +47,7 @@ double critical_shares(const std::vector<Round>& rounds, const std::vector<doubl
 
 }  // namespace
 
-RunPredictor::RunPredictor(const StepGraph& graph, OrderedCosts node_costs,
+RunPredictor::RunPredictor(const StepGraph& graph, std::vector<double> node_costs,
                            const RuntimeCosts& runtime, CostSpread spread)
     : graph_(graph),
       node_costs_(std::move(node_costs)),
@@ -62,17 +55,17 @@ RunPredictor::RunPredictor(const StepGraph& graph, OrderedCosts node_costs,
       spread_(spread),
       single_nodes_(plan_of_single_nodes(graph)) {}
 
-double RunPredictor::work() const { return work_of(node_costs_.serial); }
-double RunPredictor::span() const { return span_of(single_nodes_, node_costs_.serial); }
+double RunPredictor::work() const { return work_of(node_costs_); }
+double RunPredictor::span() const { return span_of(single_nodes_, node_costs_); }
 
 bool RunPredictor::can_predict(ExecutorKind kind) const {
-  if (kind == ExecutorKind::openmp_levels)
-    return runtime_.barrier > 0.0 && !node_costs_.levels.empty();
+  if (kind == ExecutorKind::openmp_levels) return runtime_.barrier > 0.0;
   return kind == ExecutorKind::serial || kind == ExecutorKind::flow_graph ||
          kind == ExecutorKind::automatic;
 }
 
 PredictedRun RunPredictor::predict(ExecutorKind kind, int threads) const {
+  assert(can_predict(kind) && threads >= 1);
   switch (kind) {
     case ExecutorKind::serial:
       return predict_serial();
@@ -97,8 +90,8 @@ PredictedRun RunPredictor::within_bounds(double seconds, int threads, int cluste
 PredictedRun RunPredictor::predict_serial() const { return within_bounds(work(), 1, 1); }
 
 PredictedRun RunPredictor::predict_plan(const Plan& plan, int threads) const {
-  return within_bounds(seconds_of_plan(graph_, plan, node_costs_.serial, threads, runtime_),
-                       threads, plan.cluster_count());
+  return within_bounds(seconds_of_plan(plan, node_costs_, threads, runtime_.flow_graph), threads,
+                       plan.cluster_count());
 }
 
 PredictedRun RunPredictor::predict_auto(int threads) const {
@@ -108,7 +101,7 @@ PredictedRun RunPredictor::predict_auto(int threads) const {
       serial.expected / least_gain(serial.expected, runtime_.flow_graph.handover);
   PredictedRun best = serial;
   for (const Candidate& candidate :
-       find_candidates(graph_, node_costs_.serial, threads, runtime_.flow_graph, 3)) {
+       find_candidates(graph_, node_costs_, threads, runtime_.flow_graph, 3)) {
     const PredictedRun run = predict_plan(candidate.plan, threads);
     if (run.expected < std::min(best.expected, worth_while)) best = run;
   }
@@ -116,15 +109,14 @@ PredictedRun RunPredictor::predict_auto(int threads) const {
   return best;
 }
 
-// A barrier is one of a tree, whose depth grows with the logarithm of the threads.
+// Predicts levels by barriers that are trees of threads, whose cost grows with the logarithm of
+// their number.
 PredictedRun RunPredictor::predict_levels(int threads) const {
   const std::vector<Round> rounds = derive_level_rounds(graph_, threads);
   const double barrier =
       threads == 1 ? runtime_.barrier_alone : runtime_.barrier * std::log2(threads);
-  DataTraffic traffic(graph_, runtime_.transfer);
-  const auto run = [&] { return critical_shares(rounds, node_costs_.levels, traffic); };
-  run();  // leaves the data where a run finds them
-  return within_bounds(run() + barriers_of(rounds) * barrier, threads, 0);
+  const double shares = critical_shares(rounds, node_costs_);
+  return within_bounds(shares + barriers_of(rounds) * barrier, threads, 0);
 }
 
 }  // namespace spoke::graph

@@ -1,6 +1,6 @@
 #pragma once
 
-// Predictions of what a run takes on any number of processors.
+// Predicts the time of a run on any number of processors.
 
 #include <vector>
 
@@ -14,41 +14,38 @@ namespace spoke::graph {
 struct PredictedRun {
   double expected = 0.0;
   double optimistic = 0.0;
-  double pessimistic = 0.0;  ///< at least `expected`, in which the runtime has its costs
-  int clusters = 0;  ///< of the plan that is run; 1: serially; 0: the executor knows no plans
+  double pessimistic = 0.0;  ///< at least `expected`, by the costs of the runtime
+  /// Clusters of the plan that is run; 1: serially; 0: the executor has no plans.
+  int clusters = 0;
 };
 
-/// What the nodes cost on one thread, by index of the node [s], in the orders that executors run
-/// them.
-struct OrderedCosts {
-  std::vector<double> serial;
-  std::vector<double> levels;  ///< for openmp_levels; empty: that one is not predicted
-};
-
-/// What the costs of nodes may be off by, as factors.
+/// Factors by which the costs of nodes may be off.
 struct CostSpread {
   double low = 1.0;   ///< <= 1
   double high = 1.0;  ///< >= 1
 };
 
 /// Predicts how long executors take for a run on any number of processors, equal to the one on
-/// which nodes and runtimes were measured. Data that another processor wrote last are waited for
-/// (DataTraffic); what processors share beyond that, cache capacity and memory, is not modelled.
-/// For the bounds nodes are at their cheapest and at their dearest.
+/// which nodes and runtimes were measured, by the same schedule that the executor auto ranks its
+/// plans with: costs of nodes, of clusters, and of handovers. The movement of data between
+/// processors, and resources they share, are not modelled. For the bounds nodes are at their
+/// cheapest and at their dearest.
 class RunPredictor {
  public:
-  /// Refers to `graph`, which must outlive it.
-  RunPredictor(const StepGraph& graph, OrderedCosts node_costs, const RuntimeCosts& runtime,
+  /// Refers to `graph`, which must outlive the predictor. `node_costs`: costs on one thread, by
+  /// index of the node [s].
+  RunPredictor(const StepGraph& graph, std::vector<double> node_costs, const RuntimeCosts& runtime,
                CostSpread spread = {});
 
   double work() const;  ///< T1 [s]
   double span() const;  ///< Tinf [s]
 
   /// Whether runs of this executor can be predicted: serial, flow_graph, auto, and openmp_levels if
-  /// its barrier and the nodes in its order were measured.
+  /// its barrier was measured.
   bool can_predict(ExecutorKind kind) const;
-  /// Precondition: can_predict(kind), threads >= 1. Each thread has a processor of its own. `auto`
-  /// runs the plan that the simulator finds best, or serially if no plan is faster.
+  /// Predicts a run on `threads` threads. Precondition: can_predict(kind), threads >= 1. Each
+  /// thread has a processor of its own. `auto` runs the plan that the simulator finds best, or
+  /// serially if no plan is faster.
   PredictedRun predict(ExecutorKind kind, int threads) const;
 
  private:
@@ -59,7 +56,7 @@ class RunPredictor {
   PredictedRun predict_levels(int threads) const;
 
   const StepGraph& graph_;
-  OrderedCosts node_costs_;
+  std::vector<double> node_costs_;
   RuntimeCosts runtime_;
   CostSpread spread_;
   Plan single_nodes_;

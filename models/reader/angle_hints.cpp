@@ -1,5 +1,5 @@
-// Visits the angles of a scenario. What may make several turns, as a motion over time does, is
-// asked about only if all its values are whole numbers, as degrees are that somebody types.
+// Visits the angles of a scenario. Motions over time may make several turns; they are asked about
+// only if all their values are whole numbers, as typed degrees usually are.
 
 #include "models/reader/angle_hints.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Beyond which an angle is asked about.
+/// A bound beyond which an angle is asked about.
 struct Bound {
   double angle;       ///< [rad]
   const char* words;  ///< "a turn of 2 pi"
@@ -31,15 +31,15 @@ constexpr Bound kRightAngle{0.5 * pi, "a right angle, pi/2"};
 /// The hints so far, one for each kind of angle.
 class Hints {
  public:
-  /// `kind`: "precone"; `of`: what it belongs to, "blade 1".
+  /// Looks at one angle. `kind`: "precone"; `of`: its owner, "blade 1".
   void look(const std::string& kind, const std::string& of, double angle, const Bound& bound) {
     if (!(std::abs(angle) > bound.angle) || !kinds_.insert(kind).second) return;
-    std::ostringstream text;  // of six digits: azimuths are computed
+    std::ostringstream text;  // text in six digits, since azimuths are computed
     text << "the " << kind << " of " << of << " is " << angle << " rad, beyond " << bound.words
          << ": degrees?";
     texts_.push_back(text.str());
   }
-  /// Of values over time.
+  /// Looks at values over time.
   void look(const std::string& kind, const std::string& of, const Curve& curve) {
     const std::vector<double>& values = curve.values();
     const bool is_whole =
@@ -55,8 +55,8 @@ class Hints {
   std::vector<std::string> texts_;
 };
 
-/// Of blades in the plane or in space. Unless given, an azimuth is that of the first blade and a
-/// share of a turn.
+/// Looks at the angles of blades, in the plane or in space. An azimuth that is not given is that of
+/// the first blade plus a share of a turn.
 template <class Blade>
 void look_at_azimuths(const std::vector<Blade>& blades, Hints& hints) {
   for (std::size_t i = 0; i < blades.size(); ++i) {
@@ -92,7 +92,7 @@ void look_at_joint(const std::string& of, const spatial::Joint& joint, Hints& hi
   }
 }
 
-/// "joint 2", or by its name.
+/// Returns "joint 2", or the joint's name.
 std::string describe_joint(const spatial::Joint& joint, std::size_t index) {
   return joint.name.empty() ? "joint " + std::to_string(index + 1) : "joint \"" + joint.name + '"';
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The key "blade" of loads and sensors.
+// Reads the key "blade" of loads and sensors.
 
 #include <cstddef>
 
@@ -9,7 +9,8 @@
 
 namespace spoke {
 
-/// Reads `blade` of a table: a number from 1 to `blades`, or "all", which it is if it is missing.
+/// Reads `blade` of a table: a number from 1 to `blades`, or "all", the value if the key is
+/// missing.
 BladeChoice read_blade(const TomlSection& section, std::size_t blades);
 
 }  // namespace spoke

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reads what a blade is made of along its length: sections and point masses.
+// Reads the sections and point masses of a blade.
 
 #include <string_view>
 #include <vector>
@@ -13,17 +13,17 @@ namespace spoke {
 /// Whether a key describes the material of a uniform blade.
 bool is_material(std::string_view key);
 
-/// The table that says what a blade is made of: its own if it has sections, or, where the table of
-/// all blades has them, keys of a uniform blade; else the table of all. Throws InputError if that
-/// table has both.
+/// Returns the table that says what a blade is made of: its own if it has sections, or has keys of
+/// a uniform blade where the common table has sections; otherwise the common one. Throws InputError
+/// if that table has both.
 const TomlSection& material_of(const TomlSection& own, const TomlSection& common);
 
-/// The table "sections" of a blade's table.
+/// Reads the table "sections" of a blade's table.
 BladeSections read_sections(const TomlSection& blade);
 /// Throws InputError, at the key in `section`, if the sections do not fit one another or the blade.
 void check_sections(const TomlSection& section, const Blade& blade);
 
-/// The tables "point_mass" of a blade's table.
+/// Reads the tables "point_mass" of a blade's table.
 std::vector<PointMass> read_point_masses(const TomlSection& section, const Blade& blade);
 
 }  // namespace spoke

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading of curves that a file gives as two arrays.
+// Reads curves that a file gives as two arrays.
 
 #include <string_view>
 
@@ -9,8 +9,8 @@
 
 namespace spoke {
 
-/// The curve of the array `key` over the array `over`, which increases. Throws InputError unless
-/// both are there and of one size.
+/// Returns the curve of the array `key` over the array `over`, which increases. Throws InputError
+/// unless both are there and of one size.
 Curve read_curve(const TomlSection& section, std::string_view over, const Quantity& over_quantity,
                  std::string_view key, const Quantity& quantity);
 

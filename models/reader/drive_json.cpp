@@ -5,44 +5,44 @@
 namespace spoke {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 void add_drive(const SpinUp& drive, Json& json) {
-  json["speed"] = drive.speed;
-  json["ramp"] = drive.ramp;
+  json.set("speed", drive.speed);
+  json.set("ramp", drive.ramp);
 }
 
 void add_drive(const SpinUpHoldSpinDown& drive, Json& json) {
-  json["speed"] = drive.speed;
-  json["ramp"] = drive.ramp;
-  json["hold"] = drive.hold;
-  json["ramp_down"] = drive.ramp_down;
+  json.set("speed", drive.speed);
+  json.set("ramp", drive.ramp);
+  json.set("hold", drive.hold);
+  json.set("ramp_down", drive.ramp_down);
 }
 
 void add_drive(const SpeedTable& drive, Json& json) {
-  json["time"] = drive.speed.times();
-  json["speed"] = drive.speed.values();
+  json.set("time", drive.speed.times());
+  json.set("speed", drive.speed.values());
 }
 
 void add_drive(const TorqueDrive& drive, Json& json) {
   if (drive.torque.times().size() == 1) {
-    json["torque"] = drive.torque.values().front();
+    json.set("torque", drive.torque.values().front());
   } else {
-    json["time"] = drive.torque.times();
-    json["torque"] = drive.torque.values();
+    json.set("time", drive.torque.times());
+    json.set("torque", drive.torque.values());
   }
-  json["initial_speed"] = drive.initial_speed;
+  json.set("initial_speed", drive.initial_speed);
 }
 
 void add_drive(const TorqueBySpeed& drive, Json& json) {
-  json["speed"] = drive.torque.times();
-  json["torque"] = drive.torque.values();
-  json["initial_speed"] = drive.initial_speed;
-  json["ramp"] = drive.ramp;
+  json.set("speed", drive.torque.times());
+  json.set("torque", drive.torque.values());
+  json.set("initial_speed", drive.initial_speed);
+  json.set("ramp", drive.ramp);
 }
 
-void add_drive(const FreeDrive& drive, Json& json) { json["initial_speed"] = drive.initial_speed; }
-void add_drive(const ConstantSpeed& drive, Json& json) { json["speed"] = drive.speed; }
+void add_drive(const FreeDrive& drive, Json& json) {
+  json.set("initial_speed", drive.initial_speed);
+}
+void add_drive(const ConstantSpeed& drive, Json& json) { json.set("speed", drive.speed); }
 void add_drive(const FixedDrive&, Json&) {}
 
 }  // namespace

@@ -1,14 +1,13 @@
 #pragma once
 
-// The drive of a hub as JSON.
-
-#include <nlohmann/json.hpp>
+// Writes the drive of a hub as JSON.
 
 #include "models/drive.h"
+#include "models/support/json.h"
 
 namespace spoke {
 
-/// The table [hub.drive] of a scenario file.
-nlohmann::ordered_json drive_to_json(const Drive& drive);
+/// Returns the table [hub.drive] of a scenario file.
+Json drive_to_json(const Drive& drive);
 
 }  // namespace spoke

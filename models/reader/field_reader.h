@@ -1,13 +1,13 @@
 #pragma once
 
-// Reading of the numbers that scenario_fields.h lists.
+// Reads the numbers that scenario_fields.h lists.
 
 #include "models/reader/scenario_fields.h"
 #include "models/reader/toml_section.h"
 
 namespace spoke {
 
-/// For visit_fields(): reads the numbers of a structure from a table of the file. An optional one
+/// Reads for visit_fields() the numbers of a structure from a table of the file. An optional one
 /// that is missing keeps its value.
 struct FieldReader {
   const TomlSection& section;

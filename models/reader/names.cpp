@@ -1,4 +1,4 @@
-// The letters of names.
+// Checks the letters of names.
 
 #include "models/reader/names.h"
 

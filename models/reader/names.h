@@ -1,6 +1,6 @@
 #pragma once
 
-// Names that a scenario gives to what it describes, as they stand in the names of columns.
+// Names in a scenario, which become parts of the names of columns.
 
 #include <string>
 
@@ -9,7 +9,7 @@ namespace spoke {
 /// Whether a text may name a sensor, a joint, a body or a subsystem.
 bool is_name(const std::string& text);
 
-/// What is expected of one.
+/// The words of messages for what is expected instead of a bad name.
 inline constexpr const char* kNameExpected =
     "letters, digits, \"_\", \"-\" and \".\", 1 to 64 of them";
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Suggestions for names that are misspelt.
+// Suggests names for misspelt ones.
 
 #include <optional>
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace spoke {
 
-/// The smallest number of letters inserted, deleted, replaced or swapped with their neighbour that
-/// turns `a` into `b`.
+/// Returns the smallest number of letters inserted, deleted, replaced or swapped with their
+/// neighbour that turns `a` into `b`.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The name a user most likely meant by `typed`; none if all are too far from it.
+/// Returns the name a user most likely meant by `typed`; none if all are too far from it.
 std::optional<std::string_view> nearest_name(std::string_view typed,
                                              std::span<const std::string_view> names);
 

@@ -44,7 +44,7 @@ void check_numbers(const std::string& key, const Numbers& numbers, const Quantit
   for (const double value : numbers) check(key + '.' + std::to_string(++index), value, quantity);
 }
 
-/// A curve is finite and its times increase: it would not exist else.
+/// Checks a curve's values; it is finite and its times increase anyway.
 void check_curve(const std::string& path, const char* key, const Curve& curve,
                  const Quantity& quantity) {
   check_numbers(path + ".time", curve.times(), kTime);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The check of scenarios that are filled in code.
+// Checks scenarios that are filled in code.
 
 #include "models/scenario.h"
 
@@ -10,7 +10,7 @@ namespace spoke {
 /// wrong, what is expected", the key as to_json() has it, blades and loads counted from 1.
 void check_scenario(const Scenario& scenario);
 
-/// The same of a drive.
+/// Throws InputError unless a drive that was filled in code could stand in a file.
 void check_drive(const Drive& drive);
 
 /// Throws InputError unless `after` can take over from `before` at time t [s]: prescribes the hub's

@@ -1,7 +1,7 @@
 #pragma once
 
-// What each number of a scenario must be, in one place: the reader of files and the check of what
-// is filled in code both go by it. visit_fields() calls visit(key, value, range, presence) for the
+// Ranges of the numbers of a scenario, in one place: the reader of files and the check of what is
+// filled in code both go by it. visit_fields() calls visit(key, value, range, presence) for the
 // numbers of a structure, in the order of the file; a range is a Quantity or a Count.
 
 #include <concepts>
@@ -10,22 +10,21 @@
 #include <type_traits>
 #include <vector>
 
-#include "models/reader/quantity.h"
 #include "models/scenario.h"
+#include "models/support/quantity.h"
 
 namespace spoke {
 
 /// Whether a file must give a value; code always does.
 enum class Presence { required, optional };
 
-/// Whether the motion of a hub, of the plane or of space, is one to be found, so that the hub may
-/// carry nothing.
+/// Whether the motion of a hub, in the plane or in space, is an unknown of the model.
 template <class H>
 bool moves_alone(const H& hub) {
   return hub.support == HubSupport::free || !prescribes_motion(hub.drive);
 }
 
-/// What is wrong with what is on blades where there are none.
+/// The fault of a load or sensor on blades where there are none.
 inline constexpr const char* kNoBlades = "is on blades, of which there are none";
 
 template <class T, class Of>
@@ -36,7 +35,7 @@ concept PerhapsConst = std::same_as<std::remove_const_t<T>, Of>;
 inline constexpr int kMostOfAKind = 100'000;
 inline constexpr std::size_t kMostPointMasses = 1000;  ///< on a blade
 
-// Numbers that stand in arrays.
+// Ranges of numbers that stand in arrays.
 inline constexpr Quantity kGravity = Quantity::any("m/s^2");
 inline constexpr Quantity kForce = Quantity::any("N");
 inline constexpr Quantity kFactor = Quantity::any("");
@@ -84,7 +83,7 @@ void visit_fields(D& drive, const Visit& visit) {
 /// Whether a blade is described by sections, rightly or wrongly.
 inline bool has_sections(const Blade& blade) { return blade.sections != BladeSections{}; }
 
-/// The arrays of sections that are as long as that of the stations.
+/// Visits the arrays of sections that are as long as that of the stations.
 template <PerhapsConst<BladeSections> S, class Visit>
 void visit_properties(S& sections, const Visit& visit) {
   visit("mass_per_length", sections.mass_per_length, Quantity::positive("kg/m"));
@@ -185,40 +184,40 @@ void visit_fields(O& output, const Visit& visit) {
   visit("interval", output.interval, Quantity::not_negative("s"), Presence::optional);
 }
 
-// What several numbers must be together: in words what is wrong, or nothing.
+// Rules for several numbers together. Each returns in words what is wrong, or an empty text.
 
-/// Of a step and a duration that are fine by themselves.
+/// Checks a step and a duration that are each in their range.
 std::string find_step_fault(const Integration& integration);
-/// Of a blade that is described by sections: which key of them is wrong, and how. Empty texts if
-/// none is.
+/// A fault of a blade that is described by sections: the key, and what is wrong in words. Both
+/// texts are empty if there is none.
 struct SectionsFault {
   std::string key, text;
 };
 SectionsFault find_sections_fault(const Blade& blade);
-/// Of as many stations and point masses, on all blades.
+/// Checks the number of stations and point masses on all blades.
 std::string find_station_fault(std::size_t count);
-/// How many a blade has.
+/// Returns the number of stations and point masses of a blade.
 std::size_t count_stations(const Blade& blade);
 std::string find_element_fault(const std::vector<Blade>& blades);
-/// Of damping.mass_factor, if it is fine by itself.
+/// Checks damping.mass_factor, which is in its range.
 std::string find_mass_factor_fault(const Damping& damping, const std::vector<Blade>& blades);
-/// Of as many points as count_points() has found in all.
+/// Checks the number of points that count_points() has found in all.
 std::string find_point_fault(std::size_t points);
 
-/// The blade on which the place of a load is limited most: its own, or the shortest. Precondition:
-/// the blade exists.
+/// Returns the blade on which the place of a load is limited most: its own, or the shortest.
+/// Precondition: the blade exists.
 const Blade& shortest_loaded(BladeChoice loaded, const std::vector<Blade>& blades);
-/// Where on this blade a load may act.
+/// Returns the range of places on this blade where a load may act.
 Quantity place_on(const Blade& blade);
-/// What the outer end of a load between two places must be; of an inner end that is fine by itself.
+/// Returns the range of the outer end of a load between two places, whose inner end `from` is in
+/// its range.
 Quantity end_on(const Blade& blade, double from);
-/// Whether a drag has a part that is per length.
+/// Returns whether a drag has a part per length.
 inline bool is_distributed(const Drag& drag) {
   return drag.linear_per_length != 0.0 || drag.quadratic_per_length != 0.0;
 }
-/// The points that a load keeps, on every blade that it acts on: of a load at a point as many as
-/// its curve has, of one between two places four for each element of the blade, and those of the
-/// curve.
+/// Counts the points that a load stores on each blade that it acts on: those of its curve, and for
+/// a load between two places four more for each element of the blade.
 std::size_t count_points(BladeChoice loaded, bool is_distributed, const Curve& factor,
                          const std::vector<Blade>& blades);
 

@@ -1,15 +1,12 @@
 // Writes a scenario with all values in force as JSON, in the shape of its file.
 
-#include <nlohmann/json.hpp>
+#include "models/reader/scenario_json.h"
 
 #include "models/reader/drive_json.h"
 #include "models/reader/spatial/model_json.h"
-#include "models/scenario.h"
 
 namespace spoke {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const Position& p) { return Json::array({p.x(), p.y()}); }
 
@@ -30,55 +27,55 @@ Json to_json(const BladeSections& sections) {
 
 void add_material(const Blade& blade, Json& json) {
   if (!blade.sections.station.empty()) {
-    json["sections"] = to_json(blade.sections);
+    json.set("sections", to_json(blade.sections));
     return;
   }
-  json["density"] = blade.density;
-  json["area"] = blade.area;
-  json["second_moment"] = blade.second_moment;
-  json["youngs_modulus"] = blade.youngs_modulus;
+  json.set("density", blade.density);
+  json.set("area", blade.area);
+  json.set("second_moment", blade.second_moment);
+  json.set("youngs_modulus", blade.youngs_modulus);
 }
 
 Json to_json(const Blade& blade) {
   Json json = {{"length", blade.length}, {"bodies", blade.bodies}, {"elements", blade.elements}};
   add_material(blade, json);
-  json["geometric_stiffening"] = blade.geometric_stiffening;
-  json["reference_frame"] = name_of(blade.reference_frame);
-  json["azimuth"] = blade.azimuth;
+  json.set("geometric_stiffening", blade.geometric_stiffening);
+  json.set("reference_frame", name_of(blade.reference_frame));
+  json.set("azimuth", blade.azimuth);
   for (const PointMass& point : blade.point_masses)
-    json["point_mass"].push_back(
-        {{"position", point.position}, {"mass", point.mass}, {"inertia", point.inertia}});
+    json.append("point_mass",
+                {{"position", point.position}, {"mass", point.mass}, {"inertia", point.inertia}});
   return json;
 }
 
 Json to_json(BladeChoice blade) { return blade.is_all() ? Json("all") : Json(blade.number()); }
 
-/// A ramp of 0 is left out: of scenarios without ramps nothing is written that was not before there
-/// were any, and checkpoints of them go on.
+/// A ramp of 0 is left out: scenarios without ramps are written as by versions that knew none, so
+/// that their checkpoints stay valid.
 void add_ramp(double ramp, Json& json) {
-  if (ramp > 0.0) json["ramp"] = ramp;
+  if (ramp > 0.0) json.set("ramp", ramp);
 }
 
 template <class Load>
 void add_course(const Load& load, Json& json) {
   add_ramp(load.ramp, json);
-  json["time"] = load.factor.times();
-  json["factor"] = load.factor.values();
+  json.set("time", load.factor.times());
+  json.set("factor", load.factor.values());
 }
 
-/// The ends of a load that is per length; without an outer one it ends at each blade's tip.
+/// Adds the ends of a load per length; without an outer end it ends at each blade's tip.
 template <class Load>
 void add_ends(const Load& load, Json& json) {
-  json["from"] = load.from;
-  if (load.to) json["to"] = *load.to;
+  json.set("from", load.from);
+  if (load.to) json.set("to", *load.to);
 }
 
 Json to_json(const PointLoad& load) {
   Json json = {{"blade", to_json(load.blade)}};
-  if (load.position) json["position"] = *load.position;
-  json["frame"] = name_of(load.frame);
-  json["force"] = to_json(load.force);
-  json["moment"] = load.moment;
+  if (load.position) json.set("position", *load.position);
+  json.set("frame", name_of(load.frame));
+  json.set("force", to_json(load.force));
+  json.set("moment", load.moment);
   add_course(load, json);
   return json;
 }
@@ -86,9 +83,9 @@ Json to_json(const PointLoad& load) {
 Json to_json(const DistributedLoad& load) {
   Json json = {{"blade", to_json(load.blade)}};
   add_ends(load, json);
-  json["frame"] = name_of(load.frame);
-  json["force_per_length"] = to_json(load.force_per_length);
-  json["moment_per_length"] = load.moment_per_length;
+  json.set("frame", name_of(load.frame));
+  json.set("force_per_length", to_json(load.force_per_length));
+  json.set("moment_per_length", load.moment_per_length);
   add_course(load, json);
   return json;
 }
@@ -96,14 +93,14 @@ Json to_json(const DistributedLoad& load) {
 Json to_json(const Drag& drag) {
   Json json = {{"blade", to_json(drag.blade)}, {"relative_to", name_of(drag.relative_to)}};
   if (drag.linear != 0.0 || drag.quadratic != 0.0) {
-    if (drag.position) json["position"] = *drag.position;
-    json["linear"] = drag.linear;
-    json["quadratic"] = drag.quadratic;
+    if (drag.position) json.set("position", *drag.position);
+    json.set("linear", drag.linear);
+    json.set("quadratic", drag.quadratic);
   }
   if (drag.linear_per_length != 0.0 || drag.quadratic_per_length != 0.0) {
     add_ends(drag, json);
-    json["linear_per_length"] = drag.linear_per_length;
-    json["quadratic_per_length"] = drag.quadratic_per_length;
+    json.set("linear_per_length", drag.linear_per_length);
+    json.set("quadratic_per_length", drag.quadratic_per_length);
   }
   add_course(drag, json);
   return json;
@@ -121,14 +118,14 @@ Json to_json(const HubLoad& load) {
 Json to_json(const Sensor& sensor) {
   Json json = {{"name", sensor.name.empty() ? name_of(sensor.quantity) : sensor.name},
                {"quantity", name_of(sensor.quantity)}};
-  if (!sensor.subsystem.empty()) json["subsystem"] = sensor.subsystem;
-  if (!sensor.body.empty()) json["body"] = sensor.body;
+  if (!sensor.subsystem.empty()) json.set("subsystem", sensor.subsystem);
+  if (!sensor.body.empty()) json.set("body", sensor.body);
   if (is_of_blade(sensor.quantity) && sensor.subsystem.empty())
-    json["blade"] = sensor.blade.is_all() ? Json("all") : Json(sensor.blade.number());
-  if (has_position(sensor.quantity) && sensor.position) json["position"] = *sensor.position;
+    json.set("blade", sensor.blade.is_all() ? Json("all") : Json(sensor.blade.number()));
+  if (has_position(sensor.quantity) && sensor.position) json.set("position", *sensor.position);
   if (sensor.quantity == SensorQuantity::joint_reaction && sensor.joint)
-    json["joint"] = sensor.joint->number();
-  if (frames_of(sensor.quantity).size() > 1) json["frame"] = name_of(frame_of(sensor));
+    json.set("joint", sensor.joint->number());
+  if (frames_of(sensor.quantity).size() > 1) json.set("frame", name_of(frame_of(sensor)));
   return json;
 }
 
@@ -139,24 +136,18 @@ Json to_list(const std::vector<Item>& items) {
   return list;
 }
 
-/// The loads of a kind; nothing if there are none, as for ramps.
+/// Adds the loads of a kind; nothing if there are none, for the reason of add_ramp().
 template <class Load>
 void add_loads(const char* key, const std::vector<Load>& loads, Json& json) {
-  if (!loads.empty()) json[key] = to_list(loads);
+  if (!loads.empty()) json.set(key, to_list(loads));
 }
 
-/// Nothing of an undeformed start, as for ramps.
+/// Adds the start; nothing for an undeformed one, for the reason of add_ramp().
 void add_initial(const Initial& initial, Json& json) {
   if (initial.state == InitialState::undeformed) return;
-  json["initial"] = {{"state", name_of(initial.state)}};
-  if (initial.speed) json["initial"]["speed"] = *initial.speed;
-}
-
-Json to_json(const Integration& integration) {
-  return {{"method", name_of(integration.method)}, {"step", integration.step},
-          {"duration", integration.duration},      {"spectral_radius", integration.spectral_radius},
-          {"tolerance", integration.tolerance},    {"iterate_to", name_of(goal_of(integration))},
-          {"iterations", integration.iterations},  {"max_iterations", integration.max_iterations}};
+  Json start = {{"state", name_of(initial.state)}};
+  if (initial.speed) start.set("speed", *initial.speed);
+  json.set("initial", std::move(start));
 }
 
 Json to_json(const Limits& limits) {
@@ -167,37 +158,59 @@ Json to_json(const Limits& limits) {
           {"momentum", limits.momentum}};
 }
 
-/// The tables of a rotor in the plane.
+/// Adds the tables of a rotor in the plane.
 void add_rotor(const Rotor& rotor, Json& json) {
   Json gravity = {{"acceleration", to_json(rotor.gravity)}};
   add_ramp(rotor.gravity_ramp, gravity);
-  json["hub"] = to_json(rotor.hub);
-  json["blades"] = to_list(rotor.blades);
-  json["gravity"] = gravity;
-  json["damping"] = {{"mass_factor", rotor.damping.mass_factor},
-                     {"stiffness_factor", rotor.damping.stiffness_factor}};
-  json["load"] = to_list(rotor.loads);
+  json.set("hub", to_json(rotor.hub));
+  json.set("blades", to_list(rotor.blades));
+  json.set("gravity", gravity);
+  json.set("damping", {{"mass_factor", rotor.damping.mass_factor},
+                       {"stiffness_factor", rotor.damping.stiffness_factor}});
+  json.set("load", to_list(rotor.loads));
   add_loads("distributed_load", rotor.distributed_loads, json);
   add_loads("drag", rotor.drags, json);
   add_loads("hub_load", rotor.hub_loads, json);
 }
 
+void add_model(const Scenario& scenario, Json& json) {
+  if (scenario.space) {
+    spatial::add_model(*scenario.space, json);
+  } else {
+    add_rotor(scenario.rotor, json);
+  }
+}
+
 }  // namespace
 
+Json model_to_json(const Scenario& scenario) {
+  Json json;
+  add_model(scenario, json);
+  return json;
+}
+
+Json integration_to_json(const Integration& integration) {
+  return {{"method", name_of(integration.method)}, {"step", integration.step},
+          {"duration", integration.duration},      {"spectral_radius", integration.spectral_radius},
+          {"tolerance", integration.tolerance},    {"iterate_to", name_of(goal_of(integration))},
+          {"iterations", integration.iterations},  {"max_iterations", integration.max_iterations}};
+}
+
+Json scenario_to_json(const Scenario& scenario) {
+  Json json = {{"title", scenario.title}};
+  add_model(scenario, json);
+  add_initial(scenario.initial, json);
+  json.set("integration", integration_to_json(scenario.integration));
+  json.set("limits", to_json(scenario.limits));
+  json.set("output", {{"interval", scenario.output.interval}});
+  if (!scenario.space || !scenario.sensors.empty()) json.set("sensor", to_list(scenario.sensors));
+  return json;
+}
+
 std::string Scenario::to_json() const {
-  Json json = {{"title", title}};
-  if (space) {
-    spatial::add_model(*space, json);
-  } else {
-    add_rotor(rotor, json);
-  }
-  add_initial(initial, json);
-  json["integration"] = spoke::to_json(integration);
-  json["limits"] = spoke::to_json(limits);
-  json["output"] = {{"interval", output.interval}};
-  if (!space || !sensors.empty()) json["sensor"] = to_list(sensors);
-  // A title from a file name may hold anything.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  std::string text = scenario_to_json(*this).dump_lines();
+  text.pop_back();  // the line end
+  return text;
 }
 
 }  // namespace spoke

@@ -16,7 +16,7 @@ namespace {
 
 using Blades = std::vector<Blade>;
 
-/// What the tables of loads on blades have in common.
+/// Adds the keys that all loads on blades have.
 TomlSection::Keys with_common_keys(TomlSection::Keys keys) {
   keys.insert(keys.end(), {"blade", "ramp", "time", "factor"});
   return keys;
@@ -50,7 +50,7 @@ void read_ends(const TomlSection& section, const Blades& blades, Load& load) {
                              describe(shortest.length) + " (m)");
 }
 
-/// Refuses a load if the points of all up to it are too many.
+/// Counts the points of loads, and refuses the load that makes them too many.
 class PointCount {
  public:
   explicit PointCount(const Blades& blades) : blades_(blades) {}
@@ -81,7 +81,7 @@ PointLoad read_load(const TomlSection& section, const Blades& blades) {
   return load;
 }
 
-/// Appends the load to `loads`, at its place: the given one, or the tip of every loaded blade.
+/// Appends the load to `loads`, at the given place or the tip of every loaded blade.
 void add_load(const TomlSection& section, const Blades& blades, PointLoad load,
               std::vector<PointLoad>& loads) {
   const double shortest = shortest_loaded(load.blade, blades).length;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The tables of a scenario that describe loads.
+// Reads the tables of a scenario that describe loads.
 
 #include "models/reader/toml_section.h"
 #include "models/rotor.h"

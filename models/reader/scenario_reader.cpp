@@ -41,7 +41,7 @@ Limits read_limits(const TomlSection& root) {
   return limits;
 }
 
-/// After all that the start depends on.
+/// Reads [initial], after all that the start depends on.
 Initial read_initial(const TomlSection& root, const Scenario& read) {
   const TomlSection section = root.section("initial", {"state", "speed"});
   Scenario scenario = read;
@@ -54,7 +54,7 @@ Initial read_initial(const TomlSection& root, const Scenario& read) {
   return initial;
 }
 
-/// Reads what is simulated: in the plane, or in space.
+/// Reads the model, in the plane or in space.
 void read_world(const TomlSection& root, Scenario& scenario) {
   const bool is_spatial = root.has("world") && root.choice("world", {"plane", "space"}) == 1;
   const auto refuse = [&](std::string_view key, const char* expected) {
@@ -70,7 +70,8 @@ void read_world(const TomlSection& root, Scenario& scenario) {
   }
 }
 
-/// The file's name without folder and ending; it names a folder, so that "." and ".." are none.
+/// Returns the file's name without folder and ending; it names a folder, so that "." and ".." are
+/// none.
 std::string name_of_file(const std::string& file) {
   const std::string stem = std::filesystem::path(file).stem().string();
   return stem.find_first_not_of('.') == std::string::npos ? "scenario" : stem;

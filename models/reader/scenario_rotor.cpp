@@ -97,7 +97,8 @@ Hub read_hub(const TomlSection& root) {
   return hub;
 }
 
-/// Reads a blade whose missing keys are those of `common`; its azimuth is `azimuth` if not given.
+/// Reads a blade; keys that `own` lacks are taken from `common`. Its azimuth is `azimuth` if not
+/// given.
 Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth) {
   const auto from = [&](std::string_view key) -> const TomlSection& {
     return !own.has(key) && common.has(key) ? common : own;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The rotor in a scenario file.
+// Reads the rotor of a scenario file.
 
 #include "models/reader/toml_section.h"
 #include "models/rotor.h"

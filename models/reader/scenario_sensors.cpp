@@ -13,7 +13,7 @@
 namespace spoke {
 namespace {
 
-/// The least of a property of the blades that a sensor is on.
+/// Returns the least value of a property among the blades that a sensor is on.
 template <class Value>
 Value least_of(const Sensor& sensor, const std::vector<Blade>& blades, Value Blade::*member) {
   if (!sensor.blade.is_all())
@@ -27,7 +27,7 @@ Quantity place_of(const Sensor& sensor, const std::vector<Blade>& blades) {
   return {"m, from root to tip of the blade", 0.0, least_of(sensor, blades, &Blade::length)};
 }
 
-/// "blade1.tip.x" and the like, which every simulation has.
+/// Whether a column is one that every simulation has, such as "blade1.tip.x".
 bool is_default(const std::string& name) {
   if (!name.starts_with("blade")) return false;
   const std::string rest = name.substr(std::min(name.find('.'), name.size()));

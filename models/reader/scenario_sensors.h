@@ -1,6 +1,6 @@
 #pragma once
 
-// The [[sensor]] tables of a scenario.
+// Reads the [[sensor]] tables of a scenario.
 
 #include <vector>
 
@@ -9,10 +9,10 @@
 
 namespace spoke {
 
-/// Reads them. Throws InputError, also if two sensors would have columns of one name.
+/// Reads the sensors. Throws InputError, also if two sensors would have columns of one name.
 std::vector<Sensor> read_sensors(const TomlSection& root, const std::vector<Blade>& blades);
 
-/// Checks what is filled in code in the same way. The blades must be fine.
+/// Checks sensors that are filled in code by the same rules. The blades must be fine.
 void check_sensors(const std::vector<Sensor>& sensors, const std::vector<Blade>& blades);
 
 }  // namespace spoke

@@ -1,4 +1,4 @@
-// Quantities and frames by their names, and names of columns, of which no two may be alike.
+// Quantities and frames by their names, and checks that no two columns have one name.
 
 #include "models/reader/sensor_keys.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What reading and checking sensors of the plane and of space have in common.
+// Reading and checking of sensors, common to the plane and space.
 
 #include <functional>
 #include <set>
@@ -13,28 +13,28 @@
 
 namespace spoke {
 
-/// The key `quantity`, which is required.
+/// Reads the key `quantity`, which is required.
 SensorQuantity read_quantity(const TomlSection& section);
-/// The key `frame` of a sensor, one of those of its quantity.
+/// Reads the key `frame` of a sensor, which must be a frame of its quantity.
 SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantity);
 /// Refuses the keys `blade`, `position`, `joint` and `frame` where a sensor's quantity has no use
 /// for them.
 void require_fitting_keys(const TomlSection& section, SensorQuantity quantity);
-/// What is wrong with a sensor's frame, or nothing.
+/// Returns what is wrong with a sensor's frame; empty if nothing is.
 std::string find_frame_fault(const Sensor& sensor);
 
 /// Appends the names of the columns that a sensor has on a blade (from 0; of none, any number).
 void append_columns(const Sensor& sensor, int blade, std::span<const SensorComponent> components,
                     std::vector<std::string>& names);
 
-/// Names of columns that are taken: those that every simulation has, and those of sensors.
+/// Names of columns that are taken: by every simulation, and by sensors.
 class ColumnNames {
  public:
   using IsTaken = std::function<bool(const std::string&)>;
 
-  /// Takes those that every world has, and all of which `is_taken` says so.
+  /// Takes the names that every world has; `is_taken` says which further names are taken.
   explicit ColumnNames(IsTaken is_taken);
-  /// Takes the columns of a sensor. What is wrong with them, or nothing.
+  /// Takes the columns of a sensor. Returns what is wrong with them; empty if nothing is.
   std::string add(const std::vector<std::string>& names);
 
  private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{16} << 20;
 
-/// Up to `most` bytes of a stream, in pieces: memory is touched only as far as there is text.
+/// Reads up to `most` bytes of a stream, in pieces: memory is touched only as far as there is text.
 std::string read_at_most(std::istream& stream, std::size_t most) {
   std::string text;
   std::array<char, 16384> piece;

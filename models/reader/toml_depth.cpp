@@ -7,8 +7,8 @@
 namespace spoke {
 namespace {
 
-/// The end of the string that begins at `begin` with a quote: behind its last quote, or where the
-/// line or the text ends without one.
+/// Returns the end of the string that begins at `begin` with a quote: behind its last quote, or
+/// where the line or the text ends without one.
 std::size_t find_string_end(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const std::string_view same(text.data() + begin, std::min<std::size_t>(3, text.size() - begin));
@@ -20,7 +20,7 @@ std::size_t find_string_end(std::string_view text, std::size_t begin) {
     } else if (!many_lines && (text[at] == quote || text[at] == '\n')) {
       return at + 1;
     } else if (many_lines && text.substr(at, 3) == same) {
-      // Up to two quotes more belong to the string.
+      // Up to two more quotes belong to the string.
       const std::size_t behind = text.substr(0, at + 5).find_first_not_of(quote, at);
       return std::min({behind, at + 5, text.size()});
     }

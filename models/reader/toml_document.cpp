@@ -2,36 +2,23 @@
 
 #include "models/reader/toml_document.h"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
 #include "models/count_text.h"
 #include "models/error.h"
-#include "models/reader/quantity.h"
 #include "models/reader/toml_depth.h"
+#include "models/support/quantity.h"
 
 namespace spoke {
 namespace {
 
 constexpr std::size_t kLongestQuote = 60;
 constexpr std::size_t kDeepestPath = 8;
-constexpr std::size_t kMostNames = 32;  // of a key in the file
-
-/// Text for a message of one line: control characters become spaces, what is long is cut.
-std::string one_line(std::string_view text, std::size_t longest) {
-  std::string line(text.substr(0, longest));
-  if (text.size() > longest) {
-    // Never cut inside a UTF-8 sequence.
-    while (!line.empty() && (static_cast<unsigned char>(text[line.size()]) & 0xC0U) == 0x80U) {
-      line.pop_back();
-    }
-    line += "...";
-  }
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-  return line;
-}
+constexpr std::size_t kMostNames = 32;  // most names of a key's path in the file
 
 std::string_view trim(std::string_view text) {
   constexpr std::string_view blanks = " \t";
@@ -40,7 +27,7 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// The names of a key path; empty if it is not one, or deeper than any key.
+/// Returns the names of a key path; empty if it is not one, or deeper than any key.
 std::vector<std::string> split_path(std::string_view path) {
   constexpr std::string_view letters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
@@ -76,42 +63,62 @@ std::string quote_as_toml(std::string_view text) {
   return quoted + '"';
 }
 
-/// A table whose only key "value" holds what the text says.
-toml::table parse_value(std::string_view text, const std::string& where) {
+TomlPosition position_of(const toml::source_position& position) {
+  return {static_cast<int>(position.line), static_cast<int>(position.column)};
+}
+
+TomlValue take_over(const toml::node& node) {
+  TomlValue taken{{}, position_of(node.source().begin)};
+  node.visit([&taken](const auto& value) {
+    if constexpr (toml::is_table<decltype(value)>) {
+      TomlTable& table = taken.data.emplace<TomlTable>();
+      for (const auto& [key, member] : value)
+        table.set(key.str(), take_over(member), position_of(key.source().begin));
+    } else if constexpr (toml::is_array<decltype(value)>) {
+      TomlArray& array = taken.data.emplace<TomlArray>();
+      array.reserve(value.size());
+      for (const toml::node& element : value) array.push_back(take_over(element));
+    } else if constexpr (!toml::is_chronological<decltype(value)>) {
+      taken.data = value.get();
+    }
+  });
+  return taken;
+}
+
+/// Returns the value that the text of an assignment stands for.
+TomlValue parse_value(std::string_view text, const std::string& where) {
   const std::string assignment = "value = " + std::string(text);
   try {
     if (!find_deep_key(assignment, kMostNames)) {
-      toml::table parsed = toml::parse(assignment);
-      if (parsed.size() == 1) return parsed;
+      const toml::table parsed = toml::parse(assignment);
+      if (parsed.size() == 1) return take_over(*parsed.get("value"));
     }
   } catch (const toml::parse_error&) {
     // A bare word: reference_frame=chord.
   }
   try {
-    return toml::parse("value = " + quote_as_toml(text));
+    return take_over(*toml::parse("value = " + quote_as_toml(text)).get("value"));
   } catch (const toml::parse_error& error) {
-    throw InputError(
-        where + ": the value is not TOML: " + one_line(error.description(), std::string::npos));
+    throw InputError(where + ": the value is not TOML: " + one_line(error.description()));
   }
 }
 
-toml::node* find(toml::node& parent, const std::string& name) {
-  if (toml::table* table = parent.as_table()) return table->get(name);
-  toml::array* array = parent.as_array();
+TomlValue* find(TomlValue& parent, const std::string& name) {
+  if (TomlTable* table = parent.as_table()) return table->find(name);
+  TomlArray* array = parent.as_array();
   if (array == nullptr || !is_index(name)) return nullptr;
   const std::size_t index = std::stoul(name);
-  return index == 0 ? nullptr : array->get(index - 1);
+  return index == 0 || index > array->size() ? nullptr : &(*array)[index - 1];
 }
 
 /// Puts `value` under `name` of a table, or at an index of an array, at most one behind its end.
-/// Says what is wrong if it does not go there.
-std::string put(toml::node& parent, const std::string& name, toml::node&& value) {
-  if (toml::table* table = parent.as_table()) {
-    std::move(value).visit(
-        [&]<class Value>(Value&& v) { table->insert_or_assign(name, std::forward<Value>(v)); });
+/// Returns what is wrong if it does not fit there.
+std::string put(TomlValue& parent, const std::string& name, TomlValue value) {
+  if (TomlTable* table = parent.as_table()) {
+    table->set(name, std::move(value));
     return {};
   }
-  toml::array* array = parent.as_array();
+  TomlArray* array = parent.as_array();
   if (array == nullptr) return "is " + describe(parent) + ", which holds no keys";
   const std::size_t index = is_index(name) ? std::stoul(name) : 0;
   if (index == 0 || index > array->size() + 1) {
@@ -120,45 +127,23 @@ std::string put(toml::node& parent, const std::string& name, toml::node&& value)
                            : "an index from " + range_text(1, std::ssize(*array) + 1)) +
            " instead of \"" + one_line(name, kLongestQuote) + '"';
   }
-  std::move(value).visit([&]<class Value>(Value&& v) {
-    if (index > array->size()) {
-      array->push_back(std::forward<Value>(v));
-    } else {
-      const auto place = array->cbegin() + static_cast<std::ptrdiff_t>(index) - 1;
-      array->replace(place, std::forward<Value>(v));
-    }
-  });
+  if (index > array->size()) {
+    array->push_back(std::move(value));
+  } else {
+    (*array)[index - 1] = std::move(value);
+  }
   return {};
 }
 
-/// Line and column, from 1, of a byte of the text.
-toml::source_position position_of(std::size_t byte, std::string_view text) {
+/// Returns the line and column, from 1, of a byte of the text.
+TomlPosition position_of(std::size_t byte, std::string_view text) {
   const std::string_view before = text.substr(0, byte);
   const auto lines = std::count(before.begin(), before.end(), '\n');
   const auto column = byte - (before.rfind('\n') + 1);  // npos + 1 is 0
-  return {static_cast<toml::source_index>(lines + 1), static_cast<toml::source_index>(column + 1)};
+  return {static_cast<int>(lines + 1), static_cast<int>(column + 1)};
 }
 
 }  // namespace
-
-std::string describe(const toml::node& node) {
-  if (const auto* value = node.as_string()) {
-    return '"' + one_line(value->get(), kLongestQuote) + '"';
-  }
-  if (const auto* value = node.as_integer()) return std::to_string(value->get());
-  if (const auto* value = node.as_floating_point()) {
-    // 4.0 where a whole number is expected must not read 4.
-    const std::string text = describe(value->get());
-    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
-  }
-  if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
-  if (const auto* array = node.as_array()) {
-    if (array->empty()) return "an empty array";
-    const bool tables = array->is_homogeneous(toml::node_type::table);
-    return (tables ? "an array of tables (" : "an array (") + std::to_string(array->size()) + ')';
-  }
-  return node.is_table() ? "a table" : "a date or time";
-}
 
 TomlDocument::TomlDocument(const std::string& text, std::string name) : name_(std::move(name)) {
   if (const auto zero = text.find('\0'); zero != std::string::npos) {
@@ -172,9 +157,9 @@ TomlDocument::TomlDocument(const std::string& text, std::string name) : name_(st
              " names, expected at most that many, joined by dots");
   }
   try {
-    root_ = toml::parse(text, name_);
+    root_ = take_over(toml::parse(text, name_));
   } catch (const toml::parse_error& error) {
-    fail("", error.source().begin, "not TOML: " + one_line(error.description(), std::string::npos));
+    fail("", position_of(error.source().begin), "not TOML: " + one_line(error.description()));
   }
 }
 
@@ -192,27 +177,32 @@ void TomlDocument::set(const std::string& assignment) {
                      "\", expected names joined by dots, for example blade.bodies=8");
   }
   if (text.empty()) throw InputError(where + ": has no value behind '=', expected key=value");
-  toml::table parsed = parse_value(text, where);
-  toml::node* parent = &root_;
+  TomlValue value = parse_value(text, where);
+  TomlValue* parent = &root_;
   for (std::size_t depth = 0; depth + 1 < names.size(); ++depth) {
     parent = &find_or_make(*parent, names, depth, where);
   }
-  const std::string wrong = put(*parent, names.back(), std::move(*parsed.get("value")));
+  const std::string wrong = put(*parent, names.back(), std::move(value));
   if (!wrong.empty()) {
     throw InputError(where + ": " + join_path(names, names.size() - 1) + ": " + wrong);
   }
   remember(join_path(names, names.size()), where);
 }
 
-/// The node names[depth] of `parent`; if there is none, a new table, or array where an index
-/// follows.
-toml::node& TomlDocument::find_or_make(toml::node& parent, const Names& names, std::size_t depth,
-                                       const std::string& where) {
+/// Returns the node names[depth] of `parent`; if there is none, adds a table, or an array where an
+/// index follows.
+TomlValue& TomlDocument::find_or_make(TomlValue& parent, const Names& names, std::size_t depth,
+                                      const std::string& where) {
   const std::string& name = names[depth];
   if (find(parent, name) == nullptr) {
     const bool array = is_index(names[depth + 1]);
-    const std::string wrong =
-        array ? put(parent, name, toml::array{}) : put(parent, name, toml::table{});
+    TomlValue made;
+    if (array) {
+      made.data = TomlArray{};
+    } else {
+      made.data = TomlTable{};
+    }
+    const std::string wrong = put(parent, name, std::move(made));
     if (!wrong.empty()) throw InputError(where + ": " + join_path(names, depth) + ": " + wrong);
     remember(join_path(names, depth + 1), where);
   }
@@ -235,24 +225,22 @@ std::string TomlDocument::find_override(const std::string& path) const {
   return {};
 }
 
-std::string TomlDocument::place(const std::string& path,
-                                const toml::source_position& position) const {
+std::string TomlDocument::place(const std::string& path, const TomlPosition& position) const {
   if (std::string where = find_override(path); !where.empty()) return where;
-  if (!position) return name_;
+  if (!position.is_known()) return name_;
   return name_ + ':' + std::to_string(position.line) + ':' + std::to_string(position.column);
 }
 
-void TomlDocument::fail(const std::string& path, const toml::source_position& position,
+void TomlDocument::fail(const std::string& path, const TomlPosition& position,
                         const std::string& what) const {
   InputPlace place{.key = path};
   if (find_override(path).empty()) {
     place.file = name_;
-    place.line = static_cast<int>(position.line);  // 0: not known
-    place.column = static_cast<int>(position.column);
+    place.line = position.line;  // 0: not known
+    place.column = position.column;
   }
   const std::string message = path + (path.empty() ? "" : ": ") + what;
-  throw InputError(this->place(path, position) + ": " + one_line(message, std::string::npos),
-                   std::move(place));
+  throw InputError(this->place(path, position) + ": " + one_line(message), std::move(place));
 }
 
 }  // namespace spoke

@@ -2,17 +2,13 @@
 
 // A TOML document with overrides, and the places of its keys for messages.
 
-#include <toml++/toml.h>
-
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
-namespace spoke {
+#include "models/reader/toml_value.h"
 
-/// A value as an error message quotes it: -8, "clampd", an array of 3 values, a table.
-std::string describe(const toml::node& node);
+namespace spoke {
 
 /// A TOML text and the overrides of its keys. Keys are named by paths of names and of indices from
 /// 1: "hub.drive.speed", "blades.2.length".
@@ -22,31 +18,31 @@ class TomlDocument {
   TomlDocument(const std::string& text, std::string name);
 
   /// Sets one key as a command line says it: "blade.bodies=8", "blades.2.length=7.5",
-  /// "load.1.force=[0, 1]". The value is TOML; what is not is a string. Tables are made as needed.
-  /// Throws InputError, its text beginning "--set blade.bodies=8: ".
+  /// "load.1.force=[0, 1]". The value is TOML; any other text is taken as a string. Tables are made
+  /// as needed. Throws InputError, its text beginning "--set blade.bodies=8: ".
   void set(const std::string& assignment);
 
-  const toml::table& root() const { return root_; }
+  const TomlTable& root() const { return *root_.as_table(); }
 
-  /// Where a key is said: the override that gave it its value, else file:line:column as far as
-  /// known.
-  std::string place(const std::string& path, const toml::source_position& position) const;
+  /// Returns where a key was set: the override that gave it its value, otherwise file:line:column
+  /// as far as known.
+  std::string place(const std::string& path, const TomlPosition& position) const;
   /// Throws InputError "place: path: what".
-  [[noreturn]] void fail(const std::string& path, const toml::source_position& position,
+  [[noreturn]] void fail(const std::string& path, const TomlPosition& position,
                          const std::string& what) const;
 
  private:
   using Names = std::vector<std::string>;
 
-  toml::node& find_or_make(toml::node& parent, const Names& names, std::size_t depth,
-                           const std::string& where);
+  TomlValue& find_or_make(TomlValue& parent, const Names& names, std::size_t depth,
+                          const std::string& where);
   void remember(const std::string& path, const std::string& where);
-  /// What gave a key its value, "--set KEY=VALUE"; empty: the file.
+  /// Returns the override that gave a key its value, "--set KEY=VALUE"; empty: the file did.
   std::string find_override(const std::string& path) const;
 
   std::string name_;
-  toml::table root_;
-  std::map<std::string, std::string> overrides_;  ///< path of a key: the override that made it
+  TomlValue root_;                                ///< a table
+  std::map<std::string, std::string> overrides_;  ///< by path of a key, the override that made it
 };
 
 }  // namespace spoke

@@ -3,6 +3,7 @@
 #include "models/reader/toml_section.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -11,9 +12,15 @@
 namespace spoke {
 namespace {
 
-const toml::table& empty_table() {
-  static const toml::table empty;
+const TomlTable& empty_table() {
+  static const TomlTable empty;
   return empty;
+}
+
+/// Returns the element at an index from 1; null if there is none.
+const TomlValue* element_at(const TomlArray& array, const std::string& index) {
+  const std::size_t i = std::strtoul(index.c_str(), nullptr, 10);
+  return i == 0 || i > array.size() ? nullptr : &array[i - 1];
 }
 
 }  // namespace
@@ -30,59 +37,57 @@ std::string join_names(const TomlSection::Keys& names) {
 TomlSection::TomlSection(const TomlDocument& document, const Keys& known)
     : TomlSection(document, document.root(), "", {1, 1}, known) {}
 
-TomlSection::TomlSection(const TomlDocument& document, const toml::table& table, std::string path,
-                         const toml::source_position& position, const Keys& known)
+TomlSection::TomlSection(const TomlDocument& document, const TomlTable& table, std::string path,
+                         const TomlPosition& position, const Keys& known)
     : document_(&document), table_(&table), path_(std::move(path)), position_(position) {
   check_keys(known);
 }
 
 void TomlSection::check_keys(const Keys& known) const {
   // The table is sorted by name; the first slip in the file is what the user wants to hear of.
-  const toml::key* first = nullptr;
-  for (const auto& [key, node] : *table_) {
-    const bool is_known = std::find(known.begin(), known.end(), key.str()) != known.end();
-    if (is_known) continue;
-    const auto line = [](const toml::key& k) { return k.source().begin.line; };
-    if (first == nullptr || line(key) < line(*first)) first = &key;
+  const TomlMember* first = nullptr;
+  for (const TomlMember& member : *table_) {
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    if (first == nullptr || member.position.line < first->position.line) first = &member;
   }
   if (first == nullptr) return;
-  const auto nearest = nearest_name(first->str(), known);
+  const auto nearest = nearest_name(first->key, known);
   const std::string expected =
       nearest ? "did you mean \"" + std::string(*nearest) + "\"?" : "expected " + join_names(known);
-  document_->fail(path_of(first->str()), first->source().begin, "unknown key, " + expected);
+  document_->fail(path_of(first->key), first->position, "unknown key, " + expected);
 }
 
 bool TomlSection::is_array(std::string_view key) const {
-  const toml::node* node = table_->get(key);
-  return node != nullptr && node->is_array();
+  const TomlValue* value = table_->find(key);
+  return value != nullptr && value->as_array() != nullptr;
 }
 
 bool TomlSection::is_text(std::string_view key) const {
-  const toml::node* node = table_->get(key);
-  return node != nullptr && node->is_string();
+  const TomlValue* value = table_->find(key);
+  return value != nullptr && value->as_text() != nullptr;
 }
 
 bool TomlSection::is_table(std::string_view key) const {
-  const toml::node* node = table_->get(key);
-  return node != nullptr && node->is_table();
+  const TomlValue* value = table_->find(key);
+  return value != nullptr && value->as_table() != nullptr;
 }
 
 TomlSection TomlSection::section(std::string_view key, const Keys& known) const {
-  const toml::node* node = table_->get(key);
-  if (node == nullptr) return {*document_, empty_table(), path_of(key), position_, known};
-  if (!node->is_table()) fail_expected(key, "a table [" + path_of(key) + ']');
-  return {*document_, *node->as_table(), path_of(key), node->source().begin, known};
+  const TomlValue* value = table_->find(key);
+  if (value == nullptr) return {*document_, empty_table(), path_of(key), position_, known};
+  if (value->as_table() == nullptr) fail_expected(key, "a table [" + path_of(key) + ']');
+  return {*document_, *value->as_table(), path_of(key), value->position, known};
 }
 
 std::vector<TomlSection> TomlSection::sections(std::string_view key, const Keys& known) const {
-  const toml::node* node = table_->get(key);
-  if (node == nullptr) return {};
+  const TomlValue* value = table_->find(key);
+  if (value == nullptr) return {};
   const std::string expected = "tables headed [[" + path_of(key) + "]]";
-  if (!node->is_array_of_tables()) fail_expected(key, expected);
+  if (!value->is_array_of_tables()) fail_expected(key, expected);
   std::vector<TomlSection> all;
-  for (const toml::node& element : *node->as_array()) {
+  for (const TomlValue& element : *value->as_array()) {
     const std::string path = path_of(key) + '.' + std::to_string(all.size() + 1);
-    all.push_back({*document_, *element.as_table(), path, element.source().begin, known});
+    all.push_back({*document_, *element.as_table(), path, element.position, known});
   }
   return all;
 }
@@ -95,23 +100,24 @@ double TomlSection::number(std::string_view key, const Quantity& quantity, doubl
   return has(key) ? number(key, quantity) : fallback;
 }
 
-double TomlSection::checked_number(const toml::node& node, const std::string& path,
+double TomlSection::checked_number(const TomlValue& value, const std::string& path,
                                    const Quantity& quantity) const {
   const auto complain = [&](const std::string& expected) {
-    document_->fail(path, node.source().begin, "is " + describe(node) + ", expected " + expected);
+    document_->fail(path, value.position, "is " + describe(value) + ", expected " + expected);
   };
-  if (!node.is_number()) complain(quantity.expectation());
-  const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
-                                         : node.as_floating_point()->get();
-  const std::string expected = quantity.expectation_instead_of(value);
+  const std::int64_t* integer = value.as_integer();
+  const double* floating = value.as_floating_point();
+  if (integer == nullptr && floating == nullptr) complain(quantity.expectation());
+  const double number = integer != nullptr ? static_cast<double>(*integer) : *floating;
+  const std::string expected = quantity.expectation_instead_of(number);
   if (!expected.empty()) complain(expected);
-  return value;
+  return number;
 }
 
 int TomlSection::integer(std::string_view key, const Count& count) const {
   const auto* value = required(key, count.expectation()).as_integer();
-  if (value == nullptr || !count.holds(value->get())) fail_expected(key, count.expectation());
-  return static_cast<int>(value->get());
+  if (value == nullptr || !count.holds(*value)) fail_expected(key, count.expectation());
+  return static_cast<int>(*value);
 }
 
 int TomlSection::integer(std::string_view key, const Count& count, int fallback) const {
@@ -120,16 +126,16 @@ int TomlSection::integer(std::string_view key, const Count& count, int fallback)
 
 bool TomlSection::flag(std::string_view key, bool fallback) const {
   if (!has(key)) return fallback;
-  const auto* value = table_->get(key)->as_boolean();
+  const auto* value = table_->find(key)->as_flag();
   if (value == nullptr) fail_expected(key, "true or false");
-  return value->get();
+  return *value;
 }
 
 std::string TomlSection::text(std::string_view key, const std::string& fallback) const {
   if (!has(key)) return fallback;
-  const auto* value = table_->get(key)->as_string();
+  const auto* value = table_->find(key)->as_text();
   if (value == nullptr) fail_expected(key, "text in quotes");
-  return value->get();
+  return *value;
 }
 
 std::vector<double> TomlSection::numbers(std::string_view key, const Quantity& quantity,
@@ -137,13 +143,13 @@ std::vector<double> TomlSection::numbers(std::string_view key, const Quantity& q
   const std::string expected = "an array of " +
                                (count == 0 ? "numbers" : std::to_string(count) + " numbers") +
                                in_parentheses(quantity.unit);
-  const toml::array* array = required(key, expected).as_array();
+  const TomlArray* array = required(key, expected).as_array();
   if (array == nullptr || array->empty() || (count != 0 && array->size() != count)) {
     fail_expected(key, expected);
   }
   std::vector<double> values;
   values.reserve(array->size());
-  for (const toml::node& element : *array) {
+  for (const TomlValue& element : *array) {
     const std::string path = path_of(key) + '.' + std::to_string(values.size() + 1);
     values.push_back(checked_number(element, path, quantity));
   }
@@ -156,27 +162,28 @@ std::vector<std::vector<double>> TomlSection::rows(std::string_view key, const Q
   const std::string numbers = std::to_string(count) +
                               (other_count == 0 ? "" : " or " + std::to_string(other_count)) +
                               " numbers" + in_parentheses(quantity.unit);
-  const toml::array* array = required(key, "an array of arrays of " + numbers).as_array();
+  const TomlArray* array = required(key, "an array of arrays of " + numbers).as_array();
   if (array == nullptr || array->empty()) fail_expected(key, "an array of arrays of " + numbers);
   std::vector<std::vector<double>> all;
-  for (const toml::node& element : *array) {
+  for (const TomlValue& element : *array) {
     const std::string path = path_of(key) + '.' + std::to_string(all.size() + 1);
     std::vector<double> row;
-    if (element.is_array()) flatten(*element.as_array(), path, quantity, row);
-    if (!element.is_array() || (row.size() != count && row.size() != other_count) || row.empty())
-      document_->fail(path, element.source().begin,
+    if (element.as_array() != nullptr) flatten(*element.as_array(), path, quantity, row);
+    if (element.as_array() == nullptr || (row.size() != count && row.size() != other_count) ||
+        row.empty())
+      document_->fail(path, element.position,
                       "is " + describe(element) + ", expected an array of " + numbers);
     all.push_back(std::move(row));
   }
   return all;
 }
 
-void TomlSection::flatten(const toml::array& array, const std::string& path,
-                          const Quantity& quantity, std::vector<double>& numbers) const {
+void TomlSection::flatten(const TomlArray& array, const std::string& path, const Quantity& quantity,
+                          std::vector<double>& numbers) const {
   std::size_t index = 0;
-  for (const toml::node& element : array) {
+  for (const TomlValue& element : array) {
     const std::string at = path + '.' + std::to_string(++index);
-    if (element.is_array()) {
+    if (element.as_array() != nullptr) {
       flatten(*element.as_array(), at, quantity, numbers);
     } else {
       numbers.push_back(checked_number(element, at, quantity));
@@ -184,9 +191,9 @@ void TomlSection::flatten(const toml::array& array, const std::string& path,
   }
 }
 
-const toml::array& TomlSection::values(std::string_view key) const {
+const TomlArray& TomlSection::values(std::string_view key) const {
   const std::string expected = "an array of values";
-  const toml::array* array = required(key, expected).as_array();
+  const TomlArray* array = required(key, expected).as_array();
   if (array == nullptr || array->empty()) fail_expected(key, expected);
   return *array;
 }
@@ -196,8 +203,8 @@ std::vector<double> TomlSection::increasing_numbers(std::string_view key,
   std::vector<double> values = numbers(key, quantity);
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (values[i] > values[i - 1]) continue;
-    const toml::node& element = *table_->get(key)->as_array()->get(i);
-    document_->fail(path_of(key) + '.' + std::to_string(i + 1), element.source().begin,
+    const TomlValue& element = (*table_->find(key)->as_array())[i];
+    document_->fail(path_of(key) + '.' + std::to_string(i + 1), element.position,
                     "is " + describe(element) + ", expected more than the value before it, " +
                         describe(values[i - 1]));
   }
@@ -206,10 +213,10 @@ std::vector<double> TomlSection::increasing_numbers(std::string_view key,
 
 std::size_t TomlSection::choice(std::string_view key, const Keys& names) const {
   const std::string expected = join_names(names);
-  const auto* value = required(key, expected).as_string();
+  const auto* value = required(key, expected).as_text();
   if (value == nullptr) fail_expected(key, expected);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (value->get() == names[i]) return i;
+    if (*value == names[i]) return i;
   }
   fail_expected(key, expected);
 }
@@ -219,9 +226,9 @@ std::string TomlSection::place(std::string_view key) const {
   return document_->place(path, position(key)) + ": " + path;
 }
 
-const toml::source_position& TomlSection::position(std::string_view key) const {
-  const toml::node* node = key.empty() ? nullptr : table_->get(key);
-  return node == nullptr ? position_ : node->source().begin;
+const TomlPosition& TomlSection::position(std::string_view key) const {
+  const TomlValue* value = key.empty() ? nullptr : table_->find(key);
+  return value == nullptr ? position_ : value->position;
 }
 
 void TomlSection::fail(std::string_view key, const std::string& what) const {
@@ -230,32 +237,32 @@ void TomlSection::fail(std::string_view key, const std::string& what) const {
 
 void TomlSection::fail_at(std::string_view path, const std::string& what) const {
   if (path.empty()) fail("", what);
-  const toml::node* deepest = nullptr;
-  const toml::node* node = table_;
-  for (std::size_t begin = 0; node != nullptr && begin <= path.size();) {
+  const TomlValue* deepest = nullptr;
+  const TomlTable* table = table_;
+  const TomlArray* array = nullptr;
+  for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
     const std::string name(path.substr(begin, end - begin));
-    if (const toml::table* table = node->as_table()) {
-      node = table->get(name);
-    } else if (const toml::array* array = node->as_array()) {
-      node = array->get(static_cast<std::size_t>(std::strtoul(name.c_str(), nullptr, 10)) - 1);
-    } else {
-      node = nullptr;
-    }
-    if (node != nullptr) deepest = node;
+    const TomlValue* value = table != nullptr   ? table->find(name)
+                             : array != nullptr ? element_at(*array, name)
+                                                : nullptr;
+    if (value == nullptr) break;
+    deepest = value;
+    table = value->as_table();
+    array = value->as_array();
     begin = end + 1;
   }
-  document_->fail(path_of(path), deepest == nullptr ? position_ : deepest->source().begin, what);
+  document_->fail(path_of(path), deepest == nullptr ? position_ : deepest->position, what);
 }
 
 void TomlSection::fail_expected(std::string_view key, const std::string& expected) const {
-  fail(key, "is " + describe(*table_->get(key)) + ", expected " + expected);
+  fail(key, "is " + describe(*table_->find(key)) + ", expected " + expected);
 }
 
-const toml::node& TomlSection::required(std::string_view key, const std::string& expected) const {
-  const toml::node* node = table_->get(key);
-  if (node == nullptr) fail(key, "is missing, expected " + expected);
-  return *node;
+const TomlValue& TomlSection::required(std::string_view key, const std::string& expected) const {
+  const TomlValue* value = table_->find(key);
+  if (value == nullptr) fail(key, "is missing, expected " + expected);
+  return *value;
 }
 
 std::string TomlSection::path_of(std::string_view key) const {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "models/reader/quantity.h"
 #include "models/reader/toml_document.h"
+#include "models/support/quantity.h"
 
 namespace spoke {
 
@@ -19,43 +19,43 @@ class TomlSection {
  public:
   using Keys = std::vector<std::string_view>;
 
-  /// The whole document. Throws InputError if it has a key that is not in `known`, naming the
-  /// nearest one that is; so do the sections within.
+  /// Makes the section of the whole document. Throws InputError if it has a key that is not in
+  /// `known`, naming the nearest one that is; sections within it do so, too.
   TomlSection(const TomlDocument& document, const Keys& known);
 
   const std::string& path() const { return path_; }
-  bool has(std::string_view key) const { return table_->contains(key); }
+  bool has(std::string_view key) const { return table_->find(key) != nullptr; }
   bool is_array(std::string_view key) const;
   bool is_text(std::string_view key) const;
   bool is_table(std::string_view key) const;
 
-  /// The table `key`; an empty one if it is missing.
+  /// Returns the table `key`; an empty one if it is missing.
   TomlSection section(std::string_view key, const Keys& known) const;
-  /// The array of tables `key`; none if it is missing.
+  /// Returns the array of tables `key`; none if it is missing.
   std::vector<TomlSection> sections(std::string_view key, const Keys& known) const;
 
-  // Values that must be there, or may be missing where there is a fallback.
+  // Read values that are required, or that may be missing where there is a fallback.
   double number(std::string_view key, const Quantity& quantity) const;
   double number(std::string_view key, const Quantity& quantity, double fallback) const;
   int integer(std::string_view key, const Count& count) const;
   int integer(std::string_view key, const Count& count, int fallback) const;
   bool flag(std::string_view key, bool fallback) const;
   std::string text(std::string_view key, const std::string& fallback) const;
-  /// An array of numbers, of `count` of them unless it is 0 (then at least one).
+  /// Reads an array of `count` numbers, or of one or more if `count` is 0.
   std::vector<double> numbers(std::string_view key, const Quantity& quantity,
                               std::size_t count = 0) const;
-  /// An array of arrays of numbers, these of `count` numbers each or, where `other_count` is given,
-  /// of that many. Arrays within these only group the numbers.
+  /// Reads an array of arrays of numbers, these of `count` numbers each or, where `other_count` is
+  /// given, of that many. Arrays within these only group the numbers.
   std::vector<std::vector<double>> rows(std::string_view key, const Quantity& quantity,
                                         std::size_t count, std::size_t other_count = 0) const;
-  /// An array of one value or more, of any types.
-  const toml::array& values(std::string_view key) const;
-  /// An array of numbers, each greater than the one before.
+  /// Returns an array of one value or more, of any types.
+  const TomlArray& values(std::string_view key) const;
+  /// Reads an array of numbers, each greater than the one before.
   std::vector<double> increasing_numbers(std::string_view key, const Quantity& quantity) const;
 
-  /// One of the given names: its index.
+  /// Returns the index of a value among the given names.
   std::size_t choice(std::string_view key, const Keys& names) const;
-  /// One of the given values of an enumeration with a function name_of().
+  /// Reads one of the given values of an enumeration that has a function name_of().
   template <class Enum>
   Enum choice(std::string_view key, std::initializer_list<Enum> values, Enum fallback) const {
     if (!has(key)) return fallback;
@@ -64,36 +64,36 @@ class TomlSection {
     return values.begin()[choice(key, names)];
   }
 
-  /// Where a key stands, or the table if the key is empty: "file:4:7: blade.length".
+  /// Returns where a key stands, or the table if the key is empty: "file:4:7: blade.length".
   std::string place(std::string_view key) const;
   /// Throws InputError about a key, or about the table if the key is empty.
   [[noreturn]] void fail(std::string_view key, const std::string& what) const;
-  /// Throws InputError about what a path of keys and of indices from 1 leads to: "joint.2.axis".
-  /// The place is that of the last of them that is there.
+  /// Throws InputError about the key at the end of a path of keys and indices (from 1):
+  /// "joint.2.axis". The place is that of the last key on the path that is there.
   [[noreturn]] void fail_at(std::string_view path, const std::string& what) const;
   /// Throws InputError: "is VALUE, expected ...".
   [[noreturn]] void fail_expected(std::string_view key, const std::string& expected) const;
 
  private:
-  TomlSection(const TomlDocument& document, const toml::table& table, std::string path,
-              const toml::source_position& position, const Keys& known);
+  TomlSection(const TomlDocument& document, const TomlTable& table, std::string path,
+              const TomlPosition& position, const Keys& known);
 
   void check_keys(const Keys& known) const;
   std::string path_of(std::string_view key) const;
-  const toml::source_position& position(std::string_view key) const;
-  const toml::node& required(std::string_view key, const std::string& expected) const;
-  void flatten(const toml::array& array, const std::string& path, const Quantity& quantity,
+  const TomlPosition& position(std::string_view key) const;
+  const TomlValue& required(std::string_view key, const std::string& expected) const;
+  void flatten(const TomlArray& array, const std::string& path, const Quantity& quantity,
                std::vector<double>& numbers) const;
-  double checked_number(const toml::node& node, const std::string& path,
+  double checked_number(const TomlValue& node, const std::string& path,
                         const Quantity& quantity) const;
 
   const TomlDocument* document_;
-  const toml::table* table_;
+  const TomlTable* table_;
   std::string path_;
-  toml::source_position position_;  ///< for complaints about what is missing
+  TomlPosition position_;  ///< place in complaints about missing keys
 };
 
-/// "a", "b" or "c".
+/// Returns "a", "b" or "c".
 std::string join_names(const TomlSection::Keys& names);
 
 }  // namespace spoke

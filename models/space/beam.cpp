@@ -1,4 +1,4 @@
-// What lies between the stations of a beam.
+// Cross sections of a beam between its stations.
 
 #include "models/space/beam.h"
 
@@ -16,6 +16,7 @@ std::size_t Beam::interval(double x) const {
 }
 
 SectionMatrices Beam::section(double x) const {
+  assert((matrices.empty() ? properties.size() : matrices.size()) == station.size());
   const std::size_t k = interval(x);
   const double t = (x - station[k]) / (station[k + 1] - station[k]);
   if (!matrices.empty()) return reduce(interpolate(matrices[k], matrices[k + 1], t));
@@ -23,6 +24,7 @@ SectionMatrices Beam::section(double x) const {
 }
 
 double Beam::twist_at(double x) const {
+  assert(twist.empty() || twist.size() == station.size());
   if (twist.empty()) return 0.0;
   const std::size_t k = interval(x);
   const double t = (x - station[k]) / (station[k + 1] - station[k]);
@@ -37,6 +39,7 @@ SectionAt Beam::geometry(double x) const {
 }
 
 std::vector<double> Beam::breaks(double from, double to) const {
+  assert(from < to);
   std::vector<double> places{from, to};
   const auto add = [&](double x) {
     if (x > from && x < to) places.push_back(x);
@@ -45,7 +48,7 @@ std::vector<double> Beam::breaks(double from, double to) const {
   for (const Position& point : curve.points()) add(point.x());
   for (const PointMass& point : masses) add(point.station);
   std::sort(places.begin(), places.end());
-  // What lies closer together than this is one place, rounded.
+  // Stations closer together than this are one place, rounded.
   const double shortest = 1e-12 * (to - from);
   const auto last = std::unique(places.begin(), places.end(),
                                 [&](double a, double b) { return b - a < shortest; });

@@ -11,28 +11,29 @@
 
 namespace spoke::space {
 
-/// A small rigid mass fixed to a section.
+/// A small rigid mass that is fixed to a section.
 struct PointMass {
   double station = 0.0;  ///< [m]
-  /// About the section's reference point, in its axes.
+  /// Mass moments about the section's reference point, in its axes.
   MassMoments moments;
 };
 
-/// What a beam is made of at a station.
+/// A cross section of a beam at a station.
 struct SectionAt {
-  Position p;        ///< reference point, beam's frame [m]
+  Position p;        ///< its reference point in the beam's frame [m]
   Position tangent;  ///< dp/dx: of length 1 if the beam is straight
-  Rotation axes;     ///< from section axes to the beam's frame
+  Rotation axes;     ///< rotation from section axes to the beam's frame
 };
 
-/// Stations ascend; of sections and twist there is one for each station, but either `properties` or
-/// `matrices` is empty, and `twist` may be.
+/// A beam by stations that ascend. Sections and twist have one entry for each station, but either
+/// `properties` or `matrices` is empty, and `twist` may be empty.
 struct Beam {
-  std::vector<double> station;                ///< from the first to the last place of the beam [m]
+  /// Stations from the first to the last place of the beam [m].
+  std::vector<double> station;
   std::vector<SectionProperties> properties;  ///< linear between stations
   std::vector<StiffnessAndMass> matrices;     ///< linear between stations
-  /// Of the sections about the tangent, right-handed, from the beam's y and z axes [rad]; linear
-  /// between stations.
+  /// Twist of the sections about the tangent, right-handed, from the beam's y and z axes [rad];
+  /// linear between stations.
   std::vector<double> twist;
   ReferenceCurve curve;
   std::vector<PointMass> masses;
@@ -43,8 +44,8 @@ struct Beam {
   double twist_at(double x) const;
   SectionAt geometry(double x) const;
 
-  /// Stations between `from` and `to` [m] at which a property, the twist, the curve or the mass
-  /// outboard changes its law, both ends included, in order.
+  /// Returns the stations between `from` and `to` [m] at which a property, the twist, the curve or
+  /// the mass outboard changes its law, both ends included, in order.
   std::vector<double> breaks(double from, double to) const;
 
  private:

@@ -5,8 +5,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
+#include <functional>
 
-#include "models/space/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke::space {
 namespace {
@@ -18,8 +19,8 @@ using Slots = Eigen::Matrix<double, kElementSlots, 1>;
 struct Slice {
   double station = 0.0;  ///< [m]
   double ds = 0.0;       ///< length along the curve [m]
-  Position p;            ///< its reference point [m]
-  Matrix3 axes;          ///< of its section
+  Position p;            ///< place of its reference point [m]
+  Matrix3 axes;          ///< axes of its section
   SectionMatrices section;
 };
 
@@ -34,12 +35,12 @@ Slice make_slice(const Beam& beam, const BodyGeometry& geometry, double station,
 template <class Visit>
 void visit_slices(const Beam& beam, const BodyGeometry& geometry, double from, double to,
                   Visit&& visit) {
-  for (int i = 0; i < GaussRule::kPoints; ++i)
-    visit(make_slice(beam, geometry, from + GaussRule::places[i] * (to - from),
-                     GaussRule::weights[i] * (to - from)));
+  for (int i = 0; i < GaussRule<6>::kPoints; ++i)
+    visit(make_slice(beam, geometry, from + GaussRule<6>::places[i] * (to - from),
+                     GaussRule<6>::weights[i] * (to - from)));
 }
 
-/// A point mass in B, as a slice that has nothing but mass.
+/// Makes a slice of a point mass in B, without anything but mass.
 Slice make_slice(const Beam& beam, const BodyGeometry& geometry, const PointMass& point) {
   Slice slice = make_slice(beam, geometry, point.station, 0.0);
   slice.ds = 1.0;
@@ -54,7 +55,8 @@ bool is_outboard(double from, double to, const PointMass& point) {
   return point.station > from + rounding && point.station <= to + rounding;
 }
 
-/// Whether it belongs to what is between two stations: at a boundary, to what is inboard of it.
+/// Whether a point mass belongs to the part between two stations; at a boundary, it belongs to the
+/// inboard part.
 bool holds(const Beam& beam, double from, double to, const PointMass& point) {
   const bool is_at_start = from == beam.station.front() && point.station <= from;
   return is_at_start || is_outboard(from, to, point);
@@ -89,7 +91,7 @@ class MassDistribution {
     }
   }
 
-  /// Beyond a station between two breaks.
+  /// Returns the mass beyond a station between two breaks.
   MassOutboard beyond(double station) const {
     std::size_t k = 0;
     while (k + 2 < breaks_.size() && breaks_[k + 1] <= station) ++k;
@@ -108,11 +110,11 @@ class MassDistribution {
   const Beam& beam_;
   const BodyGeometry& geometry_;
   std::vector<double> breaks_;
-  std::vector<MassOutboard> beyond_;  ///< from a break on, less the point masses at it
-  std::vector<MassOutboard> at_end_;  ///< beyond a piece, the point masses at its end included
+  std::vector<MassOutboard> beyond_;  ///< mass from a break on, less the point masses at it
+  std::vector<MassOutboard> at_end_;  ///< mass beyond a piece, the point masses at its end included
 };
 
-/// W: resultants of a section, in its axes, by the wrench on the outer node.
+/// Returns W: resultants of a section, in its axes, per wrench on the outer node.
 Matrix6 resultants_of(const Slice& slice, const Position& outer) {
   const Matrix3 axes = slice.axes.transpose();
   Matrix6 W = Matrix6::Zero();
@@ -122,7 +124,7 @@ Matrix6 resultants_of(const Slice& slice, const Position& outer) {
   return W;
 }
 
-/// What a slice is to an element: its place along the chord, and its moments about that place in
+/// A slice's mass within an element: its place along the chord, and its moments about that place in
 /// the element's axes.
 struct PlacedMass {
   double xi;  ///< 0 at the inner node, 1 at the outer
@@ -143,7 +145,7 @@ PlacedMass place(const BeamElement& element, const Position& inner, const Slice&
                dm * o * o.transpose()}};
 }
 
-/// Values for (r, t) of both nodes, among the slots of an element.
+/// Puts values for (r, t) of both nodes among the slots of an element.
 Slots spread(const Eigen::Vector4d& shape) {
   Slots slots = Slots::Zero();
   slots.segment<2>(0) = shape.head<2>();
@@ -151,7 +153,7 @@ Slots spread(const Eigen::Vector4d& shape) {
   return slots;
 }
 
-/// Linear from node to node, of one slot.
+/// Returns the shape that is linear from node to node, for one slot.
 Slots linear_on(int slot, double xi) {
   Slots slots = Slots::Zero();
   slots[slot] = 1.0 - xi;
@@ -159,7 +161,7 @@ Slots linear_on(int slot, double xi) {
   return slots;
 }
 
-/// m += dm [m h h^T + sum S_a (h n_a^T + n_a h^T) + sum P_ab n_a n_b^T].
+/// Adds to m: dm [m h h^T + sum S_a (h n_a^T + n_a h^T) + sum P_ab n_a n_b^T].
 void add_mass(const PlacedMass& dm, double length, SlotMatrix& m) {
   const Slots h = spread(hermite(dm.xi, length));
   Eigen::Matrix<double, kElementSlots, 3> n;
@@ -198,8 +200,9 @@ void add_point_mass(const PlacedMass& dm, BeamElement& element) {
                               element.axes * dm.moments.second * element.axes.transpose()});
 }
 
-/// An element of the right geometry, its integrals still zero.
+/// Makes an element of the right geometry, its integrals still zero.
 BeamElement make_empty_element(const Position& inner, const Position& outer) {
+  assert(outer != inner);
   BeamElement element;
   element.chord = outer - inner;
   element.length = element.chord.norm();
@@ -283,6 +286,8 @@ ElementShape section_rotation(const BeamElement& element, double xi) {
 
 BodyGeometry make_body_geometry(const Beam& beam, std::vector<double> stations) {
   assert(stations.size() > 1);
+  assert(std::adjacent_find(stations.begin(), stations.end(), std::greater_equal<>()) ==
+         stations.end());
   BodyGeometry geometry;
   const Position first = beam.curve.at(stations.front());
   const Position last = beam.curve.at(stations.back());
@@ -303,6 +308,7 @@ std::vector<BeamElement> make_beam_elements(const Beam& beam, const BodyGeometry
 
 SlotMatrix calc_outboard_mass(const Beam& beam, const BodyGeometry& geometry,
                               const BeamElement& element, std::size_t e, double station) {
+  assert(e + 1 < geometry.nodes.size() && geometry.station.size() == geometry.nodes.size());
   const Position& inner = geometry.nodes[e];
   const double from = geometry.station[e], to = geometry.station[e + 1];
   const double rounding = 1e-9 * (to - from);

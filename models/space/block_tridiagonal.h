@@ -3,6 +3,7 @@
 // Symmetric matrices over the nodes of a chain of elements, six rows a node.
 
 #include <Eigen/Core>
+#include <cassert>
 #include <vector>
 
 #include "models/space/vectors.h"
@@ -10,7 +11,7 @@
 namespace spoke::space {
 
 struct BlockTridiagonal {
-  std::vector<TwistMatrix> diagonal;  ///< by node
+  std::vector<TwistMatrix> diagonal;  ///< diagonal block of each node
   std::vector<TwistMatrix> below;     ///< block (k + 1, k)
 
   BlockTridiagonal() = default;
@@ -22,6 +23,7 @@ struct BlockTridiagonal {
 
   /// Adds the symmetric matrix of the element between nodes e and e + 1.
   void add(int e, const Eigen::Matrix<double, 2 * kTwist, 2 * kTwist>& matrix) {
+    assert(e >= 0 && e + 1 < nodes());
     const auto k = static_cast<std::size_t>(e);
     diagonal[k] += matrix.topLeftCorner<kTwist, kTwist>();
     diagonal[k + 1] += matrix.bottomRightCorner<kTwist, kTwist>();
@@ -29,6 +31,7 @@ struct BlockTridiagonal {
   }
   /// this += factor * other.
   void add_scaled(double factor, const BlockTridiagonal& other) {
+    assert(other.nodes() == nodes() && other.below.size() == below.size());
     for (std::size_t k = 0; k < diagonal.size(); ++k) diagonal[k] += factor * other.diagonal[k];
     for (std::size_t k = 0; k < below.size(); ++k) below[k] += factor * other.below[k];
   }

@@ -10,23 +10,25 @@
 
 namespace spoke::space {
 
-/// Handle 0 is the inboard one, at the origin of the body's frame; at each other one hangs a child.
+/// A body. Handle 0 is the inboard one, at the origin of the body's frame; a child hangs at each
+/// other one.
 struct Body {
   std::variant<FlexibleBody, RigidBody> shape;
-  std::shared_ptr<const Beam> beam;  ///< that a flexible one is a part of
+  std::shared_ptr<const Beam> beam;  ///< the beam that a flexible body is a part of
 
-  /// Null if it is rigid.
+  /// Returns the flexible body; null if it is rigid.
   const FlexibleBody* flexible() const { return std::get_if<FlexibleBody>(&shape); }
-  /// Null if it is flexible.
+  /// Returns the rigid body; null if it is flexible.
   const RigidBody* rigid() const { return std::get_if<RigidBody>(&shape); }
 
   int handle_count() const {
     if (const FlexibleBody* body = flexible()) return static_cast<int>(body->handles.size());
     return 1 + static_cast<int>(rigid()->outboard.size());
   }
-  /// Deformation coordinates.
+  /// Returns the number of deformation coordinates.
   int coordinates() const { return flexible() ? flexible()->coordinates() : 0; }
-  /// Of its axis, by which limits of its deformation are measured [m]; of a rigid one infinite.
+  /// Returns the length of its axis, by which limits of its deformation are measured [m]; infinite
+  /// for a rigid body.
   double extent() const;
 };
 

@@ -2,6 +2,9 @@
 
 #include "models/space/directions.h"
 
+#include <algorithm>
+#include <cassert>
+
 namespace spoke::space {
 namespace {
 
@@ -15,14 +18,14 @@ class Masses {
 
   bool has(int node) const { return node >= 0 && node <= elements_; }
   double x_of(int node) const { return has(node) ? body_.nodes[index(node)].x() : 0.0; }
-  /// Of slot i of node k and slot j of node k + step.
+  /// Returns the mass between slot i of node k and slot j of node k + step.
   double between(int k, int i, int step, int j) const {
     if (!has(k) || !has(k + step)) return 0.0;
     if (step == 0) return body_.slots.own[index(k)][at(i, j)];
     return step > 0 ? body_.slots.next[index(k)][at(i, j)]
                     : body_.slots.next[index(k - 1)][at(j, i)];
   }
-  /// Of element e's stretch and slot j of its inner (0) or outer (1) node.
+  /// Returns the mass between element e's stretch and slot j of its inner (0) or outer (1) node.
   double stretch(int e, int node, int j) const {
     if (e < 0 || e >= elements_) return 0.0;
     return body_.slots.stretch[index(e)][static_cast<std::size_t>(kNodeSlots * node + j)];
@@ -30,7 +33,7 @@ class Masses {
   double stretch_own(int e) const {
     return e < 0 || e >= elements_ ? 0.0 : body_.slots.stretch_own[index(e)];
   }
-  /// 1 / l of an element, zero beyond the ends.
+  /// Returns 1 / l of an element, zero beyond the ends.
   double per_length(int e) const {
     return e < 0 || e >= elements_ ? 0.0 : 1.0 / body_.beam[index(e)].length;
   }
@@ -60,18 +63,19 @@ struct Row {
   }
 };
 
-/// Of the momentum of slot i of node k by the slots j of nodes.
+/// Returns the row of the momentum of slot i of node k, by the slots j of nodes.
 Row row_of_slot(const Masses& m, int k, int i, int j) {
   return {m.between(k, i, -1, j), m.between(k, i, 0, j), m.between(k, i, 1, j)};
 }
-/// Of the momentum of the stretch of the element inboard (-1) or outboard (0) of node k.
+/// Returns the row of the momentum of the stretch of the element inboard (-1) or outboard (0) of
+/// node k.
 Row row_of_stretch(const Masses& m, int k, int side, int j) {
   if (side < 0) return {m.stretch(k - 1, 0, j), m.stretch(k - 1, 1, j), 0.0};
   return {0.0, m.stretch(k, 0, j), m.stretch(k, 1, j)};
 }
 
-/// What the stretches of the elements at node k, by u, add to the momentum that has the masses
-/// `inboard` and `outboard` with them.
+/// Returns the row that the stretches of the elements at node k, as functions of u, add to a
+/// momentum with the masses `inboard` and `outboard` for them.
 Row row_of_stretching(const Masses& m, int k, double inboard, double outboard) {
   const double a = inboard * m.per_length(k - 1), b = outboard * m.per_length(k);
   return {-a, a - b, b};
@@ -90,7 +94,7 @@ void put_slot(const Masses& m, int k, int i, int lane, NodeLanes::Momentum& mome
     undeformed += m.between(k, i, step, kPlace) * m.x_of(k + step) + m.between(k, i, step, kAxis);
 }
 
-/// The momentum of the places, with sigma_e/l of the element inboard and -sigma_e/l of the one
+/// Puts the momentum of the places, with sigma_e/l of the element inboard and -sigma_e/l of the one
 /// outboard, sigma the momentum of a stretch.
 void put_stretched(const Masses& m, int k, int lane, NodeLanes::Momentum& momentum) {
   put_slot(m, k, kPlace, lane, momentum);
@@ -168,6 +172,11 @@ std::size_t count_groups(int members) {
 }  // namespace
 
 Directions make_directions(const DirectedBody& body) {
+  assert(!body.beam.empty() && body.nodes.size() == body.beam.size() + 1);
+  assert(body.C_t.size() == body.nodes.size() && (body.first_node == 0 || body.first_node == 1));
+  assert(std::all_of(body.beam.begin(), body.beam.end(), [](const BeamElement& element) {
+    return element.inertias.empty() && element.chord.y() == 0.0 && element.chord.z() == 0.0;
+  }));
   Directions directions;
   const Masses masses(body);
   const int elements = static_cast<int>(body.beam.size());

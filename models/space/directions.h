@@ -1,11 +1,10 @@
 #pragma once
 
-// The constants of a body whose directions do not meet, by direction and with four nodes or
+// The constants of a body whose directions are decoupled, by direction and with four nodes or
 // elements side by side, as vector registers take them (docs/formulation.md, section 10).
 //
-// The directions are axial (u), torsion (tx), and two planes of bending: (v, tz) with y and
-// (w, -ty) with z. In each plane a node has a place and a slope, and both planes have the same
-// masses.
+// The directions are axial (u), torsion (tx), and two planes of bending: (v, tz) with y and (w,
+// -ty) with z. In each plane a node has a place and a slope, and both planes have the same masses.
 
 #include <array>
 #include <vector>
@@ -14,7 +13,7 @@
 
 namespace spoke::space {
 
-/// Of four neighbours, the first first; of those beyond the body's end, zero.
+/// Values of four neighbours, the first one first; zero beyond the body's end.
 using Lanes = std::array<double, 4>;
 
 /// Factors of a node's inner neighbour, of itself and of its outer neighbour.
@@ -26,18 +25,20 @@ struct Band {
 struct NodeLanes {
   /// A momentum, component by component: x follows from u, y from (v, tz), z from (w, -ty).
   struct Momentum {
-    Lanes undeformed{};  ///< x component [kg m]
-    Band axial;          ///< of u [kg]
+    Lanes undeformed{};  ///< x component of the undeformed body [kg m]
+    Band axial;          ///< factors of u [kg]
     Band place, slope;   ///< [kg, kg m]
   };
-  Momentum r;  ///< of the places
-  Momentum t;  ///< of the axes along x
-  /// What moves with u: the places, and what the elements at the node add by their stretch.
+  Momentum r;  ///< momentum of the places
+  Momentum t;  ///< momentum of the axes along x
+  /// Momentum that goes with u: that of the places, and the share of the stretch of the elements at
+  /// the node.
   Momentum stretched;
-  // Of the axes along y and z, which turn with the node.
-  Band d, g;                             ///< [kg m^2]
-  Lanes d_undeformed{}, g_undeformed{};  ///< y component of d, z component of g [kg m^2]
-  // How accelerations count in the body's momentum.
+  // Momenta of the axes along y and z, which turn with the node.
+  Band d, g;  ///< [kg m^2]
+  /// y component of d, z component of g, undeformed [kg m^2].
+  Lanes d_undeformed{}, g_undeformed{};
+  // Momentum of the body per acceleration of the coordinates.
   Lanes axial{}, place{}, slope{};  ///< [kg, kg m]
 };
 
@@ -46,12 +47,13 @@ struct ElementLanes {
   Lanes length{};  ///< [m]
   Lanes axial{};   ///< stiffness against stretch [N/m]
   Lanes torsion{};
-  /// Of the outer node's displacement and slope as seen from the inner, by plane.
+  /// Bending stiffness by plane, for displacement and slope of the outer node relative to the inner
+  /// one.
   struct Bending {
     Lanes shear{}, mixed{}, moment{};
   };
   std::array<Bending, 2> bending;
-  /// A tension matrix, on the rise between the nodes and the slopes of both, and its trapeze
+  /// A tension matrix for the rise between the nodes and the slopes of both, and its trapeze
   /// effect.
   struct Tension {
     Lanes rise{}, rise_inner{}, rise_outer{}, inner{}, between{}, outer{};
@@ -63,11 +65,11 @@ struct ElementLanes {
 };
 
 struct Directions {
-  std::vector<NodeLanes> nodes;  ///< from the first node that has coordinates
+  std::vector<NodeLanes> nodes;  ///< nodes from the first one that has coordinates
   std::vector<ElementLanes> elements;
 };
 
-/// What they are made of, by node and element, as in FlexibleBody.
+/// The data from which directions are made, by node and element, as in FlexibleBody.
 struct DirectedBody {
   const std::vector<Position>& nodes;
   const std::vector<BeamElement>& beam;
@@ -76,7 +78,8 @@ struct DirectedBody {
   int first_node;
 };
 
-/// Preconditions: the directions of the body do not meet, and no small masses turn with it.
+/// Sorts a body's constants by direction. Preconditions: its directions are decoupled, and no small
+/// masses turn with it.
 Directions make_directions(const DirectedBody& body);
 
 }  // namespace spoke::space

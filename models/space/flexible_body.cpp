@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace spoke::space {
 namespace {
@@ -12,7 +13,7 @@ using ElementMatrix = Eigen::Matrix<double, 2 * kTwist, 2 * kTwist>;
 using ElementMap = Eigen::Matrix<double, kTwist, 2 * kTwist>;
 using SlotMap = Eigen::Matrix<double, 3, 2 * kTwist>;
 
-/// Xi: how the slots of an element depend on (u, th) of its two nodes, in B.
+/// Returns Xi: the slots of an element as functions of (u, th) of its two nodes, in B.
 std::array<SlotMap, kElementSlots> slot_maps(const BeamElement& element) {
   std::array<SlotMap, kElementSlots> maps;
   const Position e1 = element.axes.col(0);
@@ -32,7 +33,7 @@ std::array<SlotMap, kElementSlots> slot_maps(const BeamElement& element) {
   return maps;
 }
 
-/// G: displacement and rotation of the outer node as seen from the inner.
+/// Returns G: displacement and rotation of the outer node relative to the inner one.
 ElementMap relative_motion(const BeamElement& element) {
   ElementMap G = ElementMap::Zero();
   G.leftCols<kTwist>() = -ElementMap::Identity().leftCols<kTwist>();
@@ -79,7 +80,7 @@ void add_block(const Eigen::Ref<const Eigen::MatrixXd>& block, SlotMasses::NodeB
   Eigen::Map<Eigen::Matrix<double, kNodeSlots, kNodeSlots, Eigen::RowMajor>>(sum.data()) += block;
 }
 
-/// From slots in the element's directions to slots in those of B.
+/// Adds an element's slots to those of the body: from the element's directions to those of B.
 void add_slots(const BeamElement& element, int e, SlotMasses& slots) {
   Eigen::MatrixXd T = Eigen::MatrixXd::Identity(kElementSlots, kElementSlots);
   Eigen::VectorXd tangents = Eigen::VectorXd::Zero(kElementSlots);
@@ -126,14 +127,15 @@ bool find_decoupled(const FlexibleBody& body) {
          });
 }
 
-/// Whether small masses turn with it.
+/// Whether small masses turn with the body.
 bool has_inertias(const FlexibleBody& body) {
   return std::any_of(body.beam.begin(), body.beam.end(),
                      [](const BeamElement& element) { return !element.inertias.empty(); });
 }
 
-/// A body of the right sizes, its sums still zero.
+/// Makes a body of the right sizes, its sums still zero.
 FlexibleBody make_empty_body(int elements) {
+  assert(elements > 0);
   FlexibleBody body;
   body.elements = elements;
   const auto E = static_cast<std::size_t>(elements);
@@ -149,6 +151,7 @@ FlexibleBody make_empty_body(int elements) {
 }  // namespace
 
 int FlexibleBody::coordinate(int node, int component) const {
+  assert(node >= 0 && node <= elements && component >= 0 && component < kTwist);
   if (reference_frame == ReferenceFrame::clamped)
     return node == 0 ? -1 : kTwist * (node - 1) + component;
   if (node == 0) return component < 4 ? -1 : component - 4;
@@ -161,6 +164,8 @@ int FlexibleBody::coordinate(int node, int component) const {
 FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
                             ReferenceFrame reference_frame, std::vector<int> handles) {
   assert(!handles.empty() && handles.front() == 0);
+  assert(std::all_of(handles.begin(), handles.end(),
+                     [&](int node) { return node >= 0 && std::cmp_less(node, stations.size()); }));
   const BodyGeometry geometry = make_body_geometry(beam, std::move(stations));
   FlexibleBody body = make_empty_body(static_cast<int>(geometry.nodes.size()) - 1);
   body.reference_frame = reference_frame;
@@ -185,6 +190,7 @@ FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
 }
 
 std::vector<double> equal_stations(double from, double to, int elements) {
+  assert(from < to && elements > 0);
   std::vector<double> stations;
   for (int k = 0; k < elements; ++k) stations.push_back(from + (to - from) * k / elements);
   stations.push_back(to);

@@ -1,7 +1,8 @@
 #pragma once
 
-// The hub of a system in space, and what acts on it.
+// The hub of a system in space, and the loads on it.
 
+#include <cassert>
 #include <optional>
 
 #include "models/curve.h"
@@ -12,41 +13,45 @@
 
 namespace spoke::space {
 
-/// Its frame H has the axis of the drive as z axis, and the hub's origin as origin.
+/// A hub. Its frame H has the axis of the drive as z axis, and the hub's origin as origin.
 struct Hub {
   HubSupport support = HubSupport::axle;
   Drive drive = FreeDrive{};
-  Quaternion orientation;        ///< of H in the inertial frame at angle 0, or at t = 0
+  Quaternion orientation;        ///< orientation of H in the inertial frame at angle 0, or at t = 0
   SymmetricTwistMatrix inertia;  ///< M_0 = [m 1, -S~; S~, Theta], about the origin, in H
   double mass = 0.0;             ///< [kg]
-  /// How what holds the axle moves; none: at rest.
+  /// The motion of the axle's mount; none: at rest.
   std::optional<spatial::MountMotion> mount = std::nullopt;
-  Twist velocity = Twist::Zero();  ///< of a free hub at t = 0: inertial frame; rotation in H
+  /// Velocity of a free hub at t = 0: translation in the inertial frame, rotation in H.
+  Twist velocity = Twist::Zero();
 };
 
 /// A force at a point that is fixed to the hub, and a moment, scaled by a function of time.
 struct HubLoad {
-  Position position = Position::Zero();  ///< in H [m]
-  LoadFrame frame = LoadFrame::hub;      ///< in which both are resolved: hub (H) or inertial
-  Position force = Position::Zero();     ///< [N]
-  Angular moment = Angular::Zero();      ///< besides that of the force [N m]
-  double ramp = 0.0;                     ///< see calc_rise() [s]
+  Position position = Position::Zero();  ///< place of the point in H [m]
+  /// Frame in which force and moment are resolved: hub (H) or inertial.
+  LoadFrame frame = LoadFrame::hub;
+  Position force = Position::Zero();  ///< [N]
+  Angular moment = Angular::Zero();   ///< moment besides that of the force [N m]
+  double ramp = 0.0;                  ///< duration of the smooth rise, calc_rise() [s]
   Curve factor{1.0};
 };
 
 /// Whether component `c` of the hub's twist (x, y, z, and about them) is prescribed: on an axle all
 /// but the rotation about z are, and that by a drive that prescribes motion.
 inline bool is_prescribed(const Hub& hub, int c) {
+  assert(c >= 0 && c < kTwist);
   return c == kTwist - 1 ? prescribes_motion(hub.drive) : hub.support == HubSupport::axle;
 }
 
-/// H to the inertial frame, at an angle of the drive [rad], where the mount has not moved.
+/// Returns the rotation from H to the inertial frame at an angle of the drive [rad], without the
+/// mount's motion.
 inline Rotation rotation_of(const Hub& hub, double angle) {
   return make_rotation(hub.orientation) * exponential(Angular(0.0, 0.0, angle));
 }
 inline Angular moment_of(const HubLoad& load) { return load.moment; }
 inline TwistMatrix calc_hub_mass(const Hub& hub) { return hub.inertia.matrix(); }
-/// Of the hub alone, about its axis [kg m^2].
+/// Returns the moment of inertia of the hub alone about its axis [kg m^2].
 inline double axial_inertia(const Hub& hub) { return hub.inertia.rr()(2, 2); }
 /// Adds the forces of the hub's own inertia at zero acceleration.
 inline void add_gyroscopic_force(const Hub& hub, const Twist& twist, Twist& force) {

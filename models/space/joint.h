@@ -10,9 +10,10 @@
 
 namespace spoke::space {
 
-/// What keeps a coordinate of a joint within bounds, smoothly. A distance d beyond a bound, the
-/// force towards it is stiffness d^2/(2 width) up to d = width, stiffness (d - width/2) from there
-/// on. The damper acts as the stiffness does, in the share d/width up to d = width, then whole.
+/// A stop that keeps a coordinate of a joint within bounds, smoothly. At a distance d beyond a
+/// bound, the force towards it is stiffness d^2/(2 width) up to d = width, stiffness (d - width/2)
+/// from there on. The damping sets in likewise: by the factor d/width up to d = width, fully from
+/// there on.
 struct JointStop {
   double lower = -std::numeric_limits<double>::infinity();  ///< [rad, m]
   double upper = std::numeric_limits<double>::infinity();   ///< [rad, m]
@@ -26,42 +27,44 @@ struct JointPrimitive {
   enum class Kind { revolute, prismatic, spherical };
 
   Kind kind = Kind::revolute;
-  /// Its motion is prescribed, and it has no coordinate; not of a spherical one.
+  /// Whether its motion is prescribed, so that it has no coordinate; never so if spherical.
   bool is_driven = false;
-  Position axis = Position::UnitX();  ///< unit vector, in the frame that those before have reached
-  /// Of a spherical one, in which frame its velocity w_J is resolved. Where the child spins about
-  /// its axis of symmetry, w_J is smooth in the parent's.
+  Position axis = Position::UnitX();  ///< unit vector in the frame after the primitives before it
+  /// The frame in which a spherical primitive's velocity w_J is resolved. Where the child spins
+  /// about its axis of symmetry, w_J is smooth in the parent's.
   TurnFrame frame = TurnFrame::child;
-  double stiffness = 0.0;  ///< [N m/rad, N/m]; of a spherical one, towards no rotation
+  double stiffness = 0.0;  ///< [N m/rad, N/m]; spherical: towards no rotation
   double damping = 0.0;    ///< [N m s/rad, N s/m]
-  double rest = 0.0;       ///< coordinate at which the spring is relaxed [rad, m]; not spherical
-  JointStop stop;          ///< not of a spherical one
+  /// Coordinate at which the spring is relaxed [rad, m]; unused if spherical.
+  double rest = 0.0;
+  JointStop stop;  ///< stop of the coordinate; unused if spherical
 
-  /// Components of its velocity.
+  /// Returns the number of components of its velocity.
   int components() const { return kind == Kind::spherical ? kAngular : 1; }
 };
 
 /// A joint leads from a frame on the parent to the child's frame: by a constant offset, then by its
-/// primitives in their order. Their coordinates are numbered in this order; a joint without is
-/// rigid.
+/// primitives in their order. Their coordinates are numbered in this order; a joint without
+/// primitives is rigid.
 struct Joint {
-  /// Components of velocity, free and driven ones together.
+  /// Most components of velocity, free and driven ones together.
   static constexpr int kMost = kTwist;
 
-  Pose offset;  ///< in the frame on the parent
+  Pose offset;  ///< pose of the joint in the frame on the parent
   std::array<JointPrimitive, kMost> primitives{};
   int primitive_count = 0;
-  int coordinates = 0;    ///< n, components that are free
-  int driven = 0;         ///< components that are driven
-  int spherical_at = -1;  ///< first coordinate of its spherical primitive; -1: there is none
-  TurnFrame spherical_frame = TurnFrame::child;  ///< in which the primitive's velocity is resolved
+  int coordinates = 0;    ///< n, number of free components
+  int driven = 0;         ///< number of driven components
+  int spherical_at = -1;  ///< first coordinate of its spherical primitive; -1: it has none
+  /// Frame in which that primitive's velocity is resolved.
+  TurnFrame spherical_frame = TurnFrame::child;
 
   std::span<const JointPrimitive> sequence() const {
     return {primitives.data(), static_cast<std::size_t>(primitive_count)};
   }
 };
 
-/// A joint of at most Joint::kMost components of velocity and one spherical primitive. No
+/// Makes a joint of at most Joint::kMost components of velocity and one spherical primitive. No
 /// coordinate may be a combination of others, as a fourth rotation about one point is.
 Joint make_joint(const Pose& offset, std::span<const JointPrimitive> primitives);
 

@@ -2,6 +2,7 @@
 
 #include "models/space/quaternion.h"
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -10,13 +11,16 @@ namespace spoke::space {
 Quaternion normalize(const Quaternion& Q) { return 1.0 / std::sqrt(Q.squared_norm()) * Q; }
 
 Rotation make_rotation(const Quaternion& Q) {
+  // Of a simulation that diverges no number may be left.
+  assert(!(std::abs(Q.w * Q.w + Q.v.squaredNorm() - 1.0) > 1e-6) && "of unit length");
   Matrix3 m = 2.0 * (Q.v * Q.v.transpose() + skew(Q.w * Q.v));
   m.diagonal().array() += Q.w * Q.w - Q.v.squaredNorm();
   return {m};
 }
 
 Quaternion make_quaternion(const Rotation& R) {
-  // From the largest of the four squares, so that no division is by a small number (Shepperd 1978).
+  // The largest of the four squares comes first, so that no division is by a small number (Shepperd
+  // 1978).
   const Matrix3& m = R.axes;
   const double trace = m.trace();
   int i = 0;

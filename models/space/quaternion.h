@@ -24,27 +24,28 @@ inline Quaternion operator*(double factor, const Quaternion& Q) {
   return {factor * Q.w, factor * Q.v};
 }
 
-/// Of unit length.
+/// Returns the quaternion scaled to unit length.
 Quaternion normalize(const Quaternion& Q);
 
-/// The rotation of a unit quaternion.
+/// Returns the rotation of a unit quaternion.
 Rotation make_rotation(const Quaternion& Q);
 
-/// The unit quaternion of a rotation, with w >= 0.
+/// Returns the unit quaternion of a rotation, with w >= 0.
 Quaternion make_quaternion(const Rotation& R);
 
-/// The unit quaternion of the rotation vector `theta`.
+/// Returns the unit quaternion of the rotation vector `theta`.
 Quaternion make_quaternion(const Angular& theta);
 
-/// The rotation vector of a quaternion, which need not be of unit length, of angle 0 <= t <= pi. (Q
-/// and -Q are one rotation.)
+/// Returns the rotation vector of a quaternion, which need not be of unit length, with an angle 0
+/// <= t <= pi. (Q and -Q are one rotation.)
 Angular logarithm(const Quaternion& Q);
 
-/// Where the angular velocity of B in A, and a rotation vector that turns B, are resolved: in the
-/// child B, or in the parent A.
+/// The frame in which the angular velocity of B in A, and a rotation vector that turns B, are
+/// resolved: the child B, or the parent A.
 enum class TurnFrame { child, parent };
 
-/// Q turned by the rotation vector D: Q exp(D~) in the child's frame, exp(D~) Q in the parent's.
+/// Returns Q turned by the rotation vector D: Q exp(D~) in the child's frame, exp(D~) Q in the
+/// parent's.
 Quaternion turn(const Quaternion& Q, const Angular& D, TurnFrame frame);
 
 /// Q' = 1/2 Q (0, w), w the angular velocity of B in A, resolved in B.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace spoke::space {
 
@@ -11,12 +12,16 @@ Rotation smallest_rotation(const Position& from, const Position& to) {
   const Matrix3 v = skew(cross(from, to));
   const double cosine = from.dot(to);
   assert(cosine > -1.0);
+  assert(std::abs(from.squaredNorm() - 1.0) < 1e-9 && std::abs(to.squaredNorm() - 1.0) < 1e-9);
   return {Matrix3::Identity() + v + v * v / (1.0 + cosine)};
 }
 
 ReferenceCurve::ReferenceCurve(std::vector<Position> points)
     : points_(std::move(points)), curvature_(points_.size(), Position::Zero()) {
   assert(points_.size() > 1);
+  assert(std::adjacent_find(points_.begin(), points_.end(), [](const auto& a, const auto& b) {
+           return !(a.x() < b.x());
+         }) == points_.end());
   // Second derivatives M_k of a natural spline: h_k M_k-1 + 2 (h_k + h_k+1) M_k + h_k+1 M_k+1 =
   // 6 (slope_k+1 - slope_k), and none at the ends. Eliminated from the front.
   const std::size_t n = points_.size();

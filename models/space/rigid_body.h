@@ -8,12 +8,12 @@
 
 namespace spoke::space {
 
-/// In its frame, whose origin is its inboard handle. The inertia must be positive definite: a point
-/// mass, or a rod that does not resist spin, is no body, but an addition to one.
+/// A rigid body in its frame, whose origin is its inboard handle. The inertia must be positive
+/// definite: a point mass, or a rod that does not resist spin, is no body, but an addition to one.
 struct RigidBody {
   double mass = 0.0;                   ///< [kg]
-  Position centre = Position::Zero();  ///< of mass [m]
-  Matrix3 inertia = Matrix3::Zero();   ///< about the centre of mass [kg m^2]
+  Position centre = Position::Zero();  ///< centre of mass [m]
+  Matrix3 inertia = Matrix3::Zero();   ///< inertia about the centre of mass [kg m^2]
   std::vector<Position> outboard;      ///< handles at which children hang [m]
 };
 

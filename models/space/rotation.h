@@ -1,6 +1,6 @@
 #pragma once
 
-// Rotations and poses in space, by the names of the plane's (models/system/plane.h).
+// Rotations and poses in space, by the names of the plane's (models/plane/plane.h).
 
 #include "models/space/vectors.h"
 

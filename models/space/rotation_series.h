@@ -40,7 +40,7 @@ inline constexpr RotationSeries kDSeries = detail::make_d_series();
 inline constexpr RotationSeries kCRateSeries = detail::make_rate_series(4);
 inline constexpr RotationSeries kDRateSeries = detail::make_rate_series(5);
 
-/// Of one x, or of several side by side.
+/// Sums a series for one x, or for several side by side.
 template <class Value>
 [[gnu::always_inline]] inline Value sum_series(const RotationSeries& series, const Value& x) {
   Value sum{};

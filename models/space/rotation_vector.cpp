@@ -3,6 +3,7 @@
 
 #include "models/space/rotation_vector.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "models/space/quaternion.h"
@@ -21,6 +22,7 @@ Matrix3 calc_polynomial(double a, double b, const Angular& theta) {
 }  // namespace
 
 RotationCoefficients calc_rotation_coefficients(double angle_squared) {
+  assert(!(angle_squared < 0.0));
   const double x = angle_squared;
   if (x < 1.0) {
     const double d = sum_series(kDSeries, x), d_rate = sum_series(kDRateSeries, x);
@@ -46,7 +48,7 @@ Matrix3 calc_tangent(const Angular& theta) {
 RotationVectorMotion calc_rotation_vector_motion(const Angular& theta, const Angular& rate) {
   const RotationCoefficients k = calc_rotation_coefficients(theta.squaredNorm());
   const Matrix3 H = calc_polynomial(k.c, k.d, theta);
-  const double stretch = theta.dot(rate);  // t t'
+  const double stretch = theta.dot(rate);  // t t', with t' the rate of t = |theta|
   const Angular once = cross(theta, rate);
   const Angular convective =
       k.c_rate * stretch * once + k.d_rate * stretch * cross(theta, once) + k.d * cross(rate, once);

@@ -13,7 +13,7 @@ namespace spoke::space {
 
 /// Coefficients of a rotation by the angle t, exact to round-off for all angles.
 struct RotationCoefficients {
-  double s, c, d;  ///< as above
+  double s, c, d;  ///< s, c, d of the equations above
   double c_rate;   ///< (s - 2 c) / t^2 = c' / (t t')
   double d_rate;   ///< (c - 3 d) / t^2 = d' / (t t')
 };
@@ -25,8 +25,8 @@ Rotation exponential(const Angular& theta);
 /// H(theta).
 Matrix3 calc_tangent(const Angular& theta);
 
-/// What a rotation vector and its rate [rad/s] make of an orientation R_AB. The angular
-/// acceleration of B in A is H theta'' + convective.
+/// The orientation R_AB and its rates that follow from a rotation vector [rad] and its rate
+/// [rad/s]. The angular acceleration of B in A is H theta'' + convective.
 struct RotationVectorMotion {
   Rotation R;          ///< exp(theta~)
   Matrix3 H;           ///< the tangent map
@@ -35,7 +35,7 @@ struct RotationVectorMotion {
 };
 RotationVectorMotion calc_rotation_vector_motion(const Angular& theta, const Angular& rate);
 
-/// The rotation vector of a rotation, of an angle between 0 and pi.
+/// Returns the rotation vector of a rotation, of an angle between 0 and pi.
 Angular logarithm(const Rotation& R);
 
 }  // namespace spoke::space

@@ -1,9 +1,10 @@
-// Reduces what is known of a section to compliance and mass about its reference point.
+// Reduces the properties of a section to compliance and mass about its reference point.
 
 #include "models/space/section_matrices.h"
 
 #include <Eigen/Dense>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace spoke::space {
@@ -11,7 +12,8 @@ namespace {
 
 double inverse_or_zero(double value) { return value > 0.0 ? 1.0 / value : 0.0; }
 
-/// Strains at the centres (of tension: eps; of shear: gamma) from strains at the reference point.
+/// The map to strains at the centres (of tension: eps; of shear: gamma) from strains at the
+/// reference point.
 TwistMatrix strains_at_centres(const SectionProperties& section) {
   TwistMatrix T = TwistMatrix::Identity();
   T(0, 4) = section.tension_centre_z;
@@ -49,6 +51,8 @@ MassMoments mass_of(const SectionProperties& section) {
 }  // namespace
 
 SectionMatrices reduce(const SectionProperties& section) {
+  assert(section.axial_stiffness > 0.0 && section.torsion_stiffness > 0.0);
+  assert(section.lag_stiffness > 0.0 && section.flap_stiffness > 0.0);
   // The inverse of T, which is 1 plus a nilpotent matrix, is 2 - T.
   const TwistMatrix T_inverse = 2.0 * TwistMatrix::Identity() - strains_at_centres(section);
   SectionMatrices reduced;
@@ -71,6 +75,9 @@ SectionMatrices reduce(const StiffnessAndMass& section) {
 }
 
 MassMoments moments_of(const TwistMatrix& mass) {
+  assert(mass(0, 0) > 0.0);
+  // S_x = 0, and the same mass in all directions.
+  assert(mass(4, 2) == 0.0 && mass(5, 1) == 0.0 && mass(1, 1) == mass(0, 0));
   MassMoments moments;
   moments.mass = mass(0, 0);
   moments.first = Position(0.0, mass(3, 2), -mass(3, 1));
@@ -111,6 +118,7 @@ StiffnessAndMass interpolate(const StiffnessAndMass& a, const StiffnessAndMass& 
 }
 
 TwistMatrix damped_compliance(const TwistMatrix& compliance, const Twist& factors) {
+  assert(factors.minCoeff() >= 0.0);
   using Matrix = Eigen::Matrix<double, kTwist, kTwist>;
   // A section that is rigid in shear has no stiffness matrix: any generalised inverse G, with F G F
   // = F, stands for it. It is taken of F scaled to a unit diagonal, whose rank shows.

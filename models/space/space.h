@@ -1,8 +1,8 @@
 #pragma once
 
-// The world of space: what algorithms that are written once for plane and space take their sizes
-// and types from (see models/system/plane.h). The functions on these types have the names of the
-// plane's (models/system/plane.h) and are found by their arguments.
+// The world of space: sizes and types for algorithms that are written once for plane and space (see
+// models/plane/plane.h). The functions on these types have the names of the plane's
+// (models/plane/plane.h) and are found by their arguments.
 
 #include <optional>
 
@@ -22,7 +22,7 @@ struct TensionPlace;
 struct TreeJoint;
 }  // namespace space
 
-/// Space, as a `World`: the types of what moves in it.
+/// Space, as a `World`: its sizes and types.
 struct Space {
   static constexpr int kPosition = space::kPosition;
   static constexpr int kAngular = space::kAngular;

@@ -15,7 +15,8 @@ struct SymmetricTwistMatrix {
   static SymmetricTwistMatrix from_blocks(const Matrix3& tt, const Matrix3& rt, const Matrix3& rr) {
     return {join_blocks(tt, rt, rr)};
   }
-  /// The symmetric matrix of which `m` holds at least the lower left block and both diagonal ones.
+  /// Returns the symmetric matrix of which `m` holds at least the lower left block and both
+  /// diagonal ones.
   static SymmetricTwistMatrix from_matrix(const TwistMatrix& m) {
     return from_blocks(m.topLeftCorner<3, 3>(), m.bottomLeftCorner<3, 3>(),
                        m.bottomRightCorner<3, 3>());
@@ -34,12 +35,12 @@ struct SymmetricTwistMatrix {
   Twist operator*(const Twist& v) const { return multiply(all, v); }
 };
 
-/// R A R^T: a matrix resolved in frame B, to frame A.
+/// R A R^T: converts a matrix resolved in frame B to frame A.
 inline SymmetricTwistMatrix rotate(const Rotation& R, const SymmetricTwistMatrix& a) {
   return {turn_both(R.axes, a.all)};
 }
 
-/// T^T A T with T = [1, -p~; 0, 1]: a mass at a bracket, as felt at the point from which p leads
+/// T^T A T with T = [1, -p~; 0, 1]: refers a mass at a bracket to the point from which p leads
 /// there.
 inline SymmetricTwistMatrix translate(const Position& p, const SymmetricTwistMatrix& a) {
   const Matrix3 a_rt = a.rt();
@@ -50,8 +51,8 @@ inline SymmetricTwistMatrix translate(const Position& p, const SymmetricTwistMat
       a.rr() + cross_columns(p, a_rt.transpose()) + cross_columns(p, rt.transpose()).transpose());
 }
 
-/// X A X^T with X = [1, p~; 0, 1]: a compliance at a bracket, referred to the point from which p
-/// leads there. The inverse of what translate() makes of the inverse.
+/// X A X^T with X = [1, p~; 0, 1]: refers a compliance at a bracket to the point from which p leads
+/// there. It is the inverse of translate() applied to the inverse.
 inline SymmetricTwistMatrix refer(const Position& p, const SymmetricTwistMatrix& a) {
   const Matrix3 a_rt = a.rt(), rr = a.rr();
   const Matrix3 once = cross_columns(p, a_rt);
@@ -67,16 +68,17 @@ inline SymmetricTwistMatrix subtract_square(const SymmetricTwistMatrix& a, const
   return {a.all - scaled.lazyProduct(y.transpose())};
 }
 
-/// Inverse of a positive definite matrix. Not finite if it is singular. The mean of both halves
-/// is symmetric to the bit: what rounding leaves would grow from joint to joint.
+/// Returns the inverse of a positive definite matrix; not finite if it is singular. The mean of
+/// both halves is symmetric to the bit: an asymmetry due to rounding would grow from joint to
+/// joint.
 inline SymmetricTwistMatrix invert(const SymmetricTwistMatrix& a) {
   return {symmetric_mean(invert_definite(a.all))};
 }
 
-/// C - A B A^T: what eliminating a joint of compliance B^-1 leaves of C.
+/// C - A B A^T: C after the elimination of a joint of compliance B^-1.
 inline SymmetricTwistMatrix eliminate(const SymmetricTwistMatrix& c, const TwistMatrix& a,
                                       const SymmetricTwistMatrix& b) {
-  // Of one half, for the same reason.
+  // Only one half is computed, for the reason of invert().
   return {subtract_symmetric_product(c.all, multiply(a, b.all), a)};
 }
 

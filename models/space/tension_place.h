@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tension in a body follows from.
+// The place of a body in its tree, and the masses it carries: data that give the tension in it.
 
 #include <vector>
 
@@ -8,20 +8,23 @@
 
 namespace spoke::space {
 
-/// What elements carry besides the mass of their own body: all that hangs at nodes further out.
+/// The mass that elements carry besides that of their own body: all bodies that hang at nodes
+/// further out.
 struct CarriedMass {
-  int end = 0;                         ///< of the elements before this one that no other holds for
-  Position moment = Position::Zero();  ///< first moment about the centre of rotation [kg m]
-  double mass = 0.0;                   ///< [kg]
+  /// End of the elements it holds for, from the end of the entry before.
+  int end = 0;
+  /// First moment of that mass about the centre of rotation [kg m].
+  Position moment = Position::Zero();
+  double mass = 0.0;  ///< [kg]
 };
 
-/// Where a body stands in its tree, undeformed and with joint coordinates zero, seen from the
-/// centre of rotation, which is the hub's origin on an axle, and the mass centre of the whole where
-/// the hub flies: from this follows the tension that the hub's rotation and gravity put on it.
+/// The place of a body in its tree, undeformed and with joint coordinates zero, relative to the
+/// centre of rotation: that is the hub's origin on an axle, and the mass centre of the whole where
+/// the hub is free. The tension due to the hub's rotation and gravity follows from it.
 struct TensionPlace {
-  Rotation R_HB;                       ///< from B to the hub frame H
-  Position origin = Position::Zero();  ///< of B, from the centre of rotation, in B [m]
-  /// From the root outward, in B; the last ends with the body's elements.
+  Rotation R_HB;                       ///< rotation from B to the hub frame H
+  Position origin = Position::Zero();  ///< origin of B from the centre of rotation, in B [m]
+  /// Carried masses from the root outward, in B; the last ends with the body's elements.
   std::vector<CarriedMass> carried;
 };
 

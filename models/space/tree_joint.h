@@ -1,6 +1,6 @@
 #pragma once
 
-// A joint of a tree in space, with what moves and loads it over time.
+// A joint of a tree in space, with its prescribed motions and efforts over time.
 
 #include <optional>
 #include <variant>
@@ -11,8 +11,8 @@
 
 namespace spoke::space {
 
-/// What the embedding program has said of a driven component, from a time on: value + rate s +
-/// acceleration s^2/2, s = t - since.
+/// The motion that the embedding program has set for a driven component, from a time on: value +
+/// rate s + acceleration s^2/2, s = t - since.
 struct SaidMotion {
   double since = 0.0;         ///< [s]
   double value = 0.0;         ///< [rad, m]
@@ -25,8 +25,8 @@ using DrivenMotion = std::variant<spatial::MotionTable, spatial::AzimuthMotion, 
 
 /// The course of a joint's driven components and of the forces on its coordinates.
 struct JointCourse {
-  std::vector<DrivenMotion> driven;   ///< by driven component
-  std::vector<Curve> efforts;         ///< by coordinate: motors [N m, N]; none: no motors
+  std::vector<DrivenMotion> driven;   ///< motion by driven component
+  std::vector<Curve> efforts;         ///< motor by coordinate [N m, N]; none: no motors
   double azimuth = 0.0;               ///< added to the hub's angle for AzimuthMotion [rad]
   std::vector<double> initial;        ///< coordinates at t = 0 [rad, m]
   std::vector<double> initial_speed;  ///< [rad/s, m/s]
@@ -36,14 +36,15 @@ struct JointCourse {
 /// bending draws them inward, but slides: along them they feel the force on the coordinate alone.
 struct JointSlide {
   int coordinate = 0;
-  Position axis = Position::UnitX();  ///< in H, undeformed and with joint coordinates zero
+  /// Direction of sliding in H, undeformed and with joint coordinates zero.
+  Position axis = Position::UnitX();
 };
 
 /// A joint of a tree.
 struct TreeJoint {
   Joint joint;
   JointCourse course;
-  std::optional<JointSlide> slide;  ///< if it has such a coordinate
+  std::optional<JointSlide> slide;  ///< the slide, if the joint has such a coordinate
 };
 
 }  // namespace spoke::space

@@ -50,7 +50,7 @@ struct TwistColumn {
   }
 };
 
-/// The columns of a map.
+/// The six columns of a map.
 struct TwistColumns {
   TwistColumn at[kTwist];
 
@@ -118,8 +118,8 @@ inline TwistMatrix add_product(const TwistMatrix& C, const TwistMatrix& A, const
   return D;
 }
 
-/// The symmetric matrix C - A B^T, if C and A B^T are symmetric: the lower left block stands for
-/// the upper right one, too.
+/// Returns the symmetric matrix C - A B^T, if C and A B^T are symmetric: the lower left block
+/// stands for the upper right one, too.
 inline TwistMatrix subtract_symmetric_product(const TwistMatrix& C, const TwistMatrix& A,
                                               const TwistMatrix& B) {
   const TwistColumns a(A);
@@ -135,7 +135,7 @@ inline TwistMatrix subtract_symmetric_product(const TwistMatrix& C, const TwistM
   return D;
 }
 
-/// What a map of three components makes of one half of a twist, or of both.
+/// A map of three components, applied to one half of a twist or to both.
 struct HalfMap {
   const Matrix3& R;
 
@@ -196,11 +196,13 @@ inline TwistMatrix turn_columns(const TwistMatrix& A, const Matrix3& H) {
   return turned;
 }
 
-/// Inverse of a symmetric positive definite map by Gauss and Jordan's elimination in place, two
-/// columns at a time, which needs no search for pivots. Not finite if it is singular.
+/// Returns the inverse of a symmetric positive definite map by Gauss and Jordan's elimination in
+/// place, two columns at a time, which needs no search for pivots. It is not finite if the map is
+/// singular.
 ///
-/// Of the pivot's columns u, v and its inverse Q, all other columns m become m - (u, v) Q m_P, with
-/// Q m_P in its rows P, and the own ones -(u, v) Q, with Q there.
+/// With u, v the pivot's columns and Q the inverse of its block, each other column m becomes m -
+/// (u, v) Q m_P, with Q m_P in its rows P; the pivot's own columns become -(u, v) Q, with Q in rows
+/// P.
 inline TwistColumns invert_definite(const TwistMatrix& A) {
   TwistColumns m(A);
   unroll<kTwist / 2>([&m](auto pivot) __attribute__((always_inline)) {

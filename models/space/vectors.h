@@ -34,14 +34,14 @@ inline Twist make_twist(const Position& translation, const Angular& rotation) {
   return v;
 }
 
-/// The matrix a~ with a~ b = a x b.
+/// Returns the matrix a~ with a~ b = a x b.
 inline Matrix3 skew(const Position& a) {
   Matrix3 m;
   m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
   return m;
 }
 
-/// a~ m: a x every column of m.
+/// a~ m: the cross products of a with every column of m.
 inline Matrix3 cross_columns(const Position& a, const Matrix3& m) {
   Matrix3 result;
   result.row(0) = a.y() * m.row(2) - a.z() * m.row(1);
@@ -69,10 +69,10 @@ space::Position cross(const Eigen::MatrixBase<W>& w, const Eigen::MatrixBase<R>&
           a.x() * b.y() - a.y() * b.x()};
 }
 
-/// Translational components of a twist.
+/// Returns the translational components of a twist.
 inline auto linear(const space::Twist& v) { return v.head<space::kPosition>(); }
 inline auto linear(space::Twist& v) { return v.head<space::kPosition>(); }
-/// Rotational components of a twist.
+/// Returns the rotational components of a twist.
 inline auto angular(const space::Twist& v) { return v.tail<space::kAngular>(); }
 inline auto angular(space::Twist& v) { return v.tail<space::kAngular>(); }
 
@@ -85,10 +85,10 @@ space::Position centripetal(const Eigen::MatrixBase<W>& w, const Eigen::MatrixBa
 inline space::Twist make_wrench(const space::Position& force, const space::Angular& moment) {
   return space::make_twist(force, moment);
 }
-/// The rotary part of a mass matrix.
+/// Returns the rotary part of a mass matrix.
 inline auto rotary(space::TwistMatrix& m) { return m.bottomRightCorner<3, 3>(); }
 
-/// T^T f with T = [1, -p~; 0, 1]: a wrench at a bracket, as felt at the point from which p leads
+/// T^T f with T = [1, -p~; 0, 1]: refers a wrench at a bracket to the point from which p leads
 /// there.
 template <ColumnOf<space::kPosition> P, ColumnOf<space::kTwist> F>
 space::Twist translate(const Eigen::MatrixBase<P>& p, const Eigen::MatrixBase<F>& f) {
@@ -98,7 +98,7 @@ space::Twist translate(const Eigen::MatrixBase<P>& p, const Eigen::MatrixBase<F>
 }
 
 /// X a with X = [1, p~; 0, 1] = T^-1: the acceleration of a bracket, referred to the point from
-/// which p leads there. Linear: without what the rotation of p adds.
+/// which p leads there. It is linear: the centripetal term of a rotating p is not included.
 template <ColumnOf<space::kPosition> P, ColumnOf<space::kTwist> A>
 space::Twist refer(const Eigen::MatrixBase<P>& p, const Eigen::MatrixBase<A>& a) {
   space::Twist referred = a;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Loops over few places that compilers are to write out, so that places are constants: what is zero
-// or equal at some of them then costs nothing.
+// Unrolled loops over a few places, so that places are constants: entries that are zero or equal at
+// some of them then cost nothing.
 
 #include <type_traits>
 #include <utility>

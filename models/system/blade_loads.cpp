@@ -3,9 +3,10 @@
 #include "models/system/blade_loads.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
-#include "models/system/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -17,9 +18,9 @@ struct Mesh {
         count(blade.bodies * blade.elements),
         length(blade.length / count) {}
 
-  int elements;   ///< of a body
-  int count;      ///< of the blade
-  double length;  ///< of each [m]
+  int elements;   ///< elements of a body
+  int count;      ///< elements of the blade
+  double length;  ///< length of each element [m]
 };
 
 /// A point on the body that it lies on.
@@ -28,15 +29,16 @@ struct PlacedPoint {
   LoadPoint point;
 };
 
-/// `s` within element `e` of the blade.
+/// Returns the point at `s` within element `e` of the blade.
 PlacedPoint place(int e, double s, double weight, const Mesh& mesh) {
+  assert(e >= 0 && e < mesh.count && s >= -1e-9 && s <= 1.0 + 1e-9);
   const int element = e % mesh.elements;
   return {static_cast<std::size_t>(e / mesh.elements),
           {element, s, (element + s) * mesh.length, weight}};
 }
 
-/// A distance from the root. Within round-off of a node that is the node, and of two elements that
-/// meet there the inner one.
+/// Returns the point at a distance from the root; within round-off of a node it is the node, in the
+/// inner one of the elements that meet there.
 PlacedPoint place(double position, const Mesh& mesh) {
   const double along = position / mesh.length;
   const double node = std::round(along);
@@ -48,7 +50,7 @@ PlacedPoint place(double position, const Mesh& mesh) {
   return place(e, along - e, 1.0, mesh);
 }
 
-/// The points between two stations, root to tip.
+/// Returns the points between two stations, root to tip.
 std::vector<PlacedPoint> place(double from, double to, const Mesh& mesh) {
   std::vector<PlacedPoint> points;
   const int first = std::max(0, static_cast<int>(from / mesh.length) - 1);
@@ -58,9 +60,9 @@ std::vector<PlacedPoint> place(double from, double to, const Mesh& mesh) {
     if (share <= 1e-9) continue;  // round-off
     const double inboard = (e % mesh.elements + begin) * mesh.length;
     const std::array<double, 2> stretch{inboard, inboard + share * mesh.length};
-    for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
-      points.push_back(place(e, begin + GaussRule::places[k] * share,
-                             GaussRule::weights[k] * share * mesh.length, mesh));
+    for (std::size_t k = 0; k < GaussRule<4>::kPoints; ++k) {
+      points.push_back(place(e, begin + GaussRule<4>::places[k] * share,
+                             GaussRule<4>::weights[k] * share * mesh.length, mesh));
       points.back().point.stretch = stretch;
     }
   }
@@ -102,6 +104,7 @@ void add_drag(const Drag& drag, const Mesh& mesh, double tip,
 }  // namespace
 
 std::vector<BodyLoads<Plane>> make_body_loads(const Rotor& rotor, std::size_t index) {
+  assert(index < rotor.blades.size());
   const Blade& blade = rotor.blades[index];
   const Mesh mesh(blade);
   const double tip = blade.length;

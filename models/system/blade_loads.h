@@ -1,33 +1,33 @@
 #pragma once
 
-// Where the loads of a rotor act on its bodies.
+// The places where the loads of a rotor act on its bodies.
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
+#include "models/plane/plane.h"
 #include "models/rotor.h"
 #include "models/space/space.h"
 #include "models/spatial_model.h"
-#include "models/system/plane.h"
 
 namespace spoke {
 
 /// A point of a body at which a load acts, by the shape functions there.
 struct LoadPoint {
-  int element = 0;      ///< of the body
-  double s = 0.0;       ///< within the element, 0 at its inboard end, 1 at the outboard end
+  int element = 0;      ///< element of the body
+  double s = 0.0;       ///< place within the element, 0 at its inboard end, 1 at the outboard end
   double x = 0.0;       ///< undeformed place in the body frame [m]
-  double weight = 1.0;  ///< of a point load 1, else the length that the point stands for [m]
-  /// Of a load per length: between which places the points of one GaussRule lie, this among them,
-  /// in the body frame [m]. Of a point load nothing.
+  double weight = 1.0;  ///< 1 for a point load, else the length that the point stands for [m]
+  /// Ends of the stretch over which the point's Gauss rule goes, for a load per length, in the body
+  /// frame [m]; zero for a point load.
   std::array<double, 2> stretch{};
 
   bool is_per_length() const { return stretch[1] > stretch[0]; }
 };
 
-/// A load's factor over time.
+/// The course of a load over time.
 struct LoadCourse {
   Curve factor;
   double ramp = 0.0;  ///< [s]
@@ -48,19 +48,21 @@ struct BodyLoad {
 /// A force and a moment on one body in space.
 template <>
 struct BodyLoad<Space> {
-  /// Where it acts, as LoadPoint; on a rigid body at `place` in its frame [m].
+  /// A point where the load acts, as LoadPoint; on a rigid body it is `place` in the body's frame
+  /// [m].
   struct Point {
     int element = 0;
     double s = 0.0;
     double weight = 1.0;
     space::Position place = space::Position::Zero();
-    /// Of a load per length: between which places of the element the points of one GaussRule lie,
-    /// this among them, and the beam's length between them [m]. Of a point load nothing.
+    /// Ends of the stretch within the element over which the point's Gauss rule goes, and the
+    /// beam's length between them [m], for a load per length; zero for a point load.
     double begin = 0.0, end = 0.0;
     double length = 0.0;
   };
   std::vector<Point> points;
-  /// In which both are resolved: hub is H, body is B, section the axes of the loaded section.
+  /// Frame in which force and moment are resolved: hub is H, body is B, section the axes of the
+  /// loaded section.
   spatial::LoadFrame frame = spatial::LoadFrame::hub;
   space::Position force = space::Position::Zero();  ///< [N], or [N/m]
   space::Angular moment = space::Angular::Zero();   ///< [N m], or [N]
@@ -77,16 +79,16 @@ struct BodyDrag {
   std::shared_ptr<const LoadCourse> course;
 };
 
-/// What acts on one body.
+/// The loads and drags on one body.
 template <class World>
 struct BodyLoads {
   std::vector<BodyLoad<World>> loads;
   std::vector<BodyDrag<World>> drags;
 };
 
-/// The loads and drags of a rotor on the bodies of blade `index`, root to tip. What is per
-/// length acts at the points of Gauss's rule of four in each element, or part of one: by the shape
-/// functions that is the exact integral of a load that is constant, and of linear drag.
+/// Makes the loads and drags of a rotor on the bodies of blade `index`, root to tip. Loads per
+/// length act at the points of Gauss's rule of four in each element, or part of one: with the shape
+/// functions, that integrates a constant load and linear drag exactly.
 std::vector<BodyLoads<Plane>> make_body_loads(const Rotor& rotor, std::size_t index);
 
 }  // namespace spoke

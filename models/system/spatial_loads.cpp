@@ -3,10 +3,11 @@
 #include "models/system/spatial_loads.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string>
 #include <variant>
 
-#include "models/system/gauss_rule.h"
+#include "models/support/gauss_rule.h"
 
 namespace spoke {
 namespace {
@@ -28,7 +29,7 @@ class Target {
     }
   }
   bool is_there() const { return is_there_; }
-  /// Of the bodies into which a beam is cut, all have its name.
+  /// Whether a load is on a body; all bodies into which a beam is cut have the beam's name.
   bool holds(const spatial::TreeBody& body) const {
     if (place_.subsystem.empty()) return true;
     return body.name == place_.body || body.name.starts_with(place_.body + " / body ");
@@ -43,13 +44,15 @@ std::shared_ptr<const LoadCourse> course_of(double ramp, const Curve& factor) {
   return std::make_shared<const LoadCourse>(LoadCourse{factor, ramp});
 }
 
-/// The element of a body that holds a station of its beam.
+/// Returns the element of a body that holds a station of its beam.
 std::size_t element_at(const FlexibleBody& body, double station) {
+  assert(body.nodes.size() > 1);
   const auto after = std::upper_bound(body.nodes.begin() + 1, body.nodes.end() - 1, station);
   return static_cast<std::size_t>(after - body.nodes.begin()) - 1;
 }
 
 Point point_at(const FlexibleBody& body, std::size_t element, double station, double weight) {
+  assert(element + 1 < body.nodes.size());
   const double begin = body.nodes[element], end = body.nodes[element + 1];
   return {static_cast<int>(element), (station - begin) / (end - begin), weight};
 }
@@ -58,7 +61,7 @@ double end_of(const spatial::Tree& tree, const FlexibleBody& body) {
   return tree.beams[body.beam].length;
 }
 
-/// A load at a place between two bodies acts on the inner one.
+/// Whether a body carries a load at a station; between two bodies, the inner one does.
 bool carries(const FlexibleBody& body, double station) {
   const bool is_first = body.nodes.front() == 0.0;
   return station <= body.nodes.back() &&
@@ -99,9 +102,9 @@ void add_distributed_load(const spatial::DistributedLoad& load, const spatial::T
       if (length <= 0.0) continue;
       const double from = point_at(*body, e, begin, 0.0).s;
       const double end = point_at(*body, e, begin + length, 0.0).s;
-      for (std::size_t k = 0; k < GaussRule::kPoints; ++k) {
+      for (std::size_t k = 0; k < GaussRule<4>::kPoints; ++k) {
         Point& point = made.points.emplace_back(point_at(
-            *body, e, begin + GaussRule::places[k] * length, GaussRule::weights[k] * length));
+            *body, e, begin + GaussRule<4>::places[k] * length, GaussRule<4>::weights[k] * length));
         point.begin = from;
         point.end = end;
         point.length = length;
@@ -116,6 +119,7 @@ void add_distributed_load(const spatial::DistributedLoad& load, const spatial::T
 std::vector<std::vector<BodyLoad<Space>>> make_body_loads(const spatial::Model& model,
                                                           const spatial::Tree& tree,
                                                           std::size_t index) {
+  assert(index < model.blades.size() + model.subsystems.size());
   LoadsByBody loads(tree.bodies.size());
   for (const spatial::PointLoad& load : model.loads) {
     const Target target(model, load.place, index);
@@ -129,6 +133,7 @@ std::vector<std::vector<BodyLoad<Space>>> make_body_loads(const spatial::Model& 
 }
 
 BodyLoad<Space> take_outboard(const BodyLoad<Space>& load, double along) {
+  assert(along >= 0.0);
   constexpr double kSlack = 1e-9;
   BodyLoad<Space> taken = load;
   taken.points.clear();
@@ -138,12 +143,12 @@ BodyLoad<Space> take_outboard(const BodyLoad<Space>& load, double along) {
       if (point.element + point.s >= along - kSlack) taken.points.push_back(point);
       continue;
     }
-    // A stretch that the place parts: the points of the rule on the rest of it.
+    // The place parts this stretch: the rule's points are put on the rest of it.
     const double cut = std::max(point.begin, along - point.element);
     if (cut >= point.end - kSlack) continue;
-    const std::size_t of_rule = k % GaussRule::kPoints;
+    const std::size_t of_rule = k % GaussRule<4>::kPoints;
     const double share = (point.end - cut) / (point.end - point.begin);
-    point.s = cut + GaussRule::places[of_rule] * (point.end - cut);
+    point.s = cut + GaussRule<4>::places[of_rule] * (point.end - cut);
     point.weight *= share;
     taken.points.push_back(point);
   }

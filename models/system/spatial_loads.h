@@ -1,6 +1,6 @@
 #pragma once
 
-// Where the loads of a model in space act on the bodies of its trees.
+// The places where the loads of a model in space act on the bodies of its trees.
 
 #include <vector>
 
@@ -10,15 +10,15 @@
 
 namespace spoke {
 
-/// The loads on each body of tree number `index`, of a model's trees in their order; forces in the
-/// frames of the description. What is per length acts at the points of Gauss's rule of four in each
-/// element, or part of one, by the length along the beam's x axis.
+/// Returns the loads on each body of tree number `index`, of a model's trees in their order; forces
+/// are in the frames of the description. Loads per length act at the points of Gauss's rule of four
+/// in each element, or part of one, weighted by the length along the beam's x axis.
 std::vector<std::vector<BodyLoad<Space>>> make_body_loads(const spatial::Model& model,
                                                           const spatial::Tree& tree,
                                                           std::size_t index);
 
-/// A load on a beam, as far as it acts at a place of its body, in elements from the inboard end,
-/// and outboard of it; without points if nowhere.
+/// Returns the part of a load on a beam that acts at a place of its body, given in elements from
+/// the inboard end, and outboard of it; without points if there is none.
 BodyLoad<Space> take_outboard(const BodyLoad<Space>& load, double along);
 
 }  // namespace spoke

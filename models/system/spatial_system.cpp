@@ -1,8 +1,9 @@
-// Trees of a description, as trees of bodies with their constants.
+// Makes subsystems with their constants out of the trees of a description.
 
 #include "models/system/spatial_system.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -26,7 +27,8 @@ space::Pose pose_of(const Placement& placement) {
   return {placement.position, {placement.rotation}};
 }
 
-/// The hub's frame H, whose z axis is that of the drive, to that of the description.
+/// Returns the rotation from the hub's frame H, whose z axis is that of the drive, to the hub's
+/// frame in the description.
 space::Rotation axis_rotation(const spatial::Hub& hub) {
   return {spatial::rotor_placement(hub).rotation};
 }
@@ -64,7 +66,7 @@ class Beams {
  public:
   using Pointer = std::shared_ptr<const space::Beam>;
 
-  /// `beam` must outlive this.
+  /// Finds or makes a beam. `beam` must outlive this.
   Pointer find_or_make(const spatial::Beam& beam) {
     const auto at = std::find_if(beams_.begin(), beams_.end(),
                                  [&beam](const auto& made) { return *made.first == beam; });
@@ -72,7 +74,7 @@ class Beams {
     auto made = std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0));
     return beams_.emplace_back(&beam, std::move(made)).second;
   }
-  /// The body between the first and the last of its nodes, which are stations of the beam.
+  /// Returns the body between the first and the last of its nodes, which are stations of the beam.
   std::shared_ptr<const space::Body> find_or_make_body(const Pointer& beam,
                                                        const std::vector<double>& nodes,
                                                        ReferenceFrame frame,
@@ -85,14 +87,15 @@ class Beams {
   }
 
  private:
-  /// The beam has one reference frame.
+  /// A beam has one reference frame, which the key therefore lacks.
   using Key = std::tuple<const space::Beam*, std::vector<double>, std::vector<int>>;
 
   std::vector<std::pair<const spatial::Beam*, Pointer>> beams_;
   std::map<Key, std::shared_ptr<const space::Body>> bodies_;
 };
 
-/// Makes the subsystem of one tree. `centre`: about which the undeformed model turns freely, in H.
+/// Makes the subsystem of one tree. `centre`: the point in H about which the undeformed model turns
+/// freely.
 class SubsystemMaker {
  public:
   SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis,
@@ -105,7 +108,7 @@ class SubsystemMaker {
     for (const spatial::Beam& beam : tree.beams) beams_.push_back(made.find_or_make(beam));
   }
 
-  /// `loads`: by body, as the description resolves them.
+  /// Makes the subsystem. `loads`: by body, as the description resolves them.
   Subsystem<Space> make(std::vector<std::vector<BodyLoad<Space>>> loads) {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
@@ -126,7 +129,7 @@ class SubsystemMaker {
     return std::get_if<spatial::FlexibleBody>(&body(j).shape);
   }
 
-  /// A body's frame B in the frame that the description has for it.
+  /// Returns a body's frame B in the body's frame of the description.
   space::Rotation frame_of(std::size_t j) const {
     const space::FlexibleBody* flexible = made_.bodies[j].body->flexible();
     return flexible ? flexible->pose.R : space::Rotation{};
@@ -136,7 +139,7 @@ class SubsystemMaker {
     space::Pose pose;
     space::Position operator*(const space::Position& p) const { return pose.p + pose.R * p; }
   };
-  /// A body's frame B in H, joint coordinates zero.
+  /// Returns a body's frame B in H, joint coordinates zero.
   Place place_of(std::size_t j) const {
     const space::Pose at = pose_of(placements_[j]);
     return {{to_axis_ * at.p, to_axis_ * at.R * frame_of(j)}};
@@ -146,7 +149,7 @@ class SubsystemMaker {
     return made.flexible() ? made.flexible()->nodes.back() : made.rigid()->centre;
   }
 
-  /// Children of a body in the order of the nodes that they hang at.
+  /// Finds the children of a body in the order of the nodes that they hang at.
   void find_children(std::size_t j) {
     TreeBody<Space>& made = made_.bodies.emplace_back();
     made.parent = body(j).parent;
@@ -222,8 +225,8 @@ class SubsystemMaker {
     return part && tree_.beams[part->beam].geometric_stiffening;
   }
 
-  /// The coordinate of a joint that slides, and its axis in the parent's frame. It must not turn
-  /// with other coordinates.
+  /// Finds the coordinate of a joint that slides, and its axis in the parent's frame. It must not
+  /// turn with other coordinates.
   std::optional<space::JointSlide> find_free_slide(const space::Joint& joint) const {
     using Kind = space::JointPrimitive::Kind;
     std::optional<space::JointSlide> slide;
@@ -245,8 +248,8 @@ class SubsystemMaker {
     return slide;
   }
 
-  /// Whether the joint that carries a body slides along bodies inboard; none of them may lie askew
-  /// to it, or be bent.
+  /// Finds whether the joint that carries a body slides along bodies inboard, none of which may be
+  /// at an angle to it, or bent.
   std::optional<space::JointSlide> find_slide(std::size_t j) const {
     const TreeBody<Space>& body = made_.bodies[j];
     if (body.parent < 0) return {};
@@ -265,7 +268,8 @@ class SubsystemMaker {
     return is_along ? slide : std::nullopt;
   }
 
-  /// Mass and first moment of all that a joint hands on to a body along an axis.
+  /// Returns mass and first moment of all bodies whose inertia a joint hands on to a body along an
+  /// axis.
   spatial::MassProperties calc_branch_along(
       std::size_t c, const space::Position& axis,
       const std::vector<spatial::MassProperties>& bodies) const {
@@ -277,7 +281,8 @@ class SubsystemMaker {
     return branch;
   }
 
-  /// Of each body: mass and first moment about the hub, in the description's frame of the hub.
+  /// Returns for each body its mass and first moment about the hub, in the description's frame of
+  /// the hub.
   std::vector<spatial::MassProperties> calc_masses() const {
     std::vector<spatial::MassProperties> masses;
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
@@ -285,7 +290,7 @@ class SubsystemMaker {
     return masses;
   }
 
-  /// The same with all that each carries.
+  /// Returns for each body its mass and first moment together with those of all bodies it carries.
   std::vector<spatial::MassProperties> sum_branches(
       std::vector<spatial::MassProperties> branches) const {
     for (std::size_t j = branches.size(); j-- > 0;)
@@ -294,13 +299,13 @@ class SubsystemMaker {
     return branches;
   }
 
-  /// What the elements of a body carry, in B: each child hangs at a node of its own or a shared
-  /// one.
+  /// Finds the masses that the elements of a body carry, in B: each child hangs at a node of its
+  /// own or a shared one.
   std::vector<space::CarriedMass> find_carried(
       std::size_t j, const space::Rotation& to_body,
       const std::vector<spatial::MassProperties>& branches) const {
-    const std::vector<int>& children = made_.bodies[j].children;  // from the root outward
-    std::vector<space::CarriedMass> carried;                      // from the tip inward
+    const std::vector<int>& children = made_.bodies[j].children;  // children from the root outward
+    std::vector<space::CarriedMass> carried;                      // masses from the tip inward
     carried.push_back({static_cast<int>(flexible(j)->nodes.size()) - 1});
     for (auto c = children.rbegin(); c != children.rend(); ++c) {
       const auto child = static_cast<std::size_t>(*c);
@@ -329,7 +334,7 @@ class SubsystemMaker {
       if (!is_stiffened(j)) continue;
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
-      std::vector<spatial::MassProperties> along;  // only where something slides
+      std::vector<spatial::MassProperties> along;  // used only where something slides
       for (std::size_t c = 0; slides && c < branches.size(); ++c)
         along.push_back(calc_branch_along(c, pose.R.axes.col(0), masses));
       made_.bodies[j].stiffening =
@@ -338,7 +343,7 @@ class SubsystemMaker {
     }
   }
 
-  /// Takes their vectors to H and B.
+  /// Adds the loads on a body, their vectors turned to H and B.
   void add_loads(std::size_t j, std::vector<BodyLoad<Space>> loads) {
     for (BodyLoad<Space>& load : loads) {
       space::Rotation R;
@@ -353,13 +358,14 @@ class SubsystemMaker {
   const spatial::Tree& tree_;
   space::Rotation to_axis_;
   space::Position centre_;
-  std::vector<Placement> placements_;  ///< in the frame of the description's hub
+  /// Placements of bodies in the frame of the description's hub.
+  std::vector<Placement> placements_;
   Beams& shared_;
-  std::vector<Beams::Pointer> beams_;  ///< of the tree
+  std::vector<Beams::Pointer> beams_;  ///< beams of the tree
   Subsystem<Space> made_;
 };
 
-/// The centre of mass of a model, undeformed and with joint coordinates zero, in H [m].
+/// Returns the centre of mass of a model, undeformed and with joint coordinates zero, in H [m].
 space::Position find_mass_centre(const spatial::Hub& hub, const std::vector<spatial::Tree>& trees,
                                  const space::Rotation& to_axis) {
   double mass = hub.mass, extent = 0.0;
@@ -374,12 +380,12 @@ space::Position find_mass_centre(const spatial::Hub& hub, const std::vector<spat
       extent += body.first_moment.norm();
     }
   }
-  // Where the trees balance one another, nothing is left but round-off.
+  // Where the trees balance one another, only round-off remains.
   if (moment.norm() <= 1e-12 * extent) return space::Position::Zero();
   return to_axis * space::Position(moment / mass);
 }
 
-/// A hub that is free in space has no azimuth.
+/// Refuses motions by the azimuth where the hub is free in space: it has none.
 void require_azimuth(const System<Space>& system) {
   if (system.hub.support == HubSupport::axle) return;
   for (const Subsystem<Space>& subsystem : system.subsystems)
@@ -394,6 +400,10 @@ void require_azimuth(const System<Space>& system) {
 }  // namespace
 
 System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees) {
+  assert(trees.size() == model.blades.size() + model.subsystems.size());
+  assert(std::all_of(trees.begin(), trees.end(), [](const spatial::Tree& tree) {
+    return !tree.bodies.empty() && tree.bodies.front().parent < 0;
+  }));
   const space::Rotation to_axis = axis_rotation(model.hub).inverse();
   System<Space> system;
   system.hub = make_hub(model.hub);

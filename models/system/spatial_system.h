@@ -1,6 +1,6 @@
 #pragma once
 
-// From the description of a model in space to the constants that the engine works on.
+// Makes the constants that the engine works on out of the description of a model in space.
 
 #include "models/space/body.h"
 #include "models/space/hub.h"
@@ -13,9 +13,9 @@
 
 namespace spoke {
 
-/// Builds the constants of a model, which equal beams share; its trees are those of build_trees().
-/// Preconditions: check_model() accepts it; each subsystem has one body on the hub. Throws
-/// InputError where a joint follows the azimuth of a hub that is free in space.
+/// Builds the constants of a model; equal beams share them, and the trees are those of
+/// build_trees(). Preconditions: check_model() accepts it; each subsystem has one body on the hub.
+/// Throws InputError where a joint follows the azimuth of a hub that is free in space.
 System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees);
 System<Space> make_system(const spatial::Model& model);
 

@@ -2,11 +2,12 @@
 
 #include "models/system/system.h"
 
+#include <cassert>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "models/system/beam_elements.h"
+#include "models/plane/beam_elements.h"
 
 namespace spoke {
 namespace {
@@ -14,75 +15,78 @@ namespace {
 /// Makes constants once per distinct set of properties, so that equal bodies share them.
 class BodyCatalogue {
  public:
-  std::shared_ptr<const FlexibleBody> body(const BeamProperties& beam) {
+  std::shared_ptr<const plane::FlexibleBody> body(const plane::BeamProperties& beam) {
     auto& made = bodies_[beam];
-    if (!made) made = std::make_shared<const FlexibleBody>(make_beam_body(beam));
+    if (!made) made = std::make_shared<const plane::FlexibleBody>(make_beam_body(beam));
     return made;
   }
 
-  std::shared_ptr<const SymmetricBand<3>> stiffness(const BeamProperties& beam, double distance,
-                                                    double outboard) {
+  std::shared_ptr<const plane::SymmetricBand<3>> stiffness(const plane::BeamProperties& beam,
+                                                           double distance, double outboard) {
     return shared(stiffnesses_[{beam, distance, outboard}],
                   [&] { return make_centrifugal_stiffness(beam, distance, outboard); });
   }
 
-  std::shared_ptr<const SymmetricBand<3>> outboard_mass(const BeamProperties& beam,
-                                                        double outboard) {
+  std::shared_ptr<const plane::SymmetricBand<3>> outboard_mass(const plane::BeamProperties& beam,
+                                                               double outboard) {
     return shared(outboard_masses_[{beam, outboard}],
                   [&] { return make_outboard_mass_stiffness(beam, outboard); });
   }
 
-  std::shared_ptr<const SymmetricBand<3>> slope_integral(const BeamProperties& beam) {
+  std::shared_ptr<const plane::SymmetricBand<3>> slope_integral(const plane::BeamProperties& beam) {
     return shared(slope_integrals_[beam], [&] { return make_slope_integral(beam); });
   }
 
  private:
-  using SharedBand = std::shared_ptr<const SymmetricBand<3>>;
+  using SharedBand = std::shared_ptr<const plane::SymmetricBand<3>>;
   template <class Make>
   static SharedBand shared(SharedBand& made, Make&& make) {
-    if (!made) made = std::make_shared<const SymmetricBand<3>>(make());
+    if (!made) made = std::make_shared<const plane::SymmetricBand<3>>(make());
     return made;
   }
 
-  std::map<BeamProperties, std::shared_ptr<const FlexibleBody>> bodies_;
-  std::map<std::tuple<BeamProperties, double, double>, SharedBand> stiffnesses_;
-  std::map<std::tuple<BeamProperties, double>, SharedBand> outboard_masses_;
-  std::map<BeamProperties, SharedBand> slope_integrals_;
+  std::map<plane::BeamProperties, std::shared_ptr<const plane::FlexibleBody>> bodies_;
+  std::map<std::tuple<plane::BeamProperties, double, double>, SharedBand> stiffnesses_;
+  std::map<std::tuple<plane::BeamProperties, double>, SharedBand> outboard_masses_;
+  std::map<plane::BeamProperties, SharedBand> slope_integrals_;
 };
 
-/// int rhoA r dr over a body and its point masses, which begins at r = `distance` [kg m].
-double first_moment(const BeamProperties& beam, double distance) {
+/// Returns int rhoA r dr over a body that begins at r = `distance`, its point masses included [kg
+/// m].
+double first_moment(const plane::BeamProperties& beam, double distance) {
   if (beam.pieces.empty())
     return beam.mass_per_length * beam.length * (distance + beam.length / 2.0);
-  const BeamPiece& first = beam.pieces.front();
+  const plane::BeamPiece& first = beam.pieces.front();
   return first_moment_beyond(first, first.begin, distance) +
          first_moments_outboard(beam.pieces, beam.masses, distance).front();
 }
 
-/// Of a blade that is not uniform, for each body: int rhoA r dr over the bodies outboard of it and
-/// their point masses [kg m].
+/// Returns, for each body of a blade that is not uniform, int rhoA r dr over the bodies outboard of
+/// it and their point masses [kg m].
 std::vector<double> find_outboard_moments(const Hub& hub, const Blade& blade) {
-  if (is_uniform(blade)) return {};
+  if (plane::is_uniform(blade)) return {};
   std::vector<double> moments(static_cast<std::size_t>(blade.bodies));
   double sum = 0.0;
   for (int j = blade.bodies - 1; j >= 0; --j) {
     moments[static_cast<std::size_t>(j)] = sum;
-    const BeamProperties beam = make_beam_properties(blade, j);
+    const plane::BeamProperties beam = plane::make_beam_properties(blade, j);
     sum += first_moment(beam, hub.radius + j * beam.length);
   }
   return moments;
 }
 
 Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& catalogue) {
-  const BeamProperties first = make_beam_properties(blade, 0);
+  assert(blade.bodies > 0 && blade.length > 0.0);
+  const plane::BeamProperties first = plane::make_beam_properties(blade, 0);
   const std::vector<double> moments = find_outboard_moments(hub, blade);
   const double tip = hub.radius + blade.length;
   Subsystem<Plane> subsystem;
-  subsystem.root.R = Rotation::from_angle(blade.azimuth);
+  subsystem.root.R = plane::Rotation::from_angle(blade.azimuth);
   subsystem.root.p = subsystem.root.R * Position{hub.radius, 0.0};
   subsystem.length = blade.length;
   for (int j = 0; j < blade.bodies; ++j) {
-    const BeamProperties beam = is_uniform(blade) ? first : make_beam_properties(blade, j);
+    const plane::BeamProperties beam =
+        plane::is_uniform(blade) ? first : plane::make_beam_properties(blade, j);
     TreeBody<Plane> member;
     member.parent = j - 1;
     if (j + 1 < blade.bodies) member.children = {j + 1};
@@ -101,7 +105,7 @@ Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogu
   return subsystem;
 }
 
-/// Where the undeformed centre of mass of a rotor is in the hub's frame [m].
+/// Returns the undeformed centre of mass of a rotor in the hub's frame [m].
 Position find_mass_centre(const Rotor& rotor, const System<Plane>& system) {
   double mass = rotor.hub.mass, extent = 0.0;
   Position moment = Position::Zero();
@@ -109,22 +113,23 @@ Position find_mass_centre(const Rotor& rotor, const System<Plane>& system) {
     const Blade& blade = rotor.blades[i];
     double along = 0.0;
     for (int j = 0; j < blade.bodies; ++j) {
-      const BeamProperties beam = make_beam_properties(blade, j);
+      const plane::BeamProperties beam = plane::make_beam_properties(blade, j);
       const double distance = rotor.hub.radius + j * beam.length;
       along += first_moment(beam, distance);
-      for (const BodyMass& point : beam.masses)  // at the inboard end, where it pulls at nothing
+      for (const plane::BodyMass& point :
+           beam.masses)  // at the inboard end, where a mass does not pull on the body
         if (point.x < 0.5 * beam.pieces.front().end) along += point.mass * distance;
       mass += system.subsystems[i].bodies[static_cast<std::size_t>(j)].body->mass;
     }
     moment += system.subsystems[i].root.R * Position{along, 0.0};
     extent += along;
   }
-  // Where the blades balance one another, nothing is left but round-off.
+  // Where the blades balance one another, only round-off remains.
   return moment.norm() > 1e-12 * extent ? Position(moment / mass) : Position::Zero();
 }
 
-/// Adds the stiffness of a field to a blade's bodies: of gravity, or where the hub flies, of what
-/// is applied. Then the blade turns about the mass centre of the whole.
+/// Adds the stiffness due to a field to a blade's bodies: gravity, or for a free hub the applied
+/// loads; the blade then turns about the mass centre of the whole.
 void add_field_stiffness(const Blade& blade, const Position& centre, BodyCatalogue& catalogue,
                          Subsystem<Plane>& subsystem) {
   if (!blade.geometric_stiffening) return;
@@ -132,11 +137,12 @@ void add_field_stiffness(const Blade& blade, const Position& centre, BodyCatalog
   double outboard = 0.0;
   for (int j = blade.bodies - 1; j >= 0; --j) {
     TreeBody<Plane>& body = subsystem.bodies[static_cast<std::size_t>(j)];
-    PlanarStiffening& stiffening = body.stiffening;
-    stiffening.outboard_mass = catalogue.outboard_mass(make_beam_properties(blade, j), outboard);
+    plane::Stiffening& stiffening = body.stiffening;
+    stiffening.outboard_mass =
+        catalogue.outboard_mass(plane::make_beam_properties(blade, j), outboard);
     outboard += body.body->mass;
     if (nearer == 0.0) continue;
-    auto centrifugal = std::make_shared<SymmetricBand<3>>(*stiffening.centrifugal);
+    auto centrifugal = std::make_shared<plane::SymmetricBand<3>>(*stiffening.centrifugal);
     centrifugal->add_scaled(-nearer, *stiffening.outboard_mass);
     stiffening.centrifugal = std::move(centrifugal);
   }
@@ -152,6 +158,7 @@ void put_loads(std::vector<BodyLoads<Plane>> placed, Subsystem<Plane>& subsystem
 }  // namespace
 
 bool is_prescribed(const Hub& hub, int c) {
+  assert(c >= 0 && c < kTwist);
   return c < kPosition ? hub.support == HubSupport::axle : prescribes_motion(hub.drive);
 }
 

@@ -1,54 +1,42 @@
 #pragma once
 
-// What is simulated, as constant data: a hub and its subsystems (blades), each a chain of flexible
+// The constant data of a simulation: a hub and its subsystems (blades), each a chain of flexible
 // bodies tied by bracket joints, the first tied to the hub.
 
 #include <memory>
 #include <vector>
 
+#include "models/plane/flexible_body.h"
+#include "models/plane/plane.h"
 #include "models/rotor.h"
 #include "models/system/blade_loads.h"
-#include "models/system/flexible_body.h"
-#include "models/system/plane.h"
 
 namespace spoke {
-
-/// What rotation adds to the stiffness of a planar body; nothing unless the blade has geometric
-/// stiffening.
-struct PlanarStiffening {
-  std::shared_ptr<const SymmetricBand<3>> centrifugal;  ///< KG of make_centrifugal_stiffness
-  /// make_slope_integral, for the tip's displacement.
-  std::shared_ptr<const SymmetricBand<3>> slope_integral;
-  /// make_outboard_mass_stiffness: of a field that acts on all masses alike; none without.
-  std::shared_ptr<const SymmetricBand<3>> outboard_mass;
-
-  explicit operator bool() const { return centrifugal != nullptr; }
-};
 
 /// A body in its tree.
 template <class World>
 struct TreeBody {
   /// Index of the body that carries it, less than its own; -1: the hub.
   int parent = -1;
-  /// At which handle of that body it hangs, from 1: 0 is the inboard one.
+  /// Handle of that body at which it hangs, from 1; 0 is the inboard one.
   int handle = 1;
   /// Indices of the bodies that it carries, by handle: one at each, from handle 1.
   std::vector<int> children;
-  typename World::Joint joint;  ///< that carries it
+  typename World::Joint joint;  ///< joint that carries it
   std::shared_ptr<const typename World::Body> body;
   typename World::Stiffening stiffening;
   std::vector<BodyLoad<World>> loads;
   std::vector<BodyDrag<World>> drags;
 };
 
-/// Trees of bodies on the hub, which parents lead; in the plane a chain, root to tip.
+/// A subsystem: a tree of bodies on the hub, parents first; in the plane a chain, root to tip.
 template <class World>
 struct Subsystem {
-  /// Pose of the root bracket in the hub frame; in space that of the first body's frame in the
+  /// Pose of the root bracket in the hub frame; in space, pose of the first body's frame of the
   /// description (a beam's own axes), joint coordinates zero.
   PoseOf<World> root;
-  double length = 0.0;  ///< undeformed, root to tip [m]
-  /// In space the place of the undeformed tip, hub frame [m].
+  double length = 0.0;  ///< undeformed length, root to tip [m]
+  /// Place of the undeformed tip in space, hub frame [m].
   PositionOf<World> tip = PositionOf<World>::Zero();
   std::vector<TreeBody<World>> bodies;
 };
@@ -58,11 +46,12 @@ struct System {
   typename World::Hub hub;
   std::vector<typename World::HubLoad> hub_loads;
   std::vector<Subsystem<World>> subsystems;
-  PositionOf<World> gravity = PositionOf<World>::Zero();  ///< inertial frame, at full size [m/s^2]
-  double gravity_ramp = 0.0;                              ///< [s]
+  /// Gravitational acceleration, inertial frame, at full size [m/s^2].
+  PositionOf<World> gravity = PositionOf<World>::Zero();
+  double gravity_ramp = 0.0;  ///< [s]
   Damping damping;
 
-  /// In force at time t [s].
+  /// Returns the gravitational acceleration in force at time t [s].
   PositionOf<World> gravity_at(double t) const { return gravity * calc_rise(t, gravity_ramp); }
 
   int body_count() const {
@@ -70,7 +59,7 @@ struct System {
     for (const Subsystem<World>& s : subsystems) count += static_cast<int>(s.bodies.size());
     return count;
   }
-  /// Deformation coordinates of all bodies together.
+  /// Returns the number of deformation coordinates of all bodies together.
   int deformation_count() const {
     int count = 0;
     for (const Subsystem<World>& s : subsystems)
@@ -79,21 +68,23 @@ struct System {
   }
 };
 
-/// Whether component `c` of the hub's twist (x, y, rotation) is prescribed.
+/// Returns whether component `c` of the hub's twist (x, y, rotation) is prescribed.
 bool is_prescribed(const Hub& hub, int c);
 
-/// Hub frame to inertial frame, at an angle of the drive [rad].
-inline Rotation rotation_of(const Hub&, double angle) { return Rotation::from_angle(angle); }
-/// M_0 of the hub alone, hub frame.
+/// Returns the rotation from the hub frame to the inertial frame at an angle of the drive [rad].
+inline plane::Rotation rotation_of(const Hub&, double angle) {
+  return plane::Rotation::from_angle(angle);
+}
+/// Returns M_0 of the hub alone, hub frame.
 inline TwistMatrix calc_hub_mass(const Hub& hub) {
   return Twist(hub.mass, hub.mass, hub.inertia).asDiagonal();
 }
-/// The forces of the hub's own inertia at zero acceleration; in the plane its mass centre is on its
-/// axis, and there are none.
+/// Adds the forces of the hub's own inertia at zero acceleration: none in the plane, where its mass
+/// centre is on its axis.
 inline void add_gyroscopic_force(const Hub&, const Twist&, Twist&) {}
-/// Of the hub alone, about its axis [kg m^2].
+/// Returns the moment of inertia of the hub alone about its axis [kg m^2].
 inline double axial_inertia(const Hub& hub) { return hub.inertia; }
-/// The moment of a load besides that of its force [N m].
+/// Returns the moment of a load besides that of its force [N m].
 inline double moment_of(const HubLoad& load) { return load.torque; }
 
 /// Builds the constants of a rotor; equal bodies share them.

@@ -3,6 +3,7 @@
 #include "models/tree/beam_cuts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace spoke::spatial {
@@ -16,13 +17,14 @@ double place_of(double begin, double end, int k, int count) {
   return begin + (end - begin) * k / count;
 }
 
-/// Adds what divides an interval into `count` equal parts, without its beginning.
+/// Adds the places that divide an interval into `count` equal parts, without its beginning.
 void divide(double begin, double end, int count, std::vector<double>& places) {
   for (int k = 1; k <= count; ++k) places.push_back(place_of(begin, end, k, count));
 }
 
-/// The ends of all bodies.
+/// Returns the ends of all bodies.
 std::vector<double> cut_bodies(const Beam& beam, std::vector<double> joints) {
+  assert(beam.length > 0.0 && beam.bodies > 0);
   std::erase_if(joints, [&](double x) { return x <= resolution_of(beam); });
   joints.push_back(beam.length);
   const double longest = beam.length / beam.bodies;
@@ -35,8 +37,8 @@ std::vector<double> cut_bodies(const Beam& beam, std::vector<double> joints) {
   return ends;
 }
 
-/// The nodes of one body: as many elements as asked for, shared out among the intervals between
-/// places by their lengths, one or more to each.
+/// Returns the nodes of one body, with as many elements as asked for, shared out among the
+/// intervals between places by their lengths, one or more to each.
 std::vector<double> make_nodes(double begin, double end, int elements,
                                const std::vector<double>& places, double resolution) {
   std::vector<double> breaks = {begin};

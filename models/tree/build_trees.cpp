@@ -17,13 +17,13 @@ Tensor rotation_of(const Vector& rotation_vector) {
   return space::exponential(rotation_vector).axes;
 }
 
-/// A place where something is joined to: of the hub, a rigid body, or a node.
+/// A place to which a body is joined: on the hub, on a rigid body, or at a node.
 struct Handle {
   int body = -1;
   std::size_t node = 0;
 };
 
-/// The node of a body at a station, if it has one there.
+/// Returns the node of a body at a station, if there is one.
 std::optional<std::size_t> find_node(const FlexibleBody& body, double station, double resolution) {
   for (std::size_t k = 0; k < body.nodes.size(); ++k)
     if (std::abs(body.nodes[k] - station) <= resolution) return k;
@@ -40,14 +40,14 @@ int add_body(Tree& tree, std::string name, std::variant<FlexibleBody, RigidBody>
   return static_cast<int>(tree.bodies.size()) - 1;
 }
 
-/// The joints within a beam, and what it is joined to.
+/// The joints within a beam, and the place to which its root is joined.
 struct BeamRoot {
-  Handle parent;        ///< of its first body
-  Placement placement;  ///< in the parent's frame
-  Joint joint;          ///< of its first body, if no joint of `inner` is at the root
+  Handle parent;        ///< parent of the beam's first body
+  Placement placement;  ///< placement in the parent's frame
+  Joint joint;          ///< joint of the beam's first body, if no joint of `inner` is at the root
 };
 
-/// Adds the bodies of a beam; `inner` joints part it, `places` need nodes.
+/// Adds the bodies of a beam; `inner` joints part it, there are nodes at `places`.
 void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamRoot& root,
               const std::vector<BladeJoint>& inner, const std::vector<double>& places) {
   std::vector<double> cuts;
@@ -94,7 +94,7 @@ class SubsystemBuilder {
   }
 
   Tree build() && {
-    // Depth first, siblings in the order in which they are given.
+    // The order is depth first, with siblings in the order in which they are given.
     std::vector<const SubsystemJoint*> next = children_of("hub");
     std::reverse(next.begin(), next.end());
     while (!next.empty()) {
@@ -109,7 +109,7 @@ class SubsystemBuilder {
 
  private:
   struct Added {
-    std::size_t first, last;  ///< its bodies in the tree
+    std::size_t first, last;  ///< bodies of the beam in the tree
   };
 
   std::vector<const SubsystemJoint*> children_of(const std::string& name) const {
@@ -124,7 +124,8 @@ class SubsystemBuilder {
                          [&](const Body& b) { return b.name == name; });
   }
 
-  /// What a joint is on: of a beam the innermost body with a node there.
+  /// Returns the handle that carries a joint; on a beam, that of the innermost body with a node
+  /// there.
   Handle handle_of(const SubsystemJoint& joint) const {
     if (joint.parent == "hub") return {};
     const Added& parent = added_.at(joint.parent);
@@ -155,7 +156,8 @@ class SubsystemBuilder {
   }
 
   const Subsystem& subsystem_;
-  std::multimap<std::string, const SubsystemJoint*> children_;  ///< by the name of the parent
+  /// Joints by the name of their parent.
+  std::multimap<std::string, const SubsystemJoint*> children_;
   std::map<std::string, Added> added_;
   Tree tree_;
 };
@@ -164,7 +166,7 @@ class SubsystemBuilder {
 
 Placement rotor_placement(const Hub& hub) {
   const Vector axis = hub.axis.normalized();
-  // Of all half turns that take z to -z: the one about x.
+  // Among all half turns that take z to -z, the one about x is chosen.
   if (axis.z() < -1.0 + 1e-14) return {Vector::Zero(), Vector(1.0, -1.0, -1.0).asDiagonal()};
   return {Vector::Zero(), space::smallest_rotation(Vector::UnitZ(), axis).axes};
 }

@@ -3,6 +3,7 @@
 #include "models/tree/mass_properties.h"
 
 #include <array>
+#include <cassert>
 
 namespace spoke::spatial {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::array<double, 6> kPlaces{-0.932469514203152, -0.661209386466265, 
 constexpr std::array<double, 6> kWeights{0.171324492379170, 0.360761573048139, 0.467913934572691,
                                          0.467913934572691, 0.360761573048139, 0.171324492379170};
 
-/// Of moments about a point of the beam, in section axes there.
+/// Converts moments about a point of the beam in section axes there to the beam's frame.
 MassProperties place(const space::MassMoments& moments, const space::SectionAt& at) {
   MassProperties own;
   own.mass = moments.mass;
@@ -48,10 +49,12 @@ MassProperties MassProperties::seen_from_outside(const Placement& placement) con
 }
 
 MassProperties make_mass_properties(double mass, const Vector& center, const Tensor& inertia) {
+  assert(mass >= 0.0);
   return {mass, mass * center, inertia + mass * point_inertia(center)};
 }
 
 MassProperties calc_mass_properties(const space::Beam& beam, double from, double to) {
+  assert(from < to);
   const std::vector<double> breaks = beam.breaks(from, to);
   MassProperties total;
   for (std::size_t i = 1; i < breaks.size(); ++i) {

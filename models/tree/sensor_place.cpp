@@ -1,15 +1,16 @@
-// Finds trees and bodies by the names that sensors have for them.
+// Finds the trees and bodies that sensors name.
 
 #include "models/tree/sensor_place.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <variant>
 
 namespace spoke::spatial {
 namespace {
 
-/// Of the bodies into which a beam is cut, all have its name.
+/// Whether a body has a name; all bodies into which a beam is cut have that of the beam.
 bool belongs(const TreeBody& body, const std::string& name) {
   return name.empty() || body.name == name || body.name.starts_with(name + " / body ");
 }
@@ -17,6 +18,7 @@ bool belongs(const TreeBody& body, const std::string& name) {
 }  // namespace
 
 int SensorPlace::body_at(const Tree& of, double station) const {
+  assert(!bodies.empty());
   const double resolution = 1e-9 * std::abs(station);
   const auto found = std::find_if(bodies.begin(), bodies.end() - 1, [&](int body) {
     const auto& part = std::get<FlexibleBody>(of.bodies[static_cast<std::size_t>(body)].shape);

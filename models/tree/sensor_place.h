@@ -1,6 +1,6 @@
 #pragma once
 
-// Where sensors are on the trees of a model in space.
+// The places of sensors on the trees of a model in space.
 
 #include <string>
 #include <vector>
@@ -10,22 +10,23 @@
 
 namespace spoke::spatial {
 
-/// Bodies of one tree that a sensor is on, inboard ones first: all of a blade, or the parts of a
-/// body of a subsystem; those of a subsystem where it names no body.
+/// Bodies of one tree that a sensor is on, inboard ones first: all bodies of a blade, the parts of
+/// one body of a subsystem, or all bodies of a subsystem if the sensor names none.
 struct SensorPlace {
   std::size_t tree = 0;
   std::vector<int> bodies{};
 
-  /// The body that holds a station, at a boundary the inner one. Precondition: they are of a beam.
+  /// Returns the body that holds a station, at a boundary the inner one. Precondition: the bodies
+  /// are parts of a beam.
   int body_at(const Tree& of, double station) const;
 };
 
-/// Of a sensor that is_of_blade(): one for each tree that it is on. `blades`: how many of the trees
-/// are blades. Nothing if there is no such place.
+/// Finds the places of a sensor that is_of_blade(): one for each tree that it is on. `blades`: how
+/// many of the trees are blades. Empty if there is no such place.
 std::vector<SensorPlace> find_places(const Sensor& sensor, std::size_t blades,
                                      const std::vector<Tree>& trees);
 
-/// What names of sensors begin with: "blade1" of "blade 1".
+/// Returns the first word in the names of a tree's sensors: "blade1" for "blade 1".
 std::string sensor_name_of(const Tree& tree);
 
 /// Names of the columns of a tree's joints, in their order: a joint of one value by its name, of

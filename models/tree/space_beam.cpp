@@ -1,7 +1,10 @@
-// Sections by values or by matrices; where one of stiffness and mass is a matrix, as can be.
+// Converts sections given by values or by matrices; stiffness and mass may each be either.
 
 #include "models/tree/space_beam.h"
 
+#include <algorithm>
+#include <cassert>
+#include <functional>
 #include <utility>
 
 namespace spoke::spatial {
@@ -15,7 +18,7 @@ Offset offset_at(const std::vector<Offset>& offsets, std::size_t i) {
   return offsets.empty() ? Offset(0.0, 0.0) : offsets[i];
 }
 
-/// The inertia that is given, or that of a section of one material.
+/// Returns the inertia that is given, or that of a section of one material.
 double inertia_at(const std::vector<double>& given, const std::vector<double>& stiffness,
                   const Sections& s, std::size_t i) {
   return given.empty() ? s.mass_per_length[i] * stiffness[i] / s.axial_stiffness[i] : given[i];
@@ -55,7 +58,7 @@ void set_mass(const Sections& s, std::size_t i, space::SectionProperties& sectio
   section.product_inertia = moments.second(1, 2) - moments.mass * y * z;
 }
 
-/// The mass of a section beside a stiffness matrix.
+/// Returns the mass of a section beside a stiffness matrix.
 space::MassMoments make_moments(const Sections& s, std::size_t i) {
   if (!s.mass_6x6.empty()) return space::moments_of(s.mass_6x6[i]);
   const double mass = s.mass_per_length[i];
@@ -78,7 +81,7 @@ space::ReferenceCurve make_curve(const Sections& s) {
   return space::ReferenceCurve(std::move(points));
 }
 
-/// About the section's point of the axis and in its axes, from the beam's.
+/// Moments about the section's point of the axis, in section axes, from those in the beam's axes.
 space::MassMoments make_moments(const PointMass& point, const space::Rotation& axes) {
   const Tensor second = 0.5 * point.inertia.trace() * Tensor::Identity() - point.inertia +
                         point.mass * point.offset * point.offset.transpose();
@@ -90,9 +93,22 @@ space::MassMoments make_moments(const PointMass& point, const space::Rotation& a
   return moments;
 }
 
+/// Of as many of each as there are stations, from 0 to the length.
+[[maybe_unused]] bool has_fine_stations(const Beam& beam) {
+  const Sections& s = beam.sections;
+  const std::size_t n = s.station.size();
+  const std::size_t stiffnesses =
+      s.stiffness_6x6.empty() ? s.axial_stiffness.size() : s.stiffness_6x6.size();
+  const std::size_t masses = s.mass_6x6.empty() ? s.mass_per_length.size() : s.mass_6x6.size();
+  return n > 1 && stiffnesses == n && masses == n && s.station.front() == 0.0 &&
+         std::adjacent_find(s.station.begin(), s.station.end(), std::greater_equal<>()) ==
+             s.station.end();
+}
+
 }  // namespace
 
 space::Beam make_space_beam(const Beam& beam, double stiffness_factor) {
+  assert(has_fine_stations(beam) && stiffness_factor >= 0.0);
   const Sections& s = beam.sections;
   space::Beam made;
   made.station = s.station;

@@ -1,14 +1,14 @@
 #pragma once
 
-// From what a scenario says of a beam to the beam that elements are made of.
+// Makes the beam that elements are built from out of the description of a beam.
 
 #include "models/space/beam.h"
 #include "models/spatial_model.h"
 
 namespace spoke::spatial {
 
-/// The beam as the elements know it; a station is the same in both. Its damping is
-/// stiffness_factor [s] for every strain. Precondition: the beam is fine.
+/// Returns the beam that elements are built from, with stations as in the description. Its damping
+/// is stiffness_factor [s] for every strain. Precondition: the beam is fine.
 space::Beam make_space_beam(const Beam& beam, double stiffness_factor);
 
 }  // namespace spoke::spatial

@@ -9,7 +9,7 @@
 namespace spoke::spatial {
 namespace {
 
-/// Where a node's frame is in that of its body.
+/// Returns where a node's frame is in the frame of its body.
 Placement placement_of(const Tree& tree, const TreeBody& body, std::size_t node) {
   const auto* flexible = std::get_if<FlexibleBody>(&body.shape);
   if (flexible == nullptr) return {};

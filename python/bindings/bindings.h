@@ -1,26 +1,26 @@
 #pragma once
 
-// What the module spoke._spoke is made of: a function for each file of bindings.
+// The parts of the module spoke._spoke: a function for each file of bindings.
 
 #include <pybind11/pybind11.h>
 
 namespace spoke::python {
 
-/// Error, InputError, DivergenceError, LoadError, StateError.
+/// Binds Error, InputError, DivergenceError, LoadError, StateError.
 void bind_errors(pybind11::module_& module);
-/// Curve and the kinds of drives.
+/// Binds Curve and the kinds of drives.
 void bind_drives(pybind11::module_& module);
-/// Marker, Wrench, and loads that are Python functions.
+/// Binds Marker, Wrench, and loads that are Python functions.
 void bind_loads(pybind11::module_& module);
-/// Scenario.
+/// Binds Scenario.
 void bind_scenario(pybind11::module_& module);
-/// Simulation, SavedState, and what a simulation is asked for.
+/// Binds Simulation, SavedState, and queries of a simulation.
 void bind_simulation(pybind11::module_& module);
-/// Recording: what a run leaves behind.
+/// Binds Recording, the results of a run.
 void bind_recording(pybind11::module_& module);
-/// Trace: which thread ran which node when.
+/// Binds Trace: which thread ran which node when.
 void bind_trace(pybind11::module_& module);
-/// Equilibria, modes and Campbell diagrams.
+/// Binds equilibria, modes and Campbell diagrams.
 void bind_steady(pybind11::module_& module);
 
 }  // namespace spoke::python

@@ -1,4 +1,4 @@
-// What moves the hub.
+// Binds the drives of the hub.
 
 #include <pybind11/stl.h>
 

@@ -1,4 +1,4 @@
-// Spoke's errors as Python exceptions with the fields of those of C++.
+// Binds Spoke's errors as Python exceptions with the fields of the C++ ones.
 
 #include <pybind11/stl.h>
 
@@ -11,13 +11,13 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// The exceptions. They live as long as the interpreter: nobody may destroy them after it.
+/// The exceptions. They live as long as the interpreter: they must not be destroyed after it.
 struct Types {
   py::handle error, internal, input, divergence, load, state;
 };
 Types types;
 
-/// An exception `spoke.NAME`; `fields` are its attributes unless an instance has its own.
+/// Makes an exception `spoke.NAME`; `fields` are its attributes unless an instance has its own.
 py::handle make_type(py::module_& module, const char* name, const char* doc,
                      const py::object& bases, const py::dict& fields = {}) {
   const std::string full = std::string("spoke.") + name;
@@ -35,7 +35,7 @@ py::object none_if_zero(int number) {
   return number == 0 ? py::object(py::none()) : py::int_(number);
 }
 
-/// Raises it with the error's sentence.
+/// Raises an exception with the error's sentence.
 void raise(py::handle type, const Error& error, const py::dict& fields = {}) {
   const py::object raised = type(error.what());
   for (const auto& [name, value] : fields) py::setattr(raised, name, value);

@@ -1,5 +1,5 @@
-// Loads that are Python functions. They run in the threads of the executor, one at a time: whoever
-// runs Python holds its interpreter lock.
+// Binds loads that are Python functions. They run in the threads of the executor, one at a time,
+// since each holds the interpreter lock.
 
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
@@ -22,7 +22,7 @@ namespace py = pybind11;
 using namespace py::literals;
 using Numbers = py::array_t<double>;
 
-/// A Python object that threads without the interpreter lock may drop.
+/// Shares a Python object that threads without the interpreter lock may drop.
 std::shared_ptr<const py::object> share(py::object object) {
   return {new py::object(std::move(object)), [](const py::object* held) {
             const py::gil_scoped_acquire lock;
@@ -30,7 +30,7 @@ std::shared_ptr<const py::object> share(py::object object) {
           }};
 }
 
-/// "ValueError: what it said (file.py, line 7)", of where it was raised.
+/// Returns "ValueError: message (file.py, line 7)", with the place where it was raised.
 std::string describe(const py::error_already_set& error) {
   std::string text = py::str(error.type().attr("__name__")).cast<std::string>() + ": " +
                      py::str(error.value()).cast<std::string>();
@@ -42,8 +42,8 @@ std::string describe(const py::error_already_set& error) {
          py::str(trace.attr("tb_lineno")).cast<std::string>() + ')';
 }
 
-/// Calls `evaluate` with the interpreter lock; what Python raises leaves as its sentence, since
-/// nobody may touch a Python exception without the lock.
+/// Calls `evaluate` with the interpreter lock; a Python exception leaves as its sentence, since it
+/// must not be touched without the lock.
 template <class Evaluate>
 void run_in_python(Evaluate&& evaluate) {
   std::string raised;
@@ -61,7 +61,7 @@ void run_in_python(Evaluate&& evaluate) {
   throw std::runtime_error(raised);
 }
 
-/// function(t, motions) -> [(force, moment), ...]
+/// Wraps function(t, motions) -> [(force, moment), ...]
 LoadFunction call_by_marker(py::function function) {
   return [held = share(std::move(function))](double t, std::span<const MarkerMotion> in,
                                              std::span<Wrench> out) {
@@ -108,7 +108,7 @@ MarkerMotions gather(std::span<const MarkerMotion> in) {
   return motions;
 }
 
-/// function(t, motions, force, moment), which fills the last two.
+/// Wraps function(t, motions, force, moment), which fills the last two.
 LoadFunction call_at_once(py::function function) {
   return [held = share(std::move(function))](double t, std::span<const MarkerMotion> in,
                                              std::span<Wrench> out) {

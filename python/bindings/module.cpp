@@ -1,4 +1,4 @@
-// The module spoke._spoke, from which the package spoke is made.
+// Makes the module spoke._spoke, on which the package spoke is built.
 
 #include "python/bindings/bindings.h"
 

@@ -1,4 +1,4 @@
-// Answers as arrays of their own: they stay what they are while the simulation goes on.
+// Returns answers as arrays of their own, which do not change while the simulation goes on.
 
 #include "python/bindings/queries.h"
 
@@ -20,7 +20,7 @@ py::array_t<double> copy_of(std::span<const double> numbers) {
   return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
-/// Vectors of the nodes of a blade as the rows of an array.
+/// Returns vectors of the nodes of a blade as the rows of an array.
 template <class Node, class Vector>
 py::array_t<double> rows_of(const std::vector<Node>& nodes, Vector Node::*vector) {
   const auto width = static_cast<py::ssize_t>(Vector::RowsAtCompileTime);
@@ -44,7 +44,7 @@ BladeShape shape_of(UsedSimulation& simulation, int blade) {
   return shape;
 }
 
-/// Places of the nodes of a tree in space, body after body.
+/// Returns the places of the nodes of a tree in space, body after body.
 py::array_t<double> places_of(UsedSimulation& simulation, int tree) {
   const Use use(simulation);
   TreeShape shape;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a simulation is asked for between steps.
+// Binds queries of a simulation between steps.
 
 #include <pybind11/pybind11.h>
 
@@ -10,9 +10,9 @@
 
 namespace spoke::python {
 
-/// HubMotion, BodyState, BladeShape.
+/// Binds HubMotion, BodyState, BladeShape.
 void bind_query_results(pybind11::module_& module);
-/// Sensors, hub, bodies, shapes, markers, reactions and section forces.
+/// Binds sensors, hub, bodies, shapes, markers, reactions and section forces.
 void bind_queries(pybind11::class_<UsedSimulation, std::shared_ptr<UsedSimulation>>& simulation);
 
 }  // namespace spoke::python

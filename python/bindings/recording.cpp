@@ -1,4 +1,4 @@
-// Rows, extremes and pictures of a run, and Ctrl-C.
+// Records rows, extremes and pictures of a run, and handles Ctrl-C.
 
 #include "python/bindings/recording.h"
 
@@ -10,8 +10,8 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/run_report/html_file.h"
 #include "models/error.h"
+#include "program/run_report/html_file.h"
 #include "python/bindings/bindings.h"
 
 namespace spoke::python {
@@ -27,21 +27,22 @@ class SignalWatch {
     const py::module_ threading = py::module_::import("threading");
     is_main_ = threading.attr("current_thread")().is(threading.attr("main_thread")());
   }
-  /// True if Python raises what it has come to.
+  /// Returns true if a signal makes Python raise an exception.
   bool has_come() {
     if (!is_main_ || raised_ || ++calls_ < calls_between_) return raised_.has_value();
     calls_ = 0;
     const auto now = Clock::now();
-    // A look at the clock costs 25 ns: of short steps every 16th will do.
+    // A look at the clock costs 25 ns: for short steps, every 16th is enough.
     calls_between_ = now - looked_ < kShort ? std::min(2 * calls_between_, 16) : 1;
     looked_ = now;
     if (now < next_) return false;
     next_ = now + kPause;
     const py::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0) raised_.emplace();  // takes the exception from the interpreter
+    // The exception is taken from the interpreter.
+    if (PyErr_CheckSignals() != 0) raised_.emplace();
     return raised_.has_value();
   }
-  /// Throws what was raised. The interpreter lock must be held.
+  /// Throws the exception that was raised. The interpreter lock must be held.
   void rethrow() {
     if (raised_) throw std::move(*raised_);
   }
@@ -77,7 +78,7 @@ void Recording::add(double t, std::span<const double> sensors) {
   if (due_.is_due(t)) add_row(t, sensors);
 }
 
-/// Stops on the way to take pictures of the page.
+/// Steps on, with stops to take pictures for the page.
 template <class Observe>
 void Recording::step_to(double until, const bool& is_stopped, const Observe& observe) {
   UsedSimulation& simulation = *simulation_;
@@ -105,7 +106,7 @@ void Recording::step_to(double until, SignalWatch& watch) {
     simulation_->run_until(until, observe);
 }
 
-/// The last step is a row, also of a run that ended early.
+/// Ends the recording. The last step is a row, also of a run that ended early.
 void Recording::finish() {
   last_step_ = simulation_->steps();
   const double t = statistics_.last_time();
@@ -134,7 +135,7 @@ void Recording::run(double until) {
       finish();
       last_ = simulation_->save();
       const py::gil_scoped_acquire lock;
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // Ctrl-C within the load
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // for Ctrl-C within the load
       throw;
     }
     outcome_.wall_time = took();
@@ -144,7 +145,7 @@ void Recording::run(double until) {
   watch.rethrow();
 }
 
-/// What is made of the simulation as it was when the run ended.
+/// Calls `make` with the simulation as it was when the run ended.
 template <class Make>
 std::string Recording::at_last_step(Make&& make) {
   const Use use(*simulation_);
@@ -184,7 +185,7 @@ void bind_recording(py::module_& module) {
             const auto rows = static_cast<py::ssize_t>(recording.rows());
             const auto width = static_cast<py::ssize_t>(recording.width());
             py::array_t<double> view({rows, width}, recording.numbers().data(), self);
-            view.attr("setflags")(false);  // the recording's own numbers
+            view.attr("setflags")(false);  // since they are the recording's own numbers
             return view;
           },
           "(rows, 1 + sensors): time [s], then the sensors. A view: nothing is copied.")

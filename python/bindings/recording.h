@@ -1,6 +1,6 @@
 #pragma once
 
-// A run as Python asks for it: steps with the interpreter lock released, rows in memory.
+// A run for Python: steps with the interpreter lock released, rows in memory.
 
 #include <cstdint>
 #include <memory>
@@ -9,44 +9,45 @@
 #include <vector>
 
 #include "engine/results.h"
-#include "engine/run_report/picture_steps.h"
-#include "engine/run_report/recorder.h"
-#include "engine/run_report/tip_deflections.h"
+#include "program/run_report/picture_steps.h"
+#include "program/run_report/recorder.h"
+#include "program/run_report/tip_deflections.h"
 #include "python/bindings/used_simulation.h"
 
 namespace spoke::python {
 
 class SignalWatch;
 
-/// The sensors of a run at its output times, and what its page shows.
+/// The sensors of a run at its output times, and the data of its page.
 class Recording {
  public:
-  /// Of a run from the simulation's present state on, with a row every `every` [s]; 0: every step.
-  /// `has_page`: whether make_page() will be asked for. Throws InputError unless every >= 0.
+  /// Prepares a run from the simulation's present state on, with a row every `every` [s]; 0: every
+  /// step. `has_page`: whether make_page() will be called. Throws InputError unless every >= 0.
   Recording(std::shared_ptr<UsedSimulation> simulation, double every, bool has_page);
 
   /// Steps to time `until` [s]; the present state and the last step are rows, too. Throws like
-  /// Simulation::run_until(), and what Python raises where a signal asks for it, at the end of a
-  /// step; what came before is recorded. Once, with the interpreter lock held.
+  /// Simulation::run_until(), and at the end of a step what Python raises for a signal; earlier
+  /// rows stay recorded. To be called once, with the interpreter lock held.
   void run(double until);
 
   std::size_t rows() const { return numbers_.size() / width(); }
-  /// Of a row: time, then the sensors.
+  /// Returns the width of a row: time, then the sensors.
   std::size_t width() const { return simulation_->sensor_names().size() + 1; }
-  /// By row. Stay where they are once the run is over.
+  /// Returns the numbers by row. They stay where they are once the run is over.
   const std::vector<double>& numbers() const { return numbers_; }
   const Simulation& simulation() const { return *simulation_; }
-  double wall_time() const { return outcome_.wall_time; }  ///< of the steps [s]
+  double wall_time() const { return outcome_.wall_time; }  ///< wall time of the steps [s]
 
   bool has_page() const { return recorder_.has_value(); }
-  /// Whether the simulation can still be put where the run ended, as summary and page need it: not
-  /// if it diverged and was restored since.
+  /// Whether the simulation can still be put where the run ended, as summary and page need; not if
+  /// it diverged and was restored since.
   bool is_at_hand() const { return last_ || simulation_->steps() == last_step_; }
 
-  /// summary.json of the run. Throws StateError if the run diverged and the simulation was restored
-  /// since.
+  /// Returns summary.json of the run. Throws StateError if the run diverged and the simulation was
+  /// restored since.
   std::string make_summary();
-  /// report.html of the run. Throws likewise, and StateError without `has_page`.
+  /// Returns report.html of the run. Throws StateError without `has_page`, and where make_summary()
+  /// does.
   std::string make_page();
 
  private:
@@ -64,9 +65,9 @@ class Recording {
   std::vector<double> numbers_;
   SensorStatistics statistics_;
   run_report::TipDeflections tips_;
-  std::optional<run_report::Recorder> recorder_;  ///< of the page
+  std::optional<run_report::Recorder> recorder_;  ///< data of the page
   RunOutcome outcome_;
-  std::optional<SavedState> last_;  ///< at its end; none after a step that failed
+  std::optional<SavedState> last_;  ///< state at its end; none after a step that failed
   std::int64_t last_step_ = 0;
 };
 

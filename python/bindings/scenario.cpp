@@ -1,10 +1,10 @@
-// Scenarios, as the reader has them.
+// Binds scenarios as the reader makes them.
 
 #include "models/scenario.h"
 
 #include <pybind11/stl.h>
 
-#include "engine/run_report/model_page.h"
+#include "program/run_report/model_page.h"
 #include "python/bindings/bindings.h"
 
 namespace spoke::python {

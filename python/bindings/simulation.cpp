@@ -1,4 +1,4 @@
-// Simulation: how it is made, its steps and states.
+// Binds Simulation: how it is made, its steps and states.
 
 #include "engine/simulation.h"
 
@@ -20,17 +20,6 @@ namespace py = pybind11;
 using namespace py::literals;
 using Class = py::class_<UsedSimulation, std::shared_ptr<UsedSimulation>>;
 
-Formulation formulation_of(const std::string& name) {
-  std::string names;
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
-    if (name == name_of(formulation)) return formulation;
-    names += (names.empty() ? "\"" : ", \"") + std::string(name_of(formulation)) + '"';
-  }
-  throw InputError("formulation: \"" + name + "\", expected one of " + names,
-                   {.key = "formulation"});
-}
-
 std::shared_ptr<UsedSimulation> make_simulation(const Scenario& scenario,
                                                 const std::string& formulation,
                                                 const std::string& executor,
@@ -42,7 +31,7 @@ std::shared_ptr<UsedSimulation> make_simulation(const Scenario& scenario,
   options.threads = {threads.first, threads.second};
   options.window = window;
   const Loads all(loads.begin(), loads.end());
-  const py::gil_scoped_release unlocked;  // loads of Python's are evaluated
+  const py::gil_scoped_release unlocked;  // since loads in Python are evaluated
   return std::make_shared<UsedSimulation>(scenario, options, all);
 }
 

@@ -1,4 +1,4 @@
-// Equilibria, modes and Campbell diagrams: values, with arrays made when asked for.
+// Binds equilibria, modes and Campbell diagrams: values, with arrays made when asked for.
 
 #include <pybind11/complex.h>
 #include <pybind11/eigen.h>
@@ -18,11 +18,11 @@
 #include "engine/campbell.h"
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
-#include "engine/steady_report/mode_files.h"
-#include "engine/steady_report/modes_page.h"
-#include "engine/steady_report/static_files.h"
 #include "models/count_text.h"
 #include "models/error.h"
+#include "program/steady_report/mode_files.h"
+#include "program/steady_report/modes_page.h"
+#include "program/steady_report/static_files.h"
 #include "python/bindings/bindings.h"
 
 namespace spoke::python {
@@ -32,7 +32,7 @@ namespace py = pybind11;
 using namespace py::literals;
 using Complex = std::complex<double>;
 
-/// Modes, and what their page needs besides.
+/// Modes, and further data of their page.
 struct Modes {
   Modes(ModesResult found, const Scenario& of) : result(std::move(found)), scenario(of) {}
 
@@ -40,7 +40,7 @@ struct Modes {
   Scenario scenario;
 };
 
-/// One of them, of whose picture the others' equilibrium is a part.
+/// One of the modes; the common equilibrium is part of its picture.
 struct OneMode {
   std::shared_ptr<const Modes> modes;
   std::size_t index = 0;
@@ -48,7 +48,7 @@ struct OneMode {
   const Mode& mode() const { return modes->result.modes[index]; }
 };
 
-/// A diagram, and what its page needs besides.
+/// A diagram, and further data of its page.
 struct Campbell {
   Campbell(CampbellResult found, int lines, const Scenario& of)
       : result(std::move(found)), harmonics(lines), scenario(of) {}
@@ -62,7 +62,7 @@ std::string title_of(const Scenario& scenario) {
   return scenario.title.empty() ? scenario.name : scenario.title;
 }
 
-/// An equilibrium, and what its page needs besides.
+/// An equilibrium, and further data of its page.
 struct Equilibrium {
   EquilibriumResult result;
   Scenario scenario;
@@ -77,7 +77,7 @@ py::array_t<Number> rows_of(const std::vector<Eigen::Matrix<Number, 3, 1>>& vect
   return rows;
 }
 
-/// What a function says of each item, as an array.
+/// Returns the values of a function for each item as an array.
 template <class Number, class Item, class Function>
 py::array_t<Number> array_of(const std::vector<Item>& items, Function&& function) {
   py::array_t<Number> numbers(static_cast<py::ssize_t>(items.size()));
@@ -86,7 +86,7 @@ py::array_t<Number> array_of(const std::vector<Item>& items, Function&& function
   return numbers;
 }
 
-/// "3 blades", "1 mode".
+/// Returns "3 blades", "1 mode".
 std::string counted_text(std::size_t count, const char* what) {
   return counted(static_cast<std::int64_t>(count), what);
 }
@@ -135,7 +135,7 @@ std::string describe(const CampbellResult& result) {
          counted_text(result.crossings.size(), "crossing") + ">";
 }
 
-/// The page of these modes, of all or of some.
+/// Returns the page of all modes or of some.
 std::string make_modes_page(const ModesResult& result, const Scenario& scenario) {
   if (result.equilibrium.blades.empty())
     throw StateError("no page: there are no blades, or no equilibrium was found at this speed");
@@ -237,7 +237,7 @@ py::list shape_of(const Mode& mode) {
   return shape;
 }
 
-/// What a property of a mode is, of one of them.
+/// Returns a property of one of the modes.
 template <class Value>
 auto of_mode(Value Mode::*member) {
   return [member](const OneMode& one) { return one.mode().*member; };
@@ -318,7 +318,7 @@ std::vector<std::shared_ptr<Modes>> states_of(const Campbell& campbell) {
   return states;
 }
 
-/// By speed the frequency of a branch; not a number where it was not found.
+/// Returns by speed the frequency of a branch; not a number where it was not found.
 py::array_t<double> follow(const Campbell& campbell, const CampbellBranch& branch,
                            double Mode::*value) {
   py::array_t<double> numbers(static_cast<py::ssize_t>(branch.modes.size()));

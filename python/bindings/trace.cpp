@@ -1,6 +1,6 @@
-// Traces as structured arrays of their own slices.
+// Binds traces as structured arrays of their own slices.
 
-#include "engine/trace/trace.h"
+#include "program/trace/trace.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "engine/trace/chrome_trace.h"
-#include "engine/trace/page_data.h"
-#include "engine/trace/statistics.h"
-#include "graph/viewer/viewer_page.h"
 #include "models/error.h"
+#include "program/trace/chrome_trace.h"
+#include "program/trace/page_data.h"
+#include "program/trace/statistics.h"
+#include "program/viewer/viewer_page.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/used_simulation.h"
 
@@ -38,7 +38,7 @@ std::unique_ptr<Trace> make_trace(UsedSimulation& simulation, std::int64_t steps
   return made;
 }
 
-/// A structured array of the trace's own items.
+/// Makes a structured array of the trace's own items.
 template <class Item>
 py::array view_of(const py::object& self, const std::vector<Item>& items) {
   py::array_t<Item> view(static_cast<py::ssize_t>(items.size()), items.data(), self);
@@ -65,9 +65,9 @@ py::dict summarise(const Trace& trace) {
 }
 
 std::string make_page(const Trace& trace) {
-  if (graph::viewer_page().empty())
+  if (viewer_page().empty())
     throw StateError("no page: Spoke was built without it, which takes Node and npm");
-  return trace::make_trace_page(graph::viewer_page(), trace::make_page_data(trace));
+  return trace::make_trace_page(viewer_page(), trace::make_page_data(trace));
 }
 
 }  // namespace

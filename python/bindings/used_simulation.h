@@ -12,8 +12,8 @@
 
 namespace spoke::python {
 
-/// A Simulation as Python has it. The interpreter lock, which is released while steps are made,
-/// does not keep threads apart.
+/// A Simulation for Python. The interpreter lock, which is released while steps are made, does not
+/// keep threads apart.
 class UsedSimulation : public Simulation {
  public:
   using Simulation::Simulation;
@@ -23,8 +23,8 @@ class UsedSimulation : public Simulation {
   std::atomic_flag is_used_ = ATOMIC_FLAG_INIT;
 };
 
-/// Uses a simulation alone, as long as it lives. Throws StateError if somebody else does: another
-/// thread, or whoever called this one, as a load that asks the simulation it acts on.
+/// Uses a simulation alone, as long as it lives. Throws StateError if it is in use: by another
+/// thread, or by a caller of this one, as when a load queries the simulation it acts on.
 class Use {
  public:
   explicit Use(UsedSimulation& simulation) : simulation_(simulation) {
@@ -39,7 +39,8 @@ class Use {
   UsedSimulation& simulation_;
 };
 
-// A member function as one of Python's: alone, and without the interpreter lock.
+// Wraps a member function for Python: it uses the simulation alone, and without the interpreter
+// lock.
 
 template <class R, class... A>
 auto alone(R (Simulation::*member)(A...)) {

@@ -40,8 +40,8 @@ class Simulation(_Simulation):
         scenario: what read_scenario() takes.
         set: values of keys that take precedence, {"blade.bodies": 8}.
         formulation: "structured", "subsystem" or "augmented"; equal results up to round-off.
-        executor: "auto", "serial", "flow_graph", "openmp_scheme1", "openmp_scheme2" or
-            "openmp_levels"; equal results to the last bit.
+        executor: "auto", "serial", "flow_graph", "openmp_scheme1", "openmp_scheme2",
+            "openmp_levels" or "openmp_tasks"; equal results to the last bit.
         threads: how many, or a pair (teams, threads of each); None: all that are available.
         window: most steps that one run of the executor makes; 0: as the executor chooses.
         loads: Loads that act besides those of the scenario.

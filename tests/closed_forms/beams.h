@@ -2,12 +2,12 @@
 
 // Roots of characteristic equations, and blades at rest, for the tests of this folder.
 
-#include "engine/kernels/natural_frequencies.h"
+#include "engine/plane/natural_frequencies.h"
 #include "models/rotor.h"
 
 namespace spoke::test {
 
-/// The root of `function` between `low` and `high`, at which its signs differ, by bisection.
+/// Finds the root of `function` between `low` and `high`, at which its signs differ, by bisection.
 template <class Function>
 double find_root(const Function& function, double low, double high) {
   const bool is_rising = function(low) < 0.0;
@@ -18,7 +18,7 @@ double find_root(const Function& function, double low, double high) {
   return 0.5 * (low + high);
 }
 
-/// The first root of `function` beyond `from`, looked for in steps.
+/// Finds the first root of `function` beyond `from`, looked for in steps.
 template <class Function>
 double find_next_root(const Function& function, double from, double step) {
   double low = from;
@@ -26,15 +26,15 @@ double find_next_root(const Function& function, double from, double step) {
   return find_root(function, low, low + step);
 }
 
-/// Natural frequency number `number`, from 1, of a blade clamped at its root [rad/s].
+/// Returns natural frequency number `number`, from 1, of a blade clamped at its root [rad/s].
 inline double natural_frequency(const Blade& blade, int number) {
   Rotor rotor;
   rotor.blades = {blade};
   double high = 1.0;
-  while (count_frequencies_below(rotor, high) < number) high *= 2.0;
+  while (plane::count_frequencies_below(rotor, high) < number) high *= 2.0;
   return find_root(
       [&](double frequency) {
-        return count_frequencies_below(rotor, frequency) < number ? -1.0 : 1.0;
+        return plane::count_frequencies_below(rotor, frequency) < number ? -1.0 : 1.0;
       },
       0.0, high);
 }

@@ -1,4 +1,4 @@
-// One linear body a blade without geometric stiffening: in the plane of rotation the centrifugal
+// Blades of one linear body without geometric stiffening: in the plane of rotation the centrifugal
 // force takes from its stiffness what the tension would give back, so that it has no stable shape
 // beyond the speed of its natural frequency at rest.
 

@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 namespace {
 
-/// Times at which a sensor rises through its value `level`, linear between steps [s].
+/// Finds times at which a sensor rises through its value `level`, linear between steps [s].
 std::vector<double> find_rises(Simulation& simulation, const char* sensor, double level) {
   std::vector<double> times;
   const std::size_t index = simulation.sensor_index(sensor);

@@ -17,7 +17,8 @@ using spoke::testing::approx;
 
 namespace {
 
-/// A blade that creeps to rest, on a hub that stands still, under a load at its tip that rises.
+/// Makes a blade that creeps to rest, on a hub that stands still, under a load at its tip that
+/// rises.
 Scenario resting_scenario(int bodies, const Position& force, double moment) {
   Scenario scenario;
   scenario.rotor = make_rotor(wu_haug_blade(bodies, 2), 1);
@@ -34,7 +35,7 @@ Scenario resting_scenario(int bodies, const Position& force, double moment) {
   return scenario;
 }
 
-/// Displacement of the tip at the end [m].
+/// Returns the displacement of the tip at the end [m].
 Position rest(const Scenario& scenario) {
   Simulation simulation(scenario, {.executor = ExecutorKind::serial});
   simulation.run_until(scenario.integration.duration);
@@ -43,9 +44,10 @@ Position rest(const Scenario& scenario) {
 
 double bending_stiffness(const Blade& blade) { return blade.youngs_modulus * blade.second_moment; }
 
-/// Displacement of the tip of an inextensible cantilever of length 1 and EI = 1 under a transverse
-/// force that keeps its direction: theta'' = -force cos(theta), theta(0) = 0, theta'(1) = 0. The
-/// curvature at the root is found by shooting, with the classical method of Runge and Kutta.
+/// Returns the displacement of the tip of an inextensible cantilever of length 1 and EI = 1 under a
+/// transverse force that keeps its direction: theta'' = -force cos(theta), theta(0) = 0, theta'(1)
+/// = 0. The curvature at the root is found by shooting, with the classical method of Runge and
+/// Kutta.
 Position elastica(double force) {
   using State = std::array<double, 4>;  // angle, curvature, x, y
   const auto shoot = [force](double curvature) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/simulation.h"
-#include "models/system/beam_elements.h"
+#include "models/plane/beam_elements.h"
 #include "models/system/system.h"
 #include "tests/approx.h"
 #include "tests/closed_forms/beams.h"
@@ -24,7 +24,8 @@ namespace {
 
 constexpr double kLength = 2.0, kMass = 0.3, kStiffness = 40.0, kAxial = 1e7;
 
-/// A blade whose mass and stiffness go linearly from root to tip, where `rest` of both is left.
+/// Makes a blade whose mass and stiffness go linearly from root to tip, where the fraction `rest`
+/// of both is left.
 Blade linear_taper(double rest, int bodies, int elements) {
   Blade blade;
   blade.length = kLength;
@@ -43,8 +44,8 @@ Rotor rotor_of(const Blade& blade, int count = 1) {
   return rotor;
 }
 
-/// Second and third derivative at s = 1 of the solution of ((1 - c s) w'')'' = lambda (1 - c s) w
-/// that begins as s^first, by its power series. The series converges where c s < 1.
+/// Returns the second and third derivative at s = 1 of the solution of ((1 - c s) w'')'' = lambda
+/// (1 - c s) w that begins as s^first, by its power series. The series converges where c s < 1.
 std::array<double, 2> series_end(double c, double lambda, int first) {
   std::vector<double> a(4, 0.0);
   a[static_cast<std::size_t>(first)] = 1.0;
@@ -64,7 +65,7 @@ std::array<double, 2> series_end(double c, double lambda, int first) {
   return derivatives;
 }
 
-/// The first frequencies of linear_taper(rest) [rad/s]. At the free end w'' = w''' = 0.
+/// Returns the first frequencies of linear_taper(rest) [rad/s]. At the free end w'' = w''' = 0.
 std::vector<double> linear_taper_frequencies(double rest) {
   const auto determinant = [&](double root_lambda) {
     const double lambda = root_lambda * root_lambda;
@@ -82,8 +83,8 @@ std::vector<double> linear_taper_frequencies(double rest) {
   return frequencies;
 }
 
-/// w, w', w'' and w''' at z of a solution z^(-1/2) C_1(2 q sqrt(z)) of (z^3 w'')'' = q^4 z w, where
-/// z w'' + 2 w' = sign q^2 w: of J_1 and Y_1 with sign -1, of I_1 and K_1 with 1.
+/// Returns w, w', w'' and w''' at z of a solution z^(-1/2) C_1(2 q sqrt(z)) of (z^3 w'')'' = q^4 z
+/// w, where z w'' + 2 w' = sign q^2 w: J_1 and Y_1 have sign -1, I_1 and K_1 have 1.
 std::array<double, 4> bessel_solution(double z, double q, double C_1, double C_2_signed,
                                       double sign) {
   const double w = C_1 / std::sqrt(z), slope = q * C_2_signed / z;
@@ -91,7 +92,8 @@ std::array<double, 4> bessel_solution(double z, double q, double C_1, double C_2
   return {w, slope, second, (sign * q * q * slope - 3.0 * second) / z};
 }
 
-/// Of the wedge that is clamped at z = 1 and ends at z = rest: zero at its frequencies.
+/// Returns a determinant of the wedge that is clamped at z = 1 and ends at z = rest: zero at its
+/// frequencies.
 double wedge_determinant(double rest, double q) {
   const auto solutions = [q](double z) {
     const double x = 2.0 * q * std::sqrt(z);
@@ -107,8 +109,8 @@ double wedge_determinant(double rest, double q) {
   return conditions.determinant();
 }
 
-/// The wedge: height and mass go linearly to `rest` at the tip, stiffness with the third power,
-/// by `count` stations.
+/// Makes the wedge: height and mass go linearly to `rest` at the tip, stiffness with the third
+/// power, by `count` stations.
 Blade wedge(double rest, int count) {
   Blade blade;
   blade.length = kLength;
@@ -134,8 +136,8 @@ TEST_CASE("a tip force bends a linear taper as the logarithmic closed form says"
                              (c * c * c);
   double before = 0.0;
   for (const int elements : {2, 4, 8, 16}) {
-    const FlexibleBody body =
-        make_beam_body(make_beam_properties(linear_taper(rest, 1, elements), 0));
+    const plane::FlexibleBody body =
+        make_beam_body(plane::make_beam_properties(linear_taper(rest, 1, elements), 0));
     Eigen::VectorXd force = Eigen::VectorXd::Zero(body.bending());
     force[body.bending() - 2] = 1.0;
     const double deflection = body.K_bending.to_dense().ldlt().solve(force)[body.bending() - 2];
@@ -168,7 +170,7 @@ TEST_CASE("a simulation of a tapered cantilever comes to rest where the closed f
                           (0.5 - 2.0 * rest + 1.5 * rest * rest - rest * rest * std::log(rest)) /
                           (c * c * c);
   CHECK(simulation.sensor("blade1.tip.y") == approx(expected).epsilon(2e-5));
-  // Moment and shear force in the middle of an element: by strains, within a part of 100.
+  // Moment and shear force in the middle of an element follow from strains, to 1 %.
   const Wrench section = simulation.section_force({0, 1, 0.4});
   const double arm = kLength * (1.0 - 1.4 / 3.0);
   CHECK(section.moment.z() == approx(1e-3 * arm).epsilon(0.01));
@@ -223,7 +225,8 @@ TEST_CASE("a table of constants is the uniform blade") {
              1e-13 * x.template lpNorm<Eigen::Infinity>();
     };
     for (std::size_t j = 0; j < 3; ++j) {
-      const FlexibleBody &x = *a.subsystems[0].bodies[j].body, &y = *b.subsystems[0].bodies[j].body;
+      const plane::FlexibleBody &x = *a.subsystems[0].bodies[j].body,
+                                &y = *b.subsystems[0].bodies[j].body;
       CHECK(x.mass == approx(y.mass).epsilon(1e-14));
       CHECK(x.I0 == approx(y.I0).epsilon(1e-14));
       CHECK(near(x.S0, y.S0));
@@ -247,7 +250,7 @@ TEST_CASE("a table of constants is the uniform blade") {
 TEST_CASE("bodies share constants if and only if they are equal") {
   Blade blade = linear_taper(1.0, 4, 3);
   const auto distinct = [](const Rotor& rotor) {
-    std::vector<const FlexibleBody*> bodies;
+    std::vector<const plane::FlexibleBody*> bodies;
     for (const Subsystem<Plane>& subsystem : make_system(rotor).subsystems)
       for (const TreeBody<Plane>& member : subsystem.bodies) bodies.push_back(member.body.get());
     std::sort(bodies.begin(), bodies.end());
@@ -264,7 +267,8 @@ TEST_CASE("mass, first moment and inertia of tapered bodies are those of the pol
   const System<Plane> system = make_system(rotor_of(blade));
   double mass = 0.0, moment = 0.0, inertia = 0.0;
   for (int j = 0; j < 3; ++j) {
-    const FlexibleBody& body = *system.subsystems[0].bodies[static_cast<std::size_t>(j)].body;
+    const plane::FlexibleBody& body =
+        *system.subsystems[0].bodies[static_cast<std::size_t>(j)].body;
     const double x = j * body.length;
     mass += body.mass;
     moment += body.S0.x() + x * body.mass;
@@ -283,7 +287,7 @@ TEST_CASE("a boundary between sections within an element is integrated exactly")
                     {4e6, 9e6, 1e6, 2e6},
                     {40.0, 10.0, 90.0, 20.0}};
   // Stations between the others, with the values that they have anyway, and elements that begin at
-  // them: the same integrals, cut otherwise.
+  // them: the integrals are equal, but cut otherwise.
   Blade finer = blade;
   BladeSections& sections = finer.sections;
   sections = {};

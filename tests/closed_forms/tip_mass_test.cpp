@@ -1,5 +1,5 @@
 // Point masses on blades, against closed forms: frequencies of a cantilever with a mass at its tip,
-// what carries a rotor's blades, and Lagrange's equations of the whole.
+// the forces that carry a rotor's blades, and Lagrange's equations of the whole.
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 #include "engine/run/time_stepper.h"
 #include "engine/simulation.h"
 #include "engine/step/step_graph_builder.h"
-#include "models/system/beam_elements.h"
+#include "models/plane/beam_elements.h"
 #include "models/system/system.h"
 #include "tests/approx.h"
 #include "tests/closed_forms/beams.h"
@@ -29,8 +29,9 @@ namespace {
 double mass_per_length(const Blade& blade) { return blade.density * blade.area; }
 double blade_mass(const Blade& blade) { return mass_per_length(blade) * blade.length; }
 
-/// Zero where beta L = `b` is an eigenvalue of the cantilever with mass ratio mu = m/(rhoA L) and
-/// inertia ratio nu = J/(rhoA L^3) at its tip: EI w'' = w^2 J w' and EI w''' = -w^2 m w there.
+/// Returns zero where beta L = `b` is an eigenvalue of the cantilever with mass ratio mu = m/(rhoA
+/// L) and inertia ratio nu = J/(rhoA L^3) at its tip: EI w'' = w^2 J w' and EI w''' = -w^2 m w
+/// there.
 double tip_determinant(double b, double mu, double nu) {
   const auto conditions = [&](double w, double slope, double second, double third) {
     return std::array{second - nu * b * b * b * slope, third + mu * b * w};
@@ -41,7 +42,8 @@ double tip_determinant(double b, double mu, double nu) {
   return A[0] * B[1] - B[0] * A[1];
 }
 
-/// Two tapered blades and a uniform one, with masses at root, tip, nodes, joints and in between.
+/// Makes two tapered blades and a uniform one, with masses at root, tip, nodes, joints and in
+/// between.
 Rotor rotor_with_masses(HubSupport support) {
   Rotor rotor;
   for (int i = 0; i < 3; ++i) {
@@ -118,7 +120,7 @@ TEST_CASE("mass, first moment and inertia of a blade are those of its parts") {
       moment += point.mass * point.position;
     }
     for (std::size_t j = 0; j < system.subsystems[i].bodies.size(); ++j) {
-      const FlexibleBody& body = *system.subsystems[i].bodies[j].body;
+      const plane::FlexibleBody& body = *system.subsystems[i].bodies[j].body;
       mass -= body.mass;
       moment -= body.S0.x() + static_cast<double>(j) * body.length * body.mass;
     }
@@ -126,9 +128,9 @@ TEST_CASE("mass, first moment and inertia of a blade are those of its parts") {
     CHECK(std::abs(moment) < 1e-12);
   }
   Blade blade = wu_haug_blade(1, 3);
-  const double before = make_beam_body(make_beam_properties(blade, 0)).I0;
+  const double before = make_beam_body(plane::make_beam_properties(blade, 0)).I0;
   blade.point_masses = {{5.0, 2.0, 0.3}};
-  CHECK(make_beam_body(make_beam_properties(blade, 0)).I0 - before ==
+  CHECK(make_beam_body(plane::make_beam_properties(blade, 0)).I0 - before ==
         approx(2.0 * 25.0 + 0.3).epsilon(1e-12));
 }
 
@@ -147,7 +149,7 @@ TEST_CASE("the root of a turning blade carries the blade and its tip mass") {
   const double moment =
       blade_mass(blade) * (0.5 + blade.length / 2) + 0.5 * (0.5 + blade.length) + 0.2 * 3.5;
   CHECK(simulation.joint_reaction(0, 0).force.norm() == approx(9.0 * moment).epsilon(2e-4));
-  // In the last element, of 1 m from 7.5 m on, the tip mass and in the mean so much of the blade.
+  // The last element, from 7.5 m on, carries the tip mass and on average so much of the blade.
   const double of_blade = mass_per_length(blade) * (7.5 / 2 + 1.0 / 3);
   CHECK(simulation.section_force({0, 1, 1.0}).force.x() ==
         approx(9.0 * (0.5 * (0.5 + blade.length) + of_blade)).epsilon(2e-4));
@@ -225,13 +227,12 @@ TEST_CASE("a free rotor with sections and masses keeps energy and momentum") {
 }
 
 TEST_CASE("turning a point's inertia out of the axis costs nothing at any speed") {
-  // What a mass without extent has, a section's rotation has not: a moment towards the axis or
-  // away.
+  // Masses off the axis have a moment towards it or away, which the rotation of a section lacks.
   Blade blade = wu_haug_blade(1, 4);
   blade.point_masses = {{5.1, 1e-9, 0.7}};
-  const BeamProperties with = make_beam_properties(blade, 0);
+  const plane::BeamProperties with = plane::make_beam_properties(blade, 0);
   blade.point_masses[0].inertia = 0.0;
-  const BeamProperties without = make_beam_properties(blade, 0);
+  const plane::BeamProperties without = plane::make_beam_properties(blade, 0);
   const Eigen::MatrixXd stiffening = make_centrifugal_stiffness(with, 0.1, 0.0).to_dense() -
                                      make_centrifugal_stiffness(without, 0.1, 0.0).to_dense();
   const Eigen::MatrixXd mass =

@@ -38,9 +38,9 @@ std::string refusal(const std::string& bytes) {
   return message_of([&] { parse_checkpoint(bytes, "c"); });
 }
 
-/// The bytes with another format and a checksum that fits.
+/// Returns the bytes with another format and a checksum that fits.
 std::string with_format(std::string bytes, char format) {
-  // CRC-32, bit by bit: other than the one that wrote it.
+  // The CRC-32 is calculated bit by bit, unlike in the engine.
   bytes[8] = format;
   std::uint32_t crc = 0xFFFFFFFF;
   for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
@@ -168,7 +168,7 @@ TEST_CASE("files that cannot be read or written say why, and the old one stays")
   const std::string below = (folder / "none" / "c").string();
   CHECK(message_of([&] { save_checkpoint(below, state); }) ==
         below + ": cannot be written: No such file or directory");
-  // A folder in the place of the temporary file: the checkpoint that is there stays.
+  // A folder stands in the place of the temporary file: the checkpoint stays as it is.
   save_checkpoint(folder / "c", state);
   fs::create_directory(folder / "c.tmp");
   CHECK(message_of([&] { save_checkpoint(folder / "c", state); }) ==

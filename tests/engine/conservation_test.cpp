@@ -1,5 +1,5 @@
-// Energy and momentum: what a scheme of order p keeps to order p, with steps at which its error
-// stands well above round-off. The blades start bent and vibrating.
+// Tests energy and momentum, which a scheme of order p keeps to order p, with steps at which its
+// error is well above round-off. The blades start bent and vibrating.
 
 #include <doctest/doctest.h>
 
@@ -19,7 +19,7 @@ using namespace spoke::test;
 
 namespace {
 
-/// Two soft blades, whose fastest vibration has a period of some 1e-3 s.
+/// Makes two soft blades, whose fastest vibration has a period of some 1e-3 s.
 Rotor soft_rotor(bool stiffening, ReferenceFrame frame) {
   Blade blade;
   blade.length = 2.0;
@@ -78,7 +78,7 @@ class Run {
     return sensors_.balance().residual;
   }
 
-  /// Linear momentum, and angular momentum about the origin.
+  /// Returns the linear momentum, and the angular momentum about the origin.
   Twist momentum() const {
     const Eigen::VectorXd y = independent_coordinates(context_);
     const Twist p = lagrangian_.hub_momenta(y, independent_velocities(context_));
@@ -128,14 +128,14 @@ double largest_momentum_change(MakeMethod make, double step, const Loads& loads 
   return largest;
 }
 
-/// Order with which an error falls when the step is halved.
+/// Returns the order with which an error falls when the step is halved.
 template <class Error>
 double order(Error&& error, double step) {
   return std::log2(error(step) / error(step / 2));
 }
 
-/// Order of the energy's error with generalized_alpha, from a step that resolves the vibrations
-/// which the start excites: below that, the start itself leaves some of them out.
+/// Returns the order of the error of energy with generalized_alpha, from a step that resolves the
+/// vibrations which the start excites; with smaller steps the start leaves some of them out.
 double residual_order(const Rotor& rotor) {
   return order([&](double h) { return largest_residual(rotor, generalized_alpha, h); }, 1e-4);
 }
@@ -201,7 +201,7 @@ TEST_CASE("a thruster changes momentum by its force, and angular momentum by its
       const HubState<Plane> hub = calc_hub_state(run.context().data);
       // The mass centre keeps its place where bending draws blades inward: the hub gives way.
       const Position p = hub.p + hub.R * thruster.position - run.drawn_centre();
-      const Rotation R = frame == LoadFrame::hub ? hub.R : Rotation{};
+      const plane::Rotation R = frame == LoadFrame::hub ? hub.R : plane::Rotation{};
       return translate(p, R * Twist(0.4, 0.7, 0.05));
     };
     const Twist before = run.momentum();

@@ -38,7 +38,7 @@ Scenario make_scenario(HubDrive drive, int bodies = 4, int elements = 4) {
   return scenario;
 }
 
-/// What a run ends in.
+/// Result of a run.
 struct End {
   std::int64_t steps = 0;
   std::uint64_t hash = 0;
@@ -59,8 +59,9 @@ std::vector<graph::Threads> thread_counts(ExecutorKind kind) {
   return list;
 }
 
-/// 7 divides nothing. `automatic` chooses for itself with 0, and needs windows to plan at all.
-/// Inner teams meet so often that a busy machine takes seconds for a run: two windows.
+/// Returns the windows to test. 7 divides nothing. `automatic` chooses for itself with 0, and needs
+/// windows to plan at all. Inner teams meet so often that a busy machine takes seconds for a run:
+/// two windows suffice.
 std::vector<int> windows(ExecutorKind kind, const graph::Threads& threads) {
   if (kind == ExecutorKind::automatic) return {0, 7, 50};
   if (threads.inner > 1) return {1, 7};
@@ -93,7 +94,7 @@ class Repetition {
   }
   const graph::StepGraph& graph() const { return graph_; }
 
-  /// The state that the steps end in.
+  /// Returns the state in which the steps end.
   std::vector<double> run(graph::Executor& executor) {
     context_->data.put_state(start_, 0);
     stepper_.continue_from(0);
@@ -122,7 +123,7 @@ class Repetition {
   std::vector<double> start_;
 };
 
-/// Costs that nodes might have [s].
+/// Returns possible costs of nodes [s].
 std::vector<double> invent_costs(const graph::StepGraph& graph, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> cost(0.1e-6, 20e-6);
@@ -143,7 +144,7 @@ void check_plans(const Scenario& scenario, Formulation formulation) {
     expected.resize(alone.size());  // behind the state stand observations
     CHECK(expected == alone);
     for (const int processors : {2, 3, 6, 12}) {
-      const graph::Overheads overheads{2e-9, 0.2e-6, 1e-6, 0.0};
+      const graph::Overheads overheads{2e-9, 0.2e-6, 1e-6};
       const auto costs = invent_costs(repetition.graph(), static_cast<std::uint32_t>(processors));
       for (graph::Candidate& candidate :
            graph::find_candidates(repetition.graph(), costs, processors, overheads, 6)) {
@@ -183,7 +184,7 @@ TEST_CASE("one state after 500 steps: subsystem with a hub driven by a torque") 
   check_all(make_scenario(HubDrive::torque), Formulation::subsystem);
 }
 
-// One dense system of all coordinates: of 144 as above a run takes many seconds.
+// One dense system has all coordinates: with 144 as above a run takes many seconds.
 TEST_CASE("one state after 500 steps: augmented with a prescribed hub") {
   check_all(make_scenario(HubDrive::motion, 2, 1), Formulation::augmented);
 }

@@ -1,4 +1,4 @@
-// The same model gives bitwise the same states on every executor and number of threads.
+// Tests that a model has bitwise the same states on every executor and number of threads.
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,8 @@ using namespace spoke::test;
 
 namespace {
 
-/// `elements` of each of the four bodies of a blade; the second blade has three bodies.
+/// Makes a rotor with `elements` in each of the four bodies of a blade; the second blade has three
+/// bodies.
 Scenario unequal_rotor(IntegrationMethod method, int elements = 4) {
   Scenario scenario = spin_up_scenario(wu_haug_blade(4, elements), 0.005);
   scenario.rotor.blades[1] = wu_haug_blade(3, elements + 2);
@@ -35,11 +36,11 @@ std::uint64_t final_hash(const Scenario& scenario, const SimulationOptions& opti
 }  // namespace
 
 TEST_CASE("all executors give bitwise equal states for every thread count") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}) {
-      // One dense system of all coordinates: as large as the others' it takes most of the time.
+      // One dense system has all coordinates: at the size of the others it would take most of the
+      // time.
       const Scenario scenario =
           unequal_rotor(method, formulation == Formulation::augmented ? 1 : 4);
       constexpr int steps = 20;

@@ -1,4 +1,4 @@
-// A hub without blades: a rigid body that flies, or a flywheel.
+// Tests a hub without blades: a rigid body that flies, or a flywheel.
 
 #include <doctest/doctest.h>
 
@@ -55,8 +55,7 @@ double value_of(const std::string& name, const Simulation& simulation) {
 }  // namespace
 
 TEST_CASE("a free hub alone flies and turns as a rigid body") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+  for (const Formulation formulation : formulations()) {
     Simulation simulation = make(kFlyer, formulation);
     simulation.run_until(2.0);
     CHECK(value_of("hub.x", simulation) == Approx(2.0).epsilon(1e-9));
@@ -73,8 +72,7 @@ TEST_CASE("a free hub alone flies and turns as a rigid body") {
 }
 
 TEST_CASE("a hub alone on an axle turns as its torque says") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+  for (const Formulation formulation : formulations()) {
     Simulation simulation = make(kFlywheel, formulation);
     simulation.run_until(2.0);
     CHECK(value_of("hub.speed", simulation) == Approx(1.0 + 0.5 * 2.0).epsilon(1e-9));

@@ -28,7 +28,7 @@ Dual cosine(Dual a) { return {std::cos(a.value), -std::sin(a.value) * a.rate}; }
 struct Frame {
   Dual x, y, angle;
 
-  /// Place of a point given in the frame.
+  /// Returns the place of a point given in the frame.
   std::array<Dual, 2> point(Dual px, Dual py) const {
     const Dual c = cosine(angle), s = sine(angle);
     return {x + c * px - s * py, y + s * px + c * py};
@@ -59,7 +59,7 @@ constexpr std::array<double, 5> kGaussWeights{0.2369268850561891, 0.478628670499
 /// Coordinates of one body with their rates; those the frame fixes are zero.
 class BodyCoordinates {
  public:
-  BodyCoordinates(const FlexibleBody& body, const double* q, const double* v)
+  BodyCoordinates(const plane::FlexibleBody& body, const double* q, const double* v)
       : body_(body), q_(q), v_(v) {}
   Dual at(int node, int component) const {
     const int index = body_.coordinate(node, component);
@@ -67,7 +67,7 @@ class BodyCoordinates {
   }
 
  private:
-  const FlexibleBody& body_;
+  const plane::FlexibleBody& body_;
   const double* q_;
   const double* v_;
 };
@@ -80,12 +80,12 @@ void for_each_body(const System<Plane>& system, const Eigen::VectorXd& y, const 
   const Frame hub_frame{hub(0), hub(1), hub(2)};
   Eigen::Index next = kTwist;
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
-    const Pose& root = system.subsystems[i].root;
+    const plane::Pose& root = system.subsystems[i].root;
     const auto [x0, y0] = hub_frame.point(constant(root.p.x()), constant(root.p.y()));
     const double azimuth = std::atan2(root.R.sine, root.R.cosine);
     Frame bracket{x0, y0, hub_frame.angle + constant(azimuth)};
     for (std::size_t j = 0; j < system.subsystems[i].bodies.size(); ++j) {
-      const FlexibleBody& body = *system.subsystems[i].bodies[j].body;
+      const plane::FlexibleBody& body = *system.subsystems[i].bodies[j].body;
       const BodyCoordinates q(body, y.data() + next, v ? v + next : nullptr);
       const Frame frame{bracket.x, bracket.y, bracket.angle - q.at(0, 2)};
       visit(static_cast<int>(i), static_cast<int>(j), frame, q);
@@ -103,7 +103,7 @@ struct Point {
   Dual u, v, slope;
 };
 
-Point point_at(const FlexibleBody& body, const BodyCoordinates& q, double x) {
+Point point_at(const plane::FlexibleBody& body, const BodyCoordinates& q, double x) {
   const double l = body.length / body.elements;
   const int e = std::min(static_cast<int>(x / l), body.elements - 1);
   const Shape N = shape_at(x / l - e, l);
@@ -120,7 +120,7 @@ Point point_at(const FlexibleBody& body, const BodyCoordinates& q, double x) {
 
 /// What lies along a blade, in the coordinate x of a body that begins at `origin`.
 struct Matter {
-  const FlexibleBody& body;
+  const plane::FlexibleBody& body;
   const Blade* blade;  ///< null: uniform
   double origin;
 
@@ -134,7 +134,8 @@ struct Matter {
         (origin + x - sections.station[k - 1]) / (sections.station[k] - sections.station[k - 1]);
     return (1.0 - part) * sections.mass_per_length[k - 1] + part * sections.mass_per_length[k];
   }
-  /// Between which no property has a corner, from `from` to the end: nodes, stations, point masses.
+  /// Returns places from `from` to the end between which no property has a corner: nodes, stations,
+  /// point masses.
   std::vector<double> corners(double from) const {
     std::vector<double> all{from, body.length};
     for (int e = 1; e < body.elements; ++e) all.push_back(e * body.length / body.elements);
@@ -157,7 +158,7 @@ struct Matter {
           visit(places[k - 1] + half * (1.0 + kGaussPoints[g]), half * kGaussWeights[g]);
       }
   }
-  /// Calls visit(x, point mass) for those of this body beyond `from`.
+  /// Calls visit(x, point mass) for the point masses of this body beyond `from`.
   template <class Visit>
   void for_each_mass(double from, const Visit& visit) const {
     if (!blade) return;
@@ -191,7 +192,8 @@ void for_each_mass(const System<Plane>& system, std::span<const Blade> blades, c
     }
 }
 
-/// About which the undeformed system turns, hub frame: the hub, or where it flies the mass centre.
+/// Returns the point about which the undeformed system turns, in the hub frame: the hub, or the
+/// mass centre of a system that flies.
 Position centre_of_rotation(const System<Plane>& system, std::span<const Blade> blades) {
   if (system.hub.support == HubSupport::axle) return Position::Zero();
   double mass = system.hub.mass;
@@ -205,8 +207,8 @@ Position centre_of_rotation(const System<Plane>& system, std::span<const Blade> 
   return moment / mass;
 }
 
-/// Tension of the undeformed blade at unit hub speed, at x of a body: int rhoA r dr outboard of x,
-/// with r from the centre of rotation, along the blade.
+/// Returns the tension of the undeformed blade at unit hub speed, at x of a body: int rhoA r dr
+/// outboard of x, with r from the centre of rotation along the blade.
 double unit_tension(const Subsystem<Plane>& subsystem, const Blade* blade, std::size_t body,
                     double x, const Position& centre) {
   const Position along = subsystem.root.R * Position{1.0, 0.0};
@@ -251,7 +253,8 @@ double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorX
         const Blade* blade = blades_.empty() ? nullptr : &blades_[i];
         const Matter matter = matter_of(subsystem, static_cast<std::size_t>(j), blade);
         const auto of_particle = [&](const Point& at, double side) {
-          // Beside the axis by `side`, carried by the section as far as linear in its rotation.
+          // The mass is beside the axis by `side`; the section carries it as far as linear in its
+          // rotation.
           const auto [px, py] =
               frame.point(constant(at.x) + at.u - constant(side) * at.slope, at.v + constant(side));
           return 0.5 * (px.rate * px.rate + py.rate * py.rate);
@@ -285,14 +288,14 @@ double Lagrangian::potential_energy(const Eigen::VectorXd& y) const {
   Eigen::Index next = kTwist;
   for_each_body(
       system_, y, nullptr, [&](int i, int j, const Frame& frame, const BodyCoordinates& q) {
-        const FlexibleBody& body = *system_.subsystems[i].bodies[j].body;
+        const plane::FlexibleBody& body = *system_.subsystems[i].bodies[j].body;
         const Matter matter = matter_of(system_.subsystems[i], static_cast<std::size_t>(j),
                                         blades_.empty() ? nullptr : &blades_[i]);
         const auto of_gravity = [&](double mass, double x) {
           const Point at = point_at(body, q, x);
           const auto [px, py] = frame.point(constant(x) + at.u, at.v);
           energy -= mass * (g.x() * px.value + g.y() * py.value);
-          // Where the hub flies these sum up to nothing.
+          // These sum up to zero where the hub flies.
           if (system_.hub.support == HubSupport::axle)
             energy -= mass * g.dot(drawn_on_hub(y, i, j, x));
         };
@@ -384,8 +387,8 @@ Position Lagrangian::drawn_on_hub(const Eigen::VectorXd& y, int blade, int body,
       }
     }
   });
-  const Rotation R =
-      Rotation::from_angle(y[2]) * system_.subsystems[static_cast<std::size_t>(blade)].root.R;
+  const plane::Rotation R = plane::Rotation::from_angle(y[2]) *
+                            system_.subsystems[static_cast<std::size_t>(blade)].root.R;
   return R * Position{-length, 0.0};
 }
 

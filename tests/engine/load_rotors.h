@@ -7,7 +7,7 @@
 
 namespace spoke::test {
 
-/// Two soft blades of two bodies; rk4 is stable with steps of 2e-4 s.
+/// Makes two soft blades of two bodies; rk4 is stable with steps of 2e-4 s.
 inline Rotor soft_rotor() {
   Blade blade;
   blade.length = 2.0;
@@ -34,7 +34,7 @@ inline Scenario soft_scenario(IntegrationMethod method, double duration, double 
   return scenario;
 }
 
-/// A constant force in the inertial frame.
+/// Makes a constant force in the inertial frame.
 inline std::shared_ptr<const Load> steady_load(const Marker& marker, double x, double y,
                                                double moment) {
   return make_load("steady", {marker},
@@ -43,7 +43,7 @@ inline std::shared_ptr<const Load> steady_load(const Marker& marker, double x, d
                    });
 }
 
-/// A force that follows the section, and a moment.
+/// Makes a force that follows the section, and a moment.
 inline std::shared_ptr<const Load> follower(const Marker& marker, double force, double moment) {
   return make_load(
       "follower", {marker},
@@ -53,7 +53,7 @@ inline std::shared_ptr<const Load> follower(const Marker& marker, double force, 
       });
 }
 
-/// Depends on all that a load may depend on, at two markers.
+/// Makes a load that depends on all that a load may depend on, at two markers.
 inline std::shared_ptr<const Load> demanding_load(int blade) {
   return make_load("demanding", {{blade, 0, 0.3}, {blade, 1, 0.8}},
                    [](double t, std::span<const MarkerMotion> in, std::span<Wrench> out) {
@@ -64,7 +64,7 @@ inline std::shared_ptr<const Load> demanding_load(int blade) {
                    });
 }
 
-/// The same at markers of two blades.
+/// Makes this load at markers of two blades.
 inline std::shared_ptr<const Load> demanding_load_between() {
   return make_load("between", {{1, 0, 0.4}, {0, 1, 0.7}},
                    [](double t, std::span<const MarkerMotion> in, std::span<Wrench> out) {
@@ -76,7 +76,7 @@ inline std::shared_ptr<const Load> demanding_load_between() {
                    });
 }
 
-/// A spring [N/m] and a damper [N s/m] between two markers, on the line through them.
+/// Makes a spring [N/m] and a damper [N s/m] between two markers, on the line through them.
 inline std::shared_ptr<const Load> spring(const Marker& a, const Marker& b, double length,
                                           double stiffness, double damping) {
   return make_load("spring", {a, b},

@@ -1,4 +1,4 @@
-// Loads of the user's: their mechanics, their nodes, and what happens if they fail.
+// Tests loads of the user's own: their mechanics, their nodes, and failures.
 
 #include "engine/load.h"
 
@@ -28,7 +28,7 @@ void make_hub(int kind, Rotor& rotor) {
   if (kind > 1) rotor.hub.support = HubSupport::free;
 }
 
-/// Of the sensors, of their number from the first on.
+/// Returns the largest difference of the sensors.
 double largest_difference(const Simulation& a, const Simulation& b) {
   double largest = 0.0;
   for (std::size_t k = 0; k < a.sensor_values().size(); ++k)
@@ -39,8 +39,7 @@ double largest_difference(const Simulation& a, const Simulation& b) {
 /// Visits a soft scenario of 0.04 s with each formulation, method and kind of hub.
 template <class Visit>
 void for_each_kind(Visit visit) {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
       for (const int hub : {0, 1, 2}) {
@@ -77,7 +76,7 @@ TEST_CASE("the work of a follower load is the change of energy, to the order of 
     Scenario scenario = soft_scenario(method, 0.08, step);
     scenario.rotor.hub.support = HubSupport::free;
     scenario.rotor.hub.drive = FreeDrive{2.0};
-    // Within an element, on a clamped and on a chord body.
+    // The load is within an element, on a clamped and on a chord body.
     Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1},
                           {follower({0, 0, 0.37}, 0.5, 0.05), follower({1, 1, 0.81}, 0.4, 0.03)});
     simulation.run_until(scenario.integration.duration);

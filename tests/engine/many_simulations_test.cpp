@@ -1,4 +1,4 @@
-// Many simulations in one process, one after the other and side by side.
+// Tests many simulations in one process, one after the other and side by side.
 
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -27,7 +27,7 @@ Scenario small_scenario(int bodies, double duration) {
 #ifndef SPOKE_SANITIZED  // sanitizers hold freed memory back
 namespace {
 
-/// Memory that the process has in use: pages in main memory [bytes].
+/// Returns the memory that the process has in use: pages in main memory [bytes].
 double resident_memory() {
   double total = 0.0, resident = 0.0;
   std::ifstream("/proc/self/statm") >> total >> resident;
@@ -53,14 +53,14 @@ TEST_CASE("1000 simulations made, run and destroyed leave no memory behind") {
   for (int number = 0; number < 1000; ++number) make_one(number);
   const double grown = resident_memory() - before;
   CAPTURE(grown);
-  // 500 bytes each: a leak of any table, graph or executor is far more.
+  // The limit is 500 bytes each: a leak of any table, graph or executor is far more.
   CHECK(grown < 5e5);
 }
 #endif
 
 namespace {
 
-/// The hashes that a simulation passes through.
+/// Returns the hashes that a simulation passes through.
 std::vector<std::uint64_t> run_alone(int number) {
   const bool is_parallel = number % 2 == 1;
   Simulation simulation(

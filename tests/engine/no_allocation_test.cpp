@@ -1,4 +1,5 @@
-// A program of its own: it counts every allocation of the process.
+// Tests what allocates. It is a program of its own, since it counts every allocation of the
+// process.
 
 #include <doctest/doctest.h>
 #include <malloc.h>
@@ -29,6 +30,9 @@ using namespace spoke::test;
 namespace {
 std::atomic<long> allocations{0};
 std::atomic<std::size_t> allocated_bytes{0};
+/// Allocations by operator new of C++. Runtimes of OpenMP allocate their tasks by malloc, some more
+/// or fewer from pass to pass.
+std::atomic<long> allocations_by_new{0};
 }  // namespace
 
 // Eigen and oneTBB allocate by malloc, everything else by operator new, which calls it.
@@ -38,6 +42,14 @@ extern "C" void* malloc(std::size_t size) {
   allocated_bytes.fetch_add(size, std::memory_order_relaxed);
   return __libc_malloc(size);
 }
+void* operator new(std::size_t size) {
+  allocations_by_new.fetch_add(1, std::memory_order_relaxed);
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -51,31 +63,34 @@ long allocations_of_steps(const Scenario& scenario, const SimulationOptions& opt
 
 constexpr int kTracedSteps = 100;
 
-/// What is allocated from the first to the last of kTracedSteps steps that `make_steps` tells of.
+/// Returns the allocations from the first to the last of kTracedSteps steps that `make_steps`
+/// reports, as `counter` counts them.
 template <class MakeSteps>
-long allocations_between(MakeSteps make_steps) {
+long allocations_between(const std::atomic<long>& counter, MakeSteps make_steps) {
   std::vector<long> counts;
   counts.reserve(kTracedSteps);
-  make_steps([&](double, std::span<const double>) { counts.push_back(allocations.load()); });
+  make_steps([&](double, std::span<const double>) { counts.push_back(counter.load()); });
   REQUIRE(counts.size() == kTracedSteps);
   return counts.back() - counts.front();
 }
 
-/// Runtimes may allocate for themselves, oneTBB does now and then. So steps with and without a
-/// recording take turns, and the least of each counts: what a recording allocates, it allocates
-/// every time.
-void check_that_recording_allocates_nothing(Simulation& simulation) {
+/// Checks that a recording allocates nothing. Runtimes may allocate for themselves; oneTBB does now
+/// and then. So steps with and without a recording take turns, and the least number of each counts:
+/// a recording that allocates does so every time.
+void check_that_recording_allocates_nothing(Simulation& simulation,
+                                            const std::atomic<long>& counter = allocations) {
   simulation.run_until(simulation.time() + 500 * simulation.step_size());  // pools are filled
   long least = std::numeric_limits<long>::max(), least_recorded = least;
   for (int turn = 0; turn < 5; ++turn) {
     const double end = simulation.time() + kTracedSteps * simulation.step_size();
-    least = std::min(least, allocations_between([&](const StepObserver& observe) {
+    least = std::min(least, allocations_between(counter, [&](const StepObserver& observe) {
                        simulation.run_until(end, observe);
                      }));
-    least_recorded = std::min(least_recorded, allocations_between([&](const StepObserver& observe) {
-                                const StepTrace trace = simulation.trace(kTracedSteps, observe);
-                                CHECK(trace.steps.size() == kTracedSteps);
-                              }));
+    least_recorded =
+        std::min(least_recorded, allocations_between(counter, [&](const StepObserver& observe) {
+                   const StepTrace trace = simulation.trace(kTracedSteps, observe);
+                   CHECK(trace.steps.size() == kTracedSteps);
+                 }));
   }
   CHECK(least_recorded <= least);
 }
@@ -83,10 +98,11 @@ void check_that_recording_allocates_nothing(Simulation& simulation) {
 }  // namespace
 
 TEST_CASE("allocations are counted") {
-  const long before = allocations.load();
+  const long before = allocations.load(), before_by_new = allocations_by_new.load();
   std::vector<double> some(100);
   CHECK(some.data() != nullptr);
   CHECK(allocations.load() == before + 1);
+  CHECK(allocations_by_new.load() == before_by_new + 1);
 }
 
 TEST_CASE("a step allocates nothing, at small and large numbers of elements") {
@@ -117,8 +133,7 @@ TEST_CASE("a step of the dense formulations allocates nothing at the paper's siz
 }
 
 TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const char* method : {"generalized_alpha", "rk4"}) {
       const Scenario scenario =
           parse_scenario(make_text(kFlyingHub, kTree + kMotors + kForest, kGravity) +
@@ -130,7 +145,8 @@ TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation
 }
 
 TEST_CASE("a step that makes the tension of rotation anew allocates nothing") {
-  // Through several of 32 speeds an octave, without a warning, which is allocated.
+  // The run goes through several of 32 speeds an octave, without a warning, which would be
+  // allocated.
   const Scenario scenario = read_scenario(
       std::string(SPOKE_MODELS_DIR) + "/articulated_rotor.toml",
       {"hub.drive={kind=\"torque\", torque=40000, initial_speed=34}", "initial.state=equilibrium",
@@ -185,8 +201,22 @@ TEST_CASE("recording a trace allocates nothing while steps are made, on any exec
         CAPTURE(window);
         Simulation simulation(spin_up_scenario(wu_haug_blade(), 1e-3),
                               {Formulation::structured, kind, threads, window});
-        check_that_recording_allocates_nothing(simulation);
+        check_that_recording_allocates_nothing(
+            simulation, kind == ExecutorKind::openmp_tasks ? allocations_by_new : allocations);
       }
+}
+
+TEST_CASE("a step of tasks of OpenMP allocates nothing but what OpenMP does for its tasks") {
+  if (!graph::has_executor(ExecutorKind::openmp_tasks)) return;
+  for (const int threads : {1, 2}) {
+    CAPTURE(threads);
+    Simulation simulation(spin_up_scenario(wu_haug_blade(), 1e-3),
+                          {Formulation::structured, ExecutorKind::openmp_tasks, threads, 1});
+    for (int n = 0; n < 3; ++n) simulation.step();
+    const long before = allocations_by_new.load();
+    for (int n = 0; n < 100; ++n) simulation.step();
+    CHECK(allocations_by_new.load() == before);
+  }
 }
 
 TEST_CASE("recording a trace of nested teams allocates nothing while steps are made") {
@@ -212,7 +242,7 @@ TEST_CASE("recording a trace of what auto has chosen allocates nothing while ste
 }
 
 TEST_CASE("a recording allocates no more than its buffer") {
-  // Many blades with few nodes: places of passes take much beside the records.
+  // With many blades of few nodes the places of passes take much memory beside the records.
   Scenario scenario = spin_up_scenario(wu_haug_blade(1, 1), 1e-3);
   scenario.rotor.blades.resize(24, scenario.rotor.blades[0]);
   scenario.integration.duration = 50.0;
@@ -229,7 +259,7 @@ TEST_CASE("a recording allocates no more than its buffer") {
     };
     simulation.trace(40000, observe, options);
     CHECK(used > options.buffer_bytes / 2);
-    // Some more for a while, to find which node of a pass is which.
+    // The search for which node of a pass is which takes some more for a while.
     CHECK(used <= options.buffer_bytes + options.buffer_bytes / 20);
   }
 }
@@ -246,7 +276,7 @@ TEST_CASE("a step on the flow graph allocates nothing once its pools are filled"
 
 namespace {
 
-/// All that an evaluation does to one joint of a body with three handles, and to the hub.
+/// Evaluates one joint of a body with three handles, and the hub.
 void evaluate_joint(const space::Joint& model, space::testing::HubTable& table,
                     std::mt19937& random) {
   using namespace spoke::space;
@@ -286,13 +316,13 @@ void evaluate_joint(const space::Joint& model, space::testing::HubTable& table,
 
 namespace {
 
-/// What is allocated now [bytes].
+/// Returns the memory that is allocated now [bytes].
 double live_bytes() {
   const auto heap = mallinfo2();
   return static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);
 }
 
-/// What a shipped model is said to take, over what it takes.
+/// Returns the estimated memory of a shipped model by what it takes.
 double relative_estimate(const std::string& file, const std::vector<std::string>& size) {
   const Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + file, size);
   const double before = live_bytes();
@@ -329,7 +359,7 @@ TEST_CASE("joints of trees in space are eliminated and recovered without allocat
 
 namespace {
 
-/// All that an evaluation does to one flexible body.
+/// Evaluates one flexible body.
 void evaluate_body(spoke::space::test::TestBody& test, const space::Section& section,
                    std::vector<space::Twist>& wrenches, Eigen::VectorXd& a) {
   using namespace spoke::space;

@@ -1,4 +1,4 @@
-// Executors of a program's own: whatever order they choose, they give the bits of "serial".
+// Tests executors of the program: whatever order they choose, they give the bits of "serial".
 
 #include <doctest/doctest.h>
 
@@ -78,8 +78,7 @@ class Threaded final : public graph::Executor {
 TEST_CASE("an executor of one's own gives the bits of serial: all formulations, in windows too") {
   for (const IntegrationMethod method :
        {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
-    for (const Formulation formulation :
-         {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+    for (const Formulation formulation : formulations()) {
       Scenario scenario = unequal_scenario(HubSupport::axle, method);
       scenario.integration.duration = 20 * scenario.integration.step;
       Simulation serial(scenario, {formulation, ExecutorKind::serial, 1});

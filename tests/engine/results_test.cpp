@@ -26,7 +26,7 @@ using spoke::testing::approx;
 
 namespace {
 
-/// The steps, of 0 to `count` of size `step`, that are output.
+/// Returns the steps, of 0 to `count` of size `step`, that are output.
 std::vector<int> due_steps(double interval, double step, int count) {
   OutputTimes times(interval);
   std::vector<int> due;

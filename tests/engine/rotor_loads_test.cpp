@@ -1,4 +1,4 @@
-// Rotors under the loads that scenarios give: closed forms, equal bits, saved states.
+// Tests rotors under loads of scenarios: closed forms, equal bits, saved states.
 
 #include <doctest/doctest.h>
 
@@ -17,12 +17,12 @@ using spoke::testing::approx;
 
 namespace {
 
-// Of the blade of Wu & Haug.
+// Length of the blade of Wu & Haug [m].
 constexpr double kLength = 8.0;
 constexpr double kBendingStiffness = 8.214e-9 * 6.895e10;
 constexpr double kMassPerLength = 2766.67 * 7.299e-5;
 
-/// One blade on a fixed hub, so damped that a load of a slow rise bends it as at rest.
+/// Makes one blade on a fixed hub, so damped that a slowly rising load bends it as at rest.
 Scenario cantilever() {
   Scenario scenario;
   scenario.rotor = make_rotor(wu_haug_blade(2, 4), 1);
@@ -41,7 +41,7 @@ Simulation at_rest(const Scenario& scenario) {
 
 constexpr double kRamp = 20.0;
 
-/// Stiff blades that turn freely about an axle, and drag per length.
+/// Makes stiff blades that turn freely about an axle, with drag per length.
 Scenario spinning_rotor(double linear, double quadratic) {
   Scenario scenario;
   scenario.rotor = make_rotor(wu_haug_blade(1, 4), 3);

@@ -140,7 +140,7 @@ void randomize_state(std::mt19937& random, SystemContext<Plane>& context) {
   }
   for (SubsystemData<Plane>& subsystem : data.subsystems)
     for (BodyData<Plane>& member : subsystem.bodies) {
-      const FlexibleBody& body = *member.model->body;
+      const plane::FlexibleBody& body = *member.model->body;
       const double bend = 0.05 * unit(random), bend_rate = 0.5 * unit(random);
       const double stretch = 1e-5 * unit(random), stretch_rate = 1e-3 * unit(random);
       for (int node = 0; node <= body.elements; ++node) {
@@ -158,7 +158,7 @@ void randomize_state(std::mt19937& random, SystemContext<Plane>& context) {
     }
 }
 
-Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout) {
+Eigen::VectorXd unpadded(const double* flex, const plane::FlexLayout& layout) {
   Eigen::VectorXd values(layout.axial + layout.bending);
   for (int k = 0; k < values.size(); ++k) values[k] = flex[layout.offset(k)];
   return values;
@@ -173,7 +173,7 @@ void start_progress(const PassControl& control, StepData<Plane>& data) {
 
 namespace {
 
-/// Of the state evaluated last: no step has ended there.
+/// Returns the reaction of the hub at the state evaluated last, at which no step has ended.
 Twist hub_reaction(double t, const SystemContext<Plane>& context) {
   if (context.data.is_coupled) return context.data.hub_solution.reaction;
   const Hub& hub = context.system.hub;

@@ -9,16 +9,16 @@
 
 namespace spoke::test {
 
-/// The blade of Wu & Haug 1988 and of the paper, 8 m long.
+/// Makes the blade of Wu & Haug 1988 and of the paper, 8 m long.
 Blade wu_haug_blade(int bodies = 4, int elements = 4);
 
-/// `count` equal blades, evenly spaced.
+/// Makes a rotor of `count` equal blades, evenly spaced.
 Rotor make_rotor(const Blade& blade, int count);
 
-/// The 20 s spin-up to 4 rad/s of three such blades.
+/// Makes the 20 s spin-up to 4 rad/s of three such blades.
 Scenario spin_up_scenario(const Blade& blade, double step);
 
-/// A spin-up of 200 steps whose blades need different numbers of iterations, under gravity.
+/// Makes a spin-up of 200 steps whose blades need different numbers of iterations, under gravity.
 Scenario unequal_scenario(HubSupport support, IntegrationMethod method);
 
 /// A rotor with blades of random sizes, materials, reference frames and stiffening.
@@ -40,8 +40,8 @@ void randomize_state(std::mt19937& random, SystemContext<Plane>& context);
 /// Sets all progress to one pass with `control`.
 void start_progress(const PassControl& control, StepData<Plane>& data);
 
-/// All accelerations found by a pass that only evaluates: hub, then bodies; and all root-to-tip
-/// joint wrenches.
+/// All accelerations of a pass that only evaluates, hub, then bodies; and all joint wrenches from
+/// root to tip.
 struct Evaluation {
   Eigen::VectorXd accelerations;
   Eigen::VectorXd wrenches;
@@ -51,14 +51,15 @@ struct Evaluation {
 /// with the constant block of an implicit step.
 Evaluation evaluate(double t, SystemContext<Plane>& context, bool implicit = false);
 
-/// A context for a rotor, undeformed. Filled in place, for its address must not change.
+/// Makes a context for a rotor, undeformed. It is filled in place, since its address must not
+/// change.
 void make_context(const Rotor& rotor, Formulation formulation, const Method& method,
                   SystemContext<Plane>& context);
 
 /// Copies coordinates and velocities of one context to another of the same system.
 void copy_state(const SystemContext<Plane>& from, SystemContext<Plane>& to);
 
-/// Deformation coordinates of a body without padding, axial before bending.
-Eigen::VectorXd unpadded(const double* flex, const FlexLayout& layout);
+/// Returns the deformation coordinates of a body without padding, axial before bending.
+Eigen::VectorXd unpadded(const double* flex, const plane::FlexLayout& layout);
 
 }  // namespace spoke::test

@@ -1,4 +1,5 @@
-// States are saved and restored: a run split anywhere goes on with the bits of the whole run.
+// Tests that states are saved and restored: a run split anywhere goes on with the bits of the whole
+// run.
 
 #include <doctest/doctest.h>
 
@@ -23,7 +24,7 @@ namespace {
 
 constexpr int kSteps = 30;
 
-/// Unequal blades under a hub that is prescribed, or else free and driven by a torque.
+/// Makes unequal blades on a hub that is prescribed, or else free and driven by a torque.
 Scenario make_scenario(IntegrationMethod method, bool has_free_hub) {
   Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.01);
   Rotor& rotor = scenario.rotor;
@@ -51,7 +52,7 @@ Scenario make_scenario(IntegrationMethod method, bool has_free_hub) {
   return scenario;
 }
 
-/// Everything that a run shows, by step.
+/// All that a run shows, by step.
 struct Shown {
   std::vector<std::vector<double>> rows;
   std::uint64_t hash = 0;
@@ -79,7 +80,8 @@ Shown run_whole(const Scenario& scenario, Formulation formulation) {
   return shown;
 }
 
-/// Executors that are slow where threads are more than processors: tested less.
+/// Whether to compare an executor: those that are slow with more threads than processors are tested
+/// less.
 bool is_to_compare(ExecutorKind kind) {
   return kind != ExecutorKind::automatic && kind != ExecutorKind::serial &&
          kind != ExecutorKind::flow_graph;
@@ -93,7 +95,7 @@ void check_tail(const Shown& part, const Shown& whole) {
   CHECK(std::equal(part.rows.begin(), part.rows.end(), first));
 }
 
-/// One linear body per blade, which fails beyond 3 rad/s.
+/// Makes one linear body per blade, which fails beyond 3 rad/s.
 Scenario failing_scenario() {
   Scenario scenario = spin_up_scenario(wu_haug_blade(1, 4), 0.005);
   scenario.rotor.blades[1].geometric_stiffening = false;
@@ -107,8 +109,7 @@ TEST_CASE("a run split anywhere goes on with the same bits on every executor and
   for (const bool has_free_hub : {false, true})
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
-      for (const Formulation formulation :
-           {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+      for (const Formulation formulation : formulations()) {
         const Scenario scenario = make_scenario(method, has_free_hub);
         const Shown whole = run_whole(scenario, formulation);
         int split = 0;
@@ -127,7 +128,7 @@ TEST_CASE("a run split anywhere goes on with the same bits on every executor and
             run_steps(split, first, ignored);
             const SavedState saved = first.save();
             CHECK(saved.steps == split);
-            // Another simulation, which has gone elsewhere meanwhile, on an executor of its own.
+            // Another simulation, which has gone elsewhere meanwhile, on another executor.
             Simulation second(scenario, {formulation, kind, 3, 21 - window});
             run_steps(kSteps - split / 2, second, ignored);
             second.restore(saved);
@@ -194,8 +195,7 @@ TEST_CASE("a longer simulation goes on from the end of a shorter one") {
 
 TEST_CASE("after a divergence a state is restored, and nothing of the failure is left") {
   const Scenario scenario = failing_scenario();
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const int window : {1, 20}) {
       Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, window});
       simulation.run_until(9.0);
@@ -224,8 +224,7 @@ TEST_CASE("what is not a number leaves no trace behind a restored state") {
   for (const bool has_free_hub : {false, true})
     for (const IntegrationMethod method :
          {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4})
-      for (const Formulation formulation :
-           {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+      for (const Formulation formulation : formulations()) {
         const Scenario scenario = make_scenario(method, has_free_hub);
         const Shown whole = run_whole(scenario, formulation);
         Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 7});
@@ -233,7 +232,7 @@ TEST_CASE("what is not a number leaves no trace behind a restored state") {
         SavedState spoiled = saved;
         constexpr auto kObserved =
             static_cast<std::ptrdiff_t>(sizeof(Observations) / sizeof(double));
-        // Finite, but not its squares.
+        // The values are finite, but their squares are not.
         std::fill(spoiled.values.begin(), spoiled.values.end() - kObserved, 1e200);
         simulation.restore(spoiled);
         CHECK_THROWS_AS(simulation.run_until(1.0), DivergenceError);
@@ -381,7 +380,7 @@ TEST_CASE("a saved state with a number that is not finite is refused, and nothin
   };
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
-    // One of the hub, one in the middle, one of the observations.
+    // A value of the hub, one in the middle, and one of the observations.
     for (const std::size_t place :
          {std::size_t{0}, saved.values.size() / 2, saved.values.size() - 1}) {
       SavedState spoiled = saved;

@@ -26,7 +26,7 @@ void write_rows(int first, int last, SensorFile& file) {
   for (int n = first; n < last; ++n) file.write_row(n, std::vector<double>{0.1 * n});
 }
 
-/// A file of rows 0 to 9, marked behind row 4.
+/// Writes a file of rows 0 to 9, marked behind row 4.
 SensorFileMark write_marked(const fs::path& path) {
   SensorFile file(path, {"a"});
   write_rows(0, 5, file);

@@ -7,6 +7,7 @@
 
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/samples.h"
+#include "engine/plane/handle_motion.h"
 #include "engine/simulation.h"
 #include "tests/approx.h"
 #include "tests/engine/rotors.h"
@@ -30,17 +31,18 @@ double largest_displacement(const BladeShape& shape) {
   return largest;
 }
 
-/// Places of a blade's nodes in the inertial frame.
+/// Returns the places of the nodes of a blade in the inertial frame.
 std::vector<Position> inertial_places(const Simulation& simulation, int blade) {
   const Twist hub = simulation.hub().position;
-  const Rotation R = Rotation::from_angle(hub[kRotation]);
+  const plane::Rotation R = plane::Rotation::from_angle(hub[kRotation]);
   std::vector<Position> places;
   for (const ShapeNode& node : shape_of(simulation, blade).nodes)
     places.emplace_back(Position{hub[0], hub[1]} + R * node.p);
   return places;
 }
 
-/// Blades that turn at a constant speed from the start, vibrate and come to rest in the hub frame.
+/// Makes blades that turn at a constant speed from the start, vibrate and come to rest in the hub
+/// frame.
 Scenario steady_scenario(ReferenceFrame frame) {
   Blade blade = wu_haug_blade(3, 4);
   blade.reference_frame = frame;
@@ -64,7 +66,7 @@ TEST_CASE("a blade begins undeformed, its nodes evenly spaced along its azimuth"
   REQUIRE(shape.nodes.size() == 9);
   REQUIRE(shape.axial_forces.size() == 8);
   CHECK(largest_displacement(shape) < 1e-14);
-  const Rotation R = Rotation::from_angle(scenario.rotor.blades[1].azimuth);
+  const plane::Rotation R = plane::Rotation::from_angle(scenario.rotor.blades[1].azimuth);
   for (std::size_t k = 0; k < shape.nodes.size(); ++k) {
     const Position expected = R * Position{0.5 + 1.0 * static_cast<double>(k), 0.0};
     CHECK((shape.nodes[k].p - expected).norm() < 1e-14);
@@ -123,7 +125,7 @@ TEST_CASE("adjoining bodies share the point of their joint in any state") {
       for (int j = 0; j < blade.bodies; ++j) {
         const Position joint = data.poses[j].p - shortened;
         CHECK((shape.nodes[j * blade.elements].p - joint).norm() < 1e-13);
-        shortened += data.poses[j].R * Position{calc_foreshortening(data.bodies[j]), 0.0};
+        shortened += data.poses[j].R * Position{plane::calc_foreshortening(data.bodies[j]), 0.0};
       }
       const Twist tip = calc_tip_displacement(context.system.subsystems[i], data);
       CHECK((shape.nodes.back().displacement - tip.head<kPosition>()).norm() < 1e-12);
@@ -143,7 +145,7 @@ TEST_CASE("velocities are the rates of the places") {
     const auto before = inertial_places(simulation, 1);
     simulation.step();
     const BladeShape shape = shape_of(simulation, 1);
-    const Rotation R = Rotation::from_angle(simulation.hub().position[kRotation]);
+    const plane::Rotation R = plane::Rotation::from_angle(simulation.hub().position[kRotation]);
     simulation.step();
     const auto after = inertial_places(simulation, 1);
     for (std::size_t k = 0; k < shape.nodes.size(); ++k) {

@@ -1,7 +1,7 @@
-// The spin-up of Wu & Haug's blade and of Simo & Vu-Quoc's beam against solutions that owe nothing
-// to the floating frame: a geometrically exact (Reissner) beam, mesh and step converged, and its
-// Euler-Bernoulli limit, to which these models converge. The values of linear floating-frame bodies
-// come from an independent implementation, integrated to convergence.
+// Compares the spin-up of the blade of Wu & Haug and of the beam of Simo & Vu-Quoc with solutions
+// that do not use a floating frame: a geometrically exact (Reissner) beam, mesh and step converged,
+// and its Euler-Bernoulli limit, to which these models converge. The values of linear
+// floating-frame bodies come from an independent implementation, integrated to convergence.
 
 #include <doctest/doctest.h>
 
@@ -20,7 +20,7 @@ using spoke::testing::approx;
 namespace {
 
 struct TipHistory {
-  double peak = 0.0;  ///< of largest magnitude [m]
+  double peak = 0.0;  ///< value of largest magnitude [m]
   double time_of_peak = 0.0;
   double smallest_x = 0.0;
   std::map<int, double> y_at;  ///< by time in units of 0.1 s
@@ -188,7 +188,7 @@ TEST_CASE("spin-up of Simo and Vu-Quoc's beam") {
   scenario.integration.duration = 20.0;
   scenario.integration.step = 0.0025;
   const TipHistory history = run(scenario);
-  // Shear and rotary inertia, which the model has not, shift the exact value by some 1e-4.
+  // Shear and rotary inertia, which the model lacks, shift the exact value by some 1e-4.
   CHECK(history.peak == approx(-0.57383476).epsilon(1e-3));
   CHECK(history.y_at.at(50) == approx(-0.46847618).epsilon(1e-3));
   CHECK(history.y_at.at(100) == approx(-0.36281452).epsilon(1e-3));

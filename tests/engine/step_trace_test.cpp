@@ -24,7 +24,7 @@ bool is_coupled(const Scenario& scenario, const SimulationOptions& options) {
 
 using Times = std::map<std::tuple<std::int64_t, int, int>, NodeSlice>;  // step, pass, node
 
-/// The slices of complete steps; fails if a node is there twice.
+/// Returns the slices of complete steps; fails if a node is there twice.
 Times times_of(const StepTrace& trace, bool is_windowed) {
   Times times;
   for (const NodeSlice& slice : trace.slices) {
@@ -54,7 +54,7 @@ void check_threads(const StepTrace& trace) {
   CHECK(faults == 0);
 }
 
-/// Every node of a pass follows its predecessors, also those of the pass before.
+/// Checks that every node follows its predecessors, also those of the pass before.
 void check_order(const StepTrace& trace, const Times& times) {
   int faults = 0;
   const auto end_of = [&](std::int64_t step, int pass, int node) {
@@ -71,8 +71,8 @@ void check_order(const StepTrace& trace, const Times& times) {
   CHECK(faults == 0);
 }
 
-/// Each blade's nodes are all there in as many passes as the blade needs, at least one of them in
-/// all passes of the step.
+/// Checks that the nodes of each subsystem are all there in as many passes as it needs, those of at
+/// least one subsystem in all passes of the step.
 void check_complete(const StepTrace& trace, const Times& times, bool is_windowed) {
   std::map<std::int64_t, std::map<int, std::map<int, int>>> counts;  // step, subsystem, pass
   std::map<int, int> nodes;                                          // by subsystem
@@ -362,7 +362,7 @@ TEST_CASE("a trace says whether auto had chosen, and names the serial steps befo
     CHECK(std::all_of(tuning.slices.begin(), tuning.slices.end(),
                       [](const NodeSlice& slice) { return slice.thread == 0; }));
   }
-  // As soon as a simulation is long enough to be timed, next to nothing is left of it.
+  // As soon as a simulation is long enough to be timed, hardly anything is left of it.
   StepTrace last;
   last.choice = ChoiceState::none;
   for (int steps = 20; last.choice != ChoiceState::made; steps += 8) {

@@ -1,5 +1,5 @@
-// A load that is there at once, at the start or later: the response is that of the modes, whatever
-// the step resolves of them.
+// Tests a load that is there at once, at the start or later: the response is that of the modes,
+// whatever part of them the step resolves.
 
 #include <doctest/doctest.h>
 
@@ -38,7 +38,7 @@ Scenario cantilever(int bodies, double radius, double step) {
   return scenario;
 }
 
-/// The same blade in space, which is loaded from the start.
+/// Makes the blade in space, loaded from the start.
 Scenario spatial_cantilever(int bodies, double radius, double step) {
   Scenario scenario = cantilever(bodies, radius, step);
   const Blade planar = scenario.rotor.blades[0];
@@ -73,7 +73,7 @@ PointLoad tip_moment(double moment) {
   return load;
 }
 
-/// As a load of the user's, at the tip of four bodies.
+/// Makes the moment as a load of the user's at the tip of four bodies.
 std::shared_ptr<const Load> user_moment(double moment) {
   return make_load("moment", {{0, 3, 1.0}},
                    [moment](double, std::span<const MarkerMotion>, std::span<Wrench> out) {
@@ -81,9 +81,9 @@ std::shared_ptr<const Load> user_moment(double moment) {
                    });
 }
 
-/// Deflection of the tip [m], `t` [s] after a moment has come: the sum over the modes of a clamped
-/// beam; those that are left out are damped so much that they creep to rest within 1/kDamping. Mode
-/// shapes phi = cosh - cos - sigma (sinh - sin) have the integral of phi^2 L.
+/// Returns the deflection of the tip [m], `t` [s] after a moment has come: the sum over the modes
+/// of a clamped beam; modes that are left out are damped so much that they creep to rest within
+/// 1/kDamping. Mode shapes phi = cosh - cos - sigma (sinh - sin) have the integral of phi^2 L.
 double exact_deflection(const Blade& blade, double t) {
   constexpr std::array<double, 6> roots{1.87510406871196, 4.69409113297417, 7.85475743823761,
                                         10.9955407348755, 14.1371683910465, 17.2787595320882};
@@ -107,14 +107,14 @@ double exact_deflection(const Blade& blade, double t) {
   return sum + rest * (1.0 - std::exp(-t / kDamping));
 }
 
-/// What a response is off by, each by the static deflection or the largest work.
+/// Errors of a response, by the static deflection or the largest work.
 struct Errors {
   double any = 0.0;   ///< of the deflection at any time
   double late = 0.0;  ///< of the deflection 0.1 s after the load has come and later
   double peak = 0.0;  ///< of the largest deflection
   double residual = 0.0;
 };
-/// Runs to the end; the load has come at `start` [s].
+/// Runs to the end and returns the errors; the load has come at `start` [s].
 Errors follow(Simulation& simulation, const Blade& blade, double start) {
   const double EI = blade.youngs_modulus * blade.second_moment;
   const double rest = kMoment * blade.length * blade.length / (2.0 * EI);
@@ -133,7 +133,7 @@ Errors follow(Simulation& simulation, const Blade& blade, double start) {
   return {error / rest, late / rest, std::abs(peak - exact_peak) / rest, residual / work};
 }
 
-/// The first mode of a clamped beam by itself, at once under a load of its own shape.
+/// The first mode of a clamped beam alone, at once under a load of its own shape.
 struct FirstMode {
   static constexpr double kRoot = 1.87510406871196;
   static constexpr double kAtRest = 1e-3;  ///< deflection of the tip under the load [m]
@@ -146,14 +146,15 @@ struct FirstMode {
   double mass;       ///< per length [kg/m]
   double frequency;  ///< [rad/s]
 
-  /// Deflection at x, a share of the length, by that of the tip.
+  /// Returns the deflection at x, a share of the length, by that of the tip.
   static double shape(double x) {
     const double z = kRoot * x;
     const double sigma =
         (std::cosh(kRoot) + std::cos(kRoot)) / (std::sinh(kRoot) + std::sin(kRoot));
     return 0.5 * (std::cosh(z) - std::cos(z) - sigma * (std::sinh(z) - std::sin(z)));
   }
-  /// Forces in proportion to mass and shape, at so many places that no other mode feels them.
+  /// Returns forces in proportion to mass and shape, at so many places that no other mode feels
+  /// them.
   std::shared_ptr<const Load> load(const Scenario& scenario) const {
     constexpr int kPlaces = 48;
     const double length = scenario.rotor.blades[0].length, share = 1.0 / kPlaces;
@@ -168,7 +169,7 @@ struct FirstMode {
                        for (std::size_t k = 0; k < forces.size(); ++k) out[k].force.y() = forces[k];
                      });
   }
-  /// Deflection by that at rest, after t, for a damping ratio.
+  /// Returns the deflection by that at rest, after t, for a damping ratio.
   double exact(double t, double ratio) const {
     const std::complex<double> root = std::sqrt(std::complex<double>(ratio * ratio - 1.0));
     const std::complex<double> s = -ratio + root, r = -ratio - root;
@@ -177,8 +178,8 @@ struct FirstMode {
   }
 };
 
-/// Largest deflection of an oscillator of unit frequency under a unit load, in `count` steps of h
-/// from its true acceleration: the best start that the method can be given.
+/// Returns the largest deflection of an oscillator of unit frequency under a unit load, in `count`
+/// steps of h from its true acceleration: the best start that the method can be given.
 double calc_best_peak(double radius, double h, double ratio, int count) {
   const GeneralizedAlpha m = make_generalized_alpha(radius, h);
   double q = 0.0, v = 0.0, a = 1.0, al = 1.0, peak = 0.0;
@@ -195,7 +196,7 @@ double calc_best_peak(double radius, double h, double ratio, int count) {
   return peak;
 }
 
-/// What two periods of the first mode show, in so many steps a period.
+/// Results of two periods of the first mode, with so many steps a period.
 struct Peak {
   double found, exact, best;  ///< by the deflection at rest
   double residual;            ///< by the work
@@ -234,7 +235,7 @@ constexpr Resolution kResolutions[] = {
     {0.0, 14, 25, 50}, {0.3, 12, 16, 28}, {0.5, 12, 12, 18}, {0.8, 12, 10, 18}, {1.0, 12, 10, 18}};
 
 void check_first_mode(int bodies) {
-  // None, little, some, and so much that nothing swings [s].
+  // Damping [s]: none, little, some, and so much that nothing swings.
   for (const double damping : {0.0, 0.002, 0.02, 0.2})
     for (const Resolution& at : kResolutions) {
       CAPTURE(bodies);
@@ -283,7 +284,7 @@ TEST_CASE("what the step does not resolve follows a sudden load, and makes no en
                             (2.0 * blade.youngs_modulus * blade.second_moment);
         CHECK(least > -0.01 * rest);
         CHECK(largest < 2.02 * rest);
-        // The quadrature of what dampers take counts 1.4 % of the work too much.
+        // The quadrature of the dissipation counts 1.4 % of the work too much.
         CHECK(gained < 0.02 * work);
       }
 }
@@ -300,7 +301,7 @@ TEST_CASE("a blade that is loaded at the start moves as its modes do") {
       CHECK(errors.peak < 0.01);
       // The first mode's period of 27 steps comes out longer, by less than 1 %.
       CHECK(errors.any < 0.06);
-      // Radius 0 takes energy out of what so many steps a period resolve, too.
+      // Radius 0 dissipates energy of motions that so many steps a period resolve, too.
       CHECK(errors.residual < (radius == 0.0 ? 0.03 : 0.01));
     }
 }

@@ -1,4 +1,4 @@
-// Steps within the caller's own oneTBB arena.
+// Makes steps within the caller's own oneTBB arena.
 
 #include <doctest/doctest.h>
 #include <oneapi/tbb/task_arena.h>

@@ -35,7 +35,7 @@ TreeShape shape_of(const Simulation& simulation, int tree) {
   return shape;
 }
 
-/// Where nodes are in the inertial frame, and how they are turned.
+/// Returns places and rotations of nodes in the inertial frame.
 std::vector<spatial::Placement> inertial_places(const Simulation& simulation, int tree) {
   const HubPose hub = simulation.hub_pose();
   std::vector<spatial::Placement> places;
@@ -45,7 +45,7 @@ std::vector<spatial::Placement> inertial_places(const Simulation& simulation, in
   return places;
 }
 
-/// What two placements, `span` [s] apart, show of velocity and angular velocity.
+/// Velocity and angular velocity by two placements, `span` [s] apart.
 struct Rates {
   Vector velocity, angular_velocity;
 };
@@ -65,8 +65,8 @@ TEST_CASE("the last node of a tree is where the tip's sensors have it") {
     const Tensor axes = rotor_placement(scenario.space->hub).rotation;
     Simulation simulation(scenario, kSerial);
     simulation.run_until(0.5);
-    for (int i = 0; i < static_cast<int>(scene.trees.size()); ++i) {
-      std::string name = scene.trees[static_cast<std::size_t>(i)] + ".tip.";
+    for (int i = 0; i < static_cast<int>(scene.subsystems.size()); ++i) {
+      std::string name = scene.subsystems[static_cast<std::size_t>(i)] + ".tip.";
       std::erase(name, ' ');
       const Vector sensor(simulation.sensor(name + 'x'), simulation.sensor(name + 'y'),
                           simulation.sensor(name + 'z'));

@@ -38,7 +38,7 @@ void run_node(GraphPlan& plan, const NodePlan& node, double salt) noexcept {
   }
 }
 
-// A step in the making: the parts of hub and subsystems, and the nodes of one pass after the other.
+// Plans a step: the parts of hub and subsystems, and the nodes of one pass after the other.
 class StepPlanner {
  public:
   explicit StepPlanner(const StepShape& shape) : shape_(shape) {

@@ -9,7 +9,7 @@
 
 namespace spoke::graph::testing {
 
-/// What one node of a graph really accesses (indices of parts), and what it declares.
+/// The parts that a node really accesses (by index), and those that it declares.
 struct NodePlan {
   NodeLabel label;
   std::vector<PartId> reads;
@@ -26,8 +26,8 @@ struct GraphPlan {
 
 GraphPlan make_random_plan(std::uint32_t seed, int nodes, int parts, int part_size);
 
-/// The shape of a step: subsystems of bodies, several passes. Unless `with_hub`, subsystems have
-/// nothing to do with each other; with it they meet in a node of every pass.
+/// The shape of a step: subsystems of bodies, several passes. Unless `with_hub`, subsystems are
+/// independent; with it they meet in a node of every pass.
 struct StepShape {
   int subsystems;
   int bodies;
@@ -43,7 +43,7 @@ StepGraph build_graph(GraphPlan& plan);
 /// Sets the memory to the same start values each time.
 void reset_memory(GraphPlan& plan);
 
-/// The memory after twenty runs from the start values, by an executor of the plan's graph.
+/// Returns the memory after twenty runs from the start values, by an executor of the plan's graph.
 std::vector<std::vector<double>> results_of(Executor& executor, GraphPlan& plan);
 
 }  // namespace spoke::graph::testing

@@ -125,8 +125,8 @@ TEST_CASE("kinds are found by name, and one that this build is without is refuse
       executor_kind("openmp"),
       doctest::Contains("no executor is named \"openmp\"; known here: auto, flow_graph"),
       spoke::InputError);
-  for (const ExecutorKind kind :
-       {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
+  for (const ExecutorKind kind : {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2,
+                                  ExecutorKind::openmp_levels, ExecutorKind::openmp_tasks}) {
     if (has_executor(kind)) continue;
     const std::string why = std::string(name_of(kind)) +
                             " needs OpenMP, which this build is without (SPOKE_OPENMP=OFF); known "
@@ -158,7 +158,7 @@ TEST_CASE("executors refuse more threads than any has use for, one by one or in 
 
 TEST_CASE("the available threads are at least one and at most the processors") {
   CHECK(available_threads() >= 1);
-  // Not hardware_concurrency(): of a thread that OpenMP has bound, it is 1.
+  // hardware_concurrency() would be 1 for a thread that OpenMP has bound.
   CHECK(available_threads() <= sysconf(_SC_NPROCESSORS_ONLN));
 }
 

@@ -7,7 +7,7 @@
 
 namespace spoke::graph::testing {
 
-/// The graph of a plan whose nodes do nothing but record when they run.
+/// The graph of a plan whose nodes only record when they run.
 class RecordedGraph {
  public:
   explicit RecordedGraph(const GraphPlan& plan);
@@ -15,11 +15,11 @@ class RecordedGraph {
   const StepGraph& graph() const { return graph_; }
 
   int count_nodes_not_run(int times) const;
-  /// Edges of which, in the last run, the second node began before the first had ended.
+  /// Counts edges whose second node began, in the last run, before the first had ended.
   int count_edges_out_of_order() const;
 
  private:
-  // How often a node ran, and its place in the order of starts and ends of the last run.
+  // The number of times a node ran, and its place in the order of starts and ends of the last run.
   struct Record {
     std::atomic<int> runs{0};
     std::atomic<int> start{0};

@@ -13,7 +13,7 @@ using spoke::graph::testing::make_step_plan;
 
 namespace {
 
-/// What is wrong with a trace, in words, or nothing.
+/// Returns what is wrong with a trace, in words; empty if nothing is.
 std::string find_fault(const RunTrace& trace, const StepGraph& graph, int threads) {
   std::vector<const NodeRun*> of_node(static_cast<std::size_t>(graph.node_count()));
   for (const NodeRun& run : trace.nodes) {

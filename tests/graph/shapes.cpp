@@ -27,7 +27,7 @@ StepGraph make_fan(int width, int length) {
 
 namespace {
 
-// Returns what each blade's last nodes have written.
+// Returns the parts that the last nodes of each chain have written.
 std::vector<PartId> add_blades(int steps, int blades, int bodies, StepGraphBuilder& builder) {
   std::vector<PartId> last;
   for (int i = 0; i < blades; ++i) {

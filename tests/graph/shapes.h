@@ -7,21 +7,23 @@
 
 namespace spoke::graph::testing {
 
-/// A graph of empty nodes: root -> `width` chains of `length` nodes -> join.
+/// Makes a graph of empty nodes: root -> `width` chains of `length` nodes -> join.
 StepGraph make_fan(int width, int length);
 
-/// A window of `steps` steps of `blades` independent chains: per step and chain a node, a layer of
-/// `bodies` nodes, and a node that joins them. Empty nodes, no root, no end.
+/// Makes a window of `steps` steps of `blades` independent chains: per step and chain a node, a
+/// layer of `bodies` nodes, and a node that joins them. Nodes are empty, and there is no root or
+/// end.
 StepGraph make_window(int steps, int blades, int bodies);
 
-/// The same, where each chain leads to an end of its own, which nothing waits for, and all of them
-/// to one node; as windows whose blades take samples, and whose hub only records.
+/// Makes such a window where each chain also leads to an end of its own, which nothing waits for,
+/// and all chains lead to one node: as in windows whose subsystems take samples, and whose hub only
+/// records.
 StepGraph make_ended_window(int steps, int blades, int bodies);
 
-/// `cost` for every node [s].
+/// Returns `cost` for every node [s].
 std::vector<double> equal_costs(const StepGraph& graph, double cost);
 
-/// Costs of 0 to 20 us, a fifth of them 0 [s].
+/// Returns costs of 0 to 20 us, a fifth of them 0 [s].
 std::vector<double> random_costs(std::uint32_t seed, const StepGraph& graph);
 
 }  // namespace spoke::graph::testing

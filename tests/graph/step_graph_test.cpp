@@ -30,7 +30,7 @@ bool contains(const std::vector<PartId>& parts, PartId part) {
   return std::find(parts.begin(), parts.end(), part) != parts.end();
 }
 
-// One of the nodes writes what the other accesses.
+// Whether one of the nodes writes what the other accesses.
 bool conflict(const Node& a, const Node& b) {
   const auto touched = [](const Node& node, PartId part) {
     return contains(node.reads, part) || contains(node.writes, part);
@@ -248,7 +248,7 @@ TEST_CASE("large graphs lose the edges that others imply") {
   }
   const StepGraph graph = builder.build();
   CHECK(graph.node_count() == 3011);
-  // Of the edges from the root only those to the first layer are not implied.
+  // All edges from the root except those to the first layer are implied.
   CHECK(graph.edge_count() == 300 + 10 * 300 + 9 * 300);
 }
 

@@ -15,7 +15,7 @@ using spoke::Curve;
 
 namespace {
 
-/// Composite Simpson rule with n even intervals.
+/// Integrates by the composite Simpson rule with n even intervals.
 double simpson(const Curve& curve, double a, double b, int n) {
   const double h = (b - a) / n;
   double sum = curve.value(a) + curve.value(b);

@@ -10,7 +10,7 @@ using namespace spoke;
 
 namespace {
 
-/// Speed and acceleration against central differences of angle and speed.
+/// Checks speed and acceleration against central differences of angle and speed.
 void check_derivatives(const Drive& drive, double begin, double end) {
   const double e = 1e-4;
   for (double t = begin; t < end; t += 0.173) {

@@ -15,7 +15,7 @@ inline std::string to_toml(const nlohmann::ordered_json& json) {
   return json.is_object() ? '{' + text + '}' : '[' + text + ']';
 }
 
-/// A scenario's JSON as a TOML document, a line for each of its outermost keys.
+/// Returns a scenario's JSON as a TOML document, a line for each of its outermost keys.
 inline std::string document_of(const std::string& json) {
   std::string text;
   const auto parsed = nlohmann::ordered_json::parse(json);

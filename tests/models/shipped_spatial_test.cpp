@@ -1,5 +1,5 @@
-// The shipped scenarios in space: that they are read and written, are documented, and have the mass
-// of their sources.
+// Checks that shipped scenarios in space are read and written, are documented, and have the mass of
+// their sources.
 
 #include <doctest/doctest.h>
 
@@ -28,7 +28,7 @@ Scenario shipped_in_space(const std::string& name) {
   return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"));
 }
 
-/// The keys of all tables within.
+/// Checks the keys of all tables within.
 void check_documented(const Json& json, const std::string& documentation) {
   for (const auto& item : json.items()) {
     if (json.is_object()) {
@@ -42,7 +42,7 @@ void check_documented(const Json& json, const std::string& documentation) {
   }
 }
 
-/// A blade's mass properties about its root, in its own frame.
+/// Returns a blade's mass properties about its root, in its own frame.
 spatial::MassProperties blade_of(const Scenario& scenario) {
   const spatial::Tree tree = build_trees(*scenario.space).front();
   const spatial::Placement& root = tree.bodies.front().placement;

@@ -30,7 +30,7 @@ if [ -n "$(find "$work/libspoke-dev" -name libspoke.a)" ]; then
   done
 fi
 program=$work/spoke/usr/bin/spoke
-for library in $(objdump -p "$program" | awk '/NEEDED/ { print $2 }'); do
+for library in $(objdump -p "$work"/spoke/usr/bin/* | awk '/NEEDED/ { print $2 }' | sort -u); do
   owner=$(dpkg-query -S "*/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/$library" | head -1 | cut -d: -f1)
   demand spoke Depends "(^|[ ,])${owner//+/[+]}"  # or a name behind it that says more: libspdlog1.10-fmt9
 done
@@ -54,3 +54,6 @@ fi
 [ -s "$work/libspoke-dev/usr/include/spoke/spoke.h" ]
 [ -s "$work/spoke/usr/share/doc/spoke/examples/first_rotor.cpp" ]
 "$program" check "$work/spoke/usr/share/spoke/models/wu_haug_rotor.toml"
+for command in study compare predict reproduce; do  # programs of their own
+  "$program" "$command" --help | grep -q "^Usage: spoke $command "
+done

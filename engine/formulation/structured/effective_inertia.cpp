@@ -1,8 +1,10 @@
 // Effective mass and force of a subsystem, (P 10): the block-tridiagonal Phi M^-1 Phi^T of its
 // joints is eliminated from the tips; only the pivots of its roots reach the hub.
-// docs/formulation.md, section 4.1, "condensing a blade".
+// The derivation stands in docs/formulation.md, section 4.1, "condensing a blade".
 
-#include "engine/formulation/structured/spatial_tree.h"
+#include <cassert>
+
+#include "engine/formulation/structured/tree_elimination.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
@@ -11,13 +13,14 @@
 namespace spoke::structured {
 namespace {
 
-/// Body j with all that hangs at its outboard joint (' of the child), R = R_PB of the child:
+/// Condenses body j with all that hangs at its outboard joint (' of the child), R = R_PB of the
+/// child:
 ///   Pi = (P_oo + R Lam' R^T)^-1,   rhs = R be' - a_o
 ///   Lam = P_ii - P_io Pi P_io^T,   be = a_i + P_io Pi rhs
 /// At the tip Lam = P_ii, be = a_i.
 void join_children(const Subsystem<Plane>& subsystem, std::size_t j,
                    const SubsystemData<Plane>& data, SubsystemWork<Plane>& work) {
-  const TwoPort& port = work.bodies[j].port;
+  const plane::TwoPort& port = work.bodies[j].port;
   tree::Branch<Plane>& branch = work.bodies[j].branch;
   if (subsystem.bodies[j].children.empty()) {
     branch = {port.P_ii, port.free_i};
@@ -29,8 +32,8 @@ void join_children(const Subsystem<Plane>& subsystem, std::size_t j,
   branch = tree::join<Plane>(port.P_ii, port.P_io, port.free_i, child.joint.Pi, f);
 }
 
-/// What the hub feels: in the plane of a chain, in space of all trees. R of a root leads from its
-/// body's frame to the hub's.
+/// Sums the effective inertias at the hub: in the plane of a chain, in space of all trees. R of a
+/// root leads from its body's frame to the hub's.
 tree::HubShare<Plane> sum_shares(const Subsystem<Plane>& subsystem,
                                  const SubsystemData<Plane>& data,
                                  SubsystemWork<Plane>& work) noexcept {
@@ -55,9 +58,8 @@ tree::HubShare<Space> sum_shares(const Subsystem<Space>& subsystem,
 template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept {
-  // (1) From the tips: each body with what it carries.
-  // (2) Roots: M^C = T^T R Lam^-1 R^T T and Q^C = T^T R Lam^-1 R^T (R be - b), with the bracket's
-  // acceleration T Y'' + b in the hub frame.
+  assert(work.bodies.size() == subsystem.bodies.size() && data.bodies.size() == work.bodies.size());
+  // (1) Each body is condensed with all that it carries, from the tips.
   const tree::HubShare<World> share = run_kernel([&]() noexcept {
     for (std::size_t j = work.bodies.size(); j-- > 0;) join_children(subsystem, j, data, work);
     return sum_shares(subsystem, data, work);
@@ -65,7 +67,7 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   EffectiveInertia<World>& effective = data.effective;
   effective.mass = share.mass.matrix();
   effective.force = share.force;
-  // (3) The terms of geometric stiffening, for the hub's equation.
+  // (3) The terms of geometric stiffening are summed for the hub's equation.
   effective.stiffening = sum_stiffening(data.bodies);
 }
 

@@ -1,4 +1,4 @@
-// Memory of the formulation, per subsystem.
+// Allocates the memory of the formulation, per subsystem.
 
 #include <utility>
 

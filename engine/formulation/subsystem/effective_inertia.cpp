@@ -1,20 +1,21 @@
 // Effective mass and force of a subsystem, (P 10), with D = Phi M^-1 Phi^T formed and factorised
 // whole: docs/formulation.md, section 4.2.
 
-#include <Eigen/Cholesky>
+#include <cassert>
 
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/subsystem/joint_coordinates.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_solve.h"
+#include "engine/support/dense.h"
 
 namespace spoke::subsystem {
 namespace {
 
-/// The rows of the joint that carries body k in D, and in `right`, Phi M^-1 Q - gamma. They hold
-/// -J_0 of this body and C J_h of the parent's handle, C = R^T T. So D couples a joint with that of
-/// its parent's, and with those at other handles of its parent; joints at the hub have no others.
-/// Only its lower triangle is filled.
+/// Fills the rows of the joint that carries body k in D, and in `right`, Phi M^-1 Q - gamma. They
+/// hold -J_0 of this body and C J_h of the parent's handle, C = R^T T. So D couples a joint with
+/// that of its parent's, and with those at other handles of its parent; joints at the hub have no
+/// others. Only its lower triangle is filled.
 template <class World>
 void add_joint(const Subsystem<World>& subsystem, const SubsystemData<World>& data, int k,
                SubsystemWork<World>& work) {
@@ -69,20 +70,22 @@ void assemble(const Subsystem<World>& subsystem, const SubsystemData<World>& dat
 template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept {
+  assert(work.bodies.size() == subsystem.bodies.size() && data.bodies.size() == work.bodies.size());
   constexpr int d = World::kTwist;
-  // (1) D = Phi M^-1 Phi^T and Phi M^-1 Q - gamma, joint by joint.
+  // (1) D = Phi M^-1 Phi^T and Phi M^-1 Q - gamma are assembled joint by joint.
   assemble(subsystem, data, work);
-  // (2) D^-1 of the root joints' rows and of Phi M^-1 Q - gamma. Phi_Y has rows at roots only.
-  const Cholesky factor(work.D);
+  // (2) D^-1 is applied to the root joints' rows and to Phi M^-1 Q - gamma. Phi_Y has rows at roots
+  // only.
+  factorise_cholesky(work.D);
   Eigen::MatrixXd& solution = work.solution;
   solution.leftCols<d>().setZero();
   for (std::size_t j = 0; j < work.bodies.size(); ++j)
     if (subsystem.bodies[j].parent < 0)
       solution.block<d, d>(d * static_cast<Eigen::Index>(j), 0).setIdentity();
-  factor.solveInPlace(solution);
+  solve_cholesky(work.D, solution);
   if (work.columns.cols() > 0) {
     work.inverse_columns = work.columns;
-    factor.solveInPlace(work.inverse_columns);
+    solve_cholesky(work.D, work.inverse_columns);
     eliminate_coordinates(subsystem, data, work);
   }
 
@@ -93,7 +96,7 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   effective.force.setZero();
   for (std::size_t j = 0; j < work.bodies.size(); ++j)
     if (subsystem.bodies[j].parent < 0) add_root(subsystem, data, j, work, effective);
-  // (4) The terms of geometric stiffening, for the hub's equation.
+  // (4) The terms of geometric stiffening are summed for the hub's equation.
   effective.stiffening = sum_stiffening(data.bodies);
 }
 

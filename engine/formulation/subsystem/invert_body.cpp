@@ -1,15 +1,19 @@
-// One block of (P 11): the mass matrix of a body, inverted and multiplied with the rows of its
-// joints. docs/formulation.md, section 4.2.
+// Inverts one block of (P 11), the mass matrix of a body, and multiplies it with the rows of its
+// joints (docs/formulation.md, section 4.2).
 
-#include "engine/formulation/dense_body.h"
+#include <cassert>
+
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/tree_joints.h"
+#include "engine/kernels/dense_body.h"
+#include "engine/support/dense.h"
 
 namespace spoke::subsystem {
 
 template <class World>
 void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& elastic,
               SubsystemWork<World>& work) {
+  assert(elastic.size() == data.bodies.size());
   constexpr int d = World::kTwist;
   work.bodies = ArenaVector<BodyWork<World>>(data.bodies.size(), *data.arena);
   int coordinates = 0;
@@ -41,11 +45,14 @@ void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& 
 template <class World>
 void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool implicit,
                  BodyWork<World>& work) noexcept {
+  assert(work.elastic[implicit]);
+  assert(work.mass.rows() == dense_size(*data.model->body));
+  assert(work.biases.cols() == handle_count(*data.model->body));
   constexpr int d = World::kTwist;
-  // (1) M of (P 3), then its Cholesky factor in place.
+  // (1) M of (P 3) is assembled; its Cholesky factor takes its place.
   calc_dense_mass(data, *work.elastic[implicit], implicit, work.mass);
-  const Cholesky factor(work.mass);
-  // (2) The right-hand sides J^T and Q.
+  factorise_cholesky(work.mass);
+  // (2) The right-hand sides are J^T and Q.
   Eigen::MatrixXd &J = work.jacobians, &columns = work.inverse_columns;
   for (int h = 0; h < work.biases.cols(); ++h) {
     calc_handle_jacobian(data, h, J.middleRows<d>(d * h));
@@ -53,8 +60,9 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
   }
   columns.leftCols(J.rows()) = J.transpose();
   calc_dense_force(data, columns.col(J.rows()));
-  // (3) M^-1 [J^T, Q], and J times that: the body's share of Phi M^-1 Phi^T and of Phi M^-1 Q.
-  factor.solveInPlace(columns);
+  // (3) M^-1 [J^T, Q] follows, and J times that: the body's share of Phi M^-1 Phi^T and of Phi M^-1
+  // Q.
+  solve_cholesky(work.mass, columns);
   work.products.noalias() = J.lazyProduct(columns);
 }
 

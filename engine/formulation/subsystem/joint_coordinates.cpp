@@ -1,11 +1,15 @@
-// Eliminates the coordinates of a tree's joints behind its bodies.
+// Eliminates the coordinates of a subsystem's joints behind its bodies.
 
 #include "engine/formulation/subsystem/joint_coordinates.h"
+
+#include <cassert>
+
+#include "engine/support/dense.h"
 
 namespace spoke::subsystem {
 namespace {
 
-/// tau and k^ of one joint, whose first coordinate is `first`.
+/// Adds tau and k^ of one joint, whose first coordinate is `first`.
 template <class World, class Joint>
 void add_forces(const Joint& joint, int first, SubsystemWork<World>& work) {
   if constexpr (tree::kHasJointCoordinates<World>)
@@ -21,11 +25,13 @@ void add_forces(const Joint& joint, int first, SubsystemWork<World>& work) {
 template <class World>
 void eliminate_coordinates(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
                            SubsystemWork<World>& work) noexcept {
+  assert(work.columns.cols() == work.inertia.rows() && work.columns.rows() == work.D.rows());
   work.inertia.noalias() = work.columns.transpose().lazyProduct(work.inverse_columns);
   work.response.noalias() = -work.columns.transpose().lazyProduct(work.solution);
   for (std::size_t j = 0; j < work.bodies.size(); ++j)
     add_forces(joint_of(subsystem, data, j), work.first_coordinate[j], work);
-  Cholesky(work.inertia).solveInPlace(work.response);
+  factorise_cholesky(work.inertia);
+  solve_cholesky(work.inertia, work.response);
   work.solution.noalias() += work.inverse_columns.lazyProduct(work.response);
 }
 

@@ -22,8 +22,8 @@ void place_columns(const Joint& joint, int k, SubsystemWork<World>& work) {
           joint.R.inverse() * TwistOf<World>(joint.columns.col(c));
 }
 
-/// Eliminates them: from D^-1 of the columns of `solution` and `columns`, the response of the
-/// coordinates, and `solution` with what they add.
+/// Eliminates them: from D^-1 of the columns of `solution` and `columns`, sets the response of the
+/// coordinates, and adds their share to `solution`.
 template <class World>
 void eliminate_coordinates(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
                            SubsystemWork<World>& work) noexcept;

@@ -1,5 +1,6 @@
-// Recovery, docs/formulation.md, section 4.2: multipliers, (P 8), then accelerations, (P 7).
+// Recovers the multipliers, (P 8), then the accelerations, (P 7): docs/formulation.md, section 4.2.
 
+#include <cassert>
 #include <utility>
 
 #include "engine/formulation/subsystem.h"
@@ -10,8 +11,10 @@ namespace spoke::subsystem {
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept {
+  assert(work.bodies.size() == subsystem.bodies.size() && data.hub_acceleration);
   constexpr int d = World::kTwist;
-  // (P 8): lambda = D^-1 (Phi_Y Y'' + Phi M^-1 Q - gamma), with what the joints' coordinates add.
+  // (P 8): lambda = D^-1 (Phi_Y Y'' + Phi M^-1 Q - gamma), with the share of the joints'
+  // coordinates.
   TwistOf<World> root = TwistOf<World>::Zero();  // Phi_Y Y'' at the root of the body's tree
   int root_body = -1;
   Eigen::VectorXd& multipliers = work.multipliers;
@@ -37,6 +40,8 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
 template <class World>
 void recover_body(const SubsystemData<World>& subsystem, std::size_t j, const BodyWork<World>& work,
                   BodyData<World>& data, double* a) noexcept {
+  assert(j < subsystem.bodies.size() && a);
+  assert(work.inverse_columns.rows() == dense_size(*data.model->body));
   constexpr int d = World::kTwist;
   // (P 7): q'' = M^-1 (Q - Phi^T lambda) = M^-1 Q + sum of M^-1 J_h^T f_h over the handles.
   const Eigen::MatrixXd& columns = work.inverse_columns;

@@ -1,4 +1,4 @@
-// Blades: what one has not of its own it has of the table of all.
+// Reads blades: keys that a blade's table lacks are taken from the table of all blades.
 
 #include <numbers>
 
@@ -11,12 +11,12 @@
 namespace spoke::spatial {
 namespace {
 
-/// The table of a blade, and that of all blades.
+/// The table of a blade, and the table of all blades behind it.
 class Layers {
  public:
   Layers(const TomlSection& own, const TomlSection& common) : own_(own), common_(common) {}
 
-  /// The one that has the key, if one has it.
+  /// Returns the table that has the key; the blade's own comes first.
   const TomlSection& of(std::string_view key) const {
     return !own_.has(key) && common_.has(key) ? common_ : own_;
   }

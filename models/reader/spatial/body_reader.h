@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading of blades and of subsystems.
+// Reads blades and subsystems.
 
 #include <vector>
 

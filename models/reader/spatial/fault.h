@@ -1,7 +1,7 @@
 #pragma once
 
-// What is wrong with a model in space: a path of keys, and words. One set of rules for models from
-// files and models filled in code.
+// Finds faults in a model in space, each a path of keys and words, by one set of rules for models
+// from files and models filled in code.
 
 #include <string>
 #include <string_view>
@@ -11,27 +11,27 @@
 
 namespace spoke::spatial {
 
-/// What is wrong with a structure, where in it, and what was expected. Keys are joined by dots,
-/// indices count from 1: "joint.2.axis".
+/// A fault of a structure: its place, what is wrong, and what was expected. Keys are joined by
+/// dots, indices count from 1: "joint.2.axis".
 struct Fault {
-  std::string path;  ///< of the key; empty: all of it
-  std::string text;  ///< empty: nothing is wrong
+  std::string path;  ///< path of the key; empty: the whole structure
+  std::string text;  ///< what is wrong and expected; empty: nothing is wrong
 
   explicit operator bool() const { return !text.empty(); }
-  /// The same, seen from the structure that holds this one under `key`.
+  /// Returns the fault seen from the structure that holds this one under `key`.
   Fault within(const std::string& key) const;
 };
 
 /// Keeps the first fault that is found.
 class FirstFault {
  public:
-  /// For visit_fields(): numbers outside of their range.
+  /// Finds numbers outside of their range, for visit_fields().
   void operator()(std::string_view key, double value, const Quantity& quantity,
                   Presence presence = Presence::required) const;
   void operator()(std::string_view key, int value, const Count& count, Presence presence) const;
   void operator()(std::string_view key, const Vector& value, const Quantity& quantity,
                   Presence presence) const;
-  /// Arrays.
+  /// Finds array elements outside of their range.
   void numbers(std::string_view key, const std::vector<double>& values,
                const Quantity& quantity) const;
 
@@ -42,23 +42,23 @@ class FirstFault {
   const Fault& found() const { return fault_; }
 
  private:
-  mutable Fault fault_;  // visitors are constant
+  mutable Fault fault_;  // mutable, since visitors are constant
 };
 
-/// Of a direction that must not be of length zero.
+/// Finds a direction of length zero.
 Fault find_direction_fault(const std::string& key, const Vector& direction);
-/// Of an inertia tensor about the centre of mass. A body of its own needs a regular one; a small
-/// mass on a beam may have none.
+/// Finds a fault of an inertia tensor about the centre of mass. A body of its own needs a regular
+/// tensor; that of a small mass on a beam may be zero.
 enum class MayBeZero { no, yes };
 Fault find_inertia_fault(const std::string& key, const Tensor& inertia, MayBeZero may_be_zero);
-/// Of a curve of this quantity over time.
+/// Finds a fault of a curve of this quantity over time.
 Fault find_curve_fault(const std::string& key, const Curve& curve, const Quantity& quantity);
-/// Of a name that is needed.
+/// Finds a missing or malformed name.
 Fault find_name_fault(const std::string& name);
-/// "is \"NAME\", expected ...", with the nearest of the names there are.
+/// Returns "is \"NAME\", expected ...", with the nearest of the existing names.
 std::string describe_unknown(const std::string& name, const std::vector<std::string_view>& names);
 
-/// Of sections of a beam of this length.
+/// Finds a fault of sections of a beam of this length.
 Fault find_fault(const Sections& sections, double length);
 Fault find_fault(const Beam& beam);
 Fault find_fault(const RigidBody& body);
@@ -66,14 +66,14 @@ Fault find_fault(const Joint& joint);
 Fault find_fault(const Blade& blade);
 Fault find_fault(const Subsystem& subsystem);
 Fault find_fault(const Hub& hub);
-/// Of a load on a model that is fine by itself.
+/// Finds a fault of a load on a model that is otherwise fine.
 Fault find_fault(const PointLoad& load, const Model& model);
 Fault find_fault(const DistributedLoad& load, const Model& model);
 Fault find_fault(const HubLoad& load, const Model& model);
 
-/// Of the sizes of all blades and subsystems together.
+/// Returns what is wrong with the sizes of all blades and subsystems together; empty if nothing is.
 std::string find_size_fault(const Model& model);
-/// Of damping.mass_factor, if it is fine by itself.
+/// Returns what is wrong with damping.mass_factor, a number in its range; empty if nothing is.
 std::string find_mass_factor_fault(const Model& model);
 
 }  // namespace spoke::spatial

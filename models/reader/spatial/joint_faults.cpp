@@ -50,7 +50,7 @@ bool is_zero(const Curve& curve) {
   return true;
 }
 
-/// Of a coordinate that is prescribed, and has something of a free one.
+/// Finds a prescribed coordinate that also has keys of a free one.
 Fault find_double(const JointCoordinate& coordinate, JointKind kind, int index) {
   const FirstFault first;
   const auto refuse = [&](std::string_view key) {
@@ -67,7 +67,7 @@ Fault find_double(const JointCoordinate& coordinate, JointKind kind, int index) 
   return first.found();
 }
 
-/// What a spherical joint cannot have.
+/// Finds keys that a spherical joint cannot have.
 Fault find_spherical_fault(const Joint& joint) {
   const FirstFault first;
   for (const JointCoordinate& c : joint.coordinates) {
@@ -103,7 +103,7 @@ Fault find_coordinate_fault(const JointCoordinate& coordinate, JointKind kind, i
   return first.found();
 }
 
-/// Of torques of one joint, whose points are at one array of times.
+/// Finds torques of one joint whose curves do not share one array of times.
 Fault find_effort_fault(const Joint& joint) {
   for (int i = 1; i < count_coordinates(joint.kind); ++i)
     if (!is_way(joint.kind, i) && joint.coordinates[static_cast<std::size_t>(i)].effort.times() !=

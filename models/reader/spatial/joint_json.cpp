@@ -1,16 +1,16 @@
-// A number where a joint has one coordinate, else an array of one for each; what is prescribed has
-// its motion alone.
+// Writes a number where a joint has one coordinate, otherwise an array with one number for each; a
+// prescribed coordinate has only its motion.
 
 #include "models/reader/spatial/joint_json.h"
 
-#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "models/reader/spatial/spatial_fields.h"
 
 namespace spoke::spatial {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::size_t count_of(const Joint& joint) {
   return static_cast<std::size_t>(count_coordinates(joint.kind));
@@ -29,30 +29,29 @@ Json to_json(const Motion& motion) {
 Json to_json(const Stop& stop) {
   Json json;
   visit_fields(stop, kAngleUnits, [&](const char* key, double value, const Quantity&, Presence) {
-    json[key] = value;
+    json.set(key, value);
   });
   return json;
 }
 
-/// The numbers of all coordinates.
+/// Adds the numbers of all coordinates.
 void add_numbers(const Joint& joint, Json& json) {
   const std::size_t count = count_of(joint);
   const bool is_spherical = joint.kind == JointKind::spherical;
   for (std::size_t i = 0; i < count; ++i)
     visit_fields(joint.coordinates[i], kAngleUnits,
-                 [&](std::string_view name, double value, const Quantity&) {
-                   const std::string key(name);
+                 [&](std::string_view key, double value, const Quantity&) {
                    if (is_spherical && key == "rest") return;
                    if (count == 1 || (is_spherical && (key == "stiffness" || key == "damping"))) {
-                     json[key] = value;
+                     json.set(key, value);
                    } else {
-                     json[key].push_back(value);
+                     json.append(key, value);
                    }
                  });
 }
 
-/// What acts on `count` coordinates from `first` on; their curves have equal times, as files give
-/// them, or each is taken at the times of the first.
+/// Adds the efforts of `count` coordinates from `first` on. Curves from files have equal times;
+/// others are taken at the times of the first.
 void add_effort(const char* key, const JointCoordinate* first, std::size_t count, Json& json) {
   const std::vector<double>& times = first->effort.times();
   const auto values_at = [&](std::size_t k) {
@@ -62,26 +61,31 @@ void add_effort(const char* key, const JointCoordinate* first, std::size_t count
     return row;
   };
   if (times.size() == 1) {
-    json[key] = values_at(0);
+    json.set(key, values_at(0));
     return;
   }
   Json values = Json::array();
   for (std::size_t k = 0; k < times.size(); ++k) values.push_back(values_at(k));
-  json[key] = {{"time", times}, {"value", values}};
+  json.set(key, {{"time", times}, {"value", values}});
 }
 
-/// A table of each coordinate, under a key; nothing if none has one.
+/// Adds a table for each coordinate, under a key; nothing if none has one.
 template <class Item>
 void add_tables(const char* key, const Joint& joint, std::optional<Item> JointCoordinate::*member,
                 Json& json) {
-  Json tables = Json::array();
+  std::vector<Json> tables;
   bool is_any = false;
   for (std::size_t i = 0; i < count_of(joint); ++i) {
     const std::optional<Item>& item = joint.coordinates[i].*member;
     tables.push_back(item ? to_json(*item) : Json::object());
     is_any = is_any || item;
   }
-  if (is_any) json[key] = count_of(joint) == 1 ? tables[0] : tables;
+  if (!is_any) return;
+  if (tables.size() == 1) {
+    json.set(key, std::move(tables[0]));
+    return;
+  }
+  for (Json& table : tables) json.append(key, std::move(table));
 }
 
 }  // namespace
@@ -89,13 +93,13 @@ void add_tables(const char* key, const Joint& joint, std::optional<Item> JointCo
 Json to_json(const Vector& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 void add_joint(const Joint& joint, Json& json) {
-  if (!joint.name.empty()) json["name"] = joint.name;
-  json["kind"] = name_of(joint.kind);
-  if (count_axes(joint.kind) == 1) json["axis"] = to_json(joint.axes[0]);
+  if (!joint.name.empty()) json.set("name", joint.name);
+  json.set("kind", name_of(joint.kind));
+  if (count_axes(joint.kind) == 1) json.set("axis", to_json(joint.axes[0]));
   if (count_axes(joint.kind) == 2)
-    json["axes"] = Json::array({to_json(joint.axes[0]), to_json(joint.axes[1])});
-  json["offset"] = to_json(joint.offset);
-  json["orientation"] = to_json(joint.orientation);
+    json.set("axes", Json::array({to_json(joint.axes[0]), to_json(joint.axes[1])}));
+  json.set("offset", to_json(joint.offset));
+  json.set("orientation", to_json(joint.orientation));
   const std::size_t count = count_of(joint);
   if (count == 0) return;
   add_numbers(joint, json);

@@ -1,17 +1,16 @@
 #pragma once
 
-// A joint as JSON, in the shape of its table.
-
-#include <nlohmann/json.hpp>
+// Writes a joint as JSON, in the shape of its table.
 
 #include "models/spatial_model.h"
+#include "models/support/json.h"
 
 namespace spoke::spatial {
 
-/// [x, y, z].
-nlohmann::ordered_json to_json(const Vector& v);
+/// Returns [x, y, z].
+Json to_json(const Vector& v);
 
 /// Adds the keys of a joint.
-void add_joint(const Joint& joint, nlohmann::ordered_json& json);
+void add_joint(const Joint& joint, Json& json);
 
 }  // namespace spoke::spatial

@@ -1,4 +1,4 @@
-// Keys that belong to some kinds of joint only, and hold a number or one for each coordinate.
+// Reads keys that only some kinds of joint have; each holds one number, or one for each coordinate.
 
 #include "models/reader/spatial/joint_reader.h"
 
@@ -51,8 +51,8 @@ void read_axes(const TomlSection& section, Joint& joint) {
   for (std::size_t i = 0; i < 2; ++i) joint.axes[i] = Vector::Map(rows[i].data());
 }
 
-/// The numbers of the coordinates: one, or an array of one for each; of a spherical joint's spring
-/// and damper one for all three.
+/// Reads the numbers of the coordinates: one, or an array of one for each; of a spherical joint's
+/// spring and damper one for all three.
 void read_numbers(const TomlSection& section, Joint& joint) {
   const auto count = static_cast<std::size_t>(count_coordinates(joint.kind));
   const bool is_spherical = joint.kind == JointKind::spherical;
@@ -66,8 +66,8 @@ void read_numbers(const TomlSection& section, Joint& joint) {
                  });
 }
 
-/// What acts on `count` coordinates from `first` on: a number, an array of as many, or a table with
-/// time and value.
+/// Reads the efforts of `count` coordinates from `first` on: a number, an array of as many, or a
+/// table with time and value.
 void read_effort(const TomlSection& section, std::string_view key, const Quantity& quantity,
                  JointCoordinate* first, std::size_t count) {
   if (!section.has(key)) return;

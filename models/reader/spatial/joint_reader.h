@@ -1,13 +1,13 @@
 #pragma once
 
-// Reading of joints.
+// Reads joints.
 
 #include "models/reader/toml_section.h"
 #include "models/spatial_model.h"
 
 namespace spoke::spatial {
 
-/// The keys of a table that describes a joint, besides those that say where it is.
+/// Returns the keys of a table that describes a joint, besides those that say where it is.
 TomlSection::Keys joint_keys();
 
 /// Reads a joint. Throws InputError, also about what find_fault() finds.

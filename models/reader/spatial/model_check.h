@@ -1,14 +1,14 @@
 #pragma once
 
-// The check of models in space that are filled in code.
+// Checks models in space that are filled in code.
 
 #include "models/spatial_model.h"
 
 namespace spoke::spatial {
 
 /// Throws InputError unless the model could stand in a file: "KEY: what is wrong, what is
-/// expected", the key as Scenario::to_json() has it, blades and loads counted from 1. The hub's
-/// drive is checked apart, by check_drive().
+/// expected", the key as Scenario::to_json() has it, blades and loads counted from 1. check_drive()
+/// checks the hub's drive.
 void check_model(const Model& model);
 
 }  // namespace spoke::spatial

@@ -8,7 +8,7 @@
 namespace spoke::spatial {
 namespace {
 
-/// Of a free hub, which has no axle.
+/// Finds keys that a free hub cannot have, since it has no axle.
 Fault find_free_fault(const Hub& hub) {
   if (prescribes_motion(hub.drive))
     return {"drive.kind",
@@ -36,7 +36,7 @@ Fault find_course_fault(const std::string& key, const VectorCourse& course, std:
     visit_fields(*harmonic, unit, first);
     return first.found().within(key);
   }
-  const std::vector<double>* times = nullptr;  // of the components that are not left out
+  const std::vector<double>* times = nullptr;  // times of the components that are not left out
   for (const Curve& component : std::get<VectorTable>(course).components) {
     first.add(find_curve_fault("value", component, Quantity::any(unit)));
     if (component.times().size() == 1 && component.values()[0] == 0.0) continue;
@@ -86,7 +86,7 @@ Fault find_fault(const LoadPlace& place, const Model& model) {
   return {"body", describe_unknown(place.body, names_of(bodies))};
 }
 
-/// The length of the shortest beam at a place that is fine; 0 if it is a rigid body.
+/// Returns the length of the shortest beam at a valid place; 0 if the body there is a rigid body.
 double length_at(const LoadPlace& place, const Model& model) {
   if (place.subsystem.empty()) {
     double least = 0.0;

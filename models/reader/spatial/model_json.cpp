@@ -2,7 +2,7 @@
 
 #include "models/reader/spatial/model_json.h"
 
-#include <string>
+#include <string_view>
 
 #include "models/reader/drive_json.h"
 #include "models/reader/spatial/joint_json.h"
@@ -12,21 +12,19 @@
 namespace spoke::spatial {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// For visit_fields().
+/// Writes the numbers of a structure, for visit_fields().
 struct FieldWriter {
   Json& json;
 
   template <class Range>
   void operator()(std::string_view key, double value, const Range&, Presence) const {
-    json[std::string(key)] = value;
+    json.set(key, value);
   }
   void operator()(std::string_view key, int value, const Count&, Presence) const {
-    json[std::string(key)] = value;
+    json.set(key, value);
   }
   void operator()(std::string_view key, const Vector& value, const Quantity&, Presence) const {
-    json[std::string(key)] = Json::array({value.x(), value.y(), value.z()});
+    json.set(key, Json::array({value.x(), value.y(), value.z()}));
   }
 };
 
@@ -42,13 +40,15 @@ Json to_json(const VectorCourse& course, std::string_view unit) {
   }
   // A component that is not given is zero, and has one point only.
   const char* names[] = {"x", "y", "z"};
+  bool is_any = false;
   const auto& components = std::get<VectorTable>(course).components;
   for (std::size_t i = 0; i < 3; ++i) {
     if (components[i].times().size() == 1 && components[i].values()[0] == 0.0) continue;
-    json["time"] = components[i].times();
-    json[names[i]] = components[i].values();
+    json.set("time", components[i].times());
+    json.set(names[i], components[i].values());
+    is_any = true;
   }
-  if (json.is_null()) return to_json(VectorCourse(VectorHarmonic{}), unit);
+  if (!is_any) return to_json(VectorCourse(VectorHarmonic{}), unit);
   return json;
 }
 
@@ -59,28 +59,28 @@ Json to_json(const Hub& hub) {
     if (is_free || (key != "velocity" && key != "angular_velocity"))
       FieldWriter{json}(key, value, range, p);
   });
-  json["inertia"] = inertia_to_json(hub.inertia);
-  json["drive"] = drive_to_json(hub.drive);
+  json.set("inertia", inertia_to_json(hub.inertia));
+  json.set("drive", drive_to_json(hub.drive));
   if (hub.mount)
-    json["mount"] = {{"translation", to_json(hub.mount->translation, "m")},
-                     {"rotation", to_json(hub.mount->rotation, "rad")}};
+    json.set("mount", {{"translation", to_json(hub.mount->translation, "m")},
+                       {"rotation", to_json(hub.mount->rotation, "rad")}});
   return json;
 }
 
 Json to_json(const Sections& sections) {
   Json json = {{"station", sections.station}};
   const auto numbers = [&](const char* key, const std::vector<double>& values, const Quantity&) {
-    if (!values.empty()) json[key] = values;
+    if (!values.empty()) json.set(key, values);
   };
   const auto offsets = [&](const char* key, const std::vector<Offset>& values, const Quantity&) {
-    for (const Offset& o : values) json[key].push_back(Json::array({o.x(), o.y()}));
+    for (const Offset& o : values) json.append(key, Json::array({o.x(), o.y()}));
   };
   const auto matrices = [&](const char* key, const std::vector<SectionMatrix>& values) {
     for (const SectionMatrix& m : values) {
       Json entries = Json::array();
       for (int r = 0; r < 6; ++r)
         for (int c = 0; c < 6; ++c) entries.push_back(m(r, c));
-      json[key].push_back(entries);
+      json.append(key, entries);
     }
   };
   numbers("mass_per_length", sections.mass_per_length, {});
@@ -97,14 +97,14 @@ Json to_json(const Sections& sections) {
 
 void add_beam(const Beam& beam, Json& json) {
   visit_fields(beam, FieldWriter{json});
-  json["sections"] = to_json(beam.sections);
-  json["geometric_stiffening"] = beam.geometric_stiffening;
-  json["reference_frame"] = name_of(beam.reference_frame);
+  json.set("sections", to_json(beam.sections));
+  json.set("geometric_stiffening", beam.geometric_stiffening);
+  json.set("reference_frame", name_of(beam.reference_frame));
   for (const PointMass& point : beam.point_masses) {
     Json mass;
     visit_fields(point, FieldWriter{mass});
-    mass["inertia"] = inertia_to_json(point.inertia);
-    json["point_mass"].push_back(mass);
+    mass.set("inertia", inertia_to_json(point.inertia));
+    json.append("point_mass", mass);
   }
 }
 
@@ -115,7 +115,7 @@ Json to_json(const Blade& blade) {
   for (const BladeJoint& joint : blade.joints) {
     Json table = {{"station", joint.station}};
     add_joint(joint.joint, table);
-    json["joint"].push_back(table);
+    json.append("joint", table);
   }
   return json;
 }
@@ -123,51 +123,51 @@ Json to_json(const Blade& blade) {
 Json to_json(const Body& body) {
   Json json = {{"name", body.name}};
   if (const auto* beam = std::get_if<Beam>(&body.shape)) {
-    json["kind"] = "beam";
+    json.set("kind", "beam");
     add_beam(*beam, json);
     return json;
   }
   const auto& rigid = std::get<RigidBody>(body.shape);
-  json["kind"] = "rigid";
+  json.set("kind", "rigid");
   visit_fields(rigid, FieldWriter{json});
-  json["inertia"] = inertia_to_json(rigid.inertia);
+  json.set("inertia", inertia_to_json(rigid.inertia));
   return json;
 }
 
 Json to_json(const Subsystem& subsystem) {
   Json json = {{"name", subsystem.name}};
-  for (const Body& body : subsystem.bodies) json["body"].push_back(to_json(body));
+  for (const Body& body : subsystem.bodies) json.append("body", to_json(body));
   for (const SubsystemJoint& joint : subsystem.joints) {
     Json table = {{"parent", joint.parent}, {"child", joint.child}};
-    if (joint.station) table["station"] = *joint.station;
+    if (joint.station) table.set("station", *joint.station);
     add_joint(joint.joint, table);
-    json["joint"].push_back(table);
+    json.append("joint", table);
   }
   return json;
 }
 
 void add_place(const LoadPlace& place, Json& json) {
   if (place.subsystem.empty()) {
-    json["blade"] = place.blade.is_all() ? Json("all") : Json(place.blade.number());
+    json.set("blade", place.blade.is_all() ? Json("all") : Json(place.blade.number()));
     return;
   }
-  json["subsystem"] = place.subsystem;
-  json["body"] = place.body;
+  json.set("subsystem", place.subsystem);
+  json.set("body", place.body);
 }
 
 template <class Load>
 void add_course(const Load& load, Json& json) {
-  json["frame"] = name_of(load.frame);
+  json.set("frame", name_of(load.frame));
   visit_fields(load, FieldWriter{json});
-  json["time"] = load.factor.times();
-  json["factor"] = load.factor.values();
+  json.set("time", load.factor.times());
+  json.set("factor", load.factor.values());
 }
 
 Json to_json(const PointLoad& load) {
   Json json;
   add_place(load.place, json);
-  if (load.position) json["position"] = *load.position;
-  if (!load.point.isZero(0.0)) json["point"] = spatial::to_json(load.point);
+  if (load.position) json.set("position", *load.position);
+  if (!load.point.isZero(0.0)) json.set("point", spatial::to_json(load.point));
   add_course(load, json);
   return json;
 }
@@ -175,8 +175,8 @@ Json to_json(const PointLoad& load) {
 Json to_json(const DistributedLoad& load) {
   Json json;
   add_place(load.place, json);
-  json["from"] = load.from;
-  if (load.to) json["to"] = *load.to;
+  json.set("from", load.from);
+  if (load.to) json.set("to", *load.to);
   add_course(load, json);
   return json;
 }
@@ -189,19 +189,19 @@ Json to_json(const HubLoad& load) {
 
 template <class Items>
 void add_list(const char* key, const Items& items, Json& json) {
-  for (const auto& item : items) json[key].push_back(to_json(item));
+  for (const auto& item : items) json.append(key, to_json(item));
 }
 
 }  // namespace
 
 void add_model(const Model& model, Json& json) {
-  json["world"] = "space";
-  json["hub"] = to_json(model.hub);
+  json.set("world", "space");
+  json.set("hub", to_json(model.hub));
   add_list("blades", model.blades, json);
   add_list("subsystem", model.subsystems, json);
-  json["gravity"] = {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}};
-  json["damping"] = {{"mass_factor", model.damping.mass_factor},
-                     {"stiffness_factor", model.damping.stiffness_factor}};
+  json.set("gravity", {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}});
+  json.set("damping", {{"mass_factor", model.damping.mass_factor},
+                       {"stiffness_factor", model.damping.stiffness_factor}});
   add_list("load", model.loads, json);
   add_list("distributed_load", model.distributed_loads, json);
   add_list("hub_load", model.hub_loads, json);

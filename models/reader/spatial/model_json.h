@@ -1,14 +1,13 @@
 #pragma once
 
-// A model in space as JSON, in the shape of its file.
-
-#include <nlohmann/json.hpp>
+// Writes a model in space as JSON, in the shape of its file.
 
 #include "models/spatial_model.h"
+#include "models/support/json.h"
 
 namespace spoke::spatial {
 
 /// Adds the tables of the model, defaults included, to those of its scenario.
-void add_model(const Model& model, nlohmann::ordered_json& json);
+void add_model(const Model& model, Json& json);
 
 }  // namespace spoke::spatial

@@ -1,6 +1,6 @@
 #pragma once
 
-// The model in space of a scenario file.
+// Reads the model in space of a scenario file.
 
 #include "models/reader/toml_section.h"
 #include "models/spatial_model.h"

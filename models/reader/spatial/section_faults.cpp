@@ -21,12 +21,13 @@ bool is_positive_definite(const SectionMatrix& matrix) {
   const Eigen::Matrix<double, 6, 1> scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
   const Matrix scaled = scale.asDiagonal() * Matrix(matrix) * scale.asDiagonal();
   const Eigen::LLT<Matrix> factor(scaled);
-  constexpr double least_pivot = 1e-7;  // of the factor: its square is next to round-off
+  // Least pivot of the factor; its square is next to round-off.
+  constexpr double least_pivot = 1e-7;
   return factor.info() == Eigen::Success &&
          Matrix(factor.matrixL()).diagonal().minCoeff() > least_pivot;
 }
 
-/// Of one matrix; `path` is its own.
+/// Finds a fault of one matrix; `path` is the path of its key.
 Fault find_matrix_fault(const std::string& path, const SectionMatrix& matrix) {
   constexpr double slack = 1e-6;
   for (int r = 0; r < 6; ++r)
@@ -41,7 +42,7 @@ Fault find_matrix_fault(const std::string& path, const SectionMatrix& matrix) {
   return {path, "is not positive definite, expected a matrix that gives every motion energy"};
 }
 
-/// Of a matrix that is no slice of a beam: one mass, centre in the section, thin.
+/// Finds a mass matrix that is no slice of a beam: one mass, centre in the section, thin.
 Fault find_slice_fault(const std::string& path, const SectionMatrix& m) {
   const double mass = m(0, 0), second = m(3, 3);
   const double first = std::sqrt(mass * second);
@@ -77,7 +78,7 @@ Fault find_matrices_fault(const std::string& key, const std::vector<SectionMatri
   return {};
 }
 
-/// What is given besides a matrix that says it too.
+/// Finds values that are given beside a matrix that holds them.
 Fault find_double(const Sections& sections) {
   const FirstFault first;
   const auto refuse = [&](bool doubled, const char* key, const char* matrix) {
@@ -100,7 +101,7 @@ Fault find_double(const Sections& sections) {
   return first.found();
 }
 
-/// Of arrays that are not as long as that of the stations.
+/// Finds arrays that are not as long as the array of stations.
 Fault find_length_fault(const Sections& sections) {
   const FirstFault first;
   const std::size_t stations = sections.station.size();
@@ -122,7 +123,7 @@ Fault find_length_fault(const Sections& sections) {
   visit_stiffnesses(sections, needed);
   visit_shear_stiffnesses(sections, optional);
   visit_stiffness_centers(sections, optional);
-  // Where the stiffness is given by matrices, nothing says how wide the sections are.
+  // Stiffness matrices do not say how wide the sections are.
   visit_inertias(sections, [&](const char* key, const auto& values, const Quantity&) {
     check(key, values, mass_by_values && !by_values);
   });

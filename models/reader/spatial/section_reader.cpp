@@ -9,9 +9,9 @@
 namespace spoke::spatial {
 namespace {
 
-/// Where entry (r, c) of a matrix in Spoke's axes stands in one in those of BeamDyn, and its sign.
-/// There x is out of the plane of rotation, y in it towards the trailing edge, z along the blade:
-/// ours are (z, -y, x).
+/// The place of entry (r, c) of a matrix in Spoke's axes within the matrix in BeamDyn's axes, and
+/// its sign. BeamDyn's x is out of the plane of rotation, y in it towards the trailing edge, z
+/// along the blade: ours are (z, -y, x).
 struct BeamDynAxis {
   int index;
   double sign;
@@ -27,7 +27,7 @@ SectionMatrix from_beamdyn(const SectionMatrix& theirs) {
   return ours;
 }
 
-/// From all entries row by row, or from those of the upper triangle.
+/// Makes a matrix from all entries row by row, or from those of its upper triangle.
 SectionMatrix to_matrix(const std::vector<double>& entries) {
   if (entries.size() == 36)
     return Eigen::Matrix<double, 6, 6, Eigen::RowMajor>::Map(entries.data());

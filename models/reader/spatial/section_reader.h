@@ -1,19 +1,19 @@
 #pragma once
 
-// Reading of beams: sections by station, point masses.
+// Reads beams: sections by station, point masses.
 
 #include "models/reader/toml_section.h"
 #include "models/spatial_model.h"
 
 namespace spoke::spatial {
 
-/// The keys of a table that describes a beam.
+/// Returns the keys of a table that describes a beam.
 TomlSection::Keys beam_keys();
 
 /// Reads the table "sections" of a beam's table; the beam has its length.
 Sections read_sections(const TomlSection& beam, double length);
 
-/// The tables "point_mass" of a beam's table.
+/// Reads the tables "point_mass" of a beam's table.
 std::vector<PointMass> read_point_masses(const TomlSection& beam);
 
 }  // namespace spoke::spatial

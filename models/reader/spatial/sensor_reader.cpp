@@ -1,4 +1,4 @@
-// Which keys belong to which sensor in space, and that no two names of columns are alike.
+// Checks which keys belong to which sensor in space, and that no two columns have one name.
 
 #include "models/reader/spatial/sensor_reader.h"
 
@@ -33,7 +33,7 @@ Fault find_blade_fault(const Sensor& sensor, const Model& model) {
                        std::to_string(last)};
 }
 
-/// Of a sensor on a subsystem, which must be there with the body that it names.
+/// Finds a fault in the subsystem and body that a sensor names.
 Fault find_body_fault(const Sensor& sensor, const Model& model) {
   if (!is_of_blade(sensor.quantity))
     return {"subsystem", "does not belong to quantity \"" + std::string(name_of(sensor.quantity)) +
@@ -60,7 +60,7 @@ Fault find_body_fault(const Sensor& sensor, const Model& model) {
   return {};
 }
 
-/// The least length of the beams that a sensor is on; 0 on a rigid body.
+/// Returns the least length of the beams that a sensor is on; 0 on a rigid body.
 double length_at(const std::vector<SensorPlace>& places, const std::vector<Tree>& trees) {
   double least = std::numeric_limits<double>::infinity();
   for (const SensorPlace& place : places) {
@@ -112,7 +112,7 @@ Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tre
   return find_joint_fault(sensor, places);
 }
 
-/// Columns that every simulation of the model has.
+/// Returns the names of the columns that every simulation of the model has.
 std::set<std::string> find_taken(const std::vector<Tree>& trees) {
   std::set<std::string> taken;
   for (const char* axis : {"x", "y", "z"})
@@ -128,7 +128,7 @@ std::set<std::string> find_taken(const std::vector<Tree>& trees) {
   return taken;
 }
 
-/// The rules for one sensor after the other.
+/// Applies the rules to one sensor after the other.
 class SensorRules {
  public:
   explicit SensorRules(const Model& model)

@@ -1,6 +1,6 @@
 #pragma once
 
-// The [[sensor]] tables of a model in space.
+// Reads the [[sensor]] tables of a model in space.
 
 #include <vector>
 
@@ -10,10 +10,10 @@
 
 namespace spoke::spatial {
 
-/// Reads them. Throws InputError, also if two sensors would have columns of one name.
+/// Reads the sensors. Throws InputError, also if two sensors would have columns of one name.
 std::vector<Sensor> read_sensors(const TomlSection& root, const Model& model);
 
-/// Checks what is filled in code in the same way. The model must be fine.
+/// Checks sensors that are filled in code by the same rules. The model must be fine.
 void check_sensors(const std::vector<Sensor>& sensors, const Model& model);
 
 }  // namespace spoke::spatial

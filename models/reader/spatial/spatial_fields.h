@@ -1,9 +1,9 @@
 #pragma once
 
-// What each number of a model in space must be, as scenario_fields.h has it for the plane: the
-// reader of files, the check of what is filled in code and the writer all go by it.
-// visit_fields() calls visit(key, value, range, presence) for the numbers and vectors of a
-// structure, in the order of the file.
+// Ranges of the numbers of a model in space, as scenario_fields.h has them for the plane: the
+// reader of files, the check of what is filled in code and the writer all go by it. visit_fields()
+// calls visit(key, value, range, presence) for the numbers and vectors of a structure, in the order
+// of the file.
 
 #include <array>
 #include <string_view>
@@ -28,7 +28,7 @@ struct CoordinateUnits {
 inline constexpr CoordinateUnits kAngleUnits{"rad", "rad/s", "N m", "N m/rad", "N m s/rad"};
 inline constexpr CoordinateUnits kWayUnits{"m", "m/s", "N", "N/m", "N s/m"};
 
-/// Whether a coordinate of a joint is a way; else it is an angle.
+/// Whether a coordinate of a joint is a displacement; otherwise it is an angle.
 inline bool is_way(JointKind kind, int coordinate) {
   return kind == JointKind::prismatic || (kind == JointKind::cylindrical && coordinate == 1);
 }
@@ -83,8 +83,8 @@ void visit_fields(R& body, const Visit& visit) {
   visit("center", body.center, kLength, Presence::optional);
 }
 
-/// The arrays of sections that hold a number for each station. visit(key, values, quantity); the
-/// material is all but the shape.
+/// Visits the arrays of sections that hold a number for each station. visit(key, values, quantity);
+/// material arrays are all but those of the shape.
 template <PerhapsConst<Sections> S, class Visit>
 void visit_stiffnesses(S& s, const Visit& visit) {
   visit("axial_stiffness", s.axial_stiffness, Quantity::positive("N"));
@@ -110,7 +110,7 @@ void visit_shape(S& s, const Visit& visit) {
   visit("chord", s.chord, Quantity::not_negative("m"));
   visit("thickness", s.thickness, Quantity::not_negative("m"));
 }
-/// The arrays that hold two numbers for each station.
+/// Visits the arrays that hold two numbers for each station.
 template <PerhapsConst<Sections> S, class Visit>
 void visit_stiffness_centers(S& s, const Visit& visit) {
   visit("tension_center", s.tension_center, kLength);
@@ -133,7 +133,7 @@ void visit_fields(M& motion, const CoordinateUnits& unit, const Visit& visit) {
   visit("sine", motion.sine, Quantity::any(unit.position), Presence::optional);
 }
 
-/// The numbers of a coordinate that are keys of its joint.
+/// Visits the numbers of a coordinate that are keys of its joint.
 template <PerhapsConst<JointCoordinate> C, class Visit>
 void visit_fields(C& coordinate, const CoordinateUnits& unit, const Visit& visit) {
   visit("stiffness", coordinate.stiffness, Quantity::not_negative(unit.stiffness));

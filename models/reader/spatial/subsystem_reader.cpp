@@ -1,4 +1,4 @@
-// Subsystems: bodies by name, and the joints between them.
+// Reads subsystems: bodies by name, and the joints between them.
 
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
@@ -52,7 +52,7 @@ Body read_body(const TomlSection& section) {
   return body;
 }
 
-/// Where on the parent: "station", or "node" counted from the root of a beam.
+/// Reads the place on the parent: "station", or "node" counted from the root of a beam.
 std::optional<double> read_station(const TomlSection& section, const Subsystem& subsystem,
                                    const std::string& parent) {
   if (!section.has("node"))

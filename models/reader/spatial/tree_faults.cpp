@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kHub = "hub";
 
-using Names = std::map<std::string_view, std::size_t>;  // of bodies: their indices
+using Names = std::map<std::string_view, std::size_t>;  // indices of bodies by name
 
 Fault find_body_faults(const Subsystem& subsystem, Names& names) {
   const FirstFault first;
@@ -38,7 +38,7 @@ std::vector<std::string_view> list(const Names& names, bool with_hub) {
   return all;
 }
 
-/// Of the places on the parent that a joint names.
+/// Finds a fault of the place on the parent that a joint names.
 Fault find_place_fault(const SubsystemJoint& joint, const Subsystem& subsystem,
                        const Names& names) {
   if (!joint.station) return {};
@@ -62,9 +62,10 @@ Fault find_link_fault(const SubsystemJoint& joint, const Subsystem& subsystem, c
   return find_place_fault(joint, subsystem, names);
 }
 
-/// Of joints whose names are fine: a body with two parents, with none, or in a circle.
+/// Finds a body with two parents, with none, or in a circle, where the names of joints are fine.
 Fault find_shape_fault(const Subsystem& subsystem, const Names& names) {
-  std::vector<std::ptrdiff_t> carrier(subsystem.bodies.size(), -1);  // joint that it is child of
+  // Joint whose child the body is.
+  std::vector<std::ptrdiff_t> carrier(subsystem.bodies.size(), -1);
   for (std::size_t i = 0; i < subsystem.joints.size(); ++i) {
     std::ptrdiff_t& before = carrier[names.at(subsystem.joints[i].child)];
     if (before >= 0)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading of what has several components: vectors, tensors, curves of vectors.
+// Reads keys of several components: vectors, tensors, curves of vectors.
 
 #include <string_view>
 
@@ -11,7 +11,7 @@
 
 namespace spoke::spatial {
 
-/// For visit_fields() of structures with vectors; FieldReader for the numbers.
+/// Reads the vectors of a structure, for visit_fields(), and by FieldReader the numbers.
 struct VectorReader {
   const TomlSection& section;
 
@@ -24,18 +24,18 @@ struct VectorReader {
                   Presence presence) const;
 };
 
-/// An array of three numbers.
+/// Reads an array of three numbers.
 Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity);
 
-/// An inertia tensor: one number, about every axis; three moments; or the six entries xx, yy, zz,
-/// xy, xz, yz.
+/// Reads an inertia tensor: one number, about every axis; three moments; or the six entries xx, yy,
+/// zz, xy, xz, yz.
 Tensor read_inertia(const TomlSection& section, std::string_view key, MayBeZero may_be_zero);
 
-/// The keys "time" and "factor" of a load; 1 if there are none.
+/// Reads the keys "time" and "factor" of a load; 1 if there are none.
 Curve read_factor(const TomlSection& section);
 
-/// The table `key`, with "time" and arrays x, y, z, or with "constant", "rate", "amplitude" and
-/// "frequency"; zero if it is missing.
+/// Reads the table `key`, with "time" and arrays x, y, z, or with "constant", "rate", "amplitude"
+/// and "frequency"; zero if it is missing.
 VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit);
 
 }  // namespace spoke::spatial

@@ -1,4 +1,4 @@
-// Sensors of the scenario's keep their bits, states and names.
+// Tests that the scenario's sensors keep their bits, states and names.
 
 #include "engine/columns/sensor_columns.h"
 
@@ -146,7 +146,7 @@ TEST_CASE("sensors that are none are refused when they are filled in code") {
             s.joint = JointChoice::number(number);
           }) ==
           "sensor.1.joint: is " + std::to_string(number) + ", expected a whole number from 1 to 2");
-  // An index, from 0, is no number.
+  // An index, which counts from 0, is no number of a joint.
   static_assert(!std::is_convertible_v<int, JointChoice>);
   static_assert(!std::is_assignable_v<std::optional<JointChoice>&, int>);
 }

@@ -1,4 +1,5 @@
-// Sensors of scenarios in space: forces by statics and reactions, motions by their derivatives.
+// Tests sensors of scenarios in space: forces by statics and reactions, motions by their
+// derivatives.
 
 #include "engine/columns/spatial_columns.h"
 
@@ -11,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/joint_values.h"
 #include "engine/simulation.h"
+#include "engine/space/joint_values.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/system/spatial_system.h"
@@ -119,7 +120,7 @@ force_per_length = [0.0, 2.0, 0.0]
     CHECK((vector_of(simulation, name + ".force") - force).norm() < 1e-4);
     CHECK((vector_of(simulation, name + ".moment") - moment).norm() < 1e-4);
   }
-  // In the section's own axes, turned by the twist: 0.3 rad at 0.5 m.
+  // Forces in the axes of the section, turned by the twist: 0.3 rad at 0.5 m.
   Simulation in_axes(make_scenario(make_blade(kHubAtRest, loads + section_sensors("section")), 1e-2,
                                    1.0, IntegrationMethod::generalized_alpha),
                      kSerial);

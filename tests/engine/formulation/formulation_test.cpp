@@ -1,8 +1,11 @@
+#include "engine/formulation/formulation.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "tests/engine/rotors.h"
+#include "tests/message_of.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -76,4 +79,12 @@ TEST_CASE("the formulations agree in the implicit evaluation") {
   const Evaluation c = evaluate(6.0, third, true);
   CHECK(relative_difference(a.accelerations, c.accelerations) < 1e-11);
   CHECK(relative_difference(b.accelerations, c.accelerations) < 1e-11);
+}
+
+TEST_CASE("a formulation is found by its name, others are told") {
+  CHECK(formulations().size() == 3);
+  for (const Formulation formulation : formulations())
+    CHECK(formulation_of(name_of(formulation)) == formulation);
+  CHECK(message_of([] { formulation_of("dense"); }) ==
+        "formulation: \"dense\", expected one of \"structured\", \"subsystem\", \"augmented\"");
 }

@@ -45,7 +45,7 @@ TEST_CASE("groups, displacements and rotations of a frame make the places of the
     for (std::size_t k = 0; k < scene.nodes.size(); ++k) {
       const NodeSource& source = scene.sources[k];
       TreeShape shape;
-      simulation.calc_shape(source.tree, shape);
+      simulation.calc_shape(source.subsystem, shape);
       const TreeNode& node = shape.bodies[static_cast<std::size_t>(source.body)]
                                  .nodes[static_cast<std::size_t>(source.node)];
       CHECK((frame.place(scene, k) - node.p).norm() < 1e-12);

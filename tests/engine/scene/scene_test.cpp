@@ -26,7 +26,7 @@ Scene scene_of(const std::string& bodies) {
   return make_scene(parse_scenario(make_text(kDrivenHub, bodies), "test"), 2000);
 }
 
-/// Half the extent of a solid along a direction.
+/// Returns half the extent of a solid along a direction.
 double half_extent(const Solid& solid, const Vector& direction) {
   double low = 1e9, high = -1e9;
   for (const Vector& vertex : solid.vertices) {
@@ -43,7 +43,7 @@ Vector normal_of(const Solid& solid, const std::vector<int>& face) {
   return (vertex(1) - vertex(0)).cross(vertex(2) - vertex(0)).normalized();
 }
 
-/// Whether all faces are seen from outside.
+/// Whether all faces look out.
 bool faces_look_out(const Solid& solid, const Vector& center) {
   return std::all_of(solid.faces.begin(), solid.faces.end(), [&](const std::vector<int>& face) {
     return normal_of(solid, face).dot(solid.vertices[static_cast<std::size_t>(face[0])] - center) >
@@ -95,7 +95,7 @@ TEST_CASE("sections have chord and thickness, or are ellipses of their inertias"
   const auto size_at = [&](double station) {
     return find_section_size(beam, make_space_beam(beam, 0.0), station);
   };
-  // Of an ellipse the mean of y^2 is a quarter of the semi-axis squared.
+  // In an ellipse the mean of y^2 is a quarter of the square of the semi-axis.
   CHECK(size_at(0.5).half_y == doctest::Approx(0.5));
   CHECK(size_at(0.5).half_z == doctest::Approx(0.1));
   beam.sections.chord = {0.4, 0.2, 0.2};
@@ -123,7 +123,8 @@ TEST_CASE("rings stand across the twisted beam, at its place in the hub's frame"
   CHECK((root.at.p - Vector(0.0, 0.3, 0.0)).norm() < 1e-12);
   CHECK((tip.at.p - Vector(0.0, 2.3, 0.0)).norm() < 1e-12);
   CHECK((root.y - Vector(-1.0, 0.0, 0.0)).norm() < 1e-12);
-  // Twisted by 0.5 about the blade's x axis, which is y here: from y of the blade, -x, towards z.
+  // The section is twisted by 0.5 about the x axis of the blade, which is y here: from y of the
+  // blade, -x, towards z.
   CHECK((tip.y - Vector(-std::cos(0.5), 0.0, std::sin(0.5))).norm() < 1e-12);
   CHECK((tip.z - Vector(std::sin(0.5), 0.0, std::cos(0.5))).norm() < 1e-12);
   CHECK(scene.tips[0] == static_cast<int>(scene.nodes.size()) - 1);
@@ -157,7 +158,7 @@ TEST_CASE("loads are where they act, in the axes that they turn with") {
   CHECK(inner.is_distributed);
   CHECK((inner.at.p - Vector(0.0, 1.8, 0.0)).norm() < 1e-9);
   CHECK((outer.at.p - Vector(0.0, 7.3, 0.0)).norm() < 1e-9);
-  // Along the normal of a section that is twisted by 0.02.
+  // The force is along the normal of a section that is twisted by 0.02.
   CHECK((outer.force - 330.0 * Vector(std::sin(0.02), 0.0, std::cos(0.02))).norm() < 1e-6);
 
   const Scene tree = scene_of(kTree + R"(
@@ -179,7 +180,7 @@ frame = "body"
   CHECK(boom.at.node == tree.strips[0].first);
   CHECK(boom.at.xi == doctest::Approx(0.75));
   CHECK((boom.force - Vector(0.0, 2.0, 0.0)).norm() == 0.0);
-  // On the mirror, which the boom carries undeformed at its end.
+  // The load is on the mirror, which the boom carries undeformed at its end.
   const Solid& mirror = *std::find_if(tree.solids.begin(), tree.solids.end(),
                                       [](const Solid& s) { return s.name == "arm / mirror"; });
   CHECK(tree.loads[1].at.node == mirror.node);
@@ -192,7 +193,7 @@ frame = "body"
 TEST_CASE("a planar rotor lies in the plane, round as its bending stiffness says") {
   const Scene scene = shipped("wu_haug_rotor");
   CHECK(scene.is_planar);
-  CHECK(scene.trees == std::vector<std::string>{"blade 1", "blade 2", "blade 3"});
+  CHECK(scene.subsystems == std::vector<std::string>{"blade 1", "blade 2", "blade 3"});
   for (const Node& node : scene.nodes) CHECK(node.p.z() == 0.0);
   const double gyration = std::sqrt(8.214e-9 / 7.299e-5);
   CHECK(scene.strips[0].rings[0].half_y == doctest::Approx(2.0 * gyration));

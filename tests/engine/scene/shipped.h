@@ -6,7 +6,7 @@
 
 namespace spoke::test {
 
-/// A shipped scenario by its name.
+/// Reads a shipped scenario by its name.
 inline Scenario read_shipped(const std::string& name) {
   std::string file = SPOKE_MODELS_DIR;
   file += '/';

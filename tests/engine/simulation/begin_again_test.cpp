@@ -1,4 +1,5 @@
-// A simulation that is begun again with another drive has the bits of one that is built with it.
+// Tests that a simulation that is begun again with another drive has the bits of one that is built
+// with it.
 
 #include <doctest/doctest.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int kSteps = 40;
 
-/// What a run shows.
+/// Results of a run.
 struct Shown {
   std::vector<double> sensors;  ///< of all steps
   std::vector<double> state;

@@ -1,4 +1,4 @@
-// Each cause of divergence, provoked and named.
+// Provokes each cause of divergence, and checks its name.
 
 #include "engine/simulation/diagnosis.h"
 
@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "engine/kernels/natural_frequencies.h"
+#include "engine/plane/natural_frequencies.h"
 #include "engine/run/step_runner.h"
 #include "engine/simulation.h"
 #include "models/error.h"
@@ -22,7 +22,7 @@ using spoke::testing::approx;
 
 namespace {
 
-/// The message that a simulation ends with, the same on all executors and windows.
+/// Returns the message with which a simulation ends, the same on all executors and windows.
 std::string diverge(const Scenario& scenario) {
   const auto message_of = [&](const SimulationOptions& options) -> std::string {
     try {
@@ -39,7 +39,7 @@ std::string diverge(const Scenario& scenario) {
   return message;
 }
 
-/// The same of a scenario that Simulation refuses, stepped by what is below it.
+/// Returns the message of a scenario that Simulation refuses, stepped by the layers below it.
 std::string diverge_unchecked(const Scenario& scenario, const RunnerOptions& options) {
   const Integration& integration = scenario.integration;
   const bool is_rk4 = integration.method == IntegrationMethod::rk4;
@@ -52,7 +52,9 @@ std::string diverge_unchecked(const Scenario& scenario, const RunnerOptions& opt
   StepRunner runner(context, options);
   const auto fail = [&](StepOutcome outcome, std::int64_t step) {
     const double time = static_cast<double>(step) * integration.step;
-    return std::string(diagnose(scenario, context, {outcome, time, step, {}}).what());
+    return std::string(
+        diagnose(scenario, context, name_subsystems(scenario.rotor), {outcome, time, step, {}})
+            .what());
   };
   const StepOutcome start = runner.start();
   if (start != StepOutcome::done) return fail(start, 0);
@@ -82,7 +84,7 @@ std::string number(double value) {
   return text.str();
 }
 
-/// Across the tip of one of three blades.
+/// A load across the tip of one of three blades.
 PointLoad tip_load(int blade, Curve factor) {
   PointLoad load;
   load.blade = BladeChoice::number(blade + 1);
@@ -98,7 +100,7 @@ PointLoad tip_load(int blade, Curve factor) {
 TEST_CASE("rk4 above its stability limit is named with that limit") {
   Scenario scenario = spin_up_scenario(wu_haug_blade(4, 4), 0.005);
   scenario.integration.method = IntegrationMethod::rk4;
-  const FrequencyRange range = calc_frequency_range(scenario.rotor);
+  const plane::FrequencyRange range = plane::calc_frequency_range(scenario.rotor);
   const std::string limit = number(calc_rk4_largest_step(range, {}));
   const std::string highest = number(range.highest);
   check_parts(diverge(scenario),
@@ -129,7 +131,7 @@ TEST_CASE("rk4 above its stability limit by damping is named with it") {
   Scenario scenario = spin_up_scenario(wu_haug_blade(4, 4), 0.005);
   scenario.integration.method = IntegrationMethod::rk4;
   scenario.rotor.damping.stiffness_factor = 1e-3;
-  const FrequencyRange range = calc_frequency_range(scenario.rotor);
+  const plane::FrequencyRange range = plane::calc_frequency_range(scenario.rotor);
   const double limit = calc_rk4_largest_step(range, scenario.rotor.damping);
   CHECK(limit < 0.1 * calc_rk4_largest_step(range, {}));
   scenario.integration.step = 1.5 * limit;
@@ -159,7 +161,7 @@ TEST_CASE("strong linear drag is named, with a step that it allows") {
 TEST_CASE("a linear body above its first natural frequency is named with both speeds") {
   Blade blade = wu_haug_blade(1, 4);
   blade.geometric_stiffening = false;
-  const double first = calc_first_frequency(blade);
+  const double first = plane::calc_first_frequency(blade);
   // (1.8751 / L)^2 sqrt(EI / (rho A)) of a cantilever
   const double bending = blade.youngs_modulus * blade.second_moment;
   CHECK(first == approx(std::pow(1.875104 / blade.length, 2) *

@@ -1,4 +1,4 @@
-// What is said of prescribed motions of joints and of the mount that jump.
+// Tests warnings of prescribed motions of joints and of the mount that jump.
 
 #include "engine/simulation/jumps.h"
 
@@ -17,7 +17,7 @@ using namespace spoke::test;
 
 namespace {
 
-/// A blade that is pitched, on a mount.
+/// Makes a blade that is pitched, on a mount.
 Scenario pitched(const std::string& motion, const std::string& mount = "") {
   return parse_scenario(R"(
 world = "space"
@@ -58,7 +58,7 @@ std::string warning_of(const Scenario& scenario) {
   return warning_of(Simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1}));
 }
 
-/// A table of `count` points of a function, `interval` [s] apart.
+/// Makes a table of `count` points of a function, `interval` [s] apart.
 template <class Function>
 std::string table_of(int count, double interval, Function function) {
   std::string times, values;
@@ -90,17 +90,17 @@ TEST_CASE("a joint whose table ends in motion is warned of") {
                  "at once"));
   CHECK(contains(text, "give the first and the last value of the table twice"));
   CHECK(warning_of(pitched("{ time = [0, 0.1, 0.2, 0.3], value = [0, 0, 0.2, 0.2] }")).empty());
-  // After the end of the run.
+  // This jump is after the end of the run.
   CHECK(warning_of(pitched("{ time = [0, 0.2, 0.4], value = [0, 0.1, 0.2] }")).empty());
 }
 
 TEST_CASE("a table of many points of a smooth motion jumps nowhere") {
   const auto smooth = [](double t) { return 0.2 * std::pow(std::sin(5.0 * t), 2); };
   CHECK(warning_of(pitched(table_of(500, 0.001, smooth))).empty());
-  // A jump among them does.
+  // A jump among these points warns.
   const auto jump = [&](double t) { return smooth(t) + (t > 0.2005 ? 0.01 : 0.0); };
   CHECK(contains(warning_of(pitched(table_of(500, 0.001, jump))), "at t = 0.2 s"));
-  // A change within less than four steps in many points does, too.
+  // A change within less than four steps in many points warns, too.
   const auto ramp = [](double t) { return t < 0.2 ? 0.0 : t < 0.215 ? 20.0 * (t - 0.2) : 0.3; };
   CHECK_FALSE(warning_of(pitched(table_of(500, 0.001, ramp))).empty());
 }

@@ -1,4 +1,4 @@
-// Which models have residuals of momentum, and when these warn.
+// Tests which models have residuals of momentum, and when these warn.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
-// What a simulation warns of: bodies bent beyond the linear range, and energy from nowhere.
+// Tests the warnings of a simulation: of bodies bent beyond the linear range, and of energy from
+// nowhere.
 
 #include "engine/simulation/observations.h"
 
@@ -39,7 +40,7 @@ Scenario bending_scenario(double force) {
   return scenario;
 }
 
-/// Everything about warnings that a run shows.
+/// All that a run shows about warnings.
 struct Shown {
   std::uint64_t hash = 0;
   std::int64_t steps = 0;
@@ -68,7 +69,7 @@ Shown run(const Scenario& scenario, const SimulationOptions& options, bool obser
   return shown;
 }
 
-/// The same for all ways to run steps; returns it.
+/// Runs a scenario in all ways to make steps, and checks that they show the same, which it returns.
 Shown run_all_ways(const Scenario& scenario) {
   const Shown single = run(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1});
   for (const int window : {1, 7, 150}) {
@@ -79,7 +80,8 @@ Shown run_all_ways(const Scenario& scenario) {
   return single;
 }
 
-/// rk4 a little beyond its stability limit: the fastest vibration grows slowly.
+/// Makes a scenario with rk4 a little beyond its stability limit: the fastest vibration grows
+/// slowly.
 Scenario growing_scenario() {
   Scenario scenario;
   scenario.rotor = make_rotor(wu_haug_blade(2, 3), 2);
@@ -104,7 +106,7 @@ TEST_CASE("the deflection of a body is found at nodes and between them") {
       context.linear_range = 0.1;
       make_context(make_rotor(blade, 1), Formulation::structured, Rk4{1e-4}, context);
       BodyData<Plane>& body = context.data.subsystems[0].bodies[0];
-      const FlexibleBody& model = *body.model->body;
+      const plane::FlexibleBody& model = *body.model->body;
       // An arc of curvature k: v = k x^2 / 2 on the tangent, k x (x - L) / 2 on the chord.
       const auto bend = [&](double k) {
         for (int node = 0; node <= elements; ++node) {
@@ -135,7 +137,7 @@ TEST_CASE("no deflection beyond the range escapes the comparison of squares") {
     context.linear_range = 0.1;
     make_context(make_rotor(blade, 1), Formulation::structured, Rk4{1e-4}, context);
     BodyData<Plane>& body = context.data.subsystems[0].bodies[0];
-    const FlexibleBody& model = *body.model->body;
+    const plane::FlexibleBody& model = *body.model->body;
     // Least squares for a deflection l / 8 (psi_0 - psi_1) just beyond the range.
     const double psi = 0.401;
     body.coordinates.q[body.layout.offset(model.coordinate(0, kRotation))] = psi;
@@ -275,7 +277,7 @@ TEST_CASE("growing energy is warned of, or stops the run in the step it appears 
   const double step = scenario.integration.duration /
                       std::ceil(scenario.integration.duration / scenario.integration.step);
   CHECK(static_cast<double>(stopped.steps) * step == approx(warned.warned_at.back()));
-  // It needs no observer, and does the same step by step.
+  // The warning needs no observer, and comes step by step, too.
   const SimulationOptions options{Formulation::structured, ExecutorKind::flow_graph, 2, 20};
   const Shown unseen = run(scenario, options, false);
   CHECK(unseen.divergence == stopped.divergence);
@@ -296,7 +298,7 @@ TEST_CASE("energy that comes from nowhere does not raise its own limit") {
   Observations seen;
   observe_start(1.0, seen);
   CHECK_FALSE(observe_energy(1.0, {1.1, 0.0}, {0.01, 0.0}, seen));
-  // All at once, and much more than there was.
+  // The energy grows at once, and to much more than there was.
   CHECK(observe_energy(2.0, {1e6, 1e6 - 1.2}, {0.01, 0.0}, seen));
   CHECK(seen.growth.energy == approx(1.2));
 }

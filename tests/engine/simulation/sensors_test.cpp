@@ -1,4 +1,4 @@
-// What sensors show obeys the laws of mechanics, whatever formulation and integrator.
+// Tests that sensors obey the laws of mechanics, whatever formulation and integrator.
 
 #include "engine/simulation/sensors.h"
 
@@ -40,7 +40,7 @@ Values values_of(const Simulation& simulation) {
   return values;
 }
 
-/// A planar vector of three sensors in a row.
+/// Returns the planar vector of three sensors in a row.
 Twist vector_of(const Values& values, const std::string& name, const char* third) {
   return {values.at(name + ".x"), values.at(name + ".y"), values.at(name + "." + third)};
 }
@@ -67,7 +67,7 @@ struct Neighbours {
   Values before, now, after;
   double step = 0.0;
 
-  /// Central difference of a vector.
+  /// Returns the central difference of a vector.
   Twist rate(const std::string& name, const char* third) const {
     return (vector_of(after, name, third) - vector_of(before, name, third)) / (2.0 * step);
   }
@@ -86,7 +86,7 @@ Neighbours run_to(double t, const Scenario& scenario, Formulation formulation) {
   return values;
 }
 
-/// Two blades that hardly deform.
+/// Makes two blades that hardly deform.
 Scenario rigid_scenario() {
   Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.3, 1e-3);
   scenario.integration.spectral_radius = 0.0;
@@ -176,7 +176,8 @@ TEST_CASE("behind a joint the balance of all that acts outboard is what the join
       rotor.drags[1].relative_to = DragFrame::hub;
       scenario.sensors = {
           make_sensor(Quantity::joint_reaction, "joint", SensorFrame::hub),
-          // Beside the joint: at it, the section is the root or that of the body inboard.
+          // The section is beside the joint: at the joint it is the root or that of the body
+          // inboard.
           make_sensor(Quantity::section_force, "section", SensorFrame::hub, at + 1e-9)};
       scenario.sensors[0].joint = JointChoice::number(at == 0.0 ? 1 : 2);
       Simulation simulation(scenario, serial(way.formulation));
@@ -258,15 +259,14 @@ TEST_CASE("angular momentum changes by the moments of drive, roots and loads") {
       CHECK(std::abs(about_axis) > 0.1);
       sum += about_axis;
     }
-    // What the blades leave of the torque turns the hub.
+    // The torque that the blades do not take turns the hub.
     const double alpha = 60.0 * (1.0 - std::cos(2.0 * std::numbers::pi * 0.501));
     CHECK(sum == approx(rotor.hub.inertia * alpha).epsilon(1e-6));
   }
 }
 
 TEST_CASE("the torque of a spin-up is what the roots of the blades and the hub take") {
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+  for (const Formulation formulation : formulations()) {
     Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
     scenario.rotor.hub.inertia = 2.0;
     Simulation simulation(scenario, serial(formulation));
@@ -359,7 +359,7 @@ TEST_CASE("section forces are continuous where bodies meet, and turn with their 
       const Twist own = vector_of(values, blade + ".s.blade", "moment");
       const Twist reaction = vector_of(values, blade + ".joint", "moment");
       CHECK((own + reaction).norm() < 1e-5 * own.norm());
-      const auto turned = [&](double angle) { return Rotation::from_angle(angle) * own; };
+      const auto turned = [&](double angle) { return plane::Rotation::from_angle(angle) * own; };
       const double azimuth = std::numbers::pi * i, hub = values.at("hub.angle");
       const Twist in_hub = vector_of(values, blade + ".s.hub", "moment");
       const Twist inertial = vector_of(values, blade + ".s.inertial", "moment");

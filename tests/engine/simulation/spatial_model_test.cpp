@@ -1,4 +1,5 @@
-// A simulation of a model in space: its states, its views, changes between steps, and how it ends.
+// Tests a simulation of a model in space: its states, its views, changes between steps, and how it
+// ends.
 
 #include "engine/simulation/spatial_model.h"
 
@@ -58,7 +59,7 @@ TEST_CASE("a run in space that is saved and restored goes on with the bits of th
       const SavedState middle = whole.save();
       const std::vector<double> shown = values_of(whole);
       whole.run_until(40 * step);
-      // Another simulation, that has been elsewhere, on other threads and windows.
+      // Another simulation, which was elsewhere, on other threads and windows, shows the same.
       Simulation other(scenario, {Formulation::structured, ExecutorKind::flow_graph, 2, 7},
                        {drag()});
       other.run_until(13 * step);
@@ -137,14 +138,14 @@ TEST_CASE("another drive acts from the next step on, in space too") {
   simulation.run_until(0.2);
   CHECK(simulation.sensor("hub.torque") == doctest::Approx(-40.0).epsilon(1e-9));
   CHECK(simulation.sensor("hub.speed") < speed - 0.1);
-  // What prescribes the motion cannot take the place of a torque.
+  // A drive that prescribes the motion cannot replace a torque.
   CHECK(message_of([&] { simulation.set_drive(SpinUp{8.0, 1.0}); }) != "no error");
   CHECK(std::get<TorqueDrive>(simulation.drive()).torque.value(0.0) == -40.0);
 }
 
 namespace {
 
-/// A blade whose pitch is the program's, on a hub that turns.
+/// A blade whose pitch the program moves, on a hub that turns.
 const std::string kProgramPitch = R"(
 [[blade.joint]]
 name = "pitch"
@@ -154,7 +155,8 @@ axis = [1.0, 0.0, 0.0]
 motion = { by = "program", initial = 0.1 }
 )";
 
-/// A scenario that prescribes the motion tells what a program that does the same must reach.
+/// Makes a simulation in which the scenario prescribes the motion; a program that prescribes the
+/// same must reach its values.
 Simulation make_pitching(const std::string& pitch, IntegrationMethod method, int window) {
   const double step = method == IntegrationMethod::rk4 ? 1e-3 : 2e-3;
   const std::string text = make_text(kDrivenHub, kBooms + pitch, kGravity);
@@ -270,4 +272,27 @@ duration = 10.0
   CHECK(message_of<StateError>([&] {
           simulation.marker({0, 0, 1.0});
         }).find("there is no state to evaluate") != std::string::npos);
+}
+
+TEST_CASE("an iteration in space that does not converge is named with a body and what to set") {
+  const std::string text = make_text(kDrivenHub, kBooms + kHinges, kGravity);
+  Scenario scenario = make_scenario(text, IntegrationMethod::generalized_alpha, 0.1, 1.0);
+  scenario.integration.max_iterations = 1;
+  Divergence at;
+  std::string message;
+  try {
+    Simulation(scenario, kSerial).run_until(1.0);
+  } catch (const DivergenceError& error) {
+    at = error.divergence();
+    message = error.what();
+  }
+  CAPTURE(message);
+  CHECK(at.quantity == "change of a coordinate");
+  CHECK(at.subsystem.starts_with("blade "));
+  CHECK(at.node == at.subsystem + " / " + at.body + " / recovery");
+  for (const std::string& part :
+       {std::string("the iteration still changes a coordinate by "),
+        std::string("after 1 iteration, most in " + at.subsystem + " / " + at.body),
+        std::string("set integration.step to 0.05 or less")})
+    CHECK(message.find(part) != std::string::npos);
 }

@@ -1,4 +1,4 @@
-// What is said of a drive that jumps, and of the energy that it makes.
+// Tests warnings of a drive that jumps, and of the energy that it makes.
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ using namespace spoke::test;
 
 namespace {
 
-/// What a run tells.
+/// Messages of a run.
 struct Told {
   std::vector<std::string> warnings;
   std::string divergence;
@@ -49,7 +49,7 @@ TEST_CASE("where a drive that jumps makes energy, smaller steps are not the advi
   scenario.limits.on_energy_growth = EnergyGrowth::stop;
   const Told stopped = run(scenario);
   CHECK(stopped.divergence.ends_with(advice));
-  // Growth that has nothing to do with the jump.
+  // This growth has nothing to do with the jump.
   Observations seen;
   for (const double step : {10.0, 100.0}) {
     seen.growth.step = step;
@@ -58,7 +58,7 @@ TEST_CASE("where a drive that jumps makes energy, smaller steps are not the advi
 }
 
 TEST_CASE("light blades on a hub that starts smoothly are warned of nothing") {
-  // In the first step the quadrature sees next to nothing of the work on the blades.
+  // In the first step the quadrature sees hardly anything of the work on the blades.
   Blade blade = wu_haug_blade(2, 3);
   blade.length = 4.0;
   blade.density = 1350.0;
@@ -93,7 +93,7 @@ duration = 0.2
                                      "jump.toml");
   const Told warned = run(scenario);
   REQUIRE(warned.warnings.size() == 2);
-  // What the hub itself takes, 8 J at once, excuses nothing.
+  // The energy that the hub takes, 8 J at once, excuses no growth.
   CHECK(contains(warned.warnings[0], "the energy has grown by "));
   CHECK(warned.warnings[0].ends_with("let the change take 0.02 s or more"));
   CHECK(contains(warned.warnings[1],

@@ -9,7 +9,7 @@ namespace {
 
 using ElementValues = Eigen::Matrix<double, 2 * kTwist, 1>;
 
-/// Coordinates of both nodes of an element, along its own axes.
+/// Returns the coordinates of both nodes of an element, along its own axes.
 ElementValues local_values(const FlexibleBody& body, int e, const Eigen::VectorXd& flex) {
   ElementValues values;
   const Matrix3 to_element = body.beam[static_cast<std::size_t>(e)].axes.transpose();
@@ -23,7 +23,8 @@ ElementValues local_values(const FlexibleBody& body, int e, const Eigen::VectorX
   return values;
 }
 
-/// Slots (r, t, d, g) of both nodes, along the element's axes, less the place of the node.
+/// Returns the slots (r, t, d, g) of both nodes, along the axes of the element, less the place of
+/// the node.
 std::array<Position, kElementSlots> slot_changes(const ElementValues& x, double length) {
   std::array<Position, kElementSlots> slots;
   for (std::size_t node = 0; node < 2; ++node) {
@@ -37,7 +38,7 @@ std::array<Position, kElementSlots> slot_changes(const ElementValues& x, double 
   return slots;
 }
 
-/// Twice the energy that a tension by weights takes from an element.
+/// Returns twice the energy that a tension by weights takes from an element.
 double tension_form(const ElementStiffening& matrices, const Position& weights,
                     const ElementValues& x) {
   const Eigen::Vector4d v(x[1], x[5], x[7], x[11]), w(x[2], -x[4], x[8], -x[10]);
@@ -63,8 +64,8 @@ double propeller_form(const ElementStiffening& matrices, const Position& w,
   return sum;
 }
 
-/// Twice the energy that the turning of small masses takes, to second order; `q`: of both nodes, in
-/// B. A vector a of the section becomes a + th x a + 1/2 th x (th x a).
+/// Returns twice the energy that the rotation of small masses takes, to second order; `q`: of both
+/// nodes, in B. A vector a of the section becomes a + th x a + 1/2 th x (th x a).
 double inertia_form(const BeamElement& element, const Position& w, const ElementValues& local) {
   double sum = 0.0;
   ElementValues q;
@@ -72,7 +73,8 @@ double inertia_form(const BeamElement& element, const Position& w, const Element
     q.segment<3>(3 * block) = element.axes * local.segment<3>(3 * block);
   for (const PointInertia& point : element.inertias) {
     const Matrix3 th = skew(point.rotation * q), W = skew(w);
-    // |w x a|^2 to second order, summed over a a^T = P, less |w x (th x a)|^2, which slots have.
+    // The sum is |w x a|^2 to second order, over a a^T = P, less |w x (th x a)|^2, which slots
+    // have.
     sum -= (W * th * th * point.second * W.transpose()).trace();
   }
   return sum;
@@ -155,7 +157,7 @@ std::unique_ptr<TestBody> make_decoupled_body(int elements, ReferenceFrame frame
 
 namespace {
 
-/// What element `e` carries.
+/// Returns the mass that element `e` carries.
 const CarriedMass& carried_by(int e, const TestBody& test) {
   const auto holds = [e](const CarriedMass& carried) { return e < carried.end; };
   return *std::find_if(test.tension.carried.begin(), test.tension.carried.end(), holds);

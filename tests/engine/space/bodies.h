@@ -16,7 +16,7 @@
 namespace spoke::space::test {
 
 inline constexpr BlockFactors kExplicit{1.0, 0.0, 0.0};
-/// As of a step that is linearly implicit.
+/// Factors of a step that is linearly implicit.
 inline constexpr BlockFactors kImplicit{1.01, 3e-4, 2e-3};
 
 /// A straight beam with section properties, and a bent one with full section matrices.
@@ -39,7 +39,7 @@ struct TestBody {
   TestBody(const TestBody&) = delete;
 
   BodyState state() const { return {q.data(), v.data(), q_elastic.data(), v_elastic.data()}; }
-  /// Elastic forces at the state itself.
+  /// Sets elastic forces to those of the state itself.
   void follow() {
     q_elastic = q;
     v_elastic = v;
@@ -48,33 +48,33 @@ struct TestBody {
     calc_handles(body, q.data(), v.data(), work.handles);
     terms = calc_body_terms(model, state(), motion, damping, work);
   }
-  /// Q_f at the state.
+  /// Returns Q_f at the state.
   Eigen::VectorXd deformation_force();
 };
 
 Position draw_vector(double size, std::mt19937& random);
 
-/// A random beam as a body of unequal elements, at a random state, with handles at node 0, at the
-/// last and, if it has more than two elements, at one between.
+/// Makes a random beam as a body of unequal elements, at a random state, with handles at node 0, at
+/// the last node and, if it has more than two elements, at one between.
 std::unique_ptr<TestBody> make_random_body(const BeamOptions& options, int elements,
                                            ReferenceFrame frame, std::mt19937& random);
-/// A beam of one symmetric section as such a body: its directions do not meet.
+/// Makes a beam of one symmetric section as such a body: its directions do not meet.
 std::unique_ptr<TestBody> make_decoupled_body(int elements, ReferenceFrame frame,
                                               std::mt19937& random);
 void randomize_state(std::mt19937& random, TestBody& body);
 
-/// 1/2 sum_ij m_ij V_i . V_j over the slots of all elements, V = e v0 + w x rho + rho', less what
-/// the stiffening takes away at the hub's angular velocity w0.
+/// Returns 1/2 sum_ij m_ij V_i . V_j over the slots of all elements, V = e v0 + w x rho + rho',
+/// less the energy that the stiffening takes away at the hub's angular velocity w0.
 double calc_kinetic(const TestBody& body, const Twist& twist, const Angular& hub_w,
                     const Eigen::VectorXd& q, const Eigen::VectorXd& v);
 
-/// Twice the energy of the tension that the hub's angular velocity w0 makes, where the frame turns
-/// and the body deforms together: a rotation of the frame moves nodes as rigid ones, to first
-/// order.
+/// Returns twice the energy of the tension that the hub's angular velocity w0 makes, where the
+/// frame turns and the body deforms together: to first order, a rotation of the frame moves nodes
+/// as rigid ones.
 double calc_tension_form(const TestBody& body, const Angular& hub_w, const Angular& turn,
                          const Eigen::VectorXd& q);
 
-/// Elastic energy, and that of tension by gravity.
+/// Returns the elastic energy, and that of tension by gravity.
 double calc_potential(const TestBody& body, const Position& gravity, const Eigen::VectorXd& q);
 
 }  // namespace spoke::space::test

@@ -21,7 +21,7 @@ struct Motion {
   Eigen::VectorXd q, v;
 };
 
-/// Velocities of a motion: (v0, w, q', w0).
+/// Returns the momenta of a motion, by the velocities (v0, w, q', w0).
 Eigen::VectorXd momenta(const TestBody& test, const Motion& motion) {
   const auto nf = motion.v.size();
   Eigen::VectorXd p(kTwist + nf + 3);
@@ -40,7 +40,7 @@ Eigen::VectorXd momenta(const TestBody& test, const Motion& motion) {
   return p;
 }
 
-/// d/dt of the momenta along accelerations (X_t - w x v0, alpha, q'', w0'), extrapolated.
+/// Returns d/dt of the momenta along accelerations (X_t - w x v0, alpha, q'', w0'), extrapolated.
 Eigen::VectorXd momenta_rate(const TestBody& test, const Motion& motion, const Twist& twist_rate,
                              const Eigen::VectorXd& a, const Angular& hub_a) {
   const auto difference = [&](double h) -> Eigen::VectorXd {
@@ -54,7 +54,8 @@ Eigen::VectorXd momenta_rate(const TestBody& test, const Motion& motion, const T
   return (4.0 * difference(h) - difference(2.0 * h)) / 3.0;
 }
 
-/// d(T - V)/dq: both are polynomials of second degree in q, or of no higher with this accuracy.
+/// Returns d(T - V)/dq: both are polynomials of second degree in q, or of no higher degree with
+/// this accuracy.
 Eigen::VectorXd lagrangian_slope(const TestBody& test, const Motion& motion) {
   Eigen::VectorXd slope(motion.q.size());
   const auto value = [&](Eigen::Index i, double step) {
@@ -73,7 +74,7 @@ Motion draw_motion(const TestBody& test, std::mt19937& random) {
   return motion;
 }
 
-/// That the terms of an undamped body are those of the Boltzmann-Hamel equations at a random
+/// Checks that the terms of an undamped body are those of the Boltzmann-Hamel equations at a random
 /// motion.
 void check_equations_of_motion(TestBody& test, std::mt19937& random) {
   test.follow();
@@ -107,7 +108,7 @@ void check_equations_of_motion(TestBody& test, std::mt19937& random) {
   const Eigen::VectorXd found = mass * acceleration - force;
   const double scale = expected.lpNorm<Eigen::Infinity>();
   CHECK((found - expected.head(kTwist + nf)).lpNorm<Eigen::Infinity>() < 1e-9 * scale);
-  // What the stiffening leaves to the hub.
+  // The moment that the stiffening leaves to the hub.
   const HubStiffening& hub = test.terms.stiffening;
   const Angular& w0 = motion.hub_w;
   const Position share =
@@ -140,7 +141,7 @@ TEST_CASE("so are those of a body whose directions do not meet, four nodes at a 
 
 namespace {
 
-/// The terms of a body, and its rows but for those of coordinates that its frame fixes.
+/// Returns the terms of a body, and its rows but for coordinates that its frame fixes.
 Eigen::VectorXd all_terms(TestBody& test) {
   test.calc_terms();
   const BodyTerms& terms = test.terms;
@@ -317,7 +318,7 @@ TEST_CASE("a handle's Jacobian and bias give its acceleration, by differences of
   test->calc_terms();
   for (std::size_t h = 0; h < test->body.handles.size(); ++h) {
     CAPTURE(h);
-    // Twist of the handle in B at time t; the rotation's rate by the tangent map.
+    // Returns the twist of the handle in B at time t; the rate of the rotation by the tangent map.
     const auto twist_at = [&](double t) {
       test->q = q + t * v + 0.5 * t * t * a;
       test->v = v + t * a;
@@ -334,7 +335,7 @@ TEST_CASE("a handle's Jacobian and bias give its acceleration, by differences of
     const Twist coarse = (twist_at(2.0 * step) - twist_at(-2.0 * step)) / (4.0 * step);
     const Twist fine = (twist_at(step) - twist_at(-step)) / (2.0 * step);
     const Twist twist = twist_at(0.0);
-    // d/dt in B, and what B's turning adds.
+    // The expected acceleration is d/dt in B, and the part of the turning of B.
     const Twist expected =
         (4.0 * fine - coarse) / 3.0 + make_twist(cross(w, linear(twist)), cross(w, angular(twist)));
     Eigen::MatrixXd J(kTwist, dense_size(test->body));

@@ -43,7 +43,7 @@ void check_agreement(TestBody& test, bool implicit, std::mt19937& random, double
     wrenches.push_back(make_twist(draw_vector(9.0, random), draw_vector(9.0, random)));
     right += dense.J[static_cast<std::size_t>(h)].transpose() * wrenches.back();
   }
-  // With more digits: what differs is then the kernels' alone.
+  // More digits leave only the errors of the kernels.
   using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
   const Matrix mass = dense.mass.cast<long double>();
@@ -84,7 +84,7 @@ TEST_CASE("condensing a body and recovering it solves its full equations") {
           CAPTURE(elements);
           CAPTURE(implicit);
           const auto test = make_random_body(options, elements, frame, random);
-          // Of the relative precision, a part that grows as E^3 is lost, as with a full matrix.
+          // A part of the relative precision that grows as E^3 is lost, as with a full matrix.
           check_agreement(*test, implicit, random, 3e-13 + 1.5e-14 * std::pow(elements, 3));
         }
 }

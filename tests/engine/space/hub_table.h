@@ -1,6 +1,6 @@
 #pragma once
 
-// A hub and what its subsystems make it feel, as the kernels of its equation read them.
+// A hub and the forces of its subsystems, as the kernels of its equation read them.
 
 #include <span>
 
@@ -10,7 +10,8 @@
 
 namespace spoke::space::testing {
 
-/// Stays in place. What is not set is zero; hub.support and hub.drive are to be set.
+/// The table of a hub, which stays in place. Members that are not set are zero; hub.support and
+/// hub.drive must be set.
 struct HubTable {
   explicit HubTable(std::span<const tree::HubShare<Space>> shares = {}) : data() {
     data.progress.assign(1, {});
@@ -22,7 +23,7 @@ struct HubTable {
       data.subsystems[i].effective = {shares[i].mass.matrix(), shares[i].force, {}};
   }
 
-  /// Y'' and the reaction.
+  /// Returns Y'' and the reaction.
   const HubSolution<Space>& solve() {
     solve_hub(system, data);
     return data.hub_solution;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kGain = 3e-4;
 
-/// A body that its hub's rotation pulls everywhere: it points outward, as all that it carries.
+/// Makes a body that the rotation of its hub pulls everywhere: it points outward, with all that it
+/// carries.
 std::unique_ptr<TestBody> make_pulled_body(const char* kind, int elements, ReferenceFrame frame,
                                            std::mt19937& random) {
   const bool is_decoupled = kind == std::string("decoupled");
@@ -39,7 +40,7 @@ ImplicitTension make_tension(const TestBody& test, const Angular& w) {
   return tension;
 }
 
-/// What is in the rows of a body's work, of its coordinates only: by C_w^T and the force.
+/// Returns the rows of the work of a body for its coordinates only: by C_w^T and the force.
 Eigen::MatrixXd take_rows(const TestBody& test) {
   Eigen::MatrixXd rows(test.body.coordinates(), 4);
   for (int k = 0; k < test.body.node_count(); ++k)
@@ -49,7 +50,7 @@ Eigen::MatrixXd take_rows(const TestBody& test) {
   return rows;
 }
 
-/// What tension adds to a body's equations of [rotation of the frame; deformation].
+/// Terms that tension adds to the equations of a body in [rotation of the frame; deformation].
 struct Added {
   Eigen::MatrixXd mass;
   Eigen::VectorXd force;
@@ -73,7 +74,7 @@ Added find_added(TestBody& test, const ImplicitTension& tension, const Eigen::Ve
   return added;
 }
 
-/// beta' h^2 K by the energy, which is a quadratic form.
+/// Returns beta' h^2 K by the energy, which is a quadratic form.
 Eigen::MatrixXd make_expected(const TestBody& test, const Angular& w) {
   const Eigen::Index n = 3 + test.body.coordinates();
   const auto form = [&](const Eigen::VectorXd& y) {
@@ -113,12 +114,13 @@ TEST_CASE("tension on the left-hand side is that of slopes of frame and deformat
 }
 
 TEST_CASE("of a uniform beam from the axis on, tension adds w^2 m L^3/3 to its frame's rotation") {
-  // T = w^2 m (L^2 - s^2)/2, of which the integral is that.
+  // The tension is T = w^2 m (L^2 - s^2)/2, whose integral this is.
   SectionProperties section;
   section.axial_stiffness = 900.0;
   section.flap_stiffness = section.lag_stiffness = 3.0;
   section.torsion_stiffness = 2.0;
   section.mass_per_length = 1.7;
+  section.lag_inertia = section.flap_inertia = 0.1;  // Mhat is definite
   const double L = 2.5, w = 8.0;
   for (const int elements : {1, 3, 8}) {
     const Beam beam = make_uniform_beam(section, L);
@@ -188,7 +190,7 @@ TEST_CASE("tension is made anew only where the hub's speed has come to another o
   CHECK(follow({0.1, -0.3, 33.6}) == Angular(0.0, 0.0, 34.0));
   CHECK(tension.block.inverse != block);
   CHECK(follow({-65.0, 0.9, 15.2}) == Angular(-66.0, 0.0, 16.0));
-  // Whatever has been before, a speed makes the same.
+  // A speed makes the same, whatever was before.
   CHECK(follow({0.1, -0.3, 33.4}) == Angular(0.0, 0.0, 33.0));
   CHECK(tension.block.inverse == block);
   const ImplicitTension other = make_tension(*test, Angular(0.0, 0.2, 32.7));
@@ -222,7 +224,7 @@ TEST_CASE("what the hub's rotation presses is left out") {
   std::mt19937 random(85);
   for (const char* kind : kKinds) {
     const auto test = make_pulled_body(kind, 3, ReferenceFrame::chord, random);
-    // From outside inward, and what it carries pushes it, too.
+    // The rotation pushes from outside inward, and so do the masses that it carries.
     test->tension.origin.x() = -30.0;
     for (CarriedMass& carried : test->tension.carried) carried.moment.x() = -9.0;
     const ImplicitTension tension = make_tension(*test, Angular(0.0, 0.0, 8.0));

@@ -27,7 +27,7 @@ struct RandomJoint {
   std::array<double, Joint::kMost> q{}, v{}, a{}, motor{};
 };
 
-/// The state a time t later, at constant velocities.
+/// Returns the state a time t later, at constant velocities.
 RandomJoint move(const RandomJoint& from, double t) {
   RandomJoint to = from;
   for (std::size_t c = 0; c < to.q.size(); ++c) to.q[c] += t * to.v[c];

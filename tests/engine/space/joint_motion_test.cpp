@@ -1,4 +1,4 @@
-// Joints of all kinds against finite differences of the poses of child and parent.
+// Compares joints of all kinds with finite differences of the poses of child and parent.
 
 #include "engine/space/joint_motion.h"
 
@@ -53,13 +53,13 @@ struct Motion {
   Twist acceleration;
 };
 
-/// d/dt at t, of order 4.
+/// Returns d/dt at t, of order 4.
 template <class Function>
 auto differentiate(const Function& f, double t, double h) {
   return ((8.0 * (f(t + h) - f(t - h)) - (f(t + 2.0 * h) - f(t - 2.0 * h))) / (12.0 * h)).eval();
 }
 
-/// Angular velocity of R(t), in the inertial frame.
+/// Returns the angular velocity of R(t), in the inertial frame.
 template <class Function>
 Angular calc_angular_velocity(const Function& R, double t) {
   const Matrix3 rate = differentiate([&](double s) -> Matrix3 { return R(s).axes; }, t, 2e-3);
@@ -67,7 +67,7 @@ Angular calc_angular_velocity(const Function& R, double t) {
   return {w(2, 1), w(0, 2), w(1, 0)};
 }
 
-/// The motion that belongs to poses as a function of time.
+/// Returns the motion that belongs to poses as a function of time.
 template <class Function>
 Motion differentiate_pose(const Function& pose, double t) {
   const auto R = [&](double s) { return pose(s).R; };
@@ -95,11 +95,11 @@ class MovingJoint {
   Pose parent(double t) const {
     return {parent_place_.at(t).value, exponential(parent_turn_.at(t).value)};
   }
-  /// Rotation of the handle against the parent's frame, whose origin it stands at.
+  /// Returns the rotation of the handle against the frame of the parent, at whose origin it stands.
   Rotation section(double t) const { return exponential(section_turn_.at(t).value); }
   Pose handle(double t) const { return {parent(t).p, parent(t).R * section(t)}; }
 
-  /// The coordinates; a spherical primitive turns by D(t).
+  /// Sets the coordinates; a spherical primitive turns by D(t).
   void set_state(double t) {
     const TurnFrame frame = frame_of_spherical();
     for (int c = 0; c < joint.coordinates; ++c) {
@@ -128,7 +128,8 @@ class MovingJoint {
   JointState state() const { return {q_.data(), v_.data(), &reference_, driven_.data()}; }
   const double* accelerations() const { return a_.data(); }
 
-  /// The child's pose in space by the joint's own words: offset, then every primitive.
+  /// Returns the pose of the child in space by the definition of the joint: offset, then every
+  /// primitive.
   Pose child(double t) {
     set_state(t);
     Pose reached = handle(t);

@@ -1,4 +1,4 @@
-// Motions of trees of rigid bodies: what is conserved, and a top whose motion is known.
+// Tests motions of trees of rigid bodies: conserved quantities, and a top whose motion is known.
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@ using namespace spoke::space::testing;
 
 namespace {
 
-/// The top of Exudyn's test model heavyTop, on a spherical joint at its foot.
+/// Makes the top of Exudyn's test model heavyTop, on a spherical joint at its foot.
 RigidTree make_heavy_top(TurnFrame frame) {
   TreeHub hub;
   hub.support = HubSupport::axle;
@@ -32,7 +32,7 @@ RigidTree make_heavy_top(TurnFrame frame) {
   return tree;
 }
 
-// Its motion by a general solver of order 8 to 1e-8.
+// The motion of the top by a general solver of order 8 to 1e-8.
 const space::Position kCentreAt1{0.17334396, 0.64008859, -0.74849079};
 const Angular kVelocityAt1{-0.8220781, 150.0, -5.92329135};
 const Quaternion kTurnAt02{0.70827915, {-0.43878109, -0.5457284, -0.08939975}};
@@ -53,7 +53,7 @@ double generalized_alpha_error(TurnFrame frame, double h) {
   return (centre_of(top) - kCentreAt1).norm();
 }
 
-/// Changes within half a second of what a free flight conserves.
+/// Changes within half a second of quantities that a free flight conserves.
 struct Drift {
   double energy, momentum;
 };

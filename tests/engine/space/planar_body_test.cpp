@@ -1,19 +1,20 @@
-// A straight body in space that moves in its plane, against the body of the plane.
+// Compares a straight body in space that moves in its plane with the body of the plane.
 
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
 
 #include "engine/space/dense_body.h"
-#include "models/system/beam_elements.h"
+#include "models/plane/beam_elements.h"
 #include "tests/engine/space/bodies.h"
 
 // Within the namespace: the plane's types have the same names.
 namespace spoke::space::test {
 namespace {
 
-/// The planar coordinates (u, v, psi), axial before bending, among the spatial ones.
-std::vector<int> find_places(const spoke::FlexibleBody& planar, const FlexibleBody& body) {
+/// Returns the places of the planar coordinates (u, v, psi), axial before bending, among the
+/// spatial ones.
+std::vector<int> find_places(const plane::FlexibleBody& planar, const FlexibleBody& body) {
   std::vector<int> places(static_cast<std::size_t>(planar.coordinates()));
   for (int node = 0; node <= planar.elements; ++node)
     for (const auto& [c, spatial] : {std::pair{0, 0}, {1, 1}, {2, 5}})
@@ -35,7 +36,7 @@ TEST_CASE("a straight body that moves in its plane has the mass and forces of th
   const double m = 0.7, EA = 5e5, EI = 300.0, L = 2.0;
   for (const ReferenceFrame frame : {ReferenceFrame::clamped, ReferenceFrame::chord}) {
     const int E = 4;
-    const spoke::FlexibleBody planar = spoke::make_beam_body({L, E, m, EA, EI, frame});
+    const plane::FlexibleBody planar = plane::make_beam_body({L, E, m, EA, EI, frame});
     SectionProperties section{m, EA, EI, 0.4 * EI, 0.0, 100.0};
     section.lag_inertia = section.flap_inertia = 1e-12;
     TestBody test(
@@ -56,7 +57,7 @@ TEST_CASE("a straight body that moves in its plane has the mass and forces of th
                     make_dense_elastic_block(test.body, kExplicit), mass);
     calc_dense_force(test.body, test.terms, test.work, force);
 
-    // docs/formulation.md, section 2.
+    // The integrals are those of docs/formulation.md, section 2.
     const int n = planar.coordinates(), axial = planar.axial();
     const Eigen::VectorXd q = test.q(places), v = test.v(places);
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n), K = M, G = M, S = Eigen::MatrixXd::Zero(2, n);
@@ -70,10 +71,10 @@ TEST_CASE("a straight body that moves in its plane has the mass and forces of th
     d0.head(axial) = planar.d_axial.head(axial);
     c0.tail(n - axial) = planar.c_bending;
     for (int i = 0; i < axial; ++i)
-      for (int k = 0; k < spoke::AxialBendingCoupling::kWidth; ++k) {
+      for (int k = 0; k < plane::AxialBendingCoupling::kWidth; ++k) {
         const int column = 2 * i + planar.H.offset + k;
         if (column < 0 || column >= n - axial) continue;
-        G(i, axial + column) = planar.H.rows[i * spoke::AxialBendingCoupling::kWidth + k];
+        G(i, axial + column) = planar.H.rows[i * plane::AxialBendingCoupling::kWidth + k];
         G(axial + column, i) = -G(i, axial + column);
       }
     const Eigen::Vector2d first = planar.S0 + S * q, first_rate = S * v;
@@ -104,7 +105,7 @@ TEST_CASE("tension stiffens a straight body in its plane as it does the planar b
   const int E = 3;
   for (const double inertia : {0.0, 0.2}) {
     // A small mass within an element, one at a node and one at the tip.
-    spoke::BeamProperties planar_beam{L, E, m, EA, EI, ReferenceFrame::clamped};
+    plane::BeamProperties planar_beam{L, E, m, EA, EI, ReferenceFrame::clamped};
     Beam beam = make_uniform_beam(make_section(m, EA, EI), L);
     double begin = 0.0;
     for (const double x : {0.5, 2.0 * L / E, L}) {
@@ -117,7 +118,7 @@ TEST_CASE("tension stiffens a straight body in its plane as it does the planar b
       beam.masses.push_back({x, moments});
       begin = x;
     }
-    const spoke::FlexibleBody planar = spoke::make_beam_body(planar_beam);
+    const plane::FlexibleBody planar = plane::make_beam_body(planar_beam);
     TestBody test(make_beam_body(beam, equal_stations(0.0, L, E), ReferenceFrame::clamped, {0, E}));
     test.tension.origin = {distance, 0.0, 0.0};
     test.tension.carried = {{E, {outboard, 0.0, 0.0}, 0.0}};
@@ -129,13 +130,13 @@ TEST_CASE("tension stiffens a straight body in its plane as it does the planar b
     test.model.tension = nullptr;
     force -= test.deformation_force();
     const Eigen::MatrixXd KG =
-        spoke::make_centrifugal_stiffness(planar_beam, distance, outboard).to_dense();
+        plane::make_centrifugal_stiffness(planar_beam, distance, outboard).to_dense();
     const Eigen::VectorXd v = Eigen::VectorXd(test.q(places)).tail(planar.bending());
     const Eigen::VectorXd expected = -w0 * w0 * KG * v;
     const Eigen::VectorXd found = Eigen::VectorXd(force(places)).tail(planar.bending());
     CHECK((found - expected).norm() < 1e-11 * expected.norm());
     CHECK(Lambda(2, 2) == doctest::Approx(v.dot(KG * v)).epsilon(1e-11));
-    // And the masses themselves.
+    // The mass matrices agree, too.
     const Eigen::MatrixXd M = make_dense_elastic_block(test.body, kExplicit)(places, places)
                                   .bottomRightCorner(planar.bending(), planar.bending());
     CHECK((M - planar.M_bending.to_dense()).norm() < 1e-9 * M.norm());

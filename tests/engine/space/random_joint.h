@@ -1,6 +1,6 @@
 #pragma once
 
-// Random joints of all kinds.
+// Makes random joints of all kinds.
 
 #include <random>
 #include <vector>
@@ -14,7 +14,8 @@ namespace spoke::space::testing {
 inline const std::vector<const char*> kJointKinds{"",    "R",   "P",   "S",   "s",  "RR", "PR",
                                                   "RRR", "RrR", "pRP", "PsP", "rS", "rp", "PPPS"};
 
-/// A joint of a kind, with a random offset; springs and dampers in all primitives that are free.
+/// Makes a joint of a kind, with a random offset; springs and dampers in all primitives that are
+/// free.
 Joint make_random_joint(const char* kind, std::mt19937& random);
 
 }  // namespace spoke::space::testing

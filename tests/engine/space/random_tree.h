@@ -6,7 +6,7 @@
 
 namespace spoke::space::testing {
 
-/// How a hub moves.
+/// Motion of a hub.
 enum class HubKind { fixed, driven, torque, free };
 
 struct RandomTree {
@@ -15,7 +15,7 @@ struct RandomTree {
   bool is_conservative = false;  ///< no dampers, motors, loads, drives of joints
 };
 
-/// A tree of all kinds of joints, several bodies with several children, in a random state.
+/// Makes a tree of all kinds of joints, several bodies with several children, in a random state.
 RigidTree make_random_tree(const RandomTree& kind, std::mt19937& random);
 
 }  // namespace spoke::space::testing

@@ -1,4 +1,4 @@
-// A rigid body against the point masses that it may be made of.
+// Compares a rigid body with point masses that it may be made of.
 
 #include "engine/space/rigid_body_terms.h"
 
@@ -83,7 +83,7 @@ TEST_CASE("the multi-port of a rigid body gives the accelerations of its handles
   Twist right = Q;
   for (std::size_t h = 0; h < 3; ++h) right += translate(constants.handles[h], f[h]);
   CHECK((constants.mass * X - right).norm() < 1e-12);
-  // Handles: the rigid frame's acceleration there.
+  // The acceleration of a handle is that of the rigid frame there.
   for (int h = 0; h < 3; ++h) {
     Twist by_port = free[static_cast<std::size_t>(h)];
     for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// State and elimination of a tree of rigid bodies.
+// Updates the state of a tree of rigid bodies, and eliminates its joints.
 
 #include "tests/engine/space/rigid_tree.h"
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <vector>
 
+#include "engine/integrator/rotation.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/space/hub_motion.h"
-#include "engine/space/integrator/rotation.h"
 #include "engine/space/joint_terms.h"
 #include "engine/space/rigid_body_terms.h"
 #include "tests/engine/space/hub_table.h"
@@ -22,7 +22,7 @@ class Coordinates {
   Coordinates(int size, int rotation_at, TurnFrame frame = TurnFrame::child);
 
   CoordinateBlock block();
-  /// The orientation in `block`, a block() of these coordinates.
+  /// Returns the orientation in `block`, a block() of these coordinates.
   RotationBlock rotation(CoordinateBlock& block);
   bool has_rotation() const { return rotation_at_ >= 0; }
 
@@ -62,7 +62,7 @@ struct TreeHub {
   Course drive;            ///< of a driven hub
 };
 
-/// What one evaluation finds.
+/// Results of one evaluation.
 struct TreeAccelerations {
   HubSolution<Space> hub;
   std::vector<Twist> bodies;                             ///< X
@@ -88,7 +88,7 @@ class RigidTree {
  public:
   RigidTree(const TreeHub& hub, const std::vector<TreeBody>& bodies, const Position& gravity);
 
-  /// Sets what is prescribed at time t, and the motion and forces of all bodies.
+  /// Sets prescribed motions at time t, and the motion and forces of all bodies.
   void update(double t, const ImplicitShares& shares = {});
   TreeAccelerations eliminate() const;
   TreeAccelerations solve_dense() const;
@@ -101,9 +101,10 @@ class RigidTree {
   void for_coordinates(Visit&& visit);
 
   double calc_energy() const;
-  /// Linear momentum, and angular momentum about the origin of space.
+  /// Returns the linear momentum, and the angular momentum about the origin of space.
   Twist calc_momentum() const;
-  /// Of support, drives, motors and loads, less what dampers take: the rate of the energy.
+  /// Returns the power of support, drives, motors and loads less that of dampers: the rate of the
+  /// energy.
   double calc_power(const TreeAccelerations& found) const;
 
   TreeHub hub;
@@ -117,7 +118,7 @@ class RigidTree {
   void impose(double t);
   JointState joint_state(std::size_t j) const;
   JointTerms joint_terms(std::size_t j) const;
-  /// Index of the body at handle `o` of body j.
+  /// Returns the index of the body at handle `o` of body j.
   std::size_t child_of(std::size_t j, int o) const;
   HubState hub_state() const;
   /// Sets up the hub's equation in a table of its own.

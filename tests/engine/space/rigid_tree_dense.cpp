@@ -1,5 +1,5 @@
-// The accelerations of a tree as the solution of one system, with the equation of every body and of
-// every joint as they stand.
+// Finds the accelerations of a tree as the solution of one system, with the equations of every body
+// and joint as they stand.
 
 #include <Eigen/LU>
 
@@ -8,7 +8,7 @@
 namespace spoke::space::testing {
 namespace {
 
-/// Where the unknowns of body j stand: X, F, q''; behind the hub's Y''.
+/// Places of the unknowns of body j, X, F and q'', behind Y'' of the hub.
 struct Places {
   explicit Places(const std::vector<TreeBody>& models) {
     int next = kTwist;
@@ -24,7 +24,7 @@ struct Places {
   int size = 0;
 };
 
-/// J = [1, -s~; 0, 1] or, of a joint, T.
+/// Returns J = [1, -s~; 0, 1], or T of a joint.
 TwistMatrix leads_to(const Position& s) {
   TwistMatrix J = TwistMatrix::Identity();
   J.topRightCorner<3, 3>() = -skew(s);
@@ -47,12 +47,12 @@ TreeAccelerations RigidTree::solve_dense() const {
     const BodyState& body = bodies[j];
     const JointMotion& motion = body.motion;
     const int n = models[j].joint.coordinates, X = places.X[j], F = places.F[j], q = places.q[j];
-    // Body: M X - F + (what its children add below) = Q.
+    // Equation of the body: M X - F + (terms that its children add below) = Q.
     A.block<kTwist, kTwist>(X, X) += body.port.mass.matrix();
     A.block<kTwist, kTwist>(X, F) -= TwistMatrix::Identity();
     b.segment<kTwist>(X) += body.Q;
-    // Joint: R X - T (acceleration of the handle) - columns q'' = bias. Its parent feels -(R^T T)^T
-    // F.
+    // Equation of the joint: R X - T (acceleration of the handle) - columns q'' = bias. Its parent
+    // feels -(R^T T)^T F.
     const bool is_root = models[j].parent < 0;
     const auto p = static_cast<std::size_t>(is_root ? 0 : models[j].parent);
     const int of_parent = is_root ? 0 : places.X[p];
@@ -70,7 +70,7 @@ TreeAccelerations RigidTree::solve_dense() const {
     A.block<kTwist, kTwist>(F, of_parent) -= T;
     b.segment<kTwist>(F) += motion.bias + handle_bias;
     A.block<kTwist, kTwist>(of_parent, F) += T.transpose() * R;
-    // Its coordinates: columns^T R F + share q'' = tau.
+    // Equation of its coordinates: columns^T R F + share q'' = tau.
     for (int c = 0; c < n; ++c) {
       const auto k = static_cast<std::size_t>(c);
       A.block<kTwist, 1>(F, q + c) -= motion.columns.col(c);

@@ -27,7 +27,7 @@ void predict_all(const GeneralizedAlpha& method, RigidTree& tree) {
   });
 }
 
-/// Evaluates, and takes what is found as the coordinates' accelerations.
+/// Evaluates, and takes the results as the accelerations of the coordinates.
 void take_accelerations(RigidTree& tree) {
   tree.hand_out(tree.eliminate(), [](Coordinates& coordinates, const double* a) {
     std::copy_n(a, coordinates.a.size(), coordinates.a.begin());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Steps of a tree of rigid bodies, by both methods.
+// Makes steps of a tree of rigid bodies by both methods.
 
 #include "tests/engine/space/rigid_tree.h"
 
@@ -13,8 +13,8 @@ void start(const GeneralizedAlpha& method, RigidTree& tree);
 /// Makes step `n` (from 1), which ends at n h.
 void step(const Rk4& method, int n, RigidTree& tree);
 
-/// The same, iterating until no coordinate changes by more than `tolerance`; returns the number of
-/// evaluations.
+/// Makes the step by iterating until no coordinate changes by more than `tolerance`; returns the
+/// number of evaluations.
 int step(const GeneralizedAlpha& method, int n, RigidTree& tree, double tolerance = 1e-12);
 
 /// Starts, and steps to time t [s] by steps of about `h`.

@@ -13,7 +13,8 @@
 namespace spoke::space::test {
 namespace {
 
-/// Unit mass, length and bending stiffness; stretching, torsion and rotary inertia as given.
+/// Makes a beam of unit mass, length and bending stiffness; stretching, torsion and rotary inertia
+/// as given.
 std::unique_ptr<TestBody> make_unit_beam(int elements, double torsion_stiffness,
                                          const Position& inertia) {
   SectionProperties section{1.0, 1e7, 1.0, 1.0, 0.0, torsion_stiffness};
@@ -46,7 +47,7 @@ std::vector<double> find_frequencies(TestBody& test, const Angular& w) {
   test.q.setZero();
   test.v.setZero();
   test.follow();
-  // Q_f is of second degree at most in q, mostly linear: two steps of Newton's method do.
+  // Q_f is of second degree at most in q, and mostly linear: two steps of Newton's method suffice.
   for (int i = 0; i < 2; ++i)
     test.q -= slope(test, test.q, 1e-3).lu().solve(test.deformation_force());
   const auto n = test.q.size();
@@ -63,7 +64,7 @@ std::vector<double> find_frequencies(TestBody& test, const Angular& w) {
   return frequencies;
 }
 
-/// The frequency that is nearest to a value, relative to it.
+/// Returns the deviation of the nearest frequency from a value, relative to it.
 double deviation(const std::vector<double>& frequencies, double value) {
   double least = 1e300;
   for (const double frequency : frequencies)

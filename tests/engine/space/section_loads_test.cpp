@@ -10,7 +10,7 @@
 namespace spoke::space::test {
 namespace {
 
-/// A load at sections all over a body, as many in an element as it comes, in no order.
+/// A load at random sections all over a body, in no order.
 struct LoadedBody {
   std::unique_ptr<TestBody> test;
   std::vector<Section> sections;
@@ -34,7 +34,7 @@ struct LoadedBody {
   }
 };
 
-/// What a load is to make of a body, and makes.
+/// Effect of a load on a body, expected and found.
 struct Effect {
   Eigen::VectorXd rows;
   Twist Q;
@@ -43,7 +43,7 @@ struct Effect {
   Position force = Position::Zero();  ///< sum of the forces, in B
 };
 
-/// Adds to the terms by `add(tension)` and takes what is added.
+/// Adds to the terms by `add(tension)` and returns what was added.
 template <class Add>
 Effect find_effect(TestBody& test, bool has_tension, const Add& add) {
   test.calc_terms();
@@ -64,7 +64,7 @@ Effect find_effect(TestBody& test, bool has_tension, const Add& add) {
   return effect;
 }
 
-/// One section after another.
+/// Returns the expected effect, one section after another.
 Effect find_expected(LoadedBody& body, const LoadInstant& load, const Twist& twist,
                      bool has_tension, const Rotation& turn) {
   TestBody& test = *body.test;

@@ -68,7 +68,7 @@ TEST_CASE(
       CHECK((found.twist() - expected.twist()).norm() < 1e-12);
       CHECK((found.turn.R.axes - expected.turn.R.axes).norm() < 1e-13);
     }
-    // The outer elements in a small rigid motion.
+    // The outer elements are in a small rigid motion.
     const Position u(0.1, -0.2, 0.3), th(0.02, -0.04, 0.03);
     for (int node = 1; node <= 3; ++node)
       test.q.segment<kTwist>(kTwist * (node - 1))

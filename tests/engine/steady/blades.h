@@ -20,9 +20,9 @@ struct UnitBlade {
   std::string more = {};   ///< TOML of further tables
 };
 
-/// In the plane.
+/// Makes the blade in the plane.
 Scenario make_planar(const UnitBlade& blade);
-/// In space, with lag and flap alike.
+/// Makes the blade in space, with equal lag and flap.
 Scenario make_spatial(const UnitBlade& blade);
 
 }  // namespace spoke::test

@@ -1,4 +1,4 @@
-// Shooting from the clamped end.
+// Solves the boundary-value problem by shooting from the clamped end.
 
 #include "tests/engine/steady/elastic_rod.h"
 
@@ -10,7 +10,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// Of a cross section, or its derivative along the rod.
+/// State of a cross section, or its derivative along the rod.
 struct Section {
   Vector3d p = Vector3d::Zero();
   Eigen::Vector4d turn{0.0, 0.0, 0.0, 1.0};  ///< a quaternion: x, y, z, w
@@ -35,7 +35,7 @@ Section differentiate(const ElasticRod& rod, const Vector3d& force, const Sectio
   return rate;
 }
 
-/// From the moment at the clamped end to the tip.
+/// Integrates from the clamped end, with this moment there, to the tip.
 Section integrate(const ElasticRod& rod, const Vector3d& force, const Vector3d& moment) {
   constexpr int kSteps = 400;
   const double h = rod.length / kSteps;

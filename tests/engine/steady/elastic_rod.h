@@ -15,15 +15,15 @@ struct ElasticRod {
   Eigen::Vector3d stiffness;  /// about x (GJ), y and z (EI) [N m^2]
 };
 
-/// Where its tip is.
+/// Place of the tip.
 struct RodTip {
   Eigen::Vector3d displacement;  ///< [m]
   Eigen::Quaterniond rotation;
 };
 
-/// With n = force, t the tangent, kappa = diag(stiffness)^-1 R^T m:
-/// p' = (1 + n.t/EA) t, R' = R kappa~, m' = -p' x n, p(0) = 0, R(0) = 1, m(length) = 0. By Newton's
-/// method on m(0), the force [N] rising in steps; Runge-Kutta of order 4 along the rod.
+/// Solves p' = (1 + n.t/EA) t, R' = R kappa~, m' = -p' x n, p(0) = 0, R(0) = 1, m(length) = 0, with
+/// n = force, t the tangent, kappa = diag(stiffness)^-1 R^T m. Newton's method on m(0), the force
+/// [N] rising in steps; Runge-Kutta of order 4 along the rod.
 RodTip solve_rod(const ElasticRod& rod, const Eigen::Vector3d& force);
 
 }  // namespace spoke::test

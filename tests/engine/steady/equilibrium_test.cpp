@@ -1,4 +1,5 @@
-// Equilibria that are known in closed form or from publications, and what cannot stand still.
+// Tests equilibria that are known in closed form or from publications, and models that cannot stand
+// still.
 
 #include "engine/equilibrium.h"
 

@@ -1,4 +1,4 @@
-// The linear system beside the nonlinear one, under small inputs.
+// Compares the linear system with the nonlinear one under small inputs.
 
 #include <doctest/doctest.h>
 
@@ -33,10 +33,10 @@ Eigen::Index find(const std::vector<LinearSignal>& signals, const std::string& n
   return at - signals.begin();
 }
 
-/// The input's course: rises, and is not smooth to high order.
+/// The course of the input: it rises, and is not smooth to high order.
 const Curve kInput({0.0, 0.1, 0.2}, {0.0, kSmall, -kSmall});
 
-/// Outputs over time by the trapezoidal rule, which generalized_alpha is at a radius of 1.
+/// Returns outputs over time by the trapezoidal rule, which generalized_alpha is at a radius of 1.
 MatrixXd simulate_linear(const LinearSystem& system, const std::string& input) {
   const Eigen::Index n = system.A.rows(), k = find(system.inputs, input);
   const int steps = static_cast<int>(std::round(kDuration / kStep));
@@ -59,7 +59,7 @@ struct Shown {
   std::string output, sensor;
 };
 
-/// Sensors over time: differences from their start.
+/// Returns sensors over time, as differences from their start.
 MatrixXd simulate(Scenario scenario, const std::vector<Shown>& shown) {
   scenario.integration.duration = kDuration;
   scenario.integration.step = kStep;
@@ -79,7 +79,8 @@ MatrixXd simulate(Scenario scenario, const std::vector<Shown>& shown) {
   return outputs.colwise() - VectorXd(outputs.col(0));
 }
 
-/// Whether both simulations agree in all that is shown, to `error` of the largest value of each.
+/// Checks that both simulations agree in all outputs that are shown, to `error` of the largest
+/// value of each.
 void compare(const LinearSystem& system, const std::string& input, const Scenario& scenario,
              const std::vector<Shown>& shown, double error) {
   const MatrixXd linear = simulate_linear(system, input), known = simulate(scenario, shown);
@@ -100,7 +101,7 @@ const std::string kSensors =
 const std::string kSteady =
     "[damping]\nstiffness_factor = 2e-3\n[initial]\nstate = \"equilibrium\"\n";
 
-/// Steady value `base`, and the input.
+/// Returns the steady value `base` plus the input.
 Curve about(double base) {
   std::vector<double> values = kInput.values();
   for (double& value : values) value += base;

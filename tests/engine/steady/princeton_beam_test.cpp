@@ -28,7 +28,7 @@ const test::ElasticRod kBeam{
      kYoung* kWidth* std::pow(kThickness, 3) / 12.0,
      kYoung* kThickness* std::pow(kWidth, 3) / 12.0}};
 
-/// At an angle from the broad side.
+/// Returns the weight at an angle from the broad side.
 Vector3d weight_at(double angle) {
   return kWeight * Vector3d(0.0, -std::cos(angle), -std::sin(angle));
 }
@@ -46,7 +46,7 @@ BladeEquilibrium bend(int bodies, const Vector3d& force) {
   return solve_equilibrium(parse_scenario(text.str(), "princeton.toml")).blades.at(0);
 }
 
-/// Of the tip: its place by the largest displacement, its rotation.
+/// Errors of the tip: of its place by the largest displacement, of its rotation.
 struct TipError {
   double place = 0.0, turn = 0.0;
 };

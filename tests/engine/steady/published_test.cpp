@@ -1,5 +1,5 @@
-// Equilibria and frequencies of blades in space against published values, and against solutions by
-// other methods.
+// Compares equilibria and frequencies of blades in space with published values and with solutions
+// by other methods.
 
 #include <doctest/doctest.h>
 
@@ -32,7 +32,7 @@ Vector3d find_tip(const Scenario& scenario, double speed) {
   return solve_equilibrium(scenario, {.speed = speed}).blades.at(0).nodes.back();
 }
 
-/// Dimensionless: length, mass and bending stiffness 1, hardly extensible, thin.
+/// A dimensionless blade: length, mass and bending stiffness 1, hardly extensible, thin.
 const std::string kUnit =
     "mass_per_length = 1.0\naxial_stiffness = 1e6\nlag_stiffness = 1.0\nflap_stiffness = 1.0\n"
     "torsion_stiffness = 0.77\nlag_inertia = 1e-9\nflap_inertia = 1e-9\n";

@@ -1,5 +1,5 @@
-// Loads of sections in equilibrium, against the sensors of a simulation that stands there, and how
-// far bodies bend.
+// Compares loads of sections in equilibrium with the sensors of a simulation that stands there, and
+// tests how far bodies bend.
 
 #include <doctest/doctest.h>
 
@@ -31,7 +31,7 @@ double read_cut(const Simulation& simulation, std::size_t body, const std::strin
   return simulation.sensor("blade1.cut" + std::to_string(body) + component);
 }
 
-/// All loads of blade 1, by the sensors of the same scenario at its start.
+/// Checks all loads of blade 1 against the sensors of the same scenario at its start.
 void check_loads(const Scenario& scenario) {
   const EquilibriumResult found = solve_equilibrium(scenario);
   const Simulation simulation(scenario);
@@ -73,7 +73,7 @@ Scenario make_plane(const std::string& frame) {
                         "plane.toml");
 }
 
-/// Twisted and swept.
+/// Makes a twisted and swept blade.
 Scenario make_space(const std::string& frame) {
   return parse_scenario("world = \"space\"\n" + kTurning + with_frame(frame) +
                             "[blades.sections]\nstation = [0.0, 1.0]\n"
@@ -138,7 +138,7 @@ TEST_CASE("equilibrium: a circle of bodies that bend by an eighth of it is right
     CHECK(result.warnings[0].text.starts_with("blade 1 / body 1 bends by "));
     CHECK(result.warnings[0].text.find("more than 10 %") != std::string::npos);
     CHECK(solve_modes(make_circle(is_spatial), {.count = 1}).equilibrium.warnings.size() == 1);
-    // As for a run, the limit is the scenario's.
+    // As in a run, the limit is that of the scenario.
     const std::string wide = "[limits]\ndeflection = 0.4\n", none = "[limits]\ndeflection = 0.0\n";
     CHECK(solve_equilibrium(make_circle(is_spatial, wide)).warnings.empty());
     CHECK(solve_equilibrium(make_circle(is_spatial, none)).warnings.empty());

@@ -28,7 +28,7 @@ const std::string kSpatialLoads =
 const std::string kHinge =
     "[[blades.joint]]\nname = \"ball\"\nstation = 0.0\nkind = \"spherical\"\nstiffness = 3.0\n";
 
-/// Speed 2, reached in a spin-up that is over.
+/// Sets a speed of 2, reached in a spin-up that is over.
 void turn(Drive& drive) { drive = SpinUp{2.0, 5.0}; }
 
 Scenario planar() {
@@ -47,7 +47,8 @@ Scenario spatial() {
   return scenario;
 }
 
-/// The largest motion of the first blade's tip in the hub's frame, by the blade's length of 1.
+/// Returns the largest motion of the first blade's tip in the frame of the hub, by the length of
+/// the blade, 1.
 double move(Scenario scenario, double duration, double step, const SimulationOptions& options) {
   scenario.integration.duration = duration;
   scenario.integration.step = step;
@@ -92,7 +93,7 @@ TEST_CASE("start: the state is that of spoke static, bent and turned, and can be
     simulation.step();
     const SavedState saved = simulation.save();
     simulation.step();
-    // What has led to a state does not matter to it: only that all ramps are over.
+    // The way to a state does not matter to it, only that all ramps are over.
     scenario.initial.speed = 2.0;
     Simulation other(scenario);
     other.restore(saved);

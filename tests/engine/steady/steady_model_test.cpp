@@ -1,4 +1,5 @@
-// Forces at zero accelerations, masses and linear models against what the step graph finds.
+// Compares forces at zero accelerations, masses and linear models with the results of the step
+// graph.
 
 #include <doctest/doctest.h>
 
@@ -19,13 +20,13 @@ Scenario read(const std::string& model) {
   return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
 }
 
-/// A state in which all is moved.
-TreeState make_moved(std::size_t tree, const SteadyModel& model) {
+/// Returns a state in which all coordinates are moved.
+SubsystemState make_moved(std::size_t subsystem, const SteadyModel& model) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  TreeState state = make_state(model.initial(tree));
+  SubsystemState state = make_state(model.initial(subsystem));
   for (Eigen::Index k = 0; k < state.q.size(); ++k) {
-    const double scale = model.coordinates(tree)[static_cast<std::size_t>(k)].scale;
+    const double scale = model.coordinates(subsystem)[static_cast<std::size_t>(k)].scale;
     state.q[k] += 0.02 * scale * uniform(random);
     state.v[k] = 0.1 * scale * uniform(random);
     state.q_elastic[k] = 1e-4 * scale * uniform(random);
@@ -34,17 +35,17 @@ TreeState make_moved(std::size_t tree, const SteadyModel& model) {
   return state;
 }
 
-/// F = M a, where the hub's acceleration is none, and what the elastic forces are in F.
+/// Checks F = M a where the hub has no acceleration, and the part of elastic forces in F.
 void check_forces(const Scenario& scenario, double speed) {
   const auto model = make_steady_model(scenario, {speed});
-  for (std::size_t i = 0; i < std::min<std::size_t>(model->trees(), 2); ++i) {
-    const TreeState state = make_moved(i, *model);
+  for (std::size_t i = 0; i < std::min<std::size_t>(model->subsystems(), 2); ++i) {
+    const SubsystemState state = make_moved(i, *model);
     HubOffset offset = model->no_offset();
     offset.twist.setLinSpaced(0.1, 0.3);
-    TreeResponse response;
+    SubsystemResponse response;
     model->evaluate(i, state, offset, response);
     const VectorXd a = model->accelerations(i);
-    const TreeMatrices matrices = model->matrices(i);
+    const SubsystemMatrices matrices = model->matrices(i);
     const VectorXd inertia = matrices.mass.bottomRightCorner(a.size(), a.size()) * a;
     CHECK((inertia - response.force).norm() < 1e-8 * response.force.norm());
     CHECK((matrices.mass - matrices.mass.transpose()).norm() < 1e-13 * matrices.mass.norm());
@@ -66,15 +67,15 @@ TEST_CASE("steady model: forces at zero accelerations are mass times the step's 
   check_forces(bent, 1.3);
 }
 
-/// K and C of a tree against differences of the accelerations themselves, all forces moving.
+/// Checks K and C of a subsystem against differences of the accelerations, with all forces moving.
 void check_linear(const Scenario& scenario, double speed) {
   const auto model = make_steady_model(scenario, {speed});
   const Equilibrium equilibrium = find_equilibrium(*model);
   const LinearModel linear = linearize(equilibrium, *model);
   const VectorXd& q = equilibrium.q[0];
-  const LinearTree& tree = linear.trees[0];
+  const LinearSubsystem& subsystem = linear.subsystems[0];
   const auto accelerate = [&](const VectorXd& moved, const VectorXd& v) {
-    TreeResponse response;
+    SubsystemResponse response;
     model->evaluate(0, {moved, v, moved, v}, model->no_offset(), response);
     return model->accelerations(0);
   };
@@ -86,8 +87,9 @@ void check_linear(const Scenario& scenario, double speed) {
     by_q.col(k) = (accelerate(q + step, still) - accelerate(q - step, still)) / (2.0 * step[k]);
     by_v.col(k) = (accelerate(q, step) - accelerate(q, -step)) / (2.0 * step[k]);
   }
-  CHECK((tree.K + tree.M * by_q).norm() < 1e-6 * tree.K.norm());
-  CHECK((tree.C + tree.M * by_v).norm() < 1e-6 * (tree.C.norm() + 1e-9 * tree.K.norm()));
+  CHECK((subsystem.K + subsystem.M * by_q).norm() < 1e-6 * subsystem.K.norm());
+  CHECK((subsystem.C + subsystem.M * by_v).norm() <
+        1e-6 * (subsystem.C.norm() + 1e-9 * subsystem.K.norm()));
 }
 
 TEST_CASE("linear model: stiffness and damping are those of the step's accelerations") {

@@ -19,14 +19,14 @@ namespace {
 constexpr double kTilt = 0.4;
 const std::string kGravity = "[gravity]\nacceleration = [0.2, 0.1, -0.5]\n";
 
-/// On a mount, whose keys are `mount`; none: at rest.
+/// Makes a rotor on a mount with the keys `mount`; none: at rest.
 Scenario make_rotor(const std::string& mount, const std::string& more = "") {
   const std::string table = mount.empty() ? "" : "[hub.mount]\n" + mount + "\n";
   return test::make_spatial(
       {.bodies = 2, .elements = 2, .radius = 0.1, .more = kGravity + table + more});
 }
 
-/// At rest on the ground, its axis turned about y.
+/// Makes the rotor at rest on the ground, its axis turned about y.
 Scenario make_tilted() {
   Scenario scenario = make_rotor("");
   scenario.space->hub.axis = {std::sin(kTilt), 0.0, std::cos(kTilt)};
@@ -52,7 +52,7 @@ void check_equal(const Scenario& scenario, const Scenario& other) {
 TEST_CASE("steady: a mount that is turned is a hub with another axis") {
   const std::string tilt = "[0, " + std::to_string(kTilt) + ", 0]";
   check_equal(make_rotor("rotation = { constant = " + tilt + " }"), make_tilted());
-  // It has come to rest there.
+  // The mount has come to rest there.
   check_equal(make_rotor("rotation = { time = [0, 5, 10], y = [0, " + std::to_string(kTilt) + ", " +
                          std::to_string(kTilt) + "] }"),
               make_tilted());

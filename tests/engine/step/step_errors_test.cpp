@@ -321,8 +321,7 @@ TEST_CASE("all formulations tell the same error of a step") {
   Scenario scenario = with_step(parse(kTumbling), 0.005);
   scenario.integration.duration = 0.1;
   std::vector<double> errors;
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+  for (const Formulation formulation : formulations()) {
     Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1, 1});
     simulation.run_until(INFINITY);
     errors.push_back(simulation.step_accuracy().error);

@@ -49,8 +49,7 @@ struct Case {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const Formulation formulation :
-       {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+  for (const Formulation formulation : formulations())
     for (const Tie tie : {Tie::none, Tie::load, Tie::hub}) {
       cases.push_back(
           {tie, formulation, Rk4{1e-5}, {{0.1, 1, false}, {0.1, 2, false}, {0.1, 0, false}}});
@@ -93,7 +92,7 @@ void prepare(const Case& which, SystemContext<Plane>& context) {
   Loads loads{demanding_load(0), demanding_load(1)};
   if (which.tie != Tie::none) loads.push_back(demanding_load_between());
   const std::vector<AskedLoad> asked = ask_loads(loads);
-  context.loads_tie_blades = ties_blades(asked);
+  context.loads_tie_subsystems = ties_subsystems(asked);
   const Rotor rotor = demanding_rotor(which.tie == Tie::hub);
   make_context(rotor, which.formulation, which.method, context);
   place_loads(asked, context.data);

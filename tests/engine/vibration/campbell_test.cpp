@@ -1,4 +1,4 @@
-// Modes over speeds: through crossings, and over gaps.
+// Follows modes over speeds: through crossings, and over gaps.
 
 #include "engine/campbell.h"
 
@@ -49,7 +49,7 @@ TEST_CASE(
       solve_modes(scenario, {.state = {.speed = crossing->speed}, .count = 2});
   CHECK(there.modes.at(1).name == "lag 1");
   CHECK(there.modes.at(1).frequency == doctest::Approx(2.0 * crossing->speed).epsilon(1e-2));
-  // The same on one thread.
+  // One thread yields the same.
   options.threads = 1;
   const CampbellResult serial = solve_campbell(scenario, options);
   for (std::size_t k = 0; k < options.speeds.size(); ++k)

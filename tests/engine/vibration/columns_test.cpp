@@ -1,5 +1,5 @@
-// Cantilevers under axial forces: frequencies from the beam's differential equation, Euler's and
-// Beck's columns. L = m = EI = 1.
+// Tests cantilevers under axial forces: frequencies from the differential equation of the beam, and
+// the columns of Euler and Beck. L = m = EI = 1.
 
 #include <doctest/doctest.h>
 
@@ -18,15 +18,15 @@ using test::make_planar;
 using test::make_spatial;
 using test::UnitBlade;
 
-/// Zero at the frequencies w of a cantilever under a tension P at its tip: v'''' - P v'' = w^2 v,
-/// v = v' = 0 at the root, v'' = 0 at the tip and v''' = P v' there, or v''' = 0 where the force
-/// follows the section.
+/// Returns a function that is zero at the frequencies w of a cantilever under a tension P at its
+/// tip: v'''' - P v'' = w^2 v, v = v' = 0 at the root, v'' = 0 at the tip and v''' = P v' there, or
+/// v''' = 0 if the force follows the section.
 double characteristic(double P, bool follows, double w) {
   const double root = std::sqrt(0.25 * P * P + w * w);
   const double a = std::sqrt(root + 0.5 * P), b = std::sqrt(root - 0.5 * P);
   const double sh = std::sinh(a), ch = std::cosh(a), s = std::sin(b), c = std::cos(b);
   const double dead = follows ? 0.0 : P;
-  // Of sinh ax - a/b sin bx and of cosh ax - cos bx.
+  // Moments of sinh ax - a/b sin bx and of cosh ax - cos bx.
   const double moment[] = {a * a * sh + a * b * s, a * a * ch + b * b * c};
   const double shear[] = {a * a * a * ch + a * b * b * c - dead * (a * ch - a * c),
                           a * a * a * sh - b * b * b * s - dead * (a * sh + b * s)};
@@ -49,7 +49,7 @@ std::vector<double> find_frequencies(double P, bool follows, std::size_t count) 
   return found;
 }
 
-/// The first two components of P along a blade at an azimuth [rad].
+/// Returns the first two components of P along a blade at an azimuth [rad].
 std::string along(double P, double azimuth) {
   return '[' + std::to_string(P * std::cos(azimuth)) + ", " + std::to_string(P * std::sin(azimuth));
 }
@@ -58,7 +58,7 @@ std::string tip_force(const std::string& frame, const std::string& force) {
 }
 constexpr double kAzimuth = 0.3;  // of make_spatial()
 
-/// Such a cantilever in the plane, and in space.
+/// Makes this cantilever in the plane, or in space.
 Scenario in_plane(UnitBlade blade, double P, const char* frame, ReferenceFrame reference) {
   blade.more = tip_force(frame, along(P, 0.0)) + "]\n";
   Scenario scenario = make_planar(blade);
@@ -90,7 +90,7 @@ bool is_stable(const Scenario& scenario) {
   return true;
 }
 
-/// The least compression between two at which a column is not stable.
+/// Returns the least compression between two at which a column is not stable.
 double find_critical(const std::function<Scenario(double P)>& make, double low, double high) {
   REQUIRE(is_stable(make(low)));
   REQUIRE_FALSE(is_stable(make(high)));

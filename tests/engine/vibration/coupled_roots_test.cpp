@@ -1,4 +1,5 @@
-// Blades that are alike, taken apart into patterns, have the roots and vectors of the whole model.
+// Tests that subsystems that are alike, taken apart into patterns, have the roots and vectors of
+// the whole model.
 
 #include "engine/vibration/coupled_roots.h"
 
@@ -23,7 +24,8 @@ Scenario read(const std::string& model, int blades) {
                         "blade.elements=2", "damping.stiffness_factor=0.002"});
 }
 
-/// Roots by patterns are roots of the whole, with their vectors, and none are left out.
+/// Checks that roots by patterns are roots of the whole with their vectors, and that none are left
+/// out.
 void check_roots(const Scenario& scenario, double speed, std::size_t families) {
   const auto model = steady::make_steady_model(scenario, {speed});
   const steady::Equilibrium equilibrium = steady::find_equilibrium(*model);
@@ -66,7 +68,7 @@ Scenario make_uneven() {
   return scenario;
 }
 
-/// What each tree has to do with the hub, against its own derivatives.
+/// Checks the coupling of each subsystem with the hub against its own derivatives.
 void check_couplings(const Scenario& scenario, double speed) {
   const auto model = steady::make_steady_model(scenario, {speed});
   const steady::Equilibrium equilibrium = steady::find_equilibrium(*model);
@@ -76,9 +78,9 @@ void check_couplings(const Scenario& scenario, double speed) {
   const auto check = [](const MatrixXd& found, const MatrixXd& expected) {
     CHECK((found - expected).norm() < 1e-7 * expected.norm() + 1e-9);
   };
-  for (std::size_t i = 0; i < model->trees(); ++i) {
+  for (std::size_t i = 0; i < model->subsystems(); ++i) {
     CAPTURE(i);
-    const steady::TreeDerivatives by =
+    const steady::SubsystemDerivatives by =
         calc_derivatives(i, steady::make_state(equilibrium.q[i]), true, *model);
     const auto n = by.by_q.cols(), d = static_cast<Eigen::Index>(model->twist_size());
     const MatrixXd M_bh = model->matrices(i).mass.bottomLeftCorner(n, d);

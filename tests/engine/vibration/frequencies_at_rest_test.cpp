@@ -1,4 +1,4 @@
-// The ends of the spectrum of models in space at rest, and the steps that rk4 can make.
+// Tests the ends of the spectrum of models in space at rest, and the steps that rk4 can make.
 
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ Scenario read_shipped(const std::string& model) {
   return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
 }
 
-/// Highest frequency of all modes at rest.
+/// Returns the highest frequency of all modes at rest.
 double find_highest(const Scenario& scenario, int modes) {
   const ModesResult result = solve_modes(scenario, {.state = {.speed = 0.0}, .count = modes});
   double highest = 0.0;

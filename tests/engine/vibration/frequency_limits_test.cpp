@@ -1,5 +1,5 @@
-// Where models in space vibrate fastest, against all roots of the whole matrix and against rk4
-// itself.
+// Compares the fastest vibrations of models in space with all roots of the whole matrix and with
+// rk4 itself.
 
 #include "engine/vibration/frequency_limits.h"
 
@@ -21,7 +21,7 @@ namespace {
 using doctest::Approx;
 using test::message_of;
 
-/// Blades of one body, which `root` lets move at their roots.
+/// Returns blades of one body, with the joint `root` at their roots.
 std::string blade_text(const std::string& root) {
   return R"([blade]
 count = 2
@@ -60,13 +60,14 @@ Scenario at_speed(double speed, const std::string& root, double damping = 0.0) {
                blade_text(root));
 }
 
-/// The hub flies, or a torque of nothing holds it; both have blades that meet there.
+/// Returns a scenario whose hub flies, or is held by a torque of zero; blades meet at both.
 Scenario with_hub(const std::string& hub) {
   return parse("[hub]\nmass = 5.0\ninertia = [0.4, 0.4, 0.3]\n" + hub +
                "[damping]\nstiffness_factor = 1e-4\n" + blade_text(kFlapHinge));
 }
 
-/// By all roots of the state-space matrix, and the definition of rk4's stability.
+/// Returns the limit by all roots of the state-space matrix and the definition of the stability of
+/// rk4.
 double limit_by_all_roots(const Scenario& scenario, double speed) {
   const LinearSystem linear = solve_linear_system(scenario, {.speed = speed});
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(linear.A), false);
@@ -86,7 +87,8 @@ double limit_by_all_roots(const Scenario& scenario, double speed) {
   return low;
 }
 
-/// Whether rk4 gets through a thousand steps of this share of the limit, a tip being pushed.
+/// Runs rk4 for a thousand steps of this share of the limit, with a push at a tip. Returns the
+/// error, empty if it gets through.
 std::string diverge(Scenario scenario, double share) {
   scenario.integration.step = share * vibration::find_rk4_limit(scenario).step;
   scenario.integration.duration = 1000.0 * scenario.integration.step;

@@ -1,4 +1,4 @@
-// Ground resonance: a rotor with lag hinges on a hub that springs hold in the plane.
+// Tests ground resonance: a rotor with lag hinges on a hub that springs hold in the plane.
 
 #include <doctest/doctest.h>
 
@@ -44,7 +44,7 @@ Scenario make_rotor() {
   return scenario;
 }
 
-/// Leaves the hub its motion in the plane, held by springs that are alike in all directions.
+/// Leaves the hub its motion in the plane, held by equal springs in all directions.
 void hold_in_plane(LinearModel& model) {
   model.M = MatrixXd(model.M.topLeftCorner(2, 2));
   model.C = MatrixXd(model.C.topLeftCorner(2, 2));
@@ -70,14 +70,15 @@ bool grows(const Scenario& scenario, double speed) {
   return false;
 }
 
-/// The same by Coleman and Feingold (1958, NACA report 1351), in complex coordinates of the
+/// Returns the same by Coleman and Feingold (1958, NACA report 1351), in complex coordinates of the
 /// inertial frame, z of the hub and eta, the sum of lag angles times exp(i azimuth):
+///
 ///   (M s^2 + k) z + i S s^2 eta = 0,   [I (s^2 - 2 i w s - w^2) + w^2 e S] eta - i N S/2 s^2 z = 0
 bool grows_classically(double speed) {
   const double mass = kHubMass + kBlades, S = 0.5, inertia = 1.0 / 3.0;
   const Complex b(0.0, -2.0 * speed * inertia);
   const double c = speed * speed * (kOffset * S - inertia);
-  // (M s^2 + k) (I s^2 + b s + c) - N S^2/2 s^4, by powers of s.
+  // Coefficients of (M s^2 + k) (I s^2 + b s + c) - N S^2/2 s^4.
   const Complex a4 = mass * inertia - 0.5 * kBlades * S * S, a3 = mass * b;
   const Complex a2 = mass * c + kSpring * inertia, a1 = kSpring * b, a0 = kSpring * c;
   Eigen::Matrix4cd companion = Eigen::Matrix4cd::Zero();
@@ -87,7 +88,7 @@ bool grows_classically(double speed) {
   return roots.real().maxCoeff() > 1e-4;
 }
 
-/// Where a function of the speed changes, between two speeds.
+/// Returns the speed between two at which a function of the speed changes.
 double find_change(double from, double to, const std::function<bool(double)>& is_unstable) {
   const bool at_start = is_unstable(from);
   REQUIRE(is_unstable(to) != at_start);

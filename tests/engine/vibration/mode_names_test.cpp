@@ -1,5 +1,5 @@
-// Modes of equal roots are told apart by one rule, whatever a solver finds; and as many modes as
-// there are.
+// Tests that modes of equal roots are told apart by one rule, whatever a solver finds, and that
+// there are as many modes as asked for.
 
 #include <doctest/doctest.h>
 
@@ -58,13 +58,13 @@ Scenario make_driven(int blades) {
 }  // namespace
 
 TEST_CASE("mode names: a pair of equal stiffnesses is flap and lag, at rest along these") {
-  // However the disc stands, which changes nothing but round-off.
+  // The orientation of the disc changes nothing but round-off.
   for (const double angle : {0.0, 0.3, 1.0, 2.5}) {
     CAPTURE(angle);
     const ModesResult result = solve_modes(make_round_shaft(angle), {.count = 4});
     CHECK(list_names(result) == std::vector<std::string>{"flap 1", "lag 1", "flap 2", "lag 2"});
     CHECK(result.modes[0].frequency == doctest::Approx(result.modes[1].frequency).epsilon(1e-9));
-    // The shaft's root has its z where the hub has -x or x, its y along the hub's.
+    // The root of the shaft has its z along -x or x of the hub, its y along y of the hub.
     for (std::size_t k = 0; k < 4; ++k) {
       const Eigen::Vector3cd tip = result.modes[k].shape[0].back();
       CHECK(std::abs(tip[k % 2 == 0 ? 1 : 0]) < 1e-6 * std::abs(tip[k % 2 == 0 ? 0 : 1]));
@@ -107,7 +107,7 @@ TEST_CASE("modes: without a number there are as many as the model has") {
   CHECK(solve_modes(test::make_planar({.bodies = 1, .elements = 1})).modes.size() == 3);
   CHECK(solve_modes(test::make_planar({})).modes.size() == 10);
   CHECK(solve_campbell(test::make_planar({}), {.speeds = {0.0, 1.0}}).branches.size() == 6);
-  // A number is meant.
+  // The option is a number of modes.
   CHECK(test::message_of([&] { solve_modes(top, {.state = {.speed = 0.0}, .count = 4}); }) ==
         "4 modes, expected at most 3: there are no more of top");
   CHECK(test::message_of([&] {

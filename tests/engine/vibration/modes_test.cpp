@@ -1,5 +1,5 @@
-// Modes that are known: from closed forms, from an independent solution of the beam's equations,
-// and from other parts of the engine.
+// Tests modes that are known: from closed forms, from an independent solution of the equations of
+// the beam, and from other parts of the engine.
 
 #include "engine/modes.h"
 
@@ -24,7 +24,7 @@ Scenario read(const std::string& model) {
   return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
 }
 
-/// Frequencies of the modes of one kind, in their order [rad/s].
+/// Returns the frequencies of the modes of one kind, in their order [rad/s].
 std::vector<double> frequencies_of(const ModesResult& result, const std::string& kind) {
   std::vector<double> list;
   for (const Mode& mode : result.modes)
@@ -32,7 +32,7 @@ std::vector<double> frequencies_of(const ModesResult& result, const std::string&
   return list;
 }
 
-/// The first ones are those that are known, to a relative error.
+/// Checks that the first frequencies are the known ones, to a relative error.
 void check_frequencies(const ModesResult& result, const std::string& kind,
                        const std::vector<double>& known, double error) {
   const std::vector<double> found = frequencies_of(result, kind);
@@ -83,9 +83,9 @@ TEST_CASE("modes: a rotating cantilever has its known frequencies") {
 }
 
 TEST_CASE("modes: a hinged flexible blade has its known frequencies") {
-  // From the offset e to 1, m = EI = 1, 10 rad/s: by the speed; likewise a Legendre-Galerkin
-  // solution. Scaled to a blade of unit length: l = 1 - e, speed and frequencies times l^2, the
-  // hub's radius e/l.
+  // A blade from the offset e to 1, m = EI = 1, 10 rad/s: frequencies by the speed, also from a
+  // Legendre-Galerkin solution. Scaled to a blade of unit length: l = 1 - e, speed and frequencies
+  // times l^2, the radius of the hub e/l.
   struct Hinged {
     double offset;
     std::vector<double> flap, lag;
@@ -174,7 +174,7 @@ TEST_CASE("modes: a free satellite at rest has rigid motions, and the frequencie
 }
 
 TEST_CASE("modes: two booms on a hub without mass are a free beam") {
-  // Of length 2: roots of cos x cosh x = 1, (x/2)^2.
+  // A beam of length 2: roots of cos x cosh x = 1, (x/2)^2.
   const double known[] = {22.3732854 / 4.0, 61.6728229 / 4.0, 120.903392 / 4.0};
   Scenario plane = make_planar({});
   plane.rotor.blades.push_back(plane.rotor.blades[0]);
@@ -186,7 +186,7 @@ TEST_CASE("modes: two booms on a hub without mass are a free beam") {
   space.space->blades[1].azimuth += std::acos(-1.0);
   space.space->hub = {.support = HubSupport::free, .mass = 1e-7};
   space.space->hub.inertia = 1e-9 * spatial::Tensor::Identity();
-  // Each twice, in flap and lag; torsion is faster.
+  // Each frequency comes twice, in flap and lag; torsion is faster.
   for (const int times : {1, 2}) {
     const ModesResult result = solve_modes(times == 1 ? plane : space,
                                            {.state = {.speed = 0.0}, .count = 9 * times / 2 + 5});

@@ -1,5 +1,5 @@
-// Subsystems that have no coordinates of their own on hubs that have some: what a rigid body adds
-// to the hub's inertia, by closed forms.
+// Tests subsystems without coordinates of their own on hubs that have some: the inertia that a
+// rigid body adds to the hub, by closed forms.
 
 #include <doctest/doctest.h>
 
@@ -22,7 +22,7 @@ namespace {
 using doctest::Approx;
 
 constexpr double kHubInertia = 0.5, kSpring = 50.0;
-/// Of a lump about the axle, and of a pendulum about its pin there.
+/// Inertia of a lump about the axle, and of a pendulum about its pin there.
 constexpr double kLump = 0.05 + 0.6 * 0.6, kPendulum = 0.05 + 0.5 * 0.5;
 
 std::string subsystem_text(const std::string& name, const std::string& joint) {
@@ -32,14 +32,14 @@ std::string subsystem_text(const std::string& name, const std::string& joint) {
          "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"body\"\n" +
          joint;
 }
-/// Fixed 0.1 m from the axle in the direction of `angle`.
+/// A lump that is fixed 0.1 m from the axle in the direction of `angle`.
 std::string lump(const std::string& name, double angle) {
   return subsystem_text(
       name, "kind = \"fixed\"\noffset = [" + std::to_string(0.1 * std::cos(angle)) + ", " +
                 std::to_string(0.1 * std::sin(angle)) + ", 0.0]\norientation = [0.0, 0.0, " +
                 std::to_string(angle) + "]\n");
 }
-/// The same, held by a joint of constant motion.
+/// A lump that is held by a joint of constant motion.
 const std::string kHeld =
     subsystem_text("held",
                    "kind = \"revolute\"\naxis = [0.0, 0.0, 1.0]\noffset = [0.1, 0.0, 0.0]\n"
@@ -70,7 +70,7 @@ ModesResult solve(const Scenario& scenario, int count, double speed = 0.0) {
   return solve_modes(scenario, {.state = {.speed = speed}, .count = count});
 }
 
-/// Of a hub of this inertia and the pendulum, which turn against one another.
+/// Returns the frequency of a hub of this inertia and the pendulum, which turn against one another.
 double calc_frequency(double inertia) {
   return std::sqrt(kSpring * (1.0 / kPendulum + 1.0 / inertia));
 }

@@ -1,4 +1,4 @@
-// First frequencies of the blade of the NREL 5 MW turbine against published ones.
+// Compares the first frequencies of the blade of the NREL 5 MW turbine with published ones.
 
 #include <doctest/doctest.h>
 
@@ -19,17 +19,17 @@ struct Pair {
   double flap = 0.0, edge = 0.0;
 };
 
-/// 12.1 rpm [rad/s].
+/// The rated speed of 12.1 rpm [rad/s].
 constexpr double kRated = 12.1 * std::numbers::pi / 30.0;
 
-/// The shipped rotor, weightless: its blades are alike then, also at rest.
+/// Reads the shipped rotor without weight: its blades are then alike at rest, too.
 Scenario read_rotor(int bodies = 4, int elements = 4) {
   return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / "nrel_5mw_rotor.toml",
                        {"gravity.acceleration=[0, 0, 0]", "blade.bodies=" + std::to_string(bodies),
                         "blade.elements=" + std::to_string(elements)});
 }
 
-/// The same with the masses of table 2-1 of the report, which the shipped rotor scales.
+/// Reads the rotor with the masses of table 2-1 of the report, which the shipped rotor scales.
 Scenario read_light_rotor() {
   Scenario scenario = read_rotor();
   for (spatial::Blade& blade : scenario.space->blades)

@@ -1,4 +1,4 @@
-// What is rigid and what is not, beside coordinates that are stiffer by many orders of magnitude.
+// Tests rigid motions and others beside coordinates that are stiffer by many orders of magnitude.
 
 #include <doctest/doctest.h>
 
@@ -45,8 +45,8 @@ Scenario make_shaft(const std::string& axial, const std::string& torsion) {
       "kind = \"fixed\"\n");
 }
 
-/// How fast the same shaft's deflection grows: place and slope of the disc in two directions of the
-/// turning frame, the shaft's mass by its static shape.
+/// Returns the growth rate of the deflection of the same shaft: place and slope of the disc in two
+/// directions of the turning frame, the mass of the shaft by its static shape.
 double calc_growth() {
   const auto bend = [](double stiffness) {
     Matrix2d K;
@@ -86,7 +86,7 @@ std::size_t count_rigid(const ModesResult& result) {
       [](const Mode& mode) { return mode.eigenvalue == 0.0 && mode.name.starts_with("rigid"); }));
 }
 
-/// A free hub with blades that stretch and twist by next to nothing.
+/// A free hub with blades that hardly stretch and twist.
 std::string free_rotor_text(const std::string& hub) {
   return "[hub]\nradius = 0.2\n" + hub +
          "[blade]\ncount = 3\nlength = 2.0\nbodies = 2\nelements = 3\n"
@@ -95,7 +95,7 @@ std::string free_rotor_text(const std::string& hub) {
          "lag_inertia = 1e-9\nflap_inertia = 1e-9\n";
 }
 
-/// So many rigid motions, and nothing that grows or decays.
+/// Checks that there are so many rigid motions, and that no mode grows or decays.
 void check_rigid(const Scenario& scenario, double speed, std::size_t count) {
   CAPTURE(speed);
   const ModesResult result = solve_modes(scenario, {.state = {.speed = speed}, .count = 8});
@@ -160,7 +160,7 @@ TEST_CASE("rigid modes: a free rotor has its rigid motions, and none grow") {
   const Scenario rotor =
       read_rigid(free_rotor_text("support = \"free\"\nmass = 3.0\ninertia = [1.0, 2.0, 2.5]\n"));
   check_rigid(rotor, 0.0, 6);
-  // Along the axis and about it; the others go round in the turning frame.
+  // Motions along the axis and about it are rigid; the others go round in the turning frame.
   for (const double speed : {0.01, 1.3, 50.0}) check_rigid(rotor, speed, 2);
   const Scenario light = read_rigid(
       free_rotor_text("support = \"free\"\nmass = 1e-7\ninertia = [1e-9, 1e-9, 1e-9]\n"));
@@ -201,7 +201,7 @@ TEST_CASE("rigid modes: a body that spins about its middle axis tumbles, about o
   };
   for (const double speed : {0.01, 5.0, 300.0}) {
     CAPTURE(speed);
-    // Along the axis and about it, and the ball's turns against the hub.
+    // Motions along the axis and about it, and turns of the ball against the hub.
     const ModesResult middle = turn("[1.0, 3.0, 2.5]", speed);
     CHECK(count_rigid(middle) == 5);
     CHECK(find_growth(middle) == Approx(speed * std::sqrt(1.5 * 0.5 / 3.0)).epsilon(1e-6));

@@ -10,8 +10,8 @@ using namespace spoke::graph;
 
 namespace {
 
-// Counts, without atomics, how often each thread of a team worked: the fork hands on what the first
-// thread wrote, the join what the others wrote.
+// Counts, without atomics, how often each thread of a team worked: the fork publishes the first
+// thread's writes, the join those of the others.
 std::vector<int> works_done(int threads, int forks) {
   ForkJoin<int> team;
   team.set_workers(threads - 1);

@@ -37,7 +37,7 @@ void run_recorded(Executor& executor, NodeRecorder& recorder, int runs) {
   executor.set_recorder(nullptr);
 }
 
-/// What is wrong with the records of a run, in words, or nothing.
+/// Returns what is wrong with the records of a run, in words; empty if nothing is.
 std::string find_fault(const NodeRecorder& recorder, int run, const StepGraph& graph) {
   std::vector<NodeRecord> of_node(static_cast<std::size_t>(graph.node_count()));
   for (int thread = 0; thread < recorder.threads(); ++thread) {
@@ -176,7 +176,7 @@ TEST_CASE("auto records serial runs until it has chosen, and does not choose mea
   GraphPlan plan = step_plan();
   const StepGraph graph = build_graph(plan);
   const auto executor = make_executor(graph, ExecutorKind::automatic, 2);
-  const bool was_tuning = executor->tuning();  // unless there is one processor only
+  const bool was_tuning = executor->tuning();  // unless there is only one processor
   NodeRecorder recorder = make_recorder(*executor, graph, 100);
   run_recorded(*executor, recorder, 100);
   CHECK(executor->tuning() == was_tuning);

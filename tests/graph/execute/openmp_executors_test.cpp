@@ -31,17 +31,17 @@ struct Configuration {
 
 std::vector<Configuration> configurations() {
   std::vector<Configuration> list;
-  for (const ExecutorKind kind :
-       {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2, ExecutorKind::openmp_levels}) {
+  for (const ExecutorKind kind : {ExecutorKind::openmp_scheme1, ExecutorKind::openmp_scheme2,
+                                  ExecutorKind::openmp_levels, ExecutorKind::openmp_tasks}) {
     for (const int threads : {1, 2, 3, 6, 12}) list.push_back({kind, threads});
-    if (kind == ExecutorKind::openmp_levels) continue;
+    if (!has_nested_teams(kind)) continue;
     for (const int outer : {1, 2, 3})
       for (const int inner : {2, 4}) list.push_back({kind, {outer, inner}});
   }
   return list;
 }
 
-// Coordinates that have nothing to do with the edges.
+// Makes labels that have nothing to do with the edges.
 GraphPlan make_random_labels(std::uint32_t seed) {
   GraphPlan plan = make_random_plan(seed, 60, 25, 4);
   std::mt19937 random(seed);
@@ -54,13 +54,14 @@ GraphPlan make_random_labels(std::uint32_t seed) {
   return plan;
 }
 
-// Without coordinates, with random ones, and steps with and without a hub.
+// Returns plans without labels, with random ones, and steps with and without a hub.
 std::vector<GraphPlan> plans() {
   return {make_random_plan(3, 60, 25, 4), make_random_labels(1), make_random_labels(2),
           make_step_plan({3, 4, 2, true}), make_step_plan({5, 3, 2, false})};
 }
 
-// With as many threads at work as are asked for, however few processors there are.
+// Makes an executor with as many working threads as are asked for, however few processors there
+// are.
 std::unique_ptr<Executor> make(const StepGraph& graph, const Configuration& configuration) {
   const auto& [kind, threads] = configuration;
   return kind == ExecutorKind::openmp_scheme1
@@ -181,6 +182,21 @@ TEST_CASE("openmp: executors run at once in two threads of the program") {
   }
 }
 
+// The runtime's own threads go on, with memory of its tasks; LLVM's has its difficulties there.
+TEST_CASE("openmp: threads of the program that ran an executor may end") {
+  const GraphPlan plan = make_step_plan({3, 4, 3, true});
+  const auto serial = results(plan, {ExecutorKind::serial, 1});
+  for (const Configuration& configuration : configurations()) {
+    if (configuration.threads != Threads(3)) continue;
+    capture_and(configuration, [&] {
+      int faults = 0;
+      for (int repetition = 0; repetition < 100; ++repetition)
+        std::thread([&] { faults += results(plan, configuration) != serial ? 1 : 0; }).join();
+      CHECK(faults == 0);
+    });
+  }
+}
+
 TEST_CASE("openmp: an empty graph runs") {
   const StepGraph graph = StepGraphBuilder().build();
   for (const Configuration& configuration : configurations()) {
@@ -212,19 +228,62 @@ TEST_CASE("openmp: of scheme 1 as many threads work as there are processors, fir
         "openmp_scheme1 on 3x4 threads, 2 at work");
 }
 
-TEST_CASE("openmp: threads are those available unless given, and levels have one layer") {
+namespace {
+
+/// Makes `chains` chains of nodes that count their runs, and a last node that waits for all of
+/// them.
+StepGraph make_chains(int chains, int length, std::vector<int>& counts) {
+  StepGraphBuilder builder;
+  std::vector<PartId> parts;
+  for (int c = 0; c < chains; ++c)
+    parts.push_back(builder.add_part("chain " + std::to_string(c),
+                                     {bytes_of(counts[static_cast<std::size_t>(c)])}));
+  for (int i = 0; i < length; ++i)
+    for (int c = 0; c < chains; ++c)
+      builder.add_node({"count", c, i}, reads(), writes(parts[static_cast<std::size_t>(c)]),
+                       [&count = counts[static_cast<std::size_t>(c)]]() noexcept { ++count; });
+  const PartId sum = builder.add_part("sum", {bytes_of(counts.back())});
+  builder.add_node({"sum"}, reads(parts), writes(sum), [&counts, chains]() noexcept {
+    for (int c = 0; c < chains; ++c) counts.back() += counts[static_cast<std::size_t>(c)];
+  });
+  return builder.build();
+}
+
+}  // namespace
+
+// Lists of predecessors lie on the stack of the thread that makes the tasks, one after the other:
+// if they stayed there, these would be 300 MB. Runtimes throttle makers of too many tasks.
+TEST_CASE("openmp: as many nodes as there are, and as many predecessors, are tasks") {
+  constexpr int chains = 1000, length = 20;
+  std::vector<int> counts(chains + 1);
+  const StepGraph graph = make_chains(chains, length, counts);
+  for (const int threads : {1, 2, 3}) {
+    CAPTURE(threads);
+    std::fill(counts.begin(), counts.end(), 0);
+    const auto executor = make_executor(graph, ExecutorKind::openmp_tasks, threads);
+    run_passes(*executor, 2);
+    CHECK(counts.front() == 2 * length);
+    CHECK(counts.back() == chains * length + 2 * chains * length);
+  }
+}
+
+TEST_CASE("openmp: threads are those available unless given, and levels and tasks have one layer") {
   const StepGraph graph = StepGraphBuilder().build();
   CHECK(make_executor(graph, ExecutorKind::openmp_scheme1, {0, 3})->threads() ==
         Threads(available_threads(), 3));
   CHECK(make_executor(graph, ExecutorKind::openmp_levels)->threads() ==
         Threads(available_threads()));
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_levels, {3, 2}), spoke::InputError);
+  CHECK(make_executor(graph, ExecutorKind::openmp_tasks, 3)->describe() ==
+        "openmp_tasks on 3 threads");
+  CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_tasks, {3, 2}), spoke::InputError);
   CHECK_THROWS_AS(make_executor(graph, ExecutorKind::openmp_scheme2, {3, 0}), spoke::InputError);
 }
 
 namespace {
 
-/// A value of OMP_NUM_THREADS while it lives. The runtime has read its own long before, or will.
+/// Sets a value of OMP_NUM_THREADS while it lives. The runtime has read its own long before, or
+/// will.
 class NumThreads {
  public:
   explicit NumThreads(const std::string& value) : before_(std::getenv("OMP_NUM_THREADS")) {

@@ -21,7 +21,7 @@ using namespace spoke::graph;
 
 namespace {
 
-/// That of the process which started this one, and so of this one at its start.
+/// Returns the affinity of the process that started this one, and so of this one at its start.
 std::vector<int> affinity_at_start() {
   cpu_set_t mask;
   REQUIRE(sched_getaffinity(getppid(), sizeof mask, &mask) == 0);

@@ -18,7 +18,7 @@ using namespace spoke::graph::testing;
 
 namespace {
 
-// Chains of these lengths, with nothing in common.
+// Makes chains of these lengths, with nothing in common.
 Plan make_chains(std::span<const int> lengths) {
   StepGraphBuilder builder;
   for (const int length : lengths) {
@@ -85,5 +85,6 @@ TEST_CASE("partition: blades of a window have their own") {
   const Plan plan = plan_of_single_nodes(graph);
   const std::vector<int> partition = partition_clusters(plan, 2);
   CHECK(different(partition) == 8);
-  CHECK(edges_between_flows(plan, partition) <= 4);  // within each blade one cut between two steps
+  // One cut between two steps within each subsystem.
+  CHECK(edges_between_flows(plan, partition) <= 4);
 }

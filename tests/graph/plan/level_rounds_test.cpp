@@ -23,7 +23,8 @@ std::vector<std::vector<List>> indices(const std::vector<Round>& rounds) {
   return result;
 }
 
-// Per column of `width` nodes: a node, and one that waits for it; then one that waits for all.
+// Makes, per column of `width` nodes: a node, and one that waits for it; then one that waits for
+// all.
 StepGraph two_rows_and_a_join(int width) {
   StepGraphBuilder builder;
   std::vector<PartId> parts;

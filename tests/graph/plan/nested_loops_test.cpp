@@ -32,7 +32,7 @@ TEST_CASE("a pass with a hub: loops over subsystems between what is done at the 
   REQUIRE(work.size() == 2);
   CHECK(names(graph, work[0].alone) == Names{"subsystem 2 / position (pass 1)"});
   REQUIRE(work[0].bodies.size() == 4);
-  // Mass and inverse of one body in one loop, without a barrier between.
+  // Mass and inverse of one body are in one loop, without a barrier between.
   CHECK(names(graph, work[0].bodies[2]) ==
         Names{"subsystem 2 / body 3 / mass (pass 1)", "subsystem 2 / body 3 / inverse (pass 1)"});
   CHECK(names(graph, work[1].alone) == Names{"subsystem 2 / effective (pass 1)"});

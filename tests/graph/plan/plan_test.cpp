@@ -102,7 +102,8 @@ TEST_CASE("coarsening: the longest cluster cuts chains into pieces") {
 }
 
 TEST_CASE("coarsening: cheap ends join the cluster that they wait for") {
-  const StepGraph graph = make_ended_window(2, 3, 2);  // 8 nodes a blade, its end, and a record
+  // 8 nodes per subsystem, its end, and a record.
+  const StepGraph graph = make_ended_window(2, 3, 2);
   auto costs = equal_costs(graph, 1e-6);
   CHECK(sizes(coarsen(graph, costs, {.grain = 3e-6})) == std::vector{9, 9, 9, 1});
   for (std::size_t k = 24; k < 27; ++k) costs[k] = 10e-6;

@@ -18,10 +18,10 @@ using spoke::testing::approx;
 
 namespace {
 
-constexpr Overheads kNoOverheads{0.0, 0.0, 0.0, 0.0};
-constexpr Overheads kOverheads{2e-9, 200e-9, 1e-6, 0.0};
+constexpr Overheads kNoOverheads{0.0, 0.0, 0.0};
+constexpr Overheads kOverheads{2e-9, 200e-9, 1e-6};
 
-// Violations of precedence and of one cluster at a time per processor.
+// Counts violations of precedence and of one cluster at a time per processor.
 int count_faults(const Plan& plan, const Schedule& schedule) {
   const auto slot = [&](int c) { return schedule.slots[static_cast<std::size_t>(c)]; };
   int faults = 0;

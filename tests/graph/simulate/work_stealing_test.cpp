@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "tests/approx.h"
@@ -16,9 +15,9 @@ using spoke::testing::approx;
 
 namespace {
 
-constexpr Overheads kNone{0.0, 0.0, 0.0, 0.0};
+constexpr Overheads kNone{0.0, 0.0, 0.0};
 
-// Per processor its clusters in the order of their starts.
+// Returns per processor its clusters in the order of their starts.
 std::vector<std::vector<int>> order_of(const Schedule& schedule) {
   std::vector<std::vector<int>> order(static_cast<std::size_t>(schedule.processors));
   const auto slot = [&](int c) { return schedule.slots[static_cast<std::size_t>(c)]; };
@@ -56,7 +55,7 @@ TEST_CASE("work stealing: a thief takes the oldest in the deque, and pays for it
   const StepGraph graph = make_fan(3, 1);  // root, three nodes, join
   const auto costs = equal_costs(graph, 10e-6);
   const Schedule schedule =
-      simulate_work_stealing(plan_of_single_nodes(graph), costs, 2, {0.0, 0.0, 4e-6, 0.0});
+      simulate_work_stealing(plan_of_single_nodes(graph), costs, 2, {0.0, 0.0, 4e-6});
   CHECK(schedule.slots[1].start == approx(10e-6));  // goes on with the first made ready
   CHECK(schedule.slots[3].start == approx(14e-6));  // stolen a handover later
   CHECK(schedule.slots[2].start == approx(20e-6));
@@ -66,7 +65,7 @@ TEST_CASE("work stealing: a thief takes the oldest in the deque, and pays for it
 TEST_CASE("work stealing: a thief that comes too late finds the deque empty") {
   const StepGraph graph = make_fan(2, 1);
   const Plan plan = plan_of_single_nodes(graph);
-  constexpr Overheads overheads{0.0, 0.0, 0.4e-6, 0.0};
+  constexpr Overheads overheads{0.0, 0.0, 0.4e-6};
   const auto makespan = [&](double node) {
     return simulate_work_stealing(plan, equal_costs(graph, node), 2, overheads).makespan;
   };
@@ -79,37 +78,11 @@ TEST_CASE("work stealing: more processors are not slower, and a root is handed o
   const StepGraph graph = make_fan(64, 1);
   const Plan plan = plan_of_single_nodes(graph);
   const auto costs = equal_costs(graph, 1e-6);
-  constexpr Overheads overheads{0.0, 0.0, 1e-6, 0.0};
+  constexpr Overheads overheads{0.0, 0.0, 1e-6};
   const auto makespan = [&](int processors) {
     return simulate_work_stealing(plan, costs, processors, overheads).makespan;
   };
   CHECK(makespan(8) < makespan(2));
   CHECK(makespan(8) > 66e-6 / 8.0 + 1e-6);
   CHECK(simulate_work_stealing(plan, costs, 8, kNone).makespan == approx(10e-6));
-}
-
-TEST_CASE("work stealing: what is spawned and taken from the deque takes longer") {
-  Overheads overheads = kNone;
-  overheads.spawn = 0.5e-6;
-  const StepGraph fan = make_fan(3, 1);  // two of three are spawned, and the root
-  CHECK(simulate_work_stealing(plan_of_single_nodes(fan), equal_costs(fan, 1e-6), 1, overheads)
-            .makespan == approx(5e-6 + 3 * 0.5e-6));
-}
-
-TEST_CASE("work stealing: a stolen cluster waits for its data") {
-  // One writer, then two readers of its data on two processors.
-  alignas(64) std::array<double, 1000> memory{};
-  StepGraphBuilder builder;
-  const PartId data = builder.add_part("data", {bytes_of(std::span(memory))});
-  builder.add_node({"write"}, {}, writes(data), []() noexcept {});
-  for (int k = 0; k < 2; ++k) builder.add_node({"read"}, reads(data), {}, []() noexcept {});
-  const StepGraph graph = builder.build();
-  const std::array costs{1e-6, 10e-6, 10e-6};
-  const Plan plan = plan_of_single_nodes(graph);
-  DataTraffic traffic(graph, {0.0, 1e-9});
-  const auto makespan = [&](DataTraffic* data_traffic) {
-    return simulate_work_stealing(plan, costs, 2, kNone, data_traffic).makespan;
-  };
-  CHECK(makespan(nullptr) == approx(11e-6));
-  CHECK(makespan(&traffic) == approx(19e-6));
 }

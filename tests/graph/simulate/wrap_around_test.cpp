@@ -18,9 +18,10 @@ using spoke::testing::approx;
 
 namespace {
 
-constexpr Overheads kSome{2e-9, 200e-9, 1e-6, 0.0};
+constexpr Overheads kSome{2e-9, 200e-9, 1e-6};
 
-// Per processor the clusters that it ran, by their starts; of two that cost nothing by number.
+// Returns per processor the clusters that it ran, by their starts, and those that cost nothing by
+// number.
 ProcessorLists lists_of(const Schedule& schedule) {
   ProcessorLists lists(static_cast<std::size_t>(schedule.processors));
   const auto slot = [&](int c) { return schedule.slots[static_cast<std::size_t>(c)]; };
@@ -77,7 +78,7 @@ TEST_CASE("order by lists: the makespan remains, and no edge is implied by other
     const StepGraph graph = build_graph(source);
     const auto costs = random_costs(seed, graph);
     const Plan plan = plan_of_single_nodes(graph);
-    const Overheads none{0.0, 0.0, 0.0, 0.0};
+    const Overheads none{0.0, 0.0, 0.0};
     const Schedule schedule = simulate_work_stealing(plan, costs, 2, none);
     const Plan ordered = order_by_lists(plan, costs, lists_of(schedule));
     const Schedule again = simulate_work_stealing(ordered, costs, 2, none);
@@ -95,7 +96,8 @@ TEST_CASE("wrap-around: three equal chains on two processors take half as long a
   const double chain = work_of(costs) / 3.0;
   const Plan pieces = coarsen(graph, costs, {.grain = 1.0, .longest = chain / 40});
   const Plan plan = order_by_lists(pieces, costs, wrap_around_lists(pieces, costs, 2, kSome));
-  // The first chain; half of the second, before the third; the other half, after the first.
+  // The clusters are the first chain; half of the second, before the third; the other half, after
+  // the first.
   CHECK(plan.cluster_count() == 4);
   CHECK(plan.edge_count() == 3);
   CHECK(simulate_work_stealing(plan, costs, 2, kSome).makespan < 1.05 * 1.5 * chain);

@@ -17,7 +17,7 @@ using namespace spoke::graph::testing;
 
 namespace {
 
-// Runs until the executor has settled; the number of runs, or `limit`.
+// Runs until the executor has settled. Returns the number of runs, or `limit`.
 int settle(Executor& executor, int limit = 200000) {
   int runs = 0;
   while (executor.tuning() && runs < limit) {
@@ -27,7 +27,7 @@ int settle(Executor& executor, int limit = 200000) {
   return runs;
 }
 
-// Two of them side by side are worth a thread.
+// Makes a plan of which two side by side are worth a thread.
 GraphPlan costly_plan() { return make_random_plan(11, 300, 120, 60); }
 
 }  // namespace
@@ -100,8 +100,8 @@ TEST_CASE("auto: a plan that is slower than serial runs is left, and tried again
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
   const StepGraph graph = builder.build();
-  // Nodes that were thought to take less than they do, since they sleep on one thread, too: the
-  // serial runs that follow show it.
+  // These nodes take longer than estimated, since they sleep on one thread, too; the serial runs
+  // that follow show it.
   const auto executor = make_auto_executor(graph, 2, {equal_costs(graph, 0.2e-3), 100.0});
   if (available_threads() == 1) return;
   const auto is_serial = [&] { return executor->describe().rfind("serial: ", 0) == 0; };
@@ -109,7 +109,7 @@ TEST_CASE("auto: a plan that is slower than serial runs is left, and tried again
   CHECK(is_serial());
   const std::string left = executor->describe();
   is_disturbed = false;
-  // Where other programs have the processors, it asks what threads are worth, and stays serial.
+  // Where other programs have the processors, it measures what threads are worth, and stays serial.
   int runs = 0;
   for (; runs < 2000 && executor->describe() == left; ++runs) executor->run();
   CHECK(runs < 2000);

@@ -17,7 +17,7 @@ using spoke::testing::approx;
 
 namespace {
 
-constexpr Overheads kSome{2e-9, 100e-9, 1e-6, 0.0};
+constexpr Overheads kSome{2e-9, 100e-9, 1e-6};
 
 double best_speedup(const StepGraph& graph, const std::vector<double>& costs, int processors) {
   double best = 0.0;
@@ -100,7 +100,7 @@ TEST_CASE("candidates: the dearer clusters are, the fewer the best plan has") {
   const StepGraph graph = make_window(4, 3, 4);
   const auto costs = equal_costs(graph, 2e-6);
   const auto clusters_of_best = [&](double per_cluster) {
-    const auto found = find_candidates(graph, costs, 2, {2e-9, per_cluster, 500e-9, 0.0}, 1);
+    const auto found = find_candidates(graph, costs, 2, {2e-9, per_cluster, 500e-9}, 1);
     return found.empty() ? 1 : found.front().plan.cluster_count();
   };
   CHECK(clusters_of_best(5e-6) <= clusters_of_best(0.0));

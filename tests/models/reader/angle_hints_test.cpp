@@ -1,4 +1,4 @@
-// Which angles are asked about, as of degrees.
+// Hints at angles that look like degrees.
 
 #include "models/reader/angle_hints.h"
 
@@ -17,7 +17,7 @@ std::vector<std::string> hints_of(const std::string& text) {
 
 using Hints = std::vector<std::string>;
 
-/// The blade's text with other keys in place of its twist, or of the damping of its hinge.
+/// Reads the blade's text with other keys in place of its twist, or of the damping of its hinge.
 Hints with_twist(const std::string& keys) {
   return hints_of(edited(kBladeText, "twist = [0.2, 0.1, 0.0]\n", keys));
 }

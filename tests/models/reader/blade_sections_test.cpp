@@ -1,4 +1,5 @@
-// Sections and point masses of a blade in a scenario: what is read, and each mistake's one line.
+// Sections and point masses of a blade in a scenario: values read, and the one line for each
+// mistake.
 
 #include "models/reader/blade_sections.h"
 
@@ -43,7 +44,7 @@ std::string error_of_blade(const std::string& text) {
   return message_of([&] { parse_blade(text); });
 }
 
-/// The sections with one line replaced.
+/// Returns the error of the sections with one line replaced.
 std::string error_with(const std::string& line, const std::string& replacement) {
   std::string text = kBegin + kSections;
   const auto at = text.find(line);

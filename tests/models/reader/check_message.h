@@ -6,7 +6,7 @@
 
 namespace spoke::test {
 
-/// Checks that an error says this, in one line.
+/// Checks that an error has this message, in one line.
 inline void check_message(const std::string& message, const std::string& expected) {
   CHECK(message == expected);
   CHECK(message.find('\n') == std::string::npos);

@@ -1,4 +1,4 @@
-// A scenario that is filled in code is refused for what a file would be refused for.
+// A scenario that is filled in code is refused for the faults for which a file is.
 
 #include "models/reader/scenario_check.h"
 
@@ -38,7 +38,7 @@ Scenario make_scenario() {
   return scenario;
 }
 
-/// What is said of a sound scenario that was changed.
+/// Returns the message for a sound scenario that was changed.
 std::string message_after(const std::function<void(Scenario&)>& change) {
   Scenario scenario = make_scenario();
   change(scenario);

@@ -1,5 +1,4 @@
-// What a user gets for a scenario that cannot be used: one line naming place, key, value and what
-// was expected.
+// Messages for invalid scenarios: one line naming place, key, value and what was expected.
 
 #include <doctest/doctest.h>
 
@@ -48,7 +47,7 @@ std::string error_of(const std::string& text, const Overrides& overrides = {}) {
   return "accepted";
 }
 
-/// kText with one line replaced; the new text may have several lines or be empty.
+/// Returns kText with one line replaced; the new text may have several lines or be empty.
 std::string with(const std::string& line, const std::string& replacement) {
   std::string text = kText;
   const auto at = text.find(line + '\n');
@@ -57,8 +56,8 @@ std::string with(const std::string& line, const std::string& replacement) {
 }
 
 struct Edit {
-  std::string line;         ///< of kText
-  std::string replacement;  ///< for it
+  std::string line;         ///< line of kText
+  std::string replacement;  ///< text in its place
   std::string message;      ///< expected
 };
 

@@ -1,4 +1,4 @@
-// Tables of loads, and kinds of drives: what is read, and what is refused in one line with its
+// Tables of loads, and kinds of drives: values read, and faults refused in one line with their
 // place.
 
 #include "models/reader/scenario_loads.h"
@@ -46,7 +46,7 @@ void check_refused_loads(const std::vector<LoadCase>& cases) {
     CHECK(message_of<InputError>([&] { parse_loads(kFreeHub + c.addition + '\n'); }) == c.message);
 }
 
-/// The text with another drive.
+/// Returns the text with another drive.
 std::string with_drive(const std::string& drive) {
   const std::string free = "kind = \"free\"";
   std::string text = kFreeHub;

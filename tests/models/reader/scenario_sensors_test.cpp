@@ -1,4 +1,4 @@
-// What a user gets for [[sensor]] tables, good and bad.
+// Reading of [[sensor]] tables, and messages for invalid ones.
 
 #include "models/reader/scenario_sensors.h"
 

@@ -1,4 +1,4 @@
-// What a user gets for a model in space that cannot be used: hub, blades, sections.
+// Messages for invalid models in space: hub, blades, sections.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// What the reader makes of the keys of a model in space.
+// Values that the reader makes of the keys of a model in space.
 
 #include <numbers>
 
@@ -21,7 +21,7 @@ spatial::Model read(const std::string& text, const Overrides& overrides = {}) {
   return *scenario.space;
 }
 
-/// kBladeText with another joint in place of the flap hinge.
+/// Reads kBladeText with another joint in place of the flap hinge.
 spatial::Joint read_joint(const std::string& keys) {
   return read(edited(kBladeText, "kind = \"revolute\"\naxis = [0, -1, 0]\ndamping = 10.0", keys))
       .blades.at(0)

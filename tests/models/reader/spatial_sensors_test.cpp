@@ -1,4 +1,4 @@
-// Sensors on models in space: what is read, and what a user gets for those that cannot be.
+// Sensors on models in space: values read, and messages for invalid ones.
 
 #include <doctest/doctest.h>
 

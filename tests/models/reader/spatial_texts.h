@@ -85,12 +85,12 @@ duration = 20.0
 )";
 
 struct SpatialEdit {
-  std::string part;         ///< of the text
-  std::string replacement;  ///< for it
+  std::string part;         ///< part of the text
+  std::string replacement;  ///< text in its place
   std::string message;      ///< expected
 };
 
-/// The text with its first `part` replaced.
+/// Returns the text with its first `part` replaced.
 inline std::string edited(std::string text, const std::string& part,
                           const std::string& replacement) {
   const auto at = text.find(part);

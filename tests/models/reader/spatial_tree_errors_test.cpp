@@ -1,4 +1,4 @@
-// What a user gets for joints, trees and loads in space that cannot be.
+// Messages for invalid joints, trees and loads in space.
 
 #include <doctest/doctest.h>
 

@@ -13,7 +13,7 @@ using spoke::test::message_of;
 
 namespace {
 
-/// a.a. ... .a
+/// Returns "a.a. ... .a".
 std::string dotted(std::size_t names) {
   std::string key = "a";
   for (std::size_t k = 1; k < names; ++k) key += ".a";

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "models/error.h"
 #include "models/reader/toml_document.h"
@@ -69,17 +70,19 @@ TEST_CASE("overrides set values in tables and arrays and make what is missing") 
         "n.1.f=[0, 1]", "a.list=[1, 2]", "a.list.2=9", "a.expression=x=y"}) {
     document.set(assignment);
   }
-  const toml::table& root = document.root();
-  CHECK(root.at_path("a.x").value<int>() == 5);
-  CHECK(root.at_path("a.word").value<std::string>() == "chord");
-  CHECK(root.at_path("a.text").value<std::string>() == "two words");
-  CHECK(root.at_path("a.expression").value<std::string>() == "x=y");
-  CHECK(root.at_path("a.list[1]").value<int>() == 9);
-  CHECK(root.at_path("b[0].y").value<int>() == 1);
-  CHECK(root.at_path("b[1].y").value<int>() == 7);
-  CHECK(root.at_path("b[2].y").value<int>() == 8);
-  CHECK(root.at_path("c.d.e").value<bool>() == true);
-  CHECK(root.at_path("n[0].f[1]").value<int>() == 1);
+  const TomlSection root(document, {"a", "b", "c", "n"});
+  const TomlSection a = root.section("a", {"x", "y", "word", "text", "list", "expression"});
+  CHECK(a.integer("x", {0, 9}) == 5);
+  CHECK(a.text("word", "") == "chord");
+  CHECK(a.text("text", "") == "two words");
+  CHECK(a.text("expression", "") == "x=y");
+  CHECK(a.numbers("list", Quantity::any("")) == std::vector{1.0, 9.0});
+  std::vector<double> y;
+  for (const TomlSection& b : root.sections("b", {"y"}))
+    y.push_back(b.number("y", Quantity::any("")));
+  CHECK(y == std::vector{1.0, 7.0, 8.0});
+  CHECK(root.section("c", {"d"}).section("d", {"e"}).flag("e", false));
+  CHECK(root.sections("n", {"f"})[0].numbers("f", Quantity::any("")) == std::vector{0.0, 1.0});
 }
 
 TEST_CASE("an override that cannot be is refused in its own words") {
@@ -120,8 +123,8 @@ TEST_CASE("a complaint about an overridden value quotes the override") {
 TEST_CASE("an override cannot smuggle in a second key or a second line") {
   TomlDocument document("a = 1", "f.toml");
   document.set("a=2\nb=3");
-  CHECK(document.root().at_path("a").value<std::string>() == "2 b=3");
-  CHECK(document.root().size() == 1);
+  // a document whose text is no known key.
+  CHECK(TomlSection(document, {"a"}).text("a", "") == "2 b=3");
 }
 
 TEST_CASE("messages have one line whatever the file holds") {

@@ -8,7 +8,8 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Steps between breaks; sections are asked for within a step, so as not to meet the next piece.
+/// Visits steps between breaks; sections are taken within a step, so that the next piece is not
+/// met.
 template <class Visit>
 void visit_steps(const Beam& beam, int steps, Visit&& visit) {
   const double first = beam.station.front(), last = beam.station.back();
@@ -20,7 +21,7 @@ void visit_steps(const Beam& beam, int steps, Visit&& visit) {
   }
 }
 
-/// The end of a step belongs to it, not to the next.
+/// Returns a place within a step; its end belongs to it, not to the next one.
 double within(double x, double width, double part) {
   return x + width * (part == 0.0 ? 1e-13 : part == 1.0 ? 1.0 - 1e-13 : part);
 }
@@ -121,7 +122,7 @@ double BeamEquations::determinant(double frequency) const {
 }
 
 double BeamEquations::find_frequency(double guess) const {
-  // A zero of a smooth function: the method of secants.
+  // The secant method finds the zero of a smooth function.
   double x = guess, before = 1.001 * guess;
   double f = determinant(x), f_before = determinant(before);
   for (int i = 0; i < 20 && std::abs(x - before) > 1e-10 * guess; ++i) {

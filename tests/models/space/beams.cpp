@@ -10,7 +10,7 @@ double draw(std::mt19937& random, double from, double to) {
   return std::uniform_real_distribution(from, to)(random);
 }
 
-/// A positive definite matrix that couples everything, in the given sizes.
+/// Draws a positive definite matrix that couples everything, in the given sizes.
 TwistMatrix draw_stiffness(const Twist& sizes, std::mt19937& random) {
   TwistMatrix L = TwistMatrix::Identity();
   for (int i = 0; i < kTwist; ++i)

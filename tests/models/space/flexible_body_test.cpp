@@ -24,7 +24,7 @@ FlexibleBody make_body(const Beam& beam, int elements, ReferenceFrame frame, std
   return make_beam_body(beam, make_unequal_stations(beam, elements, random), frame, {0, elements});
 }
 
-/// Nodal forces of all coordinates: A q, without leaving any out.
+/// Returns the nodal forces A q of all coordinates, those that the frame fixes included.
 Eigen::VectorXd multiply(const BlockTridiagonal& A, const Eigen::VectorXd& q) {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(q.size());
   for (int k = 0; k < A.nodes(); ++k) {
@@ -37,7 +37,7 @@ Eigen::VectorXd multiply(const BlockTridiagonal& A, const Eigen::VectorXd& q) {
   return f;
 }
 
-/// Coordinates of all nodes in a small rigid motion.
+/// Returns the coordinates of all nodes in a small rigid motion.
 Eigen::VectorXd rigid_motion(const FlexibleBody& body, const Position& u, const Position& th) {
   Eigen::VectorXd q(kTwist * body.node_count());
   for (int k = 0; k < body.node_count(); ++k)

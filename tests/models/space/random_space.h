@@ -34,7 +34,7 @@ inline TwistMatrix random_matrix(std::mt19937& random) {
   return m;
 }
 
-/// Positive definite, of condition up to some thousand.
+/// Draws a positive definite matrix, of condition up to some thousand.
 inline SymmetricTwistMatrix random_inertia(std::mt19937& random) {
   const TwistMatrix a = random_matrix(random);
   const TwistMatrix m = a * a.transpose() + 0.01 * TwistMatrix::Identity();

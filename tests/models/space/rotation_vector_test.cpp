@@ -17,13 +17,13 @@ using namespace spoke::space::testing;
 
 namespace {
 
-/// Angles in the series, about where it ends, and beyond.
+/// Angles within the range of the series, about its end, and beyond.
 const std::vector<double> kAngles{0.0, 1e-160, 1e-9, 1e-3, 0.5, 0.999999, 1.000001, 2.0, 3.1};
 
-/// The vector of a skew matrix.
+/// Returns the vector of a skew matrix.
 Position unskew(const Matrix3& m) { return {m(2, 1), m(0, 2), m(1, 0)}; }
 
-/// d/dx f(x) at 0, of order 4.
+/// Returns d/dx f(x) at 0, to order 4.
 template <class Function>
 auto differentiate(const Function& f, double h) {
   return ((8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)).eval();

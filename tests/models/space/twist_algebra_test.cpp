@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "models/plane/plane.h"
 #include "models/space/space.h"
-#include "models/system/plane.h"
 #include "tests/models/space/random_space.h"
 
 using namespace spoke::space;
@@ -16,18 +16,19 @@ double difference(const TwistMatrix& a, const TwistMatrix& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// T = [1, -p~; 0, 1]: from the acceleration of a point to that of the point at p from there.
+/// Returns T = [1, -p~; 0, 1]: from the acceleration of a point to that of the point at p from
+/// there.
 TwistMatrix leads_to(const Position& p) {
   TwistMatrix T = TwistMatrix::Identity();
   T.topRightCorner<3, 3>() = -skew(p);
   return T;
 }
 
-/// The acceleration of a chain's root per wrench, in code for any world.
+/// Returns the acceleration of a chain's root per wrench, in code for any world.
 template <class Matrix, class Rotation, class Position, class Twist, class TwistMatrix>
 Twist respond(const Matrix& a, const Rotation& R, const Position& p, const Twist& f,
               const TwistMatrix& m) {
-  using spoke::translate;  // what takes vectors alone stands in namespace spoke
+  using spoke::translate;  // since functions of vectors alone are in namespace spoke
   const Matrix b = eliminate(a, m, invert(a + rotate(R, a)));
   return translate(p, translate(p, b) * Twist(R * f - f));
 }
@@ -74,9 +75,9 @@ TEST_CASE("code for the plane's names compiles for plane and space") {
   const Twist v = respond(random_inertia(random), random_rotation(random), random_vector(random),
                           random_twist(random), random_matrix(random));
   CHECK(v.allFinite());
-  const spoke::SymmetricTwistMatrix a{2.0, 0.1, 3.0, 0.2, 0.3, 4.0};
+  const spoke::plane::SymmetricTwistMatrix a{2.0, 0.1, 3.0, 0.2, 0.3, 4.0};
   const spoke::TwistMatrix m = 0.1 * spoke::TwistMatrix::Identity();
-  CHECK(respond(a, spoke::Rotation::from_angle(0.3), spoke::Position(1.0, 2.0),
+  CHECK(respond(a, spoke::plane::Rotation::from_angle(0.3), spoke::Position(1.0, 2.0),
                 spoke::Twist(1.0, 2.0, 3.0), m)
             .allFinite());
 }

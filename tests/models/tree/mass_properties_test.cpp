@@ -10,7 +10,7 @@ using namespace spoke::spatial;
 
 namespace {
 
-/// 3 m of 2 kg/m, with the inertias of its sections.
+/// Makes a beam of 3 m and 2 kg/m, with the inertias of its sections.
 Beam uniform_beam() {
   Beam beam;
   beam.length = 3.0;
@@ -26,7 +26,7 @@ Beam uniform_beam() {
   return beam;
 }
 
-/// General: tapered, twisted, bent, with offsets.
+/// Makes a general beam: tapered, twisted, bent, with offsets.
 Beam general_beam() {
   Beam beam = uniform_beam();
   Sections& s = beam.sections;
@@ -90,7 +90,7 @@ TEST_CASE("parts of a beam make up the whole, wherever it is cut") {
   sum += mass_of(beam, 0.3, 1.7);
   sum += mass_of(beam, 1.7, 3.0);
   const MassProperties whole = mass_of(beam, 0.0, 3.0);
-  // The axis is a cubic: the rule of six points is not exact for it, but next to exact.
+  // The axis is a cubic: the rule of six points is almost exact for it.
   CHECK(sum.mass == Approx(whole.mass).epsilon(1e-9));
   CHECK(sum.first_moment.isApprox(whole.first_moment, 1e-9));
   CHECK(sum.inertia.isApprox(whole.inertia, 1e-9));

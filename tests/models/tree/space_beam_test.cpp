@@ -17,7 +17,7 @@ spatial::Beam beam_of(const std::string& text) {
   return parse_scenario(text, "f.toml").space->blades.at(0).beam;
 }
 
-/// With offsets, shear and inertias.
+/// Makes a blade with offsets, shear and inertias.
 spatial::Beam general_blade() {
   spatial::Beam beam = beam_of(kBladeText);
   spatial::Sections& s = beam.sections;
@@ -37,7 +37,7 @@ void check_equal(const space::MassMoments& a, const space::MassMoments& b) {
   CHECK((a.second - b.second).norm() <= 1e-14);
 }
 
-/// The 6 x 6 mass matrix of moments.
+/// Returns the 6 x 6 mass matrix of moments.
 spatial::SectionMatrix matrix_of(const space::MassMoments& m) {
   spatial::SectionMatrix matrix = spatial::SectionMatrix::Zero();
   matrix.topLeftCorner<3, 3>() = m.mass * space::Matrix3::Identity();

@@ -82,8 +82,7 @@ void set_progress(const PassControl& control, SystemContext<Space>& context) {
 
 TEST_CASE("every node of a step graph in space declares what it reads and writes") {
   for (const Case& which : all_cases())
-    for (const Formulation formulation :
-         {Formulation::structured, Formulation::subsystem, Formulation::augmented})
+    for (const Formulation formulation : formulations())
       for (const PassControl& control : which.controls) {
         CAPTURE(which.name);
         CAPTURE(name_of(formulation));

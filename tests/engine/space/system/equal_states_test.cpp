@@ -43,15 +43,14 @@ std::uint64_t end_of(const EqualStatesCase& which, const RunSetup& setup) {
 TEST_CASE("a run in space has one state, whatever executes it") {
   using Kind = graph::ExecutorKind;
   for (const EqualStatesCase& which : equal_states_cases())
-    for (const Formulation formulation :
-         {Formulation::structured, Formulation::subsystem, Formulation::augmented}) {
+    for (const Formulation formulation : formulations()) {
       CAPTURE(which.name);
       CAPTURE(name_of(formulation));
       RunSetup setup{which.method, 1e-10};
       setup.formulation = formulation;
       const std::uint64_t expected = end_of(which, setup);
-      for (const Kind kind :
-           {Kind::serial, Kind::flow_graph, Kind::openmp_levels, Kind::openmp_scheme1})
+      for (const Kind kind : {Kind::serial, Kind::flow_graph, Kind::openmp_levels,
+                              Kind::openmp_scheme1, Kind::openmp_tasks})
         for (const int window : {1, 7}) {
           CAPTURE(name_of(kind));
           CAPTURE(window);

@@ -16,9 +16,6 @@ using namespace spoke::test;
 
 namespace {
 
-constexpr Formulation kFormulations[] = {Formulation::structured, Formulation::subsystem,
-                                         Formulation::augmented};
-
 constexpr double kMass = 1.5, kReach = 0.4, kSpring = 50.0, kTurned = 0.3;
 constexpr double kInertia = 0.06;  // about the mass centre
 constexpr double kAboutPin = kInertia + kMass * kReach * kReach;
@@ -81,7 +78,7 @@ TEST_CASE("two pendulums of one subsystem on a hub that stands swing as one does
   // About the vertical, at pins on the axis of the hub.
   const std::string model = one_subsystem("[0.0, 0.0, 1.0]", "", "orientation = [0.0, 0.0, 3.0]\n");
   const double frequency = std::sqrt(kSpring / kAboutPin);
-  for (const Formulation formulation : kFormulations) {
+  for (const Formulation formulation : formulations()) {
     CAPTURE(name_of(formulation));
     Simulation simulation = simulate(make_text(kFixedHub, model, kFalling), formulation);
     simulation.run_until(0.9);
@@ -104,7 +101,7 @@ TEST_CASE("two pendulums of one subsystem on a hub that stands swing as one does
 TEST_CASE("bodies of one subsystem on the hub move as those of subsystems of their own") {
   const std::string axis = "[0.0, 1.0, 0.4]";
   for (const std::string& hub : {kFixedHub, kTorqueHub, kFreeHub, kDrivenHub})
-    for (const Formulation formulation : kFormulations) {
+    for (const Formulation formulation : formulations()) {
       CAPTURE(hub);
       CAPTURE(name_of(formulation));
       const std::string more = kFalling + kMomentum + kReaction;
@@ -132,7 +129,7 @@ TEST_CASE("bodies of one subsystem on the hub move as those of subsystems of the
 
 TEST_CASE("a torque gives a hub with a forest its impulse, and a free one keeps its momentum") {
   const std::string model = one_subsystem("[0.0, 1.0, 0.4]");
-  for (const Formulation formulation : kFormulations) {
+  for (const Formulation formulation : formulations()) {
     CAPTURE(name_of(formulation));
     Simulation turned = simulate(make_text(kTorqueHub, model, kFalling + kMomentum), formulation);
     turned.run_until(0.5);

@@ -59,7 +59,7 @@ Evaluation evaluate(const System<Space>& system, const Method& method, Formulati
   context.system = system;
   context.formulation = formulation;
   context.integrator.method = method;
-  context.loads_tie_blades = true;  // so that all solve for the hub's reaction
+  context.loads_tie_subsystems = true;  // so that all solve for the hub's reaction
   allocate(context);
   std::mt19937 random(seed);
   randomize_state(random, context.data);

@@ -170,7 +170,7 @@ TEST_CASE("a node of a load in space declares what it reads and writes") {
     const std::string text = make_text(kDrivenHub, kCurved + kHinges + kPitch + kTree, kGravity);
     context.system = make_system(parse_model(text));
     context.integrator = {method, {1e-10, 0, 50}};
-    context.loads_tie_blades = true;
+    context.loads_tie_subsystems = true;
     allocate(context);
     place_loads(ask_loads(loads), context.data);
     const graph::StepGraph graph = build_step_graph(context);

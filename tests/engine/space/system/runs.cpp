@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/kernels/spatial_samples.h"
+#include "engine/kernels/samples.h"
 #include "engine/table/state_values.h"
 
 namespace spoke::test {

@@ -1,0 +1,13 @@
+#pragma once
+
+// The table of a comparison.
+
+#include "bench/compare/comparison.h"
+#include "program/report/page.h"
+
+namespace spoke::compare {
+
+/// The results of one formulation as a table for people, the best row marked as good.
+report::Table make_table(const Comparison& comparison, const Model& model);
+
+}  // namespace spoke::compare

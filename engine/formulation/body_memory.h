@@ -1,0 +1,72 @@
+#pragma once
+
+// Stretches of memory that belong together in a world's bodies: by these, the parts of the table
+// are declared (engine/step/step_parts.h). Each world lists its own: engine/plane and engine/space,
+// body_memory.cpp.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/formulation/structured.h"
+#include "engine/table/step_data.h"
+#include "graph/step_graph.h"
+
+namespace spoke {
+
+using Memory = std::vector<std::span<std::byte>>;
+
+template <class T>
+std::span<std::byte> memory_of(T* first, std::size_t count) {
+  return graph::bytes_of(*first, count);
+}
+
+template <class Layout>
+void add_flex(Memory& memory, double* flex, const Layout& layout) {
+  layout.for_parts([&](int first, int n) {
+    memory.push_back(graph::bytes_of(flex[first], static_cast<std::size_t>(n)));
+  });
+}
+
+/// Adds the memory of the coordinates of the joint that carries a body: values and rates, the
+/// integrator's history of them, accelerations. Planar joints have none.
+inline void add_joint_coordinates(BodyData<Plane>&, Memory&, Memory&, Memory&) {}
+void add_joint_coordinates(BodyData<Space>& body, Memory& coordinates, Memory& history,
+                           Memory& accelerations);
+
+/// Returns the results of "position" and "velocity" besides poses and twists.
+Memory memory_of_motions(SubsystemData<Plane>& data);
+Memory memory_of_motions(SubsystemData<Space>& data);
+
+/// Returns the slides that deformation makes.
+inline Memory memory_of_slides(SubsystemData<Plane>&) { return {}; }
+Memory memory_of_slides(SubsystemData<Space>& data);
+
+/// Returns the wrenches at the joints, and the accelerations of joint coordinates that a pass
+/// finds.
+Memory memory_of_wrenches(SubsystemData<Plane>& data);
+Memory memory_of_wrenches(SubsystemData<Space>& data);
+
+/// Returns the terms of a body, and of the joint that carries it.
+Memory memory_of_terms(BodyData<Plane>& body);
+Memory memory_of_terms(BodyData<Space>& body);
+
+/// Returns the workspace of the kernels of terms and recovery; none in the plane.
+inline Memory memory_of_scratch(BodyData<Plane>&) { return {}; }
+Memory memory_of_scratch(BodyData<Space>& body);
+
+/// Returns the tension of rotation on the left-hand side of implicit steps; empty without.
+inline Memory memory_of_tension(BodyData<Plane>&) { return {}; }
+Memory memory_of_tension(BodyData<Space>& body);
+
+/// Returns the memory of the formulation `structured` for a body besides the elimination of its
+/// joint: its response, the workspace of that, and its multi-port if that is no part of the
+/// response.
+Memory memory_of_inverse(BodyData<Plane>& body, plane::Condensed& work);
+Memory memory_of_inverse(BodyData<Space>& body, BodyTypes<Space>::Condensed& work);
+Memory memory_of_workspace(BodyData<Plane>& body, plane::Condensed& work);
+inline Memory memory_of_workspace(BodyData<Space>&, BodyTypes<Space>::Condensed&) { return {}; }
+inline Memory memory_of_port(BodyData<Plane>&) { return {}; }
+Memory memory_of_port(BodyData<Space>& body);
+
+}  // namespace spoke

@@ -1,0 +1,59 @@
+#pragma once
+
+// A body's equation of motion as full matrices, in the coordinates [X; q] (twist components, then
+// deformation; in the plane axial before bending): what the paper's two dense formulations work on.
+// Handle 0 is the inboard one.
+
+#include <Eigen/Core>
+#include <cassert>
+
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// Returns the dense Mhat = mass_factor Mff + stiffness_factor K (nf x nf); empty for a rigid body.
+Eigen::MatrixXd make_dense_elastic_block(const plane::FlexibleBody& body, double mass_factor,
+                                         double stiffness_factor);
+Eigen::MatrixXd make_dense_elastic_block(const space::Body& body, double mass_factor,
+                                         double stiffness_factor);
+
+/// Unknowns of a body: its frame's twist and its deformation.
+inline int dense_size(const plane::FlexibleBody& body) { return kTwist + body.coordinates(); }
+inline int dense_size(const space::Body& body) { return space::kTwist + body.coordinates(); }
+
+inline int handle_count(const plane::FlexibleBody&) { return 2; }
+inline int handle_count(const space::Body& body) { return body.handle_count(); }
+
+/// Fills the mass matrix of (P 3), `elastic` being its deformation block, into an n x n block.
+void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic, bool implicit,
+                     Eigen::Ref<Eigen::MatrixXd> mass);
+void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic, bool implicit,
+                     Eigen::Ref<Eigen::MatrixXd> mass);
+
+/// Fills the right-hand side [Q; Q_f] (n).
+void calc_dense_force(const BodyData<Plane>& data, Eigen::Ref<Eigen::VectorXd> force);
+void calc_dense_force(const BodyData<Space>& data, Eigen::Ref<Eigen::VectorXd> force);
+
+/// Jacobian J (d x n) of a handle's twist with respect to the body's, body frame.
+void calc_handle_jacobian(const BodyData<Plane>& data, int handle, Eigen::Ref<Eigen::MatrixXd> J);
+void calc_handle_jacobian(const BodyData<Space>& data, int handle, Eigen::Ref<Eigen::MatrixXd> J);
+
+/// Acceleration of a handle at zero accelerations, body frame: in the plane [-w^2 s + 2 w B s'; 0],
+/// in space b of section 10. `twist`: of the body.
+Twist calc_handle_bias(const BodyData<Plane>& data, int handle, const Twist& twist);
+space::Twist calc_handle_bias(const BodyData<Space>& data, int handle, const space::Twist& twist);
+
+/// Takes [X; q''] (n) apart into `data.X` and the flex vector `a`.
+template <class World>
+void store_dense_acceleration(const Eigen::Ref<const Eigen::VectorXd>& x, BodyData<World>& data,
+                              double* a) {
+  assert(x.size() == dense_size(*data.model->body) && a);
+  data.X = x.head<World::kTwist>();
+  Eigen::Index row = World::kTwist;
+  data.layout.for_parts([&](int first, int size) {
+    Eigen::Map<Eigen::VectorXd>(a + first, size) = x.segment(row, size);
+    row += size;
+  });
+}
+
+}  // namespace spoke

@@ -1,0 +1,159 @@
+// Condenses a body, (P 11) without an inverse: docs/formulation.md, section 4.1. The numbers (1) to
+// (3) mark the steps of the derivation in structured.h and there.
+
+#include <cassert>
+
+#include "engine/formulation/structured.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/plane/handle_motion.h"
+#include "engine/support/wide_kernels.h"
+
+namespace spoke::structured {
+namespace {
+
+/// (2) Products of one part, axial or bending, of S and c_theta with both solutions: its share of C
+/// W and C z.
+struct PartProducts {
+  double S_W, S_z;  // S . W_theta, S . z
+  double c_W, c_z;  // c_theta . W_theta, c_theta . z
+};
+
+PartProducts sum_part(const double* S, const double* c, const double* W, const double* z, int n) {
+  Double2 S_W{}, S_z{}, c_W{}, c_z{};
+  for (int i = 0; i < n; i += 2) {
+    const Double2 W_i = load_aligned(W + i), z_i = load_aligned(z + i);
+    S_W += load_aligned(S + i) * W_i;
+    S_z += load_aligned(S + i) * z_i;
+    c_W += load_aligned(c + i) * W_i;
+    c_z += load_aligned(c + i) * z_i;
+  }
+  return {total(S_W), total(S_z), total(c_W), total(c_z)};
+}
+
+/// (3) Calculates the handle maps X_h = J_R,h - E_h W. Only the last row of the inboard one differs
+/// from the identity's.
+void calc_handle_maps(const plane::ElasticBlock& block, const BodyData<Plane>& data,
+                      const BodyWork<Plane>& work, plane::HandleMap& X_o, Twist& x_i) {
+  const Position s = calc_outboard_position(data);
+  const double* W_theta = work.W_theta;
+  const int u = data.layout.u() + block.axial_coordinate;
+  X_o.xx = 1.0 - block.W_x[block.axial_coordinate];
+  X_o.xr = -s.y() - W_theta[u];
+  X_o.yy = 1.0;
+  X_o.yr = s.x();
+  X_o.ry = 0.0;
+  X_o.rr = 1.0;
+  x_i = Twist::Unit(kRotation);
+  for (const plane::ElasticBlock::BendingColumn& column : block.columns) {
+    const double W_y = block.W_y[column.coordinate];
+    const double W_w = W_theta[data.layout.v() + column.coordinate];
+    if (!column.outboard) {
+      x_i[1] -= W_y;
+      x_i[kRotation] -= W_w;
+    } else if (column.component == kRotation) {
+      X_o.ry -= W_y;
+      X_o.rr -= W_w;
+    } else {
+      X_o.yy -= W_y;
+      X_o.yr -= W_w;
+    }
+  }
+}
+
+/// (3) Returns b_o + E_o z = -w^2 s + 2 w B s' + E_o z: acceleration of the outboard handle at X =
+/// 0, without wrenches.
+Twist calc_outboard_bias(const BodyData<Plane>& data, double speed, const BodyWork<Plane>& work) {
+  const Position s = calc_outboard_position(data);
+  const Position s_rate = calc_outboard_velocity(data);
+  // z is zero at the places of coordinates that the frame fixes.
+  return {-speed * speed * s.x() - 2.0 * speed * s_rate.y() + work.z[data.outboard_at[0]],
+          -speed * speed * s.y() + 2.0 * speed * s_rate.x() + work.z[data.outboard_at[1]],
+          work.z[data.outboard_at[kRotation]]};
+}
+
+Twist multiply(const plane::HandleMap& X, const Twist& v) {
+  return {X.xx * v[0] + X.xr * v[2], X.yy * v[1] + X.yr * v[2], X.ry * v[1] + X.rr * v[2]};
+}
+
+/// (3) Calculates P_io = S_R^-1 X_o^T and P_oo = Z_oo + X_o S_R^-1 X_o^T.
+void calc_compliances(const plane::SymmetricTwistMatrix& S, const plane::HandleMap& X,
+                      const plane::SymmetricTwistMatrix& Z_oo, plane::TwoPort& port) {
+  const double p00 = X.xx * S.xx + X.xr * S.rx;
+  const double p10 = X.xx * S.yx + X.xr * S.ry;
+  const double p20 = X.xx * S.rx + X.xr * S.rr;
+  const double p01 = X.yy * S.yx + X.yr * S.rx;
+  const double p11 = X.yy * S.yy + X.yr * S.ry;
+  const double p21 = X.yy * S.ry + X.yr * S.rr;
+  const double p02 = X.ry * S.yx + X.rr * S.rx;
+  const double p12 = X.ry * S.yy + X.rr * S.ry;
+  const double p22 = X.ry * S.ry + X.rr * S.rr;
+  port.P_io << p00, p01, p02, p10, p11, p12, p20, p21, p22;
+  port.P_oo = {Z_oo.xx + X.xx * p00 + X.xr * p20, Z_oo.yx + X.yy * p10 + X.yr * p20,
+               Z_oo.yy + X.yy * p11 + X.yr * p21, Z_oo.rx + X.ry * p10 + X.rr * p20,
+               Z_oo.ry + X.ry * p11 + X.rr * p21, Z_oo.rr + X.ry * p12 + X.rr * p22};
+}
+
+/// (3) Adds the rotation of a chord frame's inboard handle against it: the last row of X_i and its
+/// consequences.
+void add_inboard_rotation(const plane::ElasticBlock& block, double bias, const Twist& X_free,
+                          plane::TwoPort& port) {
+  const Twist& x = port.x_i;
+  const Twist S_x = port.S_inverse * x;
+  port.P_ii.rx = S_x[0];
+  port.P_ii.ry = S_x[1];
+  port.P_ii.rr = x.dot(S_x) + block.Z_ii;
+  for (int c = 0; c < kTwist; ++c)
+    port.P_io(kRotation, c) =
+        x[0] * port.P_io(0, c) + x[1] * port.P_io(1, c) + x[2] * port.P_io(2, c) + block.Z_io[c];
+  port.free_i[kRotation] = x.dot(X_free) + bias;
+}
+
+void condense(const BodyData<Plane>& data, const Twist& twist, bool implicit,
+              BodyWork<Plane>& work) {
+  assert(data.blocks[implicit]);
+  assert(data.blocks[implicit]->axial.size() == data.layout.axial);
+  assert(data.blocks[implicit]->bending.size() == data.layout.bending);
+  const plane::FlexibleBody& body = *data.model->body;
+  const plane::ElasticBlock& block = *data.blocks[implicit];
+  const int u = data.layout.u();
+  const int v = data.layout.v();
+  const double* c = data.c_theta;
+  double* W = work.W_theta;
+  // (1) W_w = Mhat^-1 c and z = Mhat^-1 Q_f follow in one sweep over the factors of each part. W_x
+  // and W_y are constants of the block.
+  plane::solve_together({&block.axial, c + u, data.Q_f + u, W + u, work.z + u},
+                        {&block.bending, c + v, data.Q_f + v, W + v, work.z + v}, work.scratch);
+  // (2) S_R = M_RR - C W and p = Q_R - C z follow. C has the rows S_x, S_y and c^T.
+  const PartProducts axial = sum_part(body.S_axial.data(), c + u, W + u, work.z + u, body.axial());
+  const PartProducts bending =
+      sum_part(body.S_bending.data(), c + v, W + v, work.z + v, body.bending());
+
+  const plane::Terms& terms = data.terms;
+  const plane::SymmetricTwistMatrix S_R{
+      body.mass - block.S_Wx,    0.0,
+      body.mass - block.S_Wy,    -terms.S.y() - axial.S_W,
+      terms.S.x() - bending.S_W, terms.rotary_inertia - axial.c_W - bending.c_W};
+  const plane::SymmetricTwistMatrix S_inverse = invert(S_R);
+  const Twist p = terms.Q - Twist(axial.S_z, bending.S_z, axial.c_z + bending.c_z);
+  const Twist X_free = S_inverse * p;
+  // (3) The two-port follows: X_h = J_R,h - E_h W, P_ab = Z_ab + X_a S_R^-1 X_b^T and a_h = b_h +
+  // E_h z + X_h S_R^-1 p. A clamped frame has X_i = I and Z_i = 0.
+  plane::TwoPort& port = work.port;
+  port.S_inverse = port.P_ii = S_inverse;
+  port.p = p;
+  port.free_i = X_free;
+  calc_handle_maps(block, data, work, port.X_o, port.x_i);
+  calc_compliances(S_inverse, port.X_o, block.Z_oo, port);
+  port.free_o = multiply(port.X_o, X_free) + calc_outboard_bias(data, twist[kRotation], work);
+  if (body.reference_frame == ReferenceFrame::chord)
+    add_inboard_rotation(block, work.z[data.inboard_at[kRotation]], X_free, port);
+}
+
+}  // namespace
+
+void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
+                   BodyWork<Plane>& work) noexcept {
+  run_kernel([&]() noexcept { condense(data, twist, implicit, work); });
+}
+
+}  // namespace spoke::structured

@@ -1,0 +1,169 @@
+#pragma once
+
+// A model of one world on the table: the common part of both worlds.
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "engine/formulation/tree_joints.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/simulation/planar_model.h"
+#include "engine/simulation/simulated_model.h"
+#include "engine/simulation/spatial_model.h"
+#include "engine/simulation/views.h"
+#include "engine/step/model_memory.h"
+#include "engine/step/put_bodies.h"
+#include "engine/step/share_subsystems.h"
+#include "engine/table/state_values.h"
+
+namespace spoke {
+
+template <class World>
+class ModelOn final : public SimulatedModel {
+ public:
+  ModelOn(const Scenario& scenario, Formulation formulation, const Integrator& integrator,
+          const Loads& loads)
+      : scenario_(scenario),
+        context_(make_context(scenario, formulation, integrator)),
+        own_(scenario, *context_),
+        loads_(ask_loads(loads)),
+        keeps_momentum_(loads.empty() && keeps_momentum(scenario)) {
+    context_->loads_tie_subsystems = ties_subsystems(loads_);
+    require_memory(system(), formulation);
+  }
+
+  StepContext& context() override { return *context_; }
+  SystemContext<Plane>* plane() override { return this->template context_of<Plane>(); }
+  SystemContext<Space>* space() override { return this->template context_of<Space>(); }
+  SpatialJoints* joints() override { return own_.joints(); }
+
+  double ring_bytes() const override {
+    return spoke::ring_bytes(system(), own_.count_readings(asked_sensors()));
+  }
+  void allocate(int records) override {
+    spoke::allocate(*context_, records);
+    place_loads(loads_, data());
+    std::vector<SensorColumn> asked = own_.place_sensors(asked_sensors());
+    std::vector<SensorColumn> momentum = take_momentum(scenario_, keeps_momentum_, asked);
+    sensors_.emplace(own_.make_sensors(std::move(asked), std::move(momentum)));
+  }
+  void share_out(Exchange& exchange) override { spoke::share_out(exchange, *context_); }
+  std::vector<double> weights() const override { return weights_of(data()); }
+  void put_bodies(const std::vector<Eigen::VectorXd>& q) override {
+    spoke::put_bodies(q, *context_);
+  }
+
+  ModelExtent extent() const override {
+    ModelExtent extent{static_cast<int>(system().subsystems.size()), system().body_count(),
+                       system().deformation_count()};
+    for (const Subsystem<World>& subsystem : system().subsystems)
+      for (const TreeBody<World>& body : subsystem.bodies)
+        extent.coordinates += joint_coordinates(body);
+    for (int c = 0; c < World::kTwist; ++c) extent.coordinates += !is_prescribed(system().hub, c);
+    return extent;
+  }
+  double memory_bytes() const override {
+    return estimate_model_memory(system(), context_->formulation) + own_.reading_bytes();
+  }
+  std::size_t count_state() override { return count_state_values(data()); }
+  std::uint64_t hash() const override { return hash_state(data()); }
+  bool has_body(std::int64_t subsystem, std::int64_t body) const override {
+    const auto& subsystems = system().subsystems;
+    return subsystem >= 0 && subsystem < std::ssize(subsystems) && body >= 0 &&
+           body < std::ssize(subsystems[static_cast<std::size_t>(subsystem)].bodies);
+  }
+  Drive& drive() override { return context_->system.hub.drive; }
+  void begin_drive(const Drive& drive) override {
+    context_->system.hub.drive = drive;
+    put_hub_at_start(*context_);
+  }
+  std::shared_ptr<const Load>& replaceable_load(int index,
+                                                const std::shared_ptr<const Load>& other) override {
+    LoadData<World>& load = find_load(index, data());
+    require_same_markers(other, load);
+    return load.load;
+  }
+
+  void require_place(const Marker& marker) const override {
+    place_marker("the marker", marker, data());
+  }
+  MarkerState marker(const Marker& marker, double t) const override {
+    return calc_marker_state(*context_, marker, t);
+  }
+  Wrench joint_reaction(int subsystem, int joint) const override {
+    return calc_joint_reaction(*context_, subsystem, joint);
+  }
+  Wrench hub_reaction() const override { return calc_hub_reaction(data()); }
+  Wrench section_force(const Marker& marker) const override { return own_.section_force(marker); }
+
+  const std::vector<std::string>& sensor_names() const override { return sensors_->names(); }
+  const std::vector<std::string>& sensor_units() const override { return sensors_->units(); }
+  double start_sensors() override {
+    own_.start(*sensors_);
+    return sensors_->initial_energy();
+  }
+  double energy_resolution() const override { return own_.energy_resolution(); }
+  void sample(std::int64_t step, double t) override { own_.sample(step, t); }
+  const std::vector<double>& measure(const WorkDone& work, std::int64_t step) override {
+    return sensors_->measure(system(), work, step, data());
+  }
+  const EnergyBalance& balance() const override { return sensors_->balance(); }
+  const MomentumBalance* momentum() const override { return sensors_->momentum(); }
+  const StepRecord& record(std::int64_t step) const override {
+    return of_step(data().records, step).step;
+  }
+
+  void calc_shape(int subsystem, double t, TreeShape& shape) override {
+    own_.calc_shape(subsystem, t, shape);
+  }
+  HubPose hub_pose() const override { return own_.hub_pose(); }
+  MarkerState hub_frame(double t) const override { return calc_hub_frame(*context_, t); }
+
+  DivergenceError diagnose(const FailedStep& failed) const override {
+    return spoke::diagnose(scenario_, *context_, own_.names(), failed);
+  }
+  std::string describe_failed_load(const std::string& at) const override {
+    std::vector<std::string> names;
+    for (const SubsystemNames& own : own_.names()) names.push_back(own.name);
+    return spoke::describe_failed_load(data(), names, at);
+  }
+
+ private:
+  using Own = std::conditional_t<std::is_same_v<World, Plane>, PlanarModel, SpatialModel>;
+  using OwnSensors = std::conditional_t<std::is_same_v<World, Plane>, Sensors, SpatialSensors>;
+
+  static std::unique_ptr<SystemContext<World>> make_context(const Scenario& scenario,
+                                                            Formulation formulation,
+                                                            const Integrator& integrator) {
+    auto context = std::make_unique<SystemContext<World>>();
+    if (scenario.limits.deflection > 0.0) context->linear_range = scenario.limits.deflection;
+    context->formulation = formulation;
+    context->integrator = integrator;
+    return context;
+  }
+
+  template <class Asked>
+  SystemContext<Asked>* context_of() {
+    if constexpr (std::is_same_v<Asked, World>)
+      return context_.get();
+    else
+      return nullptr;
+  }
+  const System<World>& system() const { return context_->system; }
+  StepData<World>& data() { return context_->data; }
+  const StepData<World>& data() const { return context_->data; }
+  std::vector<Sensor> asked_sensors() const { return with_momentum(scenario_, keeps_momentum_); }
+
+  const Scenario& scenario_;
+  std::unique_ptr<SystemContext<World>> context_;
+  Own own_;  ///< the part that differs between the worlds
+  std::vector<AskedLoad> loads_;
+  bool keeps_momentum_ = false;        ///< whether it is free, and nothing acts on it
+  std::optional<OwnSensors> sensors_;  // none before allocate()
+};
+
+}  // namespace spoke

@@ -1,0 +1,139 @@
+// Views of markers, reactions and section forces of both worlds, in vectors of space.
+
+#include "engine/simulation/views.h"
+
+#include <cassert>
+#include <utility>
+
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/load_terms.h"
+#include "engine/kernels/marker_motion.h"
+#include "engine/plane/section.h"
+#include "engine/space/relative_motion.h"
+#include "models/error.h"
+
+namespace spoke {
+namespace {
+
+Wrench wrench_in_space(const Twist& wrench) {
+  return {{wrench[0], wrench[1], 0.0}, {0.0, 0.0, wrench[kRotation]}};
+}
+Wrench wrench_in_space(const space::Twist& wrench) {
+  return {space::Position(linear(wrench)), space::Angular(angular(wrench))};
+}
+
+}  // namespace
+
+MarkerState calc_marker_state(const SystemContext<Plane>& context, const Marker& marker, double t) {
+  const PlacedMarker<Plane> placed = place_marker("the marker", marker, context.data);
+  const auto index = static_cast<std::size_t>(marker.blade);
+  const Subsystem<Plane>& subsystem = context.system.subsystems[index];
+  const SubsystemData<Plane>& data = context.data.subsystems[index];
+  MarkerState state{calc_marker_motion(subsystem, data, placed)};
+  const Twist acceleration = calc_marker_acceleration(context.system.gravity_at(t), data, placed);
+  state.acceleration = in_space(Position(acceleration.head<kPosition>()));
+  state.angular_acceleration.z() = acceleration[kRotation];
+  const double x = (marker.body + marker.station) *
+                   data.bodies[static_cast<std::size_t>(marker.body)].model->body->length;
+  const Eigen::Vector3d in_hub =
+      in_space(data.hub->R).transpose() * (state.position - in_space(data.hub->p));
+  state.deflection = in_hub - in_space(subsystem.root.p + subsystem.root.R * Position{x, 0.0});
+  state.foreshortening =
+      in_space(calc_marker_foreshortening(subsystem, data, marker.body, marker.station));
+  return state;
+}
+
+MarkerState calc_marker_state(const SystemContext<Space>& context, const Marker& marker, double t) {
+  const PlacedMarker<Space> placed = place_marker("the marker", marker, context.data);
+  const auto index = static_cast<std::size_t>(marker.blade);
+  const Subsystem<Space>& subsystem = context.system.subsystems[index];
+  const SubsystemData<Space>& data = context.data.subsystems[index];
+  MarkerState state{calc_marker_motion(subsystem, data, placed)};
+  const space::Twist acceleration =
+      calc_marker_acceleration(context.system.gravity_at(t), subsystem, data, placed);
+  state.acceleration = linear(acceleration);
+  state.angular_acceleration = angular(acceleration);
+  const space::Pose rest = calc_rest_pose(subsystem, marker.body);
+  state.deflection = data.hub->R.inverse() * space::Position(state.position - data.hub->p) -
+                     (rest.p + rest.R * placed.section.s0);
+  state.foreshortening = calc_marker_foreshortening(subsystem, data, placed);
+  return state;
+}
+
+Wrench calc_joint_reaction(const SystemContext<Plane>& context, int subsystem, int joint) {
+  assert(subsystem >= 0 && std::cmp_less(subsystem, context.data.subsystems.size()));
+  assert(joint >= 0 && std::cmp_less(joint, context.data.subsystems[subsystem].bodies.size()));
+  const SubsystemData<Plane>& data = context.data.subsystems[static_cast<std::size_t>(subsystem)];
+  const Twist& wrench = data.wrenches[static_cast<std::size_t>(joint)].inboard;
+  return wrench_in_space(Twist(data.hub->R * calc_rotation_to_hub(data, joint) * wrench));
+}
+
+Wrench calc_joint_reaction(const SystemContext<Space>& context, int subsystem, int joint) {
+  assert(subsystem >= 0 && std::cmp_less(subsystem, context.data.subsystems.size()));
+  assert(joint >= 0 && std::cmp_less(joint, context.data.subsystems[subsystem].bodies.size()));
+  const auto index = static_cast<std::size_t>(subsystem);
+  const SubsystemData<Space>& data = context.data.subsystems[index];
+  const space::Twist in_hub = calc_rotation_to_hub(context.system.subsystems[index], data, joint) *
+                              data.wrenches[static_cast<std::size_t>(joint)].inboard;
+  return wrench_in_space(space::Twist(data.hub->R * in_hub));
+}
+
+template <class World>
+Wrench calc_hub_reaction(const StepData<World>& data) {
+  TwistOf<World> wrench = data.evaluated.reaction;
+  wrench[World::kAxial] += data.evaluated.applied_torque;
+  const HubState<World>& hub = data.is_coupled ? data.hub : *data.subsystems.front().hub;
+  return wrench_in_space(TwistOf<World>(hub.R * wrench));
+}
+template Wrench calc_hub_reaction(const StepData<Plane>&);
+template Wrench calc_hub_reaction(const StepData<Space>&);
+
+Wrench calc_section_force(const Rotor& rotor, const SystemContext<Plane>& context,
+                          const Marker& marker) {
+  const PlacedMarker<Plane> placed = place_marker("the marker", marker, context.data);
+  const auto index = static_cast<std::size_t>(marker.blade);
+  return wrench_in_space(calc_section_force(
+      rotor.blades[index], context.system.damping,
+      context.data.subsystems[index].bodies[static_cast<std::size_t>(marker.body)],
+      placed.section));
+}
+
+Wrench calc_section_force(const SystemContext<Space>& context, const Marker& marker) {
+  const PlacedMarker<Space> placed = place_marker("the marker", marker, context.data);
+  const BodyData<Space>& body = context.data.subsystems[static_cast<std::size_t>(marker.blade)]
+                                    .bodies[static_cast<std::size_t>(marker.body)];
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible)
+    throw InputError("section_force(): the marker is on a rigid body, expected one on a beam");
+  const auto resultants = [&](const double* flex) {
+    return calc_section_load(*flexible, placed.section, flex).resultants;
+  };
+  return wrench_in_space(
+      space::Twist(resultants(body.coordinates.q) +
+                   context.system.damping.stiffness_factor * resultants(body.coordinates.v)));
+}
+
+MarkerState calc_hub_frame(const SystemContext<Plane>& context, double) {
+  const CoordinateBlock& hub = context.data.hub_coordinates;
+  MarkerState frame;
+  frame.velocity = {hub.v[0], hub.v[1], 0.0};
+  frame.angular_velocity = {0.0, 0.0, hub.v[kRotation]};
+  frame.acceleration = {hub.a[0], hub.a[1], 0.0};
+  frame.angular_acceleration = {0.0, 0.0, hub.a[kRotation]};
+  return frame;
+}
+
+MarkerState calc_hub_frame(const SystemContext<Space>& context, double t) {
+  const HubState<Space> hub = calc_hub_state(context.data);
+  const space::Twist velocity = hub.R * hub.twist;
+  const space::Twist acceleration =
+      hub.R * calc_hub_acceleration(context.system, 0, context.data, t);
+  MarkerState frame;
+  frame.velocity = linear(velocity);
+  frame.angular_velocity = angular(velocity);
+  frame.acceleration = space::Position(linear(acceleration)) + context.system.gravity_at(t);
+  frame.angular_acceleration = angular(acceleration);
+  return frame;
+}
+
+}  // namespace spoke

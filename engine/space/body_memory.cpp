@@ -1,0 +1,119 @@
+// Lists the memory of spatial bodies.
+
+#include "engine/formulation/body_memory.h"
+
+namespace spoke {
+
+using graph::bytes_of;
+
+void add_joint_coordinates(BodyData<Space>& body, Memory& coordinates, Memory& history,
+                           Memory& accelerations) {
+  const CoordinateBlock& block = body.joint.coordinates;
+  if (block.size == 0) return;
+  const auto n = static_cast<std::size_t>(block.size);
+  coordinates.push_back(memory_of(block.q, n));
+  coordinates.push_back(memory_of(block.v, n));
+  coordinates.push_back(bytes_of(body.joint.rotation->reference));
+  accelerations.push_back(memory_of(block.a, n));
+  for (double* h : block.history)
+    if (h) history.push_back(memory_of(h, n));
+  history.push_back(bytes_of(body.joint.rotation->sum));
+}
+
+Memory memory_of_motions(SubsystemData<Space>& data) {
+  Memory memory{bytes_of(data.joints[0], data.joints.size())};
+  for (BodyData<Space>& body : data.bodies) {
+    memory.push_back(
+        memory_of(body.work.handles, static_cast<std::size_t>(body.work.port.handles)));
+    memory.push_back(bytes_of(body.alpha));
+    const int driven = body.model->joint.joint.driven;
+    if (driven > 0)
+      memory.push_back(memory_of(body.joint.driven, static_cast<std::size_t>(driven)));
+  }
+  return memory;
+}
+
+Memory memory_of_slides(SubsystemData<Space>& data) {
+  Memory memory;
+  for (BodyData<Space>& body : data.bodies)
+    if (body.model->joint.slide) memory.push_back(bytes_of(body.slide));
+  return memory;
+}
+
+Memory memory_of_wrenches(SubsystemData<Space>& data) {
+  Memory memory{bytes_of(data.wrenches[0], data.wrenches.size())};
+  for (BodyData<Space>& body : data.bodies) {
+    memory.push_back(
+        memory_of(body.work.wrenches, static_cast<std::size_t>(body.work.port.handles)));
+    const CoordinateBlock& joint = body.joint.coordinates;
+    if (joint.size > 0 && body.joint.a_found != joint.a)
+      memory.push_back(memory_of(body.joint.a_found, static_cast<std::size_t>(joint.size)));
+  }
+  return memory;
+}
+
+Memory memory_of_terms(BodyData<Space>& body) {
+  Memory memory{bytes_of(body.terms)};
+  if (body.joint.coordinates.size > 0) memory.push_back(bytes_of(*body.joint.forces));
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    memory.push_back(memory_of(
+        body.work.rows, static_cast<std::size_t>(space::kNodeRows * flexible->node_count())));
+  return memory;
+}
+
+Memory memory_of_scratch(BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return {};
+  const auto nodes = static_cast<std::size_t>(flexible->node_count());
+  const std::size_t slots =
+      space::kSlot * (space::kNodeSlots * nodes + static_cast<std::size_t>(flexible->elements));
+  const space::BodyWork& work = body.work;
+  Memory memory{memory_of(work.slots, slots), memory_of(work.momenta, slots),
+                memory_of(work.force, space::kTwist * nodes)};
+  if (flexible->directions) memory.push_back(memory_of(work.lanes, count_lanes(*flexible)));
+  for (double* nodal : work.nodal) memory.push_back(memory_of(nodal, space::kTwist * nodes));
+  return memory;
+}
+
+Memory memory_of_tension(BodyData<Space>& body) {
+  if (!body.tension) return {};
+  space::ImplicitTension& tension = *body.tension;
+  space::ElasticBlock& block = tension.block;
+  Memory memory{bytes_of(tension.w), bytes_of(tension.turn), bytes_of(block.C_W)};
+  const auto add = [&memory](auto& values) {
+    if (!values.empty()) memory.push_back(bytes_of(values[0], values.size()));
+  };
+  add(tension.elements);
+  add(tension.stiffness.diagonal);
+  add(tension.stiffness.below);
+  add(tension.lean);
+  for (std::vector<double>* values : {&block.inverse, &block.below, &block.W_t}) add(*values);
+  for (std::vector<double>& Z : block.Z) add(Z);
+  add(block.Z_W);
+  add(block.Z_diagonal);
+  add(block.Z_pairs);
+  return memory;
+}
+
+Memory memory_of_inverse(BodyData<Space>& body, BodyTypes<Space>::Condensed&) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return {};
+  Memory memory{bytes_of(body.work.condensed.S_inverse), bytes_of(body.work.condensed.p)};
+  const int first = flexible->first_node();
+  memory.push_back(
+      memory_of(body.work.half + space::kNodeRows * first,
+                static_cast<std::size_t>(space::kNodeRows * (flexible->node_count() - first))));
+  memory.push_back(memory_of(body.work.condensed.X, flexible->handles.size()));
+  return memory;
+}
+
+Memory memory_of_port(BodyData<Space>& body) {
+  const tree::MultiPort<Space>& port = body.work.port;
+  const auto n = static_cast<std::size_t>(port.handles);
+  Memory memory{memory_of(port.diagonal, n), memory_of(port.free, n)};
+  const int pairs = tree::MultiPort<Space>::count_pairs(port.handles);
+  if (pairs > 0) memory.push_back(memory_of(port.pairs, static_cast<std::size_t>(pairs)));
+  return memory;
+}
+
+}  // namespace spoke

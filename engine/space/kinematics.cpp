@@ -1,0 +1,226 @@
+// Calculates the motion of a tree in space: handles, joints and frames, from the hub to the tips.
+
+#include "engine/kernels/kinematics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "engine/kernels/hub_motion.h"
+#include "engine/space/hub_motion.h"
+#include "engine/space/table_terms.h"
+
+namespace spoke {
+namespace {
+
+using space::Angular;
+using space::HandleMotion;
+using space::PrescribedMotion;
+
+/// The handle of a tree that carries a body: its section's rotation and its twist (v + w x s + u',
+/// w + H th'), both in the frame of the parent.
+struct Carrier {
+  space::Rotation section;
+  space::Twist twist = space::Twist::Zero();
+};
+
+Carrier find_carrier(const TreeBody<Space>& body, const SubsystemData<Space>& data) {
+  assert(body.parent < 0 || body.handle < data.bodies[body.parent].work.port.handles);
+  if (body.parent < 0) return {{}, data.hub->twist};
+  const auto p = static_cast<std::size_t>(body.parent);
+  const HandleMotion& handle = data.bodies[p].work.handles[body.handle];
+  const space::Twist& v = data.twists[p];
+  Carrier carrier{handle.turn.R, v + handle.twist()};
+  linear(carrier.twist) += cross(angular(v), handle.s);
+  return carrier;
+}
+
+/// A rigid body's handles do not move against its frame.
+void place_rigid_handles(const space::RigidBody& body, HandleMotion* handles) {
+  handles[0] = space::make_fixed_handle(space::Position::Zero());
+  for (std::size_t h = 0; h < body.outboard.size(); ++h)
+    handles[h + 1] = space::make_fixed_handle(body.outboard[h]);
+}
+
+/// Returns mean + cosine cos(psi) + sine sin(psi) of the azimuth psi, with its derivatives.
+PrescribedMotion follow_azimuth(const spatial::AzimuthMotion& motion, double psi,
+                                const DriveMotion& hub) {
+  const double c = std::cos(psi), s = std::sin(psi);
+  const double swing = motion.cosine * c + motion.sine * s;
+  const double slope = motion.sine * c - motion.cosine * s;
+  return {motion.mean + swing, slope * hub.speed,
+          slope * hub.acceleration - swing * hub.speed * hub.speed};
+}
+
+/// Follows a curve: its rate is the derivative, its acceleration the derivative of that. The
+/// curve's cubic pieces have a linear one.
+PrescribedMotion follow(const spatial::MotionTable& motion, double t) {
+  return {motion.value.value(t), motion.value.derivative(t), motion.value.second_derivative(t)};
+}
+
+PrescribedMotion follow(const space::SaidMotion& said, double t) {
+  const double s = t - said.since;
+  return {said.value + s * (said.rate + 0.5 * s * said.acceleration),
+          said.rate + s * said.acceleration, said.acceleration};
+}
+
+PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double psi,
+                           const DriveMotion& hub) {
+  if (const auto* table = std::get_if<spatial::MotionTable>(&motion)) return follow(*table, t);
+  if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion))
+    return follow_azimuth(*azimuth, psi, hub);
+  return follow(std::get<space::SaidMotion>(motion), t);
+}
+
+/// Returns the angular acceleration of the hub, in its frame.
+Angular calc_hub_angular_acceleration(const System<Space>& system, double t, std::size_t i,
+                                      const StepData<Space>& data) {
+  if (!data.is_coupled) return angular(data.subsystems[i].prescribed.acceleration);
+  const CoordinateBlock& hub = data.hub_coordinates;
+  space::Twist given = calc_prescribed_acceleration(system, t, data.hub, hub.a[Space::kAxial]);
+  for (int c = space::kPosition; c < space::kTwist; ++c)
+    if (!is_prescribed(system.hub, c)) given[c] += hub.a[c];
+  return angular(given);
+}
+
+/// Whether a pass takes tension of any body to its left-hand side. In the first pass of a step the
+/// tension is made that of the hub's speed after this.
+bool has_tension(const PassControl& control, const SubsystemData<Space>& subsystem) {
+  const Angular w = angular(subsystem.hub->twist);
+  return std::any_of(
+      subsystem.bodies.begin(), subsystem.bodies.end(), [&](const BodyData<Space>& body) {
+        if (!body.tension) return false;
+        return control.begins_iteration() ? body.tension->counts_at(w) : body.tension->is_on();
+      });
+}
+
+/// Returns the angular acceleration of the section at a handle besides that of the frame: H th'' +
+/// b.
+Angular calc_section_acceleration(const BodyData<Space>& body, std::size_t handle,
+                                  const Angular& w) {
+  assert(std::cmp_less(handle, body.work.port.handles));
+  const HandleMotion& motion = body.work.handles[handle];
+  Angular sum = angular(motion.bias(w));
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (!flexible) return sum;
+  for (int c = 0; c < 3; ++c)
+    if (const int at = flexible->coordinate(flexible->handles[handle], space::kRotation + c);
+        at >= 0)
+      sum += body.coordinates.a[at] * motion.turn.H.col(c);
+  return sum;
+}
+
+/// Returns the rotation of the hub, whose angle is the azimuth.
+DriveMotion calc_hub_rotation(const System<Space>& system, double t, const CoordinateBlock& hub) {
+  if (prescribes_motion(system.hub.drive)) return calc_motion(system.hub.drive, t);
+  return {hub.q[Space::kAxial], hub.v[Space::kAxial], hub.a[Space::kAxial]};
+}
+
+}  // namespace
+
+bool follows_free_hub(const System<Space>& system, const Subsystem<Space>& subsystem) {
+  if (prescribes_motion(system.hub.drive)) return false;
+  for (const TreeBody<Space>& body : subsystem.bodies)
+    for (const space::DrivenMotion& motion : body.joint.course.driven)
+      if (std::holds_alternative<spatial::AzimuthMotion>(motion)) return true;
+  return false;
+}
+
+void prescribe_joints(const System<Space>& system, double t, std::size_t i,
+                      StepData<Space>& data) noexcept {
+  assert(i < system.subsystems.size() && i < data.subsystems.size());
+  const DriveMotion hub = calc_hub_rotation(system, t, data.hub_coordinates);
+  const Subsystem<Space>& subsystem = system.subsystems[i];
+  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+    const space::JointCourse& course = subsystem.bodies[j].joint.course;
+    for (std::size_t c = 0; c < course.driven.size(); ++c)
+      data.subsystems[i].bodies[j].joint.driven[c] =
+          prescribe(course.driven[c], t, hub.angle + course.azimuth, hub);
+  }
+}
+
+void calc_rotations(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
+  assert(data.bodies.size() == subsystem.bodies.size());
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    BodyData<Space>& body = data.bodies[j];
+    const space::Body& model = *subsystem.bodies[j].body;
+    if (const space::FlexibleBody* flexible = model.flexible())
+      calc_handles(*flexible, body.coordinates.q, body.coordinates.v, body.work.handles);
+    else
+      place_rigid_handles(*model.rigid(), body.work.handles);
+  }
+}
+
+void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
+  assert(data.joints.size() == data.bodies.size() && data.twists.size() == data.bodies.size());
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const TreeBody<Space>& model = subsystem.bodies[j];
+    const Carrier carrier = find_carrier(model, data);
+    calc_joint_motion(model.joint.joint, joint_state_of(data.bodies[j]), carrier.section,
+                      carrier.twist, data.joints[j], data.twists[j]);
+    const space::FlexibleBody* flexible = model.body->flexible();
+    if (flexible && flexible->reference_frame == ReferenceFrame::chord)
+      leave_section(data.bodies[j].work.handles[0].turn, data.joints[j], data.twists[j]);
+  }
+}
+
+void set_angular_accelerations(const System<Space>& system, std::size_t i,
+                               StepData<Space>& data) noexcept {
+  assert(i < data.subsystems.size());
+  SubsystemData<Space>& subsystem = data.subsystems[i];
+  const PassControl& control = subsystem.progress->control;
+  if (!control.is_implicit || !has_tension(control, subsystem)) return;
+  const Angular hub = calc_hub_angular_acceleration(system, control.time, i, data);
+  for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+    BodyData<Space>& body = subsystem.bodies[j];
+    const TreeBody<Space>& model = *body.model;
+    const space::JointMotion& joint = subsystem.joints[j];
+    Angular sum = hub;
+    if (model.parent >= 0) {
+      const auto p = static_cast<std::size_t>(model.parent);
+      const BodyData<Space>& parent = subsystem.bodies[p];
+      sum = parent.alpha + calc_section_acceleration(parent, static_cast<std::size_t>(model.handle),
+                                                     angular(subsystem.twists[p]));
+    }
+    sum += angular(joint.bias);
+    for (int c = 0; c < body.joint.coordinates.size; ++c)
+      sum += body.joint.coordinates.a[c] * joint.columns.col(c).tail<3>();
+    body.alpha = Angular(joint.R.inverse() * space::Position(sum)) -
+                 calc_section_acceleration(body, 0, angular(subsystem.twists[j]));
+  }
+}
+
+void calc_poses(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                ArenaVector<space::Pose>& poses) noexcept {
+  assert(data.bodies.size() == subsystem.bodies.size() && poses.size() == data.bodies.size());
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const TreeBody<Space>& model = subsystem.bodies[j];
+    const space::JointMotion& joint = data.joints[j];
+    if (model.parent < 0) {
+      poses[j] = {joint.p, joint.R};
+      continue;
+    }
+    const auto p = static_cast<std::size_t>(model.parent);
+    const space::Position s = data.bodies[p].work.handles[model.handle].s;
+    poses[j] = {poses[p].p + poses[p].R * space::Position(s + joint.p), poses[p].R * joint.R};
+  }
+}
+
+space::Rotation calc_rotation_to_hub(const Subsystem<Space>& subsystem,
+                                     const SubsystemData<Space>& data, int body) noexcept {
+  assert(body >= 0 && std::cmp_less(body, subsystem.bodies.size()));
+  space::Rotation R = data.joints[static_cast<std::size_t>(body)].R;
+  for (int j = subsystem.bodies[static_cast<std::size_t>(body)].parent; j >= 0;
+       j = subsystem.bodies[static_cast<std::size_t>(j)].parent)
+    R = data.joints[static_cast<std::size_t>(j)].R * R;
+  return R;
+}
+
+HubState<Space> calc_hub_state(const StepData<Space>& data) {
+  const CoordinateBlock& hub = data.hub_coordinates;
+  const space::HubState state = space::calc_hub_state(hub.q, hub.v, data.hub_attitude);
+  return {state.p, state.R, state.twist};
+}
+
+}  // namespace spoke

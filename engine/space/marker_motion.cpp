@@ -1,0 +1,150 @@
+// Evaluates position, velocity and acceleration of a marker in space.
+
+#include "engine/kernels/marker_motion.h"
+
+#include <cassert>
+#include <utility>
+
+#include "engine/kernels/kinematics.h"
+#include "engine/space/applied_tension.h"
+#include "engine/space/body_energies.h"
+#include "engine/space/table_terms.h"
+
+namespace spoke {
+namespace {
+
+/// Returns the pose B in A after the pose C in B.
+space::Pose after(const space::Pose& outer, const space::Pose& inner) {
+  return {outer.p + outer.R * inner.p, outer.R * inner.R};
+}
+
+/// Returns the pose of a body's frame in its parent's.
+space::Pose calc_pose_in_parent(const TreeBody<Space>& body, const space::JointMotion& joint,
+                                const SubsystemData<Space>& data) {
+  if (body.parent < 0) return {joint.p, joint.R};
+  const BodyData<Space>& parent = data.bodies[static_cast<std::size_t>(body.parent)];
+  return {parent.work.handles[body.handle].s + joint.p, joint.R};
+}
+
+/// Returns the place at which a body's child hangs, undeformed.
+space::Position handle_at_rest(const space::Body& body, int handle) {
+  assert(handle > 0 && handle < body.handle_count());
+  const auto h = static_cast<std::size_t>(handle);
+  if (const space::FlexibleBody* flexible = body.flexible())
+    return flexible->nodes[static_cast<std::size_t>(flexible->handles[h])];
+  return body.rigid()->outboard[h - 1];
+}
+
+space::Position place_in_hub(const space::Pose& X_HB, const space::HandleMotion& motion) {
+  return X_HB.p + X_HB.R * motion.s;
+}
+
+}  // namespace
+
+space::Pose calc_pose_in_hub(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                             int body) noexcept {
+  assert(body >= 0 && std::cmp_less(body, subsystem.bodies.size()));
+  space::Pose pose;
+  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
+    const auto k = static_cast<std::size_t>(j);
+    pose = after(calc_pose_in_parent(subsystem.bodies[k], data.joints[k], data), pose);
+  }
+  return pose;
+}
+
+space::Pose calc_rest_pose(const Subsystem<Space>& subsystem, int body) noexcept {
+  assert(body >= 0 && std::cmp_less(body, subsystem.bodies.size()));
+  space::Pose pose;
+  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
+    const TreeBody<Space>& member = subsystem.bodies[static_cast<std::size_t>(j)];
+    pose = after(member.joint.joint.offset, pose);
+    if (member.parent >= 0)
+      pose.p += handle_at_rest(*subsystem.bodies[static_cast<std::size_t>(member.parent)].body,
+                               member.handle);
+  }
+  return pose;
+}
+
+MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                                const PlacedMarker<Space>& marker) noexcept {
+  const auto j = static_cast<std::size_t>(marker.body);
+  const HubState<Space>& hub = *data.hub;
+  const space::Twist& twist = data.twists[j];
+  const space::HandleMotion section = motion_at(data.bodies[j], marker.section);
+  const space::Pose X_HB = calc_pose_in_hub(subsystem, data, marker.body);
+  const space::Rotation R = hub.R * X_HB.R;
+  const space::Twist velocity = section.carry(twist) + section.twist();
+  MarkerMotion motion;
+  motion.position = hub.p + hub.R * place_in_hub(X_HB, section);
+  motion.rotation = (R * section.turn.R * marker.section.axes).axes;
+  motion.velocity = R * space::Position(linear(velocity));
+  motion.angular_velocity = R * space::Angular(angular(velocity));
+  return motion;
+}
+
+MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                              const PlacedMarker<Space>& marker) noexcept {
+  MarkerMotion motion = calc_marker_motion(subsystem, data, marker);
+  space::Position place = space::Position::Zero(), rate = space::Position::Zero();
+  Eigen::Matrix3d pass = Eigen::Matrix3d::Identity();
+  int handle = -1;  // handle by which the path leaves a body; -1: the marker is on it
+  for (int j = marker.body; j >= 0;) {
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
+    const TreeBody<Space>& model = *body.model;
+    const space::FlexibleBody* flexible = model.body->flexible();
+    if (flexible && model.stiffening) {
+      const double *q = body.coordinates.q, *v = body.coordinates.v;
+      const space::DrawnInward drawn =
+          handle < 0 ? calc_drawn_inward(*flexible, marker.section, q, v)
+                     : calc_drawn_inward(*flexible,
+                                         flexible->handles[static_cast<std::size_t>(handle)], q, v);
+      place += pass * (model.stiffening->R_HB * drawn.place);
+      rate += pass * (model.stiffening->R_HB * drawn.rate);
+    }
+    if (const auto& slide = model.joint.slide)  // the body does not follow those inboard along it
+      pass -= (pass * slide->axis) * slide->axis.transpose();
+    handle = model.handle;
+    j = model.parent;
+  }
+  const HubState<Space>& hub = *data.hub;
+  motion.position += hub.R * place;
+  motion.velocity += hub.R * space::Position(rate + cross(angular(hub.twist), place));
+  return motion;
+}
+
+space::Twist calc_marker_acceleration(const space::Position& gravity,
+                                      const Subsystem<Space>& subsystem,
+                                      const SubsystemData<Space>& data,
+                                      const PlacedMarker<Space>& marker) noexcept {
+  const auto j = static_cast<std::size_t>(marker.body);
+  const BodyData<Space>& body = data.bodies[j];
+  const space::HandleMotion motion = motion_at(body, marker.section);
+  const space::Angular w = angular(data.twists[j]);
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  const space::Twist local = flexible ? calc_section_acceleration(*flexible, marker.section, motion,
+                                                                  body.X, w, body.a_found)
+                                      : space::Twist(motion.carry(body.X) + motion.bias(w));
+  space::Twist acceleration =
+      data.hub->R * calc_rotation_to_hub(subsystem, data, marker.body) * local;
+  linear(acceleration) += gravity;
+  return acceleration;
+}
+
+space::Position calc_marker_foreshortening(const Subsystem<Space>& subsystem,
+                                           const SubsystemData<Space>& data,
+                                           const PlacedMarker<Space>& marker) noexcept {
+  space::Position sum = space::Position::Zero();
+  for (int j = marker.body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
+    if (!body.model->stiffening) continue;
+    const space::BodyModel model = body_model_of(body);
+    const double* q = body.coordinates.q;
+    const double shortened =
+        j == marker.body ? calc_foreshortening(model, marker.section, q, q, q, body.work).length
+                         : calc_foreshortening(model, q, body.work);
+    sum += calc_rotation_to_hub(subsystem, data, j) * space::Position(shortened, 0.0, 0.0);
+  }
+  return sum;
+}
+
+}  // namespace spoke

@@ -1,0 +1,71 @@
+// Condenses, eliminates and recovers trees in space (engine/tree/joint_elimination.h has the
+// equations).
+
+#include "engine/formulation/structured/tree_elimination.h"
+
+#include <cassert>
+#include <utility>
+
+#include "engine/space/condense_body.h"
+#include "engine/space/table_terms.h"
+#include "engine/support/wide_kernels.h"
+
+namespace spoke::structured {
+
+void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
+                   BodyWork<Space>&) noexcept {
+  if (data.model->body->flexible())
+    space::condense_body(body_model_of(data), data.terms, angular(twist), implicit, data.work);
+  else
+    space::condense(*data.blocks[0]->rigid, twist, data.terms.Q, data.work.port);
+}
+
+void join_children(const Subsystem<Space>& subsystem, std::size_t j,
+                   const SubsystemData<Space>& data, SubsystemWork<Space>& work) {
+  assert(j < work.bodies.size());
+  assert(std::cmp_equal(subsystem.bodies[j].children.size() + 1, data.bodies[j].work.port.handles));
+  const tree::MultiPort<Space>& port = data.bodies[j].work.port;
+  const std::vector<int>& children = subsystem.bodies[j].children;
+  run_large_kernel([&]() noexcept {
+    for (std::size_t o = children.size(); o > 0; --o) {
+      const auto c = static_cast<std::size_t>(children[o - 1]);
+      tree::eliminate_child(static_cast<int>(o), joint_of(subsystem, data, c),
+                            work.bodies[c].branch, port, work.bodies[c].joint);
+    }
+    tree::Branch<Space>& branch = work.bodies[j].branch;
+    space::copy(port.diagonal[0].matrix(), branch.Lambda.all);
+    branch.free = port.free[0];
+  });
+}
+
+void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
+                      const SubsystemWork<Space>& work, SubsystemData<Space>& data) {
+  assert(j < work.bodies.size() && data.bodies[j].work.wrenches);
+  BodyData<Space>& body = data.bodies[j];
+  space::Twist* wrenches = body.work.wrenches;
+  wrenches[0] = data.wrenches[j].inboard;
+  const std::vector<int>& children = subsystem.bodies[j].children;
+  run_large_kernel([&]() noexcept {
+    for (std::size_t o = 1; o <= children.size(); ++o) {
+      const auto c = static_cast<std::size_t>(children[o - 1]);
+      const space::JointTerms joint = joint_of(subsystem, data, c);
+      wrenches[o] =
+          tree::recover_child(static_cast<int>(o), joint, body.work.port, work.bodies[c].joint,
+                              wrenches, data.bodies[c].joint.a_found);
+      data.wrenches[c].inboard = tree::pass_to_child<Space>(joint, wrenches[o]);
+    }
+  });
+}
+
+void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>&, bool implicit,
+                  BodyData<Space>& data, double* a) noexcept {
+  const space::Twist* wrenches = data.work.wrenches;
+  if (data.model->body->flexible()) {
+    data.X = space::recover_body(body_model_of(data), wrenches, implicit, data.work, a);
+  } else {
+    const auto count = static_cast<std::size_t>(data.work.port.handles);
+    data.X = space::recover_frame(*data.blocks[0]->rigid, data.terms.Q, {wrenches, count});
+  }
+}
+
+}  // namespace spoke::structured

@@ -1,0 +1,178 @@
+// Passes accelerations from the hub to the tips and forces back, by the joints of each world.
+
+#include "engine/steady/subsystem_forces.h"
+
+#include <Eigen/Geometry>
+#include <cassert>
+
+#include "engine/kernels/dense_body.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/hub_solve.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/space/dense_body.h"
+#include "engine/space/table_terms.h"
+#include "engine/steady/subsystem_access.h"
+
+namespace spoke::steady {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Bodies.
+
+/// Returns the force on a body at zero accelerations of its deformation: [Q; Q_f] - [M_RR; C^T] X.
+VectorXd calc_body_force(const BodyData<Plane>& body) {
+  const plane::FlexibleBody& flexible = *body.model->body;
+  const Position& S = body.terms.S;
+  const Twist& X = body.X;
+  VectorXd force(dense_size(flexible));
+  calc_dense_force(body, force);
+  force[0] -= flexible.mass * X[0] - S.y() * X[2];
+  force[1] -= flexible.mass * X[1] + S.x() * X[2];
+  force[2] -= S.x() * X[1] - S.y() * X[0] + body.terms.rotary_inertia * X[2];
+  for (int k = 0; k < flexible.coordinates(); ++k) {
+    const bool is_axial = k < flexible.axial();
+    const double along =
+        is_axial ? flexible.S_axial[k] * X[0] : flexible.S_bending[k - flexible.axial()] * X[1];
+    force[kTwist + k] -= along + body.c_theta[body.layout.offset(k)] * X[2];
+  }
+  return force;
+}
+VectorXd calc_body_force(const BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  const space::Twist& X = body.X;
+  if (!flexible) return body.terms.Q - rigid_mass_of(body) * X;
+  VectorXd force(space::dense_size(*flexible));
+  space::calc_dense_force(*flexible, body.terms, body.work, force);
+  const space::Position a = linear(X);
+  const space::Angular alpha = angular(X);
+  force.head<3>() -= flexible->mass * a + cross(alpha, body.terms.S);
+  force.segment<3>(3) -= cross(body.terms.S, a) + body.terms.Theta * alpha;
+  for (int node = 0; node < flexible->node_count(); ++node)
+    for (int c = 0; c < space::kTwist; ++c) {
+      const int at = flexible->coordinate(node, c);
+      if (at < 0) continue;
+      const double* row = body.work.rows + space::kNodeRows * node + 4 * c;
+      force[space::kTwist + at] -=
+          flexible->C_t[static_cast<std::size_t>(node)].row(c).dot(a.transpose()) +
+          row[0] * alpha[0] + row[1] * alpha[1] + row[2] * alpha[2];
+    }
+  return force;
+}
+
+/// Returns the Jacobian J of a handle; in the plane handle 0 is the inboard, 1 the outboard one.
+template <class World>
+MatrixXd calc_jacobian(const BodyData<World>& body, int handle) {
+  MatrixXd J(World::kTwist, dense_size(*body.model->body));
+  calc_handle_jacobian(body, handle, J);
+  return J;
+}
+
+/// Returns the acceleration of a handle while the deformation has none.
+Twist calc_handle_acceleration(const SubsystemData<Plane>& data, int j, int) {
+  const BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(j)];
+  const Twist& twist = data.twists[static_cast<std::size_t>(j)];
+  return calc_jacobian(body, 1).leftCols<kTwist>() * body.X + calc_handle_bias(body, 1, twist);
+}
+space::Twist calc_handle_acceleration(const SubsystemData<Space>& data, int j, int handle) {
+  assert(handle >= 0 && handle < data.bodies[static_cast<std::size_t>(j)].work.port.handles);
+  const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
+  const space::HandleMotion& motion = body.work.handles[handle];
+  const space::Angular w = angular(data.twists[static_cast<std::size_t>(j)]);
+  space::Twist a = body.X + motion.bias(w);
+  linear(a) += cross(angular(body.X), motion.s);
+  return a;
+}
+
+// Joints.
+
+/// Returns the acceleration X of a body that the hub or another body carries.
+Twist carry(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data, std::size_t j) {
+  if (j == 0)
+    return calc_root_acceleration<Plane>(make_root_joint(subsystem, data), *data.hub_acceleration);
+  return data.joints[j].R.inverse() * calc_handle_acceleration(data, static_cast<int>(j) - 1, 1);
+}
+space::Twist carry(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                   std::size_t j) {
+  const TreeBody<Space>& model = subsystem.bodies[j];
+  const space::Twist handle = model.parent < 0
+                                  ? *data.hub_acceleration
+                                  : calc_handle_acceleration(data, model.parent, model.handle);
+  return calc_carried_acceleration(data.joints[j], handle) -
+         data.bodies[j].work.handles[0].bias(angular(data.twists[j]));
+}
+
+/// Returns the wrench that the force on the frame of a body exerts on the handle that carries it.
+Twist pass_inward(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                  std::size_t j, const Twist& force) {
+  const Twist turned = data.joints[j].R * force;
+  return j == 0 ? translate(subsystem.root.p, turned) : turned;
+}
+space::Twist pass_inward(const Subsystem<Space>&, const SubsystemData<Space>& data, std::size_t j,
+                         const space::Twist& force) {
+  return translate(data.joints[j].p, data.joints[j].R * force);
+}
+
+/// Sets the forces on the coordinates of the joint: those of its springs and motors, and that of
+/// its body.
+void add_joint_force(const BodyData<Plane>&, const plane::JointMotion&, const Twist&, double*) {}
+void add_joint_force(const BodyData<Space>& body, const space::JointMotion& motion,
+                     const space::Twist& force, double* result) {
+  const space::Twist turned = motion.R * force;
+  for (int c = 0; c < body.model->joint.joint.coordinates; ++c)
+    result[c] =
+        body.joint.forces->tau[static_cast<std::size_t>(c)] + motion.columns.col(c).dot(turned);
+}
+
+template <class World>
+void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
+                SubsystemResponse& response) {
+  constexpr Eigen::Index kHub = World::kTwist;
+  std::vector<VectorXd> forces;
+  std::vector<Eigen::Index> starts;
+  Eigen::Index size = 0;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    data.bodies[j].X = carry(subsystem, data, j);
+    forces.push_back(calc_body_force(data.bodies[j]));
+    starts.push_back(size);
+    size += count_joint_coordinates(subsystem.bodies[j]) + forces.back().size() - kHub;
+  }
+  response.force.resize(size);
+  TwistOf<World> hub = TwistOf<World>::Zero();
+  for (std::size_t j = data.bodies.size(); j-- > 0;) {
+    const TreeBody<World>& model = subsystem.bodies[j];
+    BodyData<World>& body = data.bodies[j];
+    const TwistOf<World> on_frame = forces[j].template head<kHub>();
+    const Eigen::Index joint = count_joint_coordinates(model), nf = forces[j].size() - kHub;
+    add_joint_force(body, data.joints[j], on_frame, response.force.data() + starts[j]);
+    // The deformation moves the frame against the inboard section.
+    response.force.segment(starts[j] + joint, nf) = forces[j].tail(nf);
+    if (nf > 0)
+      response.force.segment(starts[j] + joint, nf) -=
+          calc_jacobian(body, 0).rightCols(nf).transpose() * on_frame;
+    const TwistOf<World> inward = pass_inward(subsystem, data, j, on_frame);
+    if (model.parent < 0) {
+      hub += inward;
+      continue;
+    }
+    const auto parent = static_cast<std::size_t>(model.parent);
+    forces[parent] += calc_jacobian(data.bodies[parent], model.handle).transpose() * inward;
+  }
+  angular(hub) +=
+      calc_stiffening_moment(sum_stiffening<World>(data.bodies), angular(data.hub->twist));
+  response.hub_force = hub;
+}
+
+}  // namespace
+
+void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
+                 SubsystemResponse& response) {
+  sum_forces(subsystem, data, response);
+}
+void calc_forces(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,
+                 SubsystemResponse& response) {
+  sum_forces(subsystem, data, response);
+}
+
+}  // namespace spoke::steady

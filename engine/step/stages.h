@@ -1,0 +1,29 @@
+#pragma once
+
+// Names of the stages of a step, those of its graph's nodes, as traces, messages and predictions
+// call them.
+
+namespace spoke::stages {
+
+inline constexpr const char* kHubMotion = "hub motion";
+inline constexpr const char* kCoordinates = "coordinates";
+inline constexpr const char* kPosition = "position";
+inline constexpr const char* kVelocity = "velocity";
+inline constexpr const char* kLoad = "load";  ///< the user's loads
+inline constexpr const char* kAppliedForces = "applied forces";
+inline constexpr const char* kFlightAcceleration = "flight acceleration";
+inline constexpr const char* kMass = "mass";
+inline constexpr const char* kInverse = "inverse";
+inline constexpr const char* kEffective = "effective";
+inline constexpr const char* kHubSolve = "hub solve";
+inline constexpr const char* kSolve = "solve";  ///< of the augmented formulation
+inline constexpr const char* kMultipliers = "multipliers";
+inline constexpr const char* kRecovery = "recovery";
+inline constexpr const char* kFinish = "finish";
+inline constexpr const char* kSensors = "sensors";
+// Stages where subsystems are shared out over processes.
+inline constexpr const char* kShareForces = "share forces";
+inline constexpr const char* kShareInertias = "share inertias";
+inline constexpr const char* kShareReports = "share reports";
+
+}  // namespace spoke::stages

@@ -1,0 +1,18 @@
+// Names the scenario's file in what the simulation refuses.
+
+#include "program/cli/build_simulation.h"
+
+#include "models/error.h"
+
+namespace spoke::cli {
+
+Simulation build_simulation(const std::string& file, const Scenario& scenario,
+                            const SimulationOptions& options) {
+  try {
+    return Simulation(scenario, options);
+  } catch (const InputError& error) {
+    throw InputError(file + ": " + error.what());
+  }
+}
+
+}  // namespace spoke::cli

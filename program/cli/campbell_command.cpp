@@ -1,0 +1,77 @@
+// Prints a Campbell diagram as tables, and writes campbell.csv, campbell.json and campbell.html.
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/steady/steady_warnings.h"
+#include "program/cli/commands.h"
+#include "program/cli/progress.h"
+#include "program/cli/report.h"
+#include "program/cli/standard_streams.h"
+#include "program/cli/steady_task.h"
+#include "program/steady_report/campbell_files.h"
+#include "program/steady_report/modes_page.h"
+
+namespace spoke::cli {
+namespace {
+
+/// Shows how many speeds are done, and wipes that away at the end, whatever that is.
+class Progress {
+ public:
+  explicit Progress(std::size_t speeds) : speeds_(speeds) {}
+  ~Progress() { show_progress(""); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(std::size_t done) const {
+    show_progress(fmt::format("{} of {} speeds", done, speeds_));
+  }
+
+ private:
+  std::size_t speeds_;
+};
+
+CampbellResult solve(CampbellOptions options, const SteadyTask& task) {
+  const Progress progress(options.speeds.size());
+  options.progress = [&progress](std::size_t done) { progress.show(done); };
+  return task.solve([&](const Scenario& scenario) { return solve_campbell(scenario, options); });
+}
+
+void print(const CampbellResult& result, const SteadyTask& task) {
+  print_title(task.scenario().title);
+  print_table(steady_report::make_branch_table(result));
+  print_table(steady_report::make_crossing_table(result));
+  if (!result.gaps.empty()) print_table(steady_report::make_gap_table(result));
+  print_line("written", task.path("campbell.html") + ", campbell.csv, campbell.json");
+}
+
+/// Of the speed at which bodies bend most.
+void warn(const CampbellResult& result) {
+  const EquilibriumResult* most = nullptr;
+  double largest = 0.0;
+  for (const ModesResult& state : result.states) {
+    const double ratio = steady::find_largest_bending(state.equilibrium).ratio;
+    if (state.equilibrium.warnings.empty() || ratio <= largest) continue;
+    largest = ratio;
+    most = &state.equilibrium;
+  }
+  if (most == nullptr) return;
+  print_error(fmt::format("warning: at {:.6g} rad/s {}", most->speed, most->warnings[0].text));
+}
+
+}  // namespace
+
+int find_campbell(const Arguments& arguments) {
+  const SteadyTask task(arguments, "campbell");
+  const CampbellOptions options{
+      .speeds = arguments.steady.speeds, .count = arguments.steady.count, .most = 10};
+  const CampbellResult result = solve(options, task);
+  task.write({{"campbell.csv", steady_report::make_csv(result)},
+              {"campbell.json", steady_report::make_json(result)},
+              {"campbell.html", steady_report::make_html(result, options.harmonics, task.scenario(),
+                                                         task.title())}});
+  print(result, task);
+  warn(result);
+  return 0;
+}
+
+}  // namespace spoke::cli

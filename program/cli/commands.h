@@ -1,0 +1,42 @@
+#pragma once
+
+// The commands of the program `spoke`, in the order of its help. Each returns the exit status.
+// Others, such as `spoke study`, are programs beside it.
+
+#include <vector>
+
+#include "program/cli/program.h"
+
+namespace spoke::cli {
+
+/// Simulates a scenario and writes its results. Throws InputError. 3 if the simulation diverged.
+int run(const Arguments& arguments);
+
+/// Prints what a scenario's model is and how it vibrates. Throws InputError.
+int check(const Arguments& arguments);
+
+/// Finds the equilibrium of a scenario's model, prints it and writes its files. Throws InputError
+/// and DivergenceError.
+int find_static(const Arguments& arguments);
+
+/// Finds the modes of a scenario's model, prints them and writes their files. Throws InputError and
+/// DivergenceError.
+int find_modes(const Arguments& arguments);
+
+/// Follows the modes of a scenario's model over speeds, prints them and their crossings with
+/// multiples of the speed, and writes their files. Throws InputError and DivergenceError.
+int find_campbell(const Arguments& arguments);
+
+/// Linearises a scenario's model, prints its size and writes its matrices. Throws InputError and
+/// DivergenceError.
+int linearize(const Arguments& arguments);
+
+/// Runs to a time, records the steps that follow, node by node, writes the files and prints a
+/// summary. If the simulation diverges meanwhile, of the steps before. Throws InputError, and
+/// DivergenceError if there are none, having written nothing.
+int trace(const Arguments& arguments);
+
+/// All commands of `spoke`, those that are programs of their own among them.
+std::vector<Command> make_commands();
+
+}  // namespace spoke::cli

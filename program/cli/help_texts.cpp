@@ -1,0 +1,146 @@
+// The texts of --help.
+
+#include "program/cli/help_texts.h"
+
+namespace spoke::cli {
+
+const char* const kStudySummary = "Run a scenario many times, with other values";
+const char* const kCompareSummary = "Measure which executor and number of threads is fastest here";
+const char* const kPredictSummary = "Predict how fast a step is on more threads than there are";
+const char* const kReproduceSummary = "Repeat the paper's evaluation on this machine";
+
+const char* const kStatusText = R"(Exit status:
+  0  done
+  1  a fault in spoke itself
+  2  bad command line or scenario, or output that cannot be written;
+     the message on stderr says file:line:column, key, what is wrong and what is expected
+  3  the simulation diverged; results so far are kept
+  130, 143  SIGINT or SIGTERM ended a run; results so far are kept
+)";
+
+const char* const kMeasuringStatusText = R"(Exit status:
+  0  done
+  1  a fault in spoke itself
+  2  bad command line or scenario, output that cannot be written, or nothing could be measured;
+     the message on stderr says what is wrong
+  3  the simulation diverged; nothing is written
+  130, 143  SIGINT or SIGTERM ended it (as a shell reports that); nothing is written
+)";
+
+const char* const kRunText = R"(Output files, in the folder of --out:
+  sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies,
+                root loads, and what the scenario's [[sensor]] tables ask for
+  summary.json  all values in force, machine, steps, wall time, hash of the final state, and
+                the extremes of every sensor over all steps
+  report.html   a page to look at: plots over time, the rotor moving, all numbers; needs no network
+  vtk/          with --vtk: blades.pvd for ParaView and a file for each output time
+  checkpoint.spoke  with --checkpoint-every: what --resume goes on from, see docs/checkpoint.md
+
+mpirun -n P spoke run ... shares the model out over P processes, with the same files
+(docs/machines.md).
+
+The first Ctrl-C (SIGINT) or SIGTERM completes the step, writes rows, summary and checkpoint, and
+ends; a second one ends at once.
+
+Examples:
+  spoke run models/wu_haug_rotor.toml --set blade.bodies=8 --set integration.step=0.01
+  spoke run long.toml --checkpoint-every 60
+  spoke run long.toml --checkpoint-every 60 --resume results/long/checkpoint.spoke
+)";
+
+const char* const kCheckText =
+    R"(Prints subsystems, bodies, coordinates and joints, nodes and edges of the step graph, lowest and
+highest natural frequency at rest, the largest step that rk4 is stable at, and the step in force; of
+a model in space its tree of bodies and joints and its mass, too, and rk4's step at the largest
+speed of the drive if that is less than the one at rest. Writes no files but that of --html, which
+shows wrong twists and axes before a run. Warns on stderr if the scenario's method is rk4 and
+its step is not stable.
+
+Example:
+  spoke check models/wu_haug_rotor.toml --set blade.elements=8
+  spoke check models/nrel_5mw_rotor.toml --html model.html
+)";
+
+const char* const kStaticText =
+    R"(Newton's method with a line search, and load steps where it needs them. Loads, motors and prescribed
+joints have the values that their curves end with, pitch by the azimuth its mean. Where the hub turns,
+gravity and loads of constant direction count with their part along the axis.
+
+Output files, in the folder of --out:
+  static.html         the model in equilibrium, deflections, tips, joints, wrench of the hub
+  static.json         everything
+  section_forces.csv  forces and moments along the blades
+
+Example:
+  spoke static models/articulated_rotor.toml --speed 36
+)";
+
+const char* const kModesText =
+    R"(About the equilibrium of spoke static, in the frame that turns with the hub: eigenvalues of the
+linearised model, real ones at rest without damping, else complex ones. See docs/modes.md.
+
+Output files, in the folder of --out:
+  modes.html  the chosen mode as a moving picture
+  modes.csv   a row per mode
+  modes.json  everything, shapes included
+
+Example:
+  spoke modes models/nrel_5mw_rotor.toml --speed 1.267 --count 6
+)";
+
+const char* const kCampbellText =
+    R"(The modes of spoke modes at each speed, on all processors, followed from speed to speed by their
+shapes; where they meet 1 to 6 times the speed; how far that is from the speed of the drive.
+
+Output files, in the folder of --out:
+  campbell.html  the diagram, damping over speed, the chosen mode moving, crossings
+  campbell.csv   a row per speed and mode
+  campbell.json  the same, and the crossings
+
+Example:
+  spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 4
+)";
+
+const char* const kLinearizeText =
+    R"(Small motions x about the equilibrium of spoke static, in the frame that turns with the hub:
+x' = A x + B u, y = C x + D u; u: factors of loads, motors, the drive's torque; y: tips, joints and
+the scenario's sensors whose frames turn with the hub.
+
+Output files, in the folder of --out:
+  A.mtx, B.mtx, C.mtx, D.mtx  the matrices (Matrix Market: scipy.io.mmread reads them)
+  linear.json                 names and units of states, inputs and outputs
+
+Example:
+  spoke linearize models/articulated_rotor.toml --speed 40
+)";
+
+const char* const kTraceText =
+    R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
+steps are those of spoke run: same graph, same executor, same bits. Steps that are less than half a
+window run without windows, and as long as auto has not chosen, it runs them serially: a line says
+so. If the simulation diverges meanwhile, the steps before are written.
+
+Output files, in the folder of --out:
+  trace.json  Chrome trace events, for https://ui.perfetto.dev and chrome://tracing
+  graph.dot   the step graph, coloured by share of the time, with its longest path
+  trace.html  graph and threads side by side, in one page, if the program was built with it
+
+Example:
+  spoke trace models/wu_haug_rotor.toml --formulation subsystem --executor flow_graph
+)";
+
+const char* const kProgramText = R"(Examples:
+  spoke run models/wu_haug_rotor.toml
+  spoke check models/wu_haug_rotor.toml
+  spoke static models/articulated_rotor.toml
+  spoke modes models/nrel_5mw_rotor.toml
+  spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1
+  spoke compare models/wu_haug_rotor.toml
+  spoke predict models/wu_haug_rotor.toml
+  spoke trace models/wu_haug_rotor.toml
+  spoke reproduce
+
+"spoke run --help" and so on explain options and output of the commands.
+)";
+
+}  // namespace spoke::cli

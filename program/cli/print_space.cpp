@@ -1,0 +1,170 @@
+// Lines of a tree: each joint, and behind it the bodies that it carries.
+
+#include "program/cli/print_space.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "models/count_text.h"
+#include "models/tree/tree.h"
+#include "program/cli/report.h"
+
+namespace spoke::cli {
+namespace {
+
+using spatial::Joint;
+using spatial::MassProperties;
+using spatial::Tree;
+using spatial::TreeBody;
+
+/// A number of six digits; what is nothing but round-off beside `size` is 0.
+std::string number(double value, double size = 0.0) {
+  return fmt::format("{:.6g}", std::abs(value) <= 1e-12 * size ? 0.0 : value);
+}
+
+std::string vector(const spatial::Vector& v, double size) {
+  return fmt::format("[{}, {}, {}]", number(v.x(), size), number(v.y(), size), number(v.z(), size));
+}
+
+/// Whether a body goes on where its parent, of the same beam, ends.
+bool continues_beam(const Tree& tree, std::size_t index) {
+  const TreeBody& body = tree.bodies[index];
+  if (body.parent < 0 || body.joint.kind != spatial::JointKind::fixed || !body.joint.name.empty())
+    return false;
+  const auto* own = std::get_if<spatial::FlexibleBody>(&body.shape);
+  const auto* parents =
+      std::get_if<spatial::FlexibleBody>(&tree.bodies[static_cast<std::size_t>(body.parent)].shape);
+  return own != nullptr && parents != nullptr && own->beam == parents->beam &&
+         own->nodes.front() == parents->nodes.back();
+}
+
+std::string describe_coordinates(const Joint& joint) {
+  std::string text;
+  for (int i = 0; i < count_coordinates(joint.kind); ++i) {
+    const spatial::JointCoordinate& coordinate = joint.coordinates[static_cast<std::size_t>(i)];
+    const bool is_sprung = coordinate.stiffness > 0.0;
+    text += i == 0 ? ", " : " and ";
+    text += coordinate.motion ? "prescribed" : is_sprung ? "sprung" : "free";
+    if (joint.kind == spatial::JointKind::spherical) break;
+  }
+  return text;
+}
+
+std::string describe(const Joint& joint) {
+  std::string text = joint.name.empty() ? "" : joint.name + ", ";
+  text += name_of(joint.kind);
+  for (int i = 0; i < count_axes(joint.kind); ++i)
+    text += (i == 0 ? " about " : ", ") + vector(joint.axes[static_cast<std::size_t>(i)], 0.0);
+  return text + describe_coordinates(joint);
+}
+
+/// The bodies from `first` on that are one part of a beam: their number and what they are.
+struct Part {
+  std::size_t bodies;
+  std::string text;
+};
+
+Part describe_part(const Tree& tree, std::size_t first) {
+  const TreeBody& body = tree.bodies[first];
+  if (const auto* rigid = std::get_if<spatial::RigidBody>(&body.shape))
+    return {1, fmt::format("{} (rigid, {} kg)", body.name, number(rigid->mass))};
+  const auto& innermost = std::get<spatial::FlexibleBody>(body.shape);
+  std::size_t end = first + 1, elements = innermost.nodes.size() - 1;
+  double tip = innermost.nodes.back();
+  while (end < tree.bodies.size() && continues_beam(tree, end) &&
+         tree.bodies[end].parent == static_cast<int>(end) - 1) {
+    const auto& nodes = std::get<spatial::FlexibleBody>(tree.bodies[end].shape).nodes;
+    elements += nodes.size() - 1;
+    tip = nodes.back();
+    ++end;
+  }
+  const std::string last = end == first + 1 ? "" : " ... " + tree.bodies[end - 1].name;
+  return {end - first, fmt::format("{}{} (beam, {} to {} m, {})", body.name, last,
+                                   number(innermost.nodes.front()), number(tip),
+                                   counted(static_cast<std::int64_t>(elements), "element"))};
+}
+
+/// What a body is joined to.
+std::string describe_parent(const Tree& tree, const TreeBody& body) {
+  if (body.parent < 0) return "the hub";
+  const TreeBody& parent = tree.bodies[static_cast<std::size_t>(body.parent)];
+  const auto* beam = std::get_if<spatial::FlexibleBody>(&parent.shape);
+  if (beam == nullptr) return parent.name;
+  return fmt::format("{} at {} m", parent.name, number(beam->nodes[body.parent_node]));
+}
+
+/// The bodies, what they are joined to and how, indented by the joints between them and the hub.
+std::vector<std::string> describe(const Tree& tree) {
+  std::vector<std::string> lines;
+  std::vector<std::size_t> depths(tree.bodies.size(), 0);
+  for (std::size_t i = 0; i < tree.bodies.size();) {
+    const TreeBody& body = tree.bodies[i];
+    if (body.parent >= 0) depths[i] = depths[static_cast<std::size_t>(body.parent)] + 1;
+    const Part part = describe_part(tree, i);
+    for (std::size_t k = 1; k < part.bodies; ++k) depths[i + k] = depths[i];
+    lines.push_back(fmt::format("{}{}, on {}: {}", std::string(2 * depths[i], ' '), part.text,
+                                describe_parent(tree, body), describe(body.joint)));
+    i += part.bodies;
+  }
+  return lines;
+}
+
+std::vector<std::string> describe(const MassProperties& m, const char* where) {
+  const spatial::Tensor& J = m.inertia;
+  const auto entry = [&](int r, int c) { return number(J(r, c), J.norm()); };
+  return {
+      fmt::format("{} kg, first moment {} kg m", number(m.mass),
+                  vector(m.first_moment, std::sqrt(m.mass * J.norm()))),
+      fmt::format("inertia about {}: xx {}, yy {}, zz {}, xy {}, xz {}, yz {} kg m^2", where,
+                  entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2))};
+}
+
+void print_lines(const std::string& label, const std::vector<std::string>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) print_line(i == 0 ? label : "", lines[i]);
+}
+
+/// In the frame of the tree's first body.
+MassProperties seen_from_root(const Tree& tree) {
+  const spatial::Placement& root = tree.bodies.front().placement;
+  const spatial::Tensor back = root.rotation.transpose();
+  return calc_mass_properties(tree).seen_from_outside({-(back * root.position), back});
+}
+
+void print_sizes(const std::vector<Tree>& trees) {
+  std::int64_t bodies = 0, coordinates = 0;
+  for (const Tree& tree : trees) {
+    bodies += std::ssize(tree.bodies);
+    coordinates += count_coordinates(tree);
+  }
+  print_line("model", "in space, " + counted(std::ssize(trees), "tree") + ", " +
+                          counted(bodies, "body") + ", " + counted(coordinates, "coordinate"));
+}
+
+}  // namespace
+
+void print_space(const spatial::Model& model) {
+  const std::vector<Tree> trees = build_trees(model);
+  print_sizes(trees);
+  std::vector<std::string> before;
+  std::string example;
+  for (const Tree& tree : trees) {
+    std::vector<std::string> lines = describe(tree);
+    for (std::string& line : describe(seen_from_root(tree), "its root"))
+      lines.push_back(std::move(line));
+    if (lines == before) {
+      print_line(tree.name, "as " + example);
+      continue;
+    }
+    print_lines(tree.name, lines);
+    before = std::move(lines);
+    example = tree.name;
+  }
+  print_lines("all", describe(calc_mass_properties(model.hub, trees), "the hub's origin"));
+}
+
+}  // namespace spoke::cli

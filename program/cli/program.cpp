@@ -1,0 +1,220 @@
+// Parses a command line by CLI11, and runs what it asks for.
+
+#include "program/cli/program.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <sstream>
+
+#include "graph/execute/unbound_thread.h"
+#include "graph/executor.h"
+#include "models/error.h"
+#include "program/cli/choose_instructions.h"
+#include "program/cli/help_texts.h"
+#include "program/cli/interruption.h"
+#include "program/cli/report.h"
+#include "program/cli/standard_streams.h"
+
+namespace spoke::cli {
+namespace {
+
+void start_logging(const Arguments& arguments) {
+  // Not as "spoke", where the library would hear it: the program says these things itself.
+  spdlog::set_default_logger(spdlog::stderr_color_mt("program"));
+  spdlog::set_pattern("[%Y-%m-%d %H:%M:%S.%e] [spoke] [%^%l%$] %v");
+  const auto level = arguments.verbosity > 1    ? spdlog::level::debug
+                     : arguments.verbosity == 1 ? spdlog::level::info
+                                                : spdlog::level::warn;
+  spdlog::set_level(arguments.quiet && arguments.verbosity == 0 ? spdlog::level::err : level);
+}
+
+int complain(const std::string& message, int status) {
+  print_error(one_line(message));
+  return status;
+}
+
+/// The status of a command that ended with `status`, once what it printed has gone out. `is_lost`:
+/// its result is what it prints, and there is no standard output.
+int finish_output(int status, bool is_lost) {
+  const char* reason = flush_output();
+  if (is_lost) reason = "it is closed";
+  if (reason == nullptr) return status;
+  print_error(std::string("standard output: cannot be written: ") + reason);
+  return status == 0 ? 2 : status;
+}
+
+/// Whether an argument is another KEY=VALUE behind --set, rather than an option or a file.
+bool is_assignment(const std::string& argument) {
+  const auto equals = argument.find('=');
+  if (equals == std::string::npos || equals == 0 || argument[0] == '-') return false;
+  return std::all_of(argument.begin(), argument.begin() + static_cast<std::ptrdiff_t>(equals),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; });
+}
+
+/// "--set a=1 b=2" as "--set a=1 --set b=2": a list that ends by itself before SCENARIO.
+std::vector<std::string> repeat_set(const std::vector<std::string>& arguments) {
+  std::vector<std::string> repeated;
+  bool in_list = false;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool first = i > 0 && arguments[i - 1] == "--set";
+    in_list = first || (in_list && is_assignment(arguments[i]));
+    if (in_list && !first) repeated.emplace_back("--set");
+    repeated.push_back(arguments[i]);
+  }
+  return repeated;
+}
+
+/// A scenario whose name begins as an option does, as a path that does not.
+std::string as_path(const std::string& argument) {
+  const bool is_file = argument.starts_with('-') && argument.ends_with(".toml") &&
+                       argument.find('=') == std::string::npos;
+  return is_file ? "./" + argument : argument;
+}
+
+/// "run, check or static"
+std::string list_names(const std::vector<Command>& commands) {
+  std::string text;
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    if (k > 0) text += k + 1 == commands.size() ? " or " : ", ";
+    text += commands[k].name;
+  }
+  return text;
+}
+
+/// Refuses words that begin with neither a command nor an option of the program. Returns the name
+/// for messages.
+std::string check_first(const std::vector<Command>& commands,
+                        const std::vector<std::string>& words) {
+  if (words.empty())
+    throw InputError("spoke: no command, expected " + list_names(commands) + " (see spoke --help)");
+  const std::string& first = words[0];
+  for (const Command& command : commands)
+    if (first == command.name) return "spoke " + first;
+  if (first == "-h" || first == "--help" || first == "--version") return "spoke";
+  throw InputError("spoke: unknown command \"" + first + "\", expected " + list_names(commands) +
+                   " (see spoke --help)");
+}
+
+/// Returns the command that is asked for, or null if help or the version was, which are printed.
+/// Throws InputError.
+const Command* parse(const std::vector<Command>& commands, const std::vector<std::string>& words,
+                     Arguments& arguments) {
+  CLI::App program("Spoke simulates flexible multibody systems; every step is a task graph.",
+                   "spoke");
+  program.set_version_flag("--version", "spoke " SPOKE_VERSION, "Print the version");
+  program.footer(std::string(kProgramText) + '\n' + kStatusText);
+  program.require_subcommand(1);
+  for (const Command& command : commands) {
+    CLI::App& subcommand = *program.add_subcommand(command.name, command.summary);
+    if (command.add_options) command.add_options(subcommand, arguments);
+  }
+  const std::string name = check_first(commands, words);
+  std::vector<std::string> reversed = repeat_set(words);
+  std::transform(reversed.begin(), reversed.end(), reversed.begin(), as_path);
+  std::reverse(reversed.begin(), reversed.end());
+  try {
+    program.parse(reversed);
+  } catch (const CLI::Success& help) {
+    std::ostringstream text;
+    program.exit(help, text, text);
+    print(text.str());
+    return nullptr;
+  } catch (const CLI::ExtrasError&) {
+    std::vector<std::string> extras = program.remaining(true);
+    std::erase(extras, "--");
+    throw InputError(name + ": unexpected argument " + extras.front() + " (see " + name +
+                     " --help)");
+  } catch (const CLI::ParseError& error) {
+    throw InputError(name + ": " + error.what() + " (see " + name + " --help)");
+  }
+  return &*std::find_if(commands.begin(), commands.end(),
+                        [&](const Command& command) { return words[0] == command.name; });
+}
+
+int execute(const Command& command, const Arguments& arguments, char** argv) {
+  const auto before = [&] {
+    return command.instructions_before ? command.instructions_before(arguments) : std::string();
+  };
+  choose_instructions(arguments.instructions, before, argv);
+  start_logging(arguments);
+  // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
+  std::optional<graph::UnboundThread> unbound;
+  if (!graph::is_openmp(arguments.options.executor)) unbound.emplace();
+  return command.execute(arguments);
+}
+
+int run_words(const std::vector<Command>& commands, const std::vector<std::string>& words,
+              char** argv) {
+  const bool has_output = prepare_process();
+  try {
+    Arguments arguments;
+    const Command* command = parse(commands, words, arguments);
+    const int status = command ? execute(*command, arguments, argv) : 0;
+    return finish_output(status, !has_output && (!command || command->prints_result));
+  } catch (const InputError& error) {
+    return complain(error.what(), 2);
+  } catch (const DivergenceError& error) {
+    return complain(error.what(), 3);
+  } catch (const std::bad_alloc&) {
+    return complain("spoke: the model does not fit into this machine's memory", 2);
+  } catch (const std::exception& error) {
+    return complain(std::string("spoke: internal error: ") + error.what(), 1);
+  }
+}
+
+/// Becomes the program beside this one that has the command `argv[1]`. Returns if it cannot be
+/// started, with the exit status.
+int start_program(int argc, char** argv) {
+  const std::string name = std::string("spoke-") + argv[1];
+  std::error_code none;
+  const auto file = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / name;
+  std::vector<char*> words(argv + 1, argv + argc);
+  std::string called = file.string();
+  words[0] = called.data();
+  words.push_back(nullptr);
+  execv(called.c_str(), words.data());
+  const std::string reason = std::strerror(errno);
+  return complain("spoke " + std::string(argv[1]) + ": cannot start " + called + ": " + reason +
+                      ", expected the program " + name +
+                      " beside spoke (it is built by the target of this name)",
+                  2);
+}
+
+}  // namespace
+
+bool prepare_process() {
+  const bool has_output = open_standard_streams();
+  // Spoke says itself how many threads there are, and LLVM's OpenMP runtime, which reads this when
+  // it is first used, does not survive what is no number, or takes gigabytes.
+  unsetenv("OMP_NUM_THREADS");
+  clean_up_on_signals();
+  return has_output;
+}
+
+int run_program(const std::vector<Command>& commands, int argc, char** argv) {
+  if (argc > 1)
+    for (const Command& command : commands)
+      if (!command.execute && std::string(argv[1]) == command.name)
+        return start_program(argc, argv);
+  return run_words(commands, {argv + 1, argv + argc}, argv);
+}
+
+int run_program(const Command& command, int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words != std::vector<std::string>{"--version"}) words.insert(words.begin(), command.name);
+  return run_words({command}, words, argv);
+}
+
+}  // namespace spoke::cli

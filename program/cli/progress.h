@@ -1,0 +1,67 @@
+#pragma once
+
+// What the terminal shows of how far a command is.
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace spoke::cli {
+
+/// Says on a line of the terminal (stderr) what is being done; an empty text clears it. Nothing
+/// where stderr is not a terminal.
+void show_progress(const std::string& text);
+
+/// A line on a terminal (stderr) that shows how far a simulation is and how fast it runs; nothing
+/// where stderr is not a terminal.
+class ProgressBar {
+ public:
+  /// start, duration: simulated time at the start and the end [s]; a bar that is not wanted shows
+  /// nothing.
+  ProgressBar(double start, double duration, bool wanted);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// Shows the simulated time t [s], at most ten times a second. Cheap enough for every step.
+  void update(double t);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static constexpr std::chrono::milliseconds kPause{100};  ///< between drawings
+
+  void draw(double t, Clock::time_point now) const;
+
+  double from_;
+  double duration_;
+  bool shown_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_ + kPause;
+};
+
+/// Shows runs done, runs a second, and the time that is left, a few times a second; nothing where
+/// stderr is not a terminal.
+class StudyProgress {
+ public:
+  /// done: runs before; planned: in all.
+  StudyProgress(std::int64_t done, std::int64_t planned);
+  /// Clears the line.
+  ~StudyProgress();
+  StudyProgress(const StudyProgress&) = delete;
+  StudyProgress& operator=(const StudyProgress&) = delete;
+
+  void update(std::int64_t done);
+  /// Since it began [s].
+  double seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kPause{200};  ///< between drawings
+
+  std::int64_t before_, planned_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point next_ = start_;
+};
+
+}  // namespace spoke::cli

@@ -1,0 +1,35 @@
+// Prints an equilibrium, and writes static.json, section_forces.csv and static.html.
+
+#include "program/cli/commands.h"
+#include "program/cli/report.h"
+#include "program/cli/steady_task.h"
+#include "program/steady_report/static_files.h"
+
+namespace spoke::cli {
+namespace {
+
+void print(const EquilibriumResult& result, const SteadyTask& task) {
+  print_title(task.scenario().title);
+  for (const auto& [label, text] : steady_report::make_facts(result)) print_line(label, text);
+  print_table(steady_report::make_tip_table(result));
+  const report::Table joints = steady_report::make_joint_table(result);
+  if (!joints.rows.empty()) print_table(joints);
+  print_line("written", task.path("static.html") + ", static.json, section_forces.csv");
+}
+
+}  // namespace
+
+int find_static(const Arguments& arguments) {
+  const SteadyTask task(arguments, "static");
+  const EquilibriumResult result = task.solve([&](const Scenario& scenario) {
+    return solve_equilibrium(scenario, {arguments.steady.speed});
+  });
+  task.write({{"static.json", steady_report::make_json(result)},
+              {"section_forces.csv", steady_report::make_section_csv(result)},
+              {"static.html", steady_report::make_html(result, task.scenario(), task.title())}});
+  print(result, task);
+  SteadyTask::warn(result);
+  return 0;
+}
+
+}  // namespace spoke::cli

@@ -1,0 +1,81 @@
+// Parses speeds and numbers of modes.
+
+#include "program/cli/steady_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <string>
+
+#include "program/cli/number_option.h"
+
+namespace spoke::cli {
+namespace {
+
+constexpr const char* kRange = "expected FROM:TO:STEP, ascending numbers up to 1e30 [rad/s], got ";
+constexpr double kMostSpeeds = 10000;
+
+/// A speed as scenarios may have it, too [rad/s].
+double parse_speed(const char* option, const std::string& text, const std::string& refused) {
+  constexpr double most = 1e30;
+  try {
+    return parse_number(option, text, -most, most, "");
+  } catch (const CLI::ValidationError&) {
+    throw CLI::ValidationError(option, refused);
+  }
+}
+
+/// "0:12:0.5", both ends included as far as the step meets them.
+std::vector<double> parse_range(const std::string& text) {
+  const std::size_t first = text.find(':'), second = text.find(':', first + 1);
+  if (first == std::string::npos || second == std::string::npos)
+    throw CLI::ValidationError("--speeds", kRange + text);
+  const auto parse = [&](const std::string& part) {
+    return parse_speed("--speeds", part, kRange + text);
+  };
+  const double from = parse(text.substr(0, first));
+  const double to = parse(text.substr(first + 1, second - first - 1));
+  const double step = parse(text.substr(second + 1));
+  if (!(to > from) || !(step > 0.0) || !(step <= to - from))
+    throw CLI::ValidationError("--speeds", kRange + text);
+  const double steps = std::floor((to - from) / step * (1.0 + 1e-9));
+  if (steps >= kMostSpeeds)
+    throw CLI::ValidationError("--speeds", "expected 10000 speeds at most, got " + text);
+  std::vector<double> speeds;
+  for (int k = 0; k <= static_cast<int>(steps); ++k) speeds.push_back(from + k * step);
+  return speeds;
+}
+
+}  // namespace
+
+void add_speeds(CLI::App& command, SteadyArguments& arguments) {
+  command
+      .add_option_function<std::string>(
+          "--speeds", [&](const std::string& text) { arguments.speeds = parse_range(text); },
+          "Speeds of the hub about its axis [rad/s], as 0:12:0.5")
+      ->required()
+      ->type_name("FROM:TO:STEP");
+}
+
+void add_speed(CLI::App& command, SteadyArguments& arguments) {
+  command
+      .add_option_function<std::string>(
+          "--speed",
+          [&](const std::string& text) {
+            arguments.speed =
+                parse_speed("--speed", text,
+                            "expected a number from -1e30 to 1e30 [rad/s], got \"" + text + '"');
+          },
+          "Speed of the hub about its axis [the one that the drive leads to]")
+      ->type_name("RAD_PER_S");
+}
+
+void add_count(CLI::App& command, SteadyArguments& arguments) {
+  command
+      .add_option("--count", arguments.count,
+                  "Modes, from the lowest on: of each blade, or of all\n"
+                  "where blades couple [10, or as many as there are]")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N");
+}
+
+}  // namespace spoke::cli

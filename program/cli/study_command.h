@@ -1,0 +1,20 @@
+#pragma once
+
+// The command of the program `spoke-study`.
+
+#include <string>
+
+#include "program/cli/arguments.h"
+
+namespace spoke::cli {
+
+/// What it asks for besides Arguments.
+struct StudyArguments {
+  std::string study;     ///< file
+  bool resumes = false;  ///< goes on from the journal in the folder
+};
+
+/// Makes the runs of a study and writes its files. Returns the exit status. Throws InputError.
+int study(const Arguments& arguments, const StudyArguments& own);
+
+}  // namespace spoke::cli

@@ -1,0 +1,57 @@
+// A model in steady rotation as a scene: its place at each speed, and its motion in a mode. Uses
+// page_tools.js, space_math.js and scene.js.
+
+// Numbers of a node: displacement and rotation, real and imaginary parts of each.
+const kShapeNumbers = 12;
+
+/** data: as program/steady_report/steady_scene.cpp writes it. */
+class SteadyStates {
+  constructor(data) {
+    this.scene = new Scene(data.scene);
+    this.states = data.states.map((state) => ({
+      ...state,
+      groups: this.decodeGroups(decode(state.groups, Float32Array)),
+      displacements: decode(state.displacements, Float32Array),
+      rotations: decode(state.rotations, Float32Array),
+      modes: (state.modes ?? []).map((mode) => ({ ...mode, shape: decode(mode.shape, Int16Array) })),
+    }));
+    this.bounds = this.findBounds();
+  }
+  decodeGroups(numbers) {
+    return Array.from({ length: this.scene.groups }, (_, g) =>
+      g === 0 ? { p: [0, 0, 0], R: kUnit } : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
+  }
+  /** Of where the model stands at the first and at the last speed. */
+  findBounds() {
+    const both = [this.at(0), this.at(this.states.length - 1)].map((state) => boundsOfState(this.scene, state));
+    return both[0].radius > both[1].radius ? both[0] : both[1];
+  }
+
+  /** Where the model stands at speed `k`. */
+  at(k) {
+    const { groups, displacements, rotations } = this.states[k];
+    return { hub: { p: [0, 0, 0], R: kUnit }, groups, displacements, rotations };
+  }
+  /** That, moved along a mode: by `amplitude` times the real part of shape times exp(i phase). */
+  moved(k, mode, amplitude, phase) {
+    const still = this.at(k);
+    const [displacements, rotations] = [Float64Array.from(still.displacements), Float64Array.from(still.rotations)];
+    const [c, s] = [amplitude * Math.cos(phase), amplitude * Math.sin(phase)];
+    const { shape, units, first } = mode;
+    for (let at = 0; at < shape.length; at += kShapeNumbers) {
+      const node = 3 * (first + at / kShapeNumbers);
+      for (let i = 0; i < 3; ++i) {
+        displacements[node + i] += units.displacement * (c * shape[at + i] - s * shape[at + 3 + i]);
+        rotations[node + i] += units.rotation * (c * shape[at + 6 + i] - s * shape[at + 9 + i]);
+      }
+    }
+    const hub = Array.from({ length: 6 }, (_, i) => c * mode.hub.real[i] - s * mode.hub.imag[i]);
+    return { ...still, displacements, rotations, hub: { p: hub.slice(0, 3), R: rotationOf(hub.slice(3)) } };
+  }
+  /** The amplitude by which a mode moves a node by `share` of the model's radius, or turns it by `share`
+   *  times five, at most: a mode of torsion turns, and hardly moves. */
+  amplitudeOf(mode, share) {
+    const moves = Math.max(mode.largest.displacement / this.bounds.radius, mode.largest.rotation / 5);
+    return moves > 0 ? share / moves : 0;
+  }
+}

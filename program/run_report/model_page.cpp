@@ -1,0 +1,115 @@
+// Makes one view of the scene, and tables of its parts.
+
+#include "program/run_report/model_page.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include "engine/scene/make_scene.h"
+#include "models/count_text.h"
+#include "program/report/model_script.h"
+#include "program/report/page.h"
+#include "program/report/scene_markup.h"
+#include "program/run_report/animation.h"
+#include "program/run_report/base64.h"
+#include "program/run_report/scene_data.h"
+
+namespace spoke::run_report {
+namespace {
+
+std::string make_markup() {
+  return R"(<div class="animation">
+<div class="views">
+<figure class="whole">)" +
+         report::scene_canvas("model", "view", "The model at t = 0") + R"(</figure>
+</div>
+<div class="controls">
+<label><input type="checkbox" id="model-axes" checked> section axes (<span class="y-axis">y</span>, <span class="z-axis">z</span>)</label>
+<label><input type="checkbox" id="model-joints" checked> joints</label>
+<label><input type="checkbox" id="model-loads" checked> loads</label>
+<label><input type="checkbox" id="model-sensors" checked> sensors</label>
+<label><input type="checkbox" id="model-names" checked> names</label>
+)" + report::scene_controls("model") +
+         R"(</div>
+</div>
+<noscript><p class="note warning">The drawing needs JavaScript.</p></noscript>
+)";
+}
+
+/// Values that are only round-off beside 1 become 0.
+std::string vector_text(const scene::Vector& v) {
+  const auto number = [](double x) { return fmt::format("{:.4g}", std::abs(x) < 1e-9 ? 0.0 : x); };
+  return "[" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "]";
+}
+
+report::Table joint_table(const scene::Scene& scene) {
+  report::Table table{"Places and axes in the hub's frame, all joint coordinates zero.",
+                      {{"joint"}, {"kind"}, {"place [m]"}, {"axes"}, {"coordinates"}},
+                      {}};
+  for (const scene::JointMark& joint : scene.joints) {
+    std::string axes, coordinates;
+    for (const scene::Vector& axis : joint.axes)
+      axes += (axes.empty() ? "" : ", ") + vector_text(axis);
+    for (const std::string& coordinate : joint.coordinates)
+      coordinates += (coordinates.empty() ? "" : ", ") + coordinate;
+    const scene::Vector& place = scene.nodes[static_cast<std::size_t>(joint.node)].p;
+    table.rows.push_back({{joint.name, joint.kind, vector_text(place), axes, coordinates}});
+  }
+  return table;
+}
+
+report::Table body_table(const scene::Scene& scene) {
+  report::Table table{
+      "Sections are drawn by chord and thickness, where they are given; else as "
+      "full ellipses of the section's inertias. Rigid bodies are drawn as boxes of "
+      "their mass and inertia. What would be too thin to be seen is drawn thicker.",
+      {{"body"},
+       {"inboard end [m]"},
+       {"outboard end [m]"},
+       {"section at its root, y and z [m]"},
+       {"at its tip [m]"}},
+      {}};
+  const auto size_of = [](const scene::Ring& ring) {
+    return fmt::format("{:.4g} by {:.4g}", 2.0 * ring.half_y, 2.0 * ring.half_z);
+  };
+  for (const scene::Strip& strip : scene.strips) {
+    const auto first = static_cast<std::size_t>(strip.first);
+    const auto last = first + static_cast<std::size_t>(strip.nodes) - 1;
+    table.rows.push_back(
+        {{strip.name, vector_text(scene.nodes[first].p), vector_text(scene.nodes[last].p),
+          size_of(strip.rings.front()), size_of(strip.rings.back())}});
+  }
+  return table;
+}
+
+std::string make_data(const Scenario& scenario, const scene::Scene& scene) {
+  const scene::Frame frame = make_first_frame(scenario, scene);
+  std::vector<float> groups;
+  for (std::size_t g = 1; g < frame.groups.size(); ++g) append_pose(frame.groups[g], groups);
+  const Json data = {{"scene", describe_scene(scene)}, {"groups", encode(groups)}};
+  return data.dump();
+}
+
+}  // namespace
+
+std::string make_model_page(const Scenario& scenario) {
+  const scene::Scene scene = scene::make_scene(scenario, Animation::kMostNodes);
+  report::Page page(scenario.title.empty() ? scenario.name : scenario.title,
+                    std::string("The model at t = 0, before it is simulated: ") +
+                        counted(std::ssize(scene.subsystems), "tree") + ", " +
+                        counted(std::ssize(scene.joints), "joint"));
+  page.widen();
+  page.add_markup(make_markup());
+  if (!scene.joints.empty()) {
+    page.add_heading("Joints");
+    page.add_table(joint_table(scene));
+  }
+  if (!scene.strips.empty()) {
+    page.add_heading("Flexible bodies");
+    page.add_table(body_table(scene));
+  }
+  page.add_data("model-data", make_data(scenario, scene));
+  page.add_script(report::model_script());
+  return page.html();
+}
+
+}  // namespace spoke::run_report

@@ -1,0 +1,109 @@
+// Makes the table and files of modes.
+
+#include "program/steady_report/mode_files.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "engine/support/csv_cell.h"
+#include "engine/support/plain_zero.h"
+#include "models/support/json.h"
+
+namespace spoke::steady_report {
+namespace {
+
+Json parts(const Eigen::Vector3cd& v, bool imaginary) {
+  const Eigen::Vector3d part = imaginary ? Eigen::Vector3d(v.imag()) : Eigen::Vector3d(v.real());
+  return Json::array({part.x(), part.y(), part.z()});
+}
+
+Json shape_json(const Mode& mode) {
+  Json blades = Json::array();
+  for (const std::vector<Eigen::Vector3cd>& nodes : mode.shape) {
+    Json real = Json::array(), imag = Json::array();
+    for (const Eigen::Vector3cd& p : nodes) {
+      real.push_back(parts(p, false));
+      imag.push_back(parts(p, true));
+    }
+    blades.push_back({{"real", real}, {"imag", imag}});
+  }
+  return blades;
+}
+
+Json mode_json(const Mode& mode) {
+  return {{"of", mode.of},
+          {"name", mode.name},
+          {"kind", mode.kind},
+          {"frequency_Hz", hertz(mode.frequency)},
+          {"frequency_rad_per_s", mode.frequency},
+          {"damping_ratio", damping_of(mode)},
+          {"eigenvalue_real_per_s", mode.eigenvalue.real()},
+          {"eigenvalue_imag_rad_per_s", mode.eigenvalue.imag()},
+          {"grows", mode.grows()},
+          {"shape", shape_json(mode)}};
+}
+
+}  // namespace
+
+double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
+
+double damping_of(const Mode& mode) {
+  return std::abs(mode.damping_ratio) < 1e-6 ? 0.0 : mode.damping_ratio;
+}
+
+report::Table make_mode_table(const ModesResult& result) {
+  using report::Align;
+  report::Table table{.caption = "Modes",
+                      .columns = {{"of"},
+                                  {"mode"},
+                                  {"Hz", Align::number},
+                                  {"rad/s", Align::number},
+                                  {"damping ratio", Align::number}}};
+  for (const Mode& mode : result.modes)
+    table.rows.push_back(
+        {{mode.of, mode.name, fmt::format("{:.6g}", hertz(mode.frequency)),
+          fmt::format("{:.6g}", mode.frequency), fmt::format("{:.4g}", damping_of(mode))},
+         mode.grows() ? report::Tone::bad : report::Tone::plain});
+  return table;
+}
+
+std::string describe_growth(const ModesResult& result) {
+  std::string names;
+  for (const Mode& mode : result.modes)
+    if (mode.grows())
+      names += fmt::format("{}{} of {} (by {:.3g} per s)", names.empty() ? "" : ", ", mode.name,
+                           mode.of, mode.eigenvalue.real());
+  return names.empty() ? names
+                       : "the equilibrium is unstable: " + names + " grow" +
+                             (names.find(',') == std::string::npos ? "s" : "");
+}
+
+std::string make_json(const ModesResult& result) {
+  Json modes = Json::array();
+  for (const Mode& mode : result.modes) modes.push_back(mode_json(mode));
+  Json nodes = Json::array();
+  for (const BladeEquilibrium& blade : result.equilibrium.blades) {
+    Json list = Json::array();
+    for (const Eigen::Vector3d& p : blade.nodes) list.push_back(Json::array({p.x(), p.y(), p.z()}));
+    nodes.push_back({{"name", blade.name}, {"nodes_m", list}});
+  }
+  const Json json = {{"speed_rad_per_s", result.equilibrium.speed},
+                     {"blades_couple", result.are_blades_coupled},
+                     {"equilibrium", nodes},
+                     {"modes", modes}};
+  return json.dump_lines();
+}
+
+std::string make_csv(const ModesResult& result) {
+  std::string text =
+      "of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,eigenvalue_real_per_s,grows\n";
+  for (const Mode& mode : result.modes)
+    text += fmt::format("{},{},{},{},{},{},{}\n", quoted_csv_cell(mode.of), csv_cell(mode.name),
+                        hertz(mode.frequency), mode.frequency, damping_of(mode),
+                        plain_zero(mode.eigenvalue.real()), mode.grows() ? 1 : 0);
+  return text;
+}
+
+}  // namespace spoke::steady_report

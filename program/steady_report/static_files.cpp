@@ -1,0 +1,233 @@
+// Makes the tables, files and page of an equilibrium.
+
+#include "program/steady_report/static_files.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/steady/steady_warnings.h"
+#include "engine/support/csv_cell.h"
+#include "engine/support/plain_zero.h"
+#include "models/support/json.h"
+#include "program/report/chart.h"
+#include "program/report/scene_markup.h"
+#include "program/report/static_script.h"
+#include "program/steady_report/steady_scene.h"
+
+namespace spoke::steady_report {
+namespace {
+
+using Eigen::Vector3d;
+
+std::string make_markup() {
+  return R"(<div class="animation">
+<div class="views">
+<figure class="whole">)" +
+         report::scene_canvas("steady", "view", "The model in equilibrium") + R"(</figure>
+</div>
+<div class="controls">
+<label><span>Deflections</span><input type="range" id="steady-scale" min="0" max="200" value="0"><output id="steady-times"></output></label>
+<label><input type="checkbox" id="steady-outline"> undeformed</label>
+<label><input type="checkbox" id="steady-joints"> joints</label>
+<label><input type="checkbox" id="steady-loads"> loads</label>
+<label><input type="checkbox" id="steady-names"> names</label>
+)" + report::scene_controls("steady") +
+         R"(</div>
+</div>
+<noscript><p class="note warning">The picture needs JavaScript.</p></noscript>
+)";
+}
+
+Json vector_json(const Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+/// Writes a number; a value that is only round-off beside `scale` becomes 0.
+std::string number_text(double value, double scale) {
+  constexpr double kRoundOff = 1e-10;
+  return fmt::format("{:.6g}", std::abs(value) <= kRoundOff * scale ? 0.0 : plain_zero(value));
+}
+
+std::string vector_text(const Vector3d& v, double scale) {
+  return fmt::format("[{}, {}, {}]", number_text(v.x(), scale), number_text(v.y(), scale),
+                     number_text(v.z(), scale));
+}
+
+/// Returns how far a blade reaches from the hub [m].
+double reach_of(const BladeEquilibrium& blade) {
+  double reach = 0.0;
+  for (const Vector3d& p : blade.nodes) reach = std::max(reach, p.norm());
+  return reach;
+}
+
+/// Returns "blade 1 / body 2 by 12.3 % of its length".
+std::string bending_text(const EquilibriumResult& result) {
+  const steady::LargestBending largest = steady::find_largest_bending(result);
+  if (largest.ratio == 0.0) return "none";
+  return fmt::format("{} by {:.3g} % of its length", steady::name_body(result, largest),
+                     100.0 * largest.ratio);
+}
+
+/// The size of the forces at the blades' roots [N], and of their moments about the hub [N m].
+struct RootScale {
+  double force = 0.0, moment = 0.0;
+};
+RootScale calc_root_scale(const EquilibriumResult& result) {
+  RootScale scale;
+  for (const BladeEquilibrium& blade : result.blades) {
+    if (blade.loads.empty()) continue;
+    const SectionLoad& root = blade.loads.front();
+    const double force = root.force.norm();
+    scale.force = std::max(scale.force, force);
+    scale.moment = std::max(scale.moment, root.moment.norm() + reach_of(blade) * force);
+  }
+  return scale;
+}
+
+Json nodes_json(const std::vector<Vector3d>& nodes) {
+  Json list = Json::array();
+  for (const Vector3d& p : nodes) list.push_back(vector_json(p));
+  return list;
+}
+
+Json blade_json(const BladeEquilibrium& blade) {
+  Json joints = Json::array(), loads = Json::array();
+  for (const JointPosition& joint : blade.joints)
+    joints.push_back(
+        {{"name", joint.name}, {"value", joint.value}, {"unit", joint.turns ? "rad" : "m"}});
+  for (const SectionLoad& load : blade.loads)
+    loads.push_back({{"body", load.body},
+                     {"station_m", load.station},
+                     {"force_N", vector_json(load.force)},
+                     {"moment_N_m", vector_json(load.moment)}});
+  return {{"name", blade.name},
+          {"tip_displacement_m", vector_json(blade.tip_displacement)},
+          {"tip_rotation_rad", vector_json(blade.tip_rotation)},
+          {"joints", joints},
+          {"section_forces", loads},
+          {"bending", blade.bending},
+          {"nodes_m", nodes_json(blade.nodes)},
+          {"undeformed_nodes_m", nodes_json(blade.undeformed)}};
+}
+
+/// The component of a node's deflection that a line shows.
+enum class Direction { lag, flap };
+
+/// Plots the deflections of a blade's nodes along the axis of rotation, or in the plane across the
+/// blade.
+report::LineSeries deflection_line(const BladeEquilibrium& blade, Direction direction) {
+  report::LineSeries line{.name = blade.name};
+  const Vector3d along = (blade.undeformed.back() - blade.undeformed.front()).normalized();
+  const Vector3d axis =
+      direction == Direction::flap ? Vector3d::UnitZ() : Vector3d(Vector3d::UnitZ().cross(along));
+  for (std::size_t k = 0; k < blade.nodes.size(); ++k) {
+    const Vector3d& from = blade.undeformed[k];
+    line.points.push_back({from.norm(), axis.dot(blade.nodes[k] - from)});
+  }
+  return line;
+}
+
+void add_chart(const EquilibriumResult& result, Direction direction, const std::string& title,
+               report::Page& page) {
+  report::LineChart chart{.title = title,
+                          .x = {.title = "distance from the hub", .unit = "m"},
+                          .y = {.title = "deflection", .unit = "m"}};
+  constexpr std::size_t kMost = 6;  // number of lines that can be told apart
+  for (const BladeEquilibrium& blade : result.blades)
+    if (blade.nodes.size() > 1 && chart.series.size() < kMost)
+      chart.series.push_back(deflection_line(blade, direction));
+  if (!chart.series.empty()) page.add_figure(render(chart));
+}
+
+std::string make_data(const EquilibriumResult& result, const Scenario& scenario) {
+  constexpr std::size_t kMostOfOne = 2000;
+  const SteadyScene scene(scenario, result, kMostOfOne);
+  const Json data = {{"scene", scene.describe()},
+                     {"states", Json::array({scene.describe(result)})}};
+  return data.dump();
+}
+
+}  // namespace
+
+report::Table make_tip_table(const EquilibriumResult& result) {
+  report::Table table{.caption = "Tips, in the hub's frame",
+                      .columns = {{"blade"}, {"displacement [m]"}, {"rotation [rad]"}}};
+  for (const BladeEquilibrium& blade : result.blades)
+    table.rows.push_back({{blade.name, vector_text(blade.tip_displacement, reach_of(blade)),
+                           vector_text(blade.tip_rotation, 1.0)}});
+  return table;
+}
+
+report::Table make_joint_table(const EquilibriumResult& result) {
+  report::Table table{
+      .caption = "Joints",
+      .columns = {{"blade"}, {"joint"}, {"value", report::Align::number}, {"unit"}}};
+  for (const BladeEquilibrium& blade : result.blades)
+    for (const JointPosition& joint : blade.joints)
+      table.rows.push_back(
+          {{blade.name, joint.name, number_text(joint.value, joint.turns ? 1.0 : reach_of(blade)),
+            joint.turns ? "rad" : "m"}});
+  return table;
+}
+
+std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
+  const RootScale scale = calc_root_scale(result);
+  return {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
+          {"hub force", vector_text(result.hub_force, scale.force) + " N, of support and drive"},
+          {"hub moment", vector_text(result.hub_moment, scale.moment) + " N m"},
+          {"largest bending", bending_text(result)},
+          {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
+                                   "{:.1e}",
+                                   result.iterations, result.load_steps,
+                                   result.load_steps == 1 ? "" : "s", result.last_change)}};
+}
+
+std::string make_json(const EquilibriumResult& result) {
+  Json blades = Json::array();
+  for (const BladeEquilibrium& blade : result.blades) blades.push_back(blade_json(blade));
+  Json warnings = Json::array();
+  for (const Warning& warning : result.warnings) warnings.push_back(warning.text);
+  const Json json = {{"speed_rad_per_s", result.speed},
+                     {"hub_force_N", vector_json(result.hub_force)},
+                     {"hub_moment_N_m", vector_json(result.hub_moment)},
+                     {"iterations", result.iterations},
+                     {"load_steps", result.load_steps},
+                     {"last_change", result.last_change},
+                     {"warnings", warnings},
+                     {"blades", blades}};
+  return json.dump_lines();
+}
+
+std::string make_section_csv(const EquilibriumResult& result) {
+  std::string text = "blade,body,station_m,Fx_N,Fy_N,Fz_N,Mx_N_m,My_N_m,Mz_N_m\n";
+  for (const BladeEquilibrium& blade : result.blades)
+    for (const SectionLoad& load : blade.loads) {
+      text += fmt::format("{},{},{}", csv_cell(blade.name), csv_cell(load.body),
+                          plain_zero(load.station));
+      for (const Vector3d* v : {&load.force, &load.moment})
+        for (const double value : *v) text += fmt::format(",{}", plain_zero(value));
+      text += '\n';
+    }
+  return text;
+}
+
+std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
+                      const std::string& title) {
+  report::Page page(title, fmt::format("Equilibrium at {:.6g} rad/s", result.speed));
+  page.widen();
+  page.add_markup(make_markup());
+  for (const Warning& warning : result.warnings)
+    page.add_note(warning.text + ".", report::Tone::warning);
+  page.add_facts(make_facts(result));
+  add_chart(result, Direction::flap, "Deflection along the axis of rotation", page);
+  add_chart(result, Direction::lag, "Deflection in the plane of rotation", page);
+  page.add_table(make_tip_table(result));
+  if (const report::Table joints = make_joint_table(result); !joints.rows.empty())
+    page.add_table(joints);
+  page.add_data("steady-data", make_data(result, scenario));
+  page.add_script(report::static_script());
+  return page.html();
+}
+
+}  // namespace spoke::steady_report

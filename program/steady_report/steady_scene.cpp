@@ -1,0 +1,132 @@
+// Describes equilibria by displacements of a scene's nodes, and modes by shapes of complex numbers.
+
+#include "program/steady_report/steady_scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/scene/make_scene.h"
+#include "program/run_report/base64.h"
+#include "program/run_report/scene_data.h"
+#include "program/steady_report/mode_files.h"
+
+namespace spoke::steady_report {
+namespace {
+
+using Eigen::Vector3cd;
+using Eigen::Vector3d;
+
+void append(const Vector3d& v, std::vector<float>& numbers) {
+  for (const double x : v) numbers.push_back(static_cast<float>(x));
+}
+
+/// Returns the larger of `largest` and the magnitudes of components.
+double larger(double largest, const Vector3cd& v) {
+  return std::max(largest, v.cwiseAbs().maxCoeff());
+}
+
+/// Appends components as fractions of `unit`, real parts first.
+void append(const Vector3cd& v, double unit, std::vector<std::int16_t>& numbers) {
+  const auto share = [unit](double x) {
+    return static_cast<std::int16_t>(unit > 0.0 ? std::lround(x / unit) : 0);
+  };
+  for (const std::complex<double>& x : v) numbers.push_back(share(x.real()));
+  for (const std::complex<double>& x : v) numbers.push_back(share(x.imag()));
+}
+
+Json hub_json(const Mode& mode) {
+  Json real = Json::array(), imag = Json::array();
+  for (const Vector3cd& v : {mode.hub_displacement, mode.hub_rotation})
+    for (const std::complex<double>& x : v) {
+      real.push_back(x.real());
+      imag.push_back(x.imag());
+    }
+  return {{"real", real}, {"imag", imag}};
+}
+
+/// A node's motion in a mode, relative to the hub.
+struct NodeShape {
+  Vector3cd displacement, rotation;
+};
+
+}  // namespace
+
+SteadyScene::SteadyScene(const Scenario& scenario, const EquilibriumResult& result,
+                         std::size_t most_nodes)
+    : scene_(scene::make_scene(scenario, most_nodes)) {
+  for (const scene::NodeSource& source : scene_.sources) {
+    const std::vector<int>& bodies =
+        result.blades[static_cast<std::size_t>(source.subsystem)].bodies;
+    const auto first = std::find(bodies.begin(), bodies.end(), source.body);
+    places_.push_back(static_cast<std::size_t>(first - bodies.begin() + source.node));
+  }
+}
+
+Json SteadyScene::describe() const { return run_report::describe_scene(scene_); }
+
+Json SteadyScene::describe(const EquilibriumResult& result) const {
+  std::vector<spatial::Placement> motions(static_cast<std::size_t>(scene_.groups));
+  std::vector<float> displacements(3 * scene_.nodes.size()), rotations = displacements, groups;
+  if (!result.blades.empty()) {
+    displacements.clear();
+    rotations.clear();
+    for (std::size_t k = 0; k < scene_.nodes.size(); ++k) {
+      const BladeEquilibrium& blade =
+          result.blades[static_cast<std::size_t>(scene_.sources[k].subsystem)];
+      const std::size_t at = places_[k];
+      append(blade.nodes[at] - blade.undeformed[at], displacements);
+      append(blade.rotations[at], rotations);
+      // All nodes of a rigid body show its motion.
+      const scene::Node& drawn = scene_.nodes[k];
+      if (drawn.group == 0) continue;
+      spatial::Placement& motion = motions[static_cast<std::size_t>(drawn.group)];
+      motion.rotation = blade.undeformed_axes[at] * drawn.axes.transpose();
+      motion.position = blade.undeformed[at] - motion.rotation * drawn.p;
+    }
+  }
+  for (std::size_t g = 1; g < motions.size(); ++g) run_report::append_pose(motions[g], groups);
+  return {{"speed", result.speed},
+          {"groups", run_report::encode(groups)},
+          {"displacements", run_report::encode(displacements)},
+          {"rotations", run_report::encode(rotations)}};
+}
+
+Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) const {
+  std::vector<NodeShape> shapes;
+  std::size_t first = 0;
+  double displacement = 0.0, rotation = 0.0;
+  for (std::size_t k = 0; k < scene_.nodes.size(); ++k) {
+    const auto tree = static_cast<std::size_t>(scene_.sources[k].subsystem);
+    if (mode.shape[tree].empty()) continue;
+    if (shapes.empty()) first = k;
+    const std::size_t at = places_[k];
+    const Vector3cd p = result.blades[tree].nodes[at].cast<std::complex<double>>();
+    const Vector3cd carried = mode.hub_displacement + mode.hub_rotation.cross(p);
+    shapes.push_back(
+        {mode.shape[tree][at] - carried, mode.rotations[tree][at] - mode.hub_rotation});
+    displacement = larger(displacement, shapes.back().displacement);
+    rotation = larger(rotation, shapes.back().rotation);
+  }
+  constexpr double kMost = std::numeric_limits<std::int16_t>::max();
+  std::vector<std::int16_t> numbers;
+  for (const NodeShape& shape : shapes) {
+    append(shape.displacement, displacement / kMost, numbers);
+    append(shape.rotation, rotation / kMost, numbers);
+  }
+  return {{"name", mode.name},
+          {"of", mode.of},
+          {"frequency", hertz(mode.frequency)},
+          {"damping", damping_of(mode)},
+          {"grows", mode.grows()},
+          {"hub", hub_json(mode)},
+          {"first", first},
+          {"shape", run_report::encode(numbers)},
+          {"units", {{"displacement", displacement / kMost}, {"rotation", rotation / kMost}}},
+          {"largest",
+           {{"displacement", larger(displacement, mode.hub_displacement)},
+            {"rotation", larger(rotation, mode.hub_rotation)}}}};
+}
+
+}  // namespace spoke::steady_report

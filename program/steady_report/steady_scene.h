@@ -1,0 +1,34 @@
+#pragma once
+
+// A model in steady rotation as data of a page, which program/report/steady_states.js reads.
+
+#include <vector>
+
+#include "engine/equilibrium.h"
+#include "engine/modes.h"
+#include "engine/scene/scene.h"
+#include "models/support/json.h"
+
+namespace spoke::steady_report {
+
+class SteadyScene {
+ public:
+  /// `result`: that of the scenario's model. Bodies with many elements show every few nodes, see
+  /// scene::make_scene().
+  SteadyScene(const Scenario& scenario, const EquilibriumResult& result, std::size_t most_nodes);
+
+  /// Describes the undeformed scene.
+  Json describe() const;
+  /// Describes the equilibrium: motions of groups of bodies, displacements and rotations of nodes;
+  /// undeformed if `result` has no blades.
+  Json describe(const EquilibriumResult& result) const;
+  /// Describes a mode about the equilibrium: names, frequency [Hz], damping ratio, the motion of
+  /// the hub, and relative to it that of the trees in the mode.
+  Json describe(const Mode& mode, const EquilibriumResult& result) const;
+
+ private:
+  scene::Scene scene_;
+  std::vector<std::size_t> places_;  ///< places of the scene's nodes among those of their blades
+};
+
+}  // namespace spoke::steady_report

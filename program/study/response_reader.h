@@ -1,0 +1,15 @@
+#pragma once
+
+// Reads the [[response]] tables of a study file.
+
+#include <vector>
+
+#include "models/reader/toml_section.h"
+#include "program/study/study.h"
+
+namespace spoke::study {
+
+/// Reads one response or more; whether their sensors exist is checked later. Throws InputError.
+std::vector<Response> read_responses(const TomlSection& root);
+
+}  // namespace spoke::study

@@ -1,7 +1,0 @@
-#include <doctest/doctest.h>
-
-#include "tests/cli/rank_kills.h"
-
-TEST_CASE("a study whose ranks are killed 20 times ends in the bytes of one process") {
-  check_rank_kills(20, 2000);
-}

@@ -1,0 +1,201 @@
+// Models in space on the command line.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/program/cli/program.h"
+
+TEST_CASE("check prints the tree of a model in space, and its mass") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("articulated_rotor")}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* part :
+       {"Articulated rotor with cyclic pitch\n", "in space, 4 trees, 24 bodies, 588 coordinates\n",
+        "  blade 1         body 1 (beam, 0 to 0.3 m, 4 elements), on the hub: fixed\n",
+        "                    body 2 (beam, 0.3 to 0.4 m, 4 elements), on body 1 at 0.3 m: hinges, "
+        "universal about [0, -1, 0], [0, 0, 1], free and free\n",
+        "                      body 3 ... body 6 (beam, 0.4 to 7.3 m, 16 elements), on body 2 at "
+        "0.4 m: pitch, revolute about [1, 0, 0], prescribed\n",
+        "67.31 kg, first moment [242.859, 0, 0] kg m\n", "  blade 4         as blade 1\n",
+        "  all             269.24 kg, first moment [0, 0, 0] kg m\n"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("check tells at which speed rk4's limit is, and leaves out large trees") {
+  const WorkFolder folder;
+  const Ended turning = run_spoke({"check", shipped("heavy_top"), "--set",
+                                   "hub.drive.kind=constant", "--set", "hub.drive.speed=30.0"},
+                                  folder);
+  CHECK(turning.status == 0);
+  CHECK(turning.out.find("  rk4             stable up to a step of 0.09428 s (at 30 rad/s)\n") !=
+        std::string::npos);
+  const Ended large =
+      run_spoke({"check", shipped("nrel_5mw_rotor"), "--set", "blade.bodies=60"}, folder);
+  CHECK(large.status == 0);
+  CHECK(large.out.find(
+            "  rk4             the frequencies of \"blade 1\" are not computed: it has ") !=
+        std::string::npos);
+}
+
+TEST_CASE("check prints branches behind the body that they are on") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("tree_of_bodies")}, folder);
+  CHECK(ended.status == 0);
+  std::size_t at = 0;
+  for (const char* line :
+       {"boom / body 1 ... boom / body 2 (beam, 0 to 6 m, 8 elements), on the hub",
+        "  bracket (rigid, 2 kg), on boom / body 1 at 3 m: bracket, fixed",
+        "    panel (beam, 0 to 4 m, 6 elements), on bracket: panel, revolute",
+        "  antenna (rigid, 9 kg), on boom / body 2 at 6 m: gimbal, universal"}) {
+    CAPTURE(line);
+    at = ended.out.find(line, at);
+    CHECK(at != std::string::npos);
+  }
+}
+
+TEST_CASE("check prints frequencies and steps of a model in space, and warns of rk4's") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("nrel_5mw_rotor")}, folder);
+  for (const char* part :
+       {"  memory          about ", "  at rest         lowest natural frequency 4.24",
+        "                  highest natural frequency ", "  rk4             stable up to a step of ",
+        "  integration     generalized_alpha, 3000 steps of 0.01 s\n"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  CHECK(ended.err.empty());
+  const Ended unstable =
+      run_spoke({"check", shipped("nrel_5mw_rotor"), "--set", "integration.method=rk4"}, folder);
+  CHECK(unstable.status == 0);
+  CHECK(unstable.err.find("0.01 s is not stable with rk4, expected at most ") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("heavy_top")}, folder).out.find("nothing vibrates") !=
+        std::string::npos);
+}
+
+TEST_CASE("check accepts every shipped scenario in space, with overrides") {
+  const WorkFolder folder;
+  for (const char* name :
+       {"nrel_5mw_rotor", "drone_rotor", "satellite_booms", "heavy_top", "spatial_wu_haug"}) {
+    CAPTURE(name);
+    CHECK(run_spoke({"check", shipped(name)}, folder).status == 0);
+  }
+  const Ended ended = run_spoke(
+      {"check", shipped("nrel_5mw_rotor"), "--set", "blade.bodies=8", "--set", "blade.count=2"},
+      folder);
+  CHECK(ended.out.find("2 trees, 16 bodies") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("heavy_top"), "--set", "subsystem.1.body.1.inertia=[1,1,0]"},
+                  folder)
+            .status == 2);
+}
+
+TEST_CASE("a model in space runs as others do") {
+  const WorkFolder folder;
+  const Ended run = run_spoke(
+      {"run", shipped("articulated_rotor"), "--set", "integration.duration=0.02", "--out", "run"},
+      folder);
+  CHECK(run.status == 0);
+  for (const char* file : {"sensors.csv", "summary.json", "report.html"})
+    CHECK(std::filesystem::exists(folder.path() / "run" / file));
+  const std::string sensors = file_text(folder.path() / "run" / "sensors.csv");
+  for (const char* name :
+       {"blade1.tip.z", "blade4.hinges.1", "blade2.pitch", "blade3.root.moment.y"})
+    CHECK(sensors.find(name) != std::string::npos);
+  const Ended trace = run_spoke({"trace", shipped("heavy_top"), "--out", "trace"}, folder);
+  CHECK(trace.status == 0);
+}
+
+TEST_CASE("a model in space has three formulations") {
+  const WorkFolder folder;
+  const auto final_tip = [&](const std::string& formulation) {
+    REQUIRE(run_spoke({"run", shipped("tree_of_bodies"), "--set", "integration.duration=0.05",
+                       "--formulation", formulation, "--out", "run", "--quiet"},
+                      folder)
+                .status == 0);
+    const auto summary = nlohmann::json::parse(file_text(folder.path() / "run" / "summary.json"));
+    CHECK(summary["formulation"] == formulation);
+    return summary["sensors"]["appendage.tip.z"]["final"].get<double>();
+  };
+  const double structured = final_tip("structured");
+  CHECK(structured != 0.0);
+  for (const char* formulation : {"subsystem", "augmented"})
+    CHECK(final_tip(formulation) == doctest::Approx(structured).epsilon(1e-6));
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"trace"}, {"predict", "--threads", "2", "--window", "1"}}) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {shipped("heavy_top"), "--formulation", "subsystem", "--out", words[0]});
+    CHECK(run_spoke(all, folder).status == 0);
+  }
+}
+
+TEST_CASE("what is not simulated of a model in space is refused in one line") {
+  const WorkFolder folder;
+  const Ended ended =
+      run_spoke({"run", shipped("articulated_rotor"), "--set", "hub.drive={ kind = \"free\" }",
+                 "--set", "integration.method=rk4", "--out", "a"},
+                folder);
+  CHECK(ended.status == 2);
+  CHECK(ended.err.find("follows the azimuth of a hub that no drive prescribes the rotation of, "
+                       "expected \"generalized_alpha\"") != std::string::npos);
+  CHECK(ended.err.find('\n') == ended.err.size() - 1);
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("check draws a model, in space or not, in a page that runs nothing") {
+  const WorkFolder folder;
+  for (const char* name : {"tree_of_bodies", "wu_haug_rotor"}) {
+    CAPTURE(name);
+    const Ended ended = run_spoke({"check", shipped(name), "--html", "model.html"}, folder);
+    CHECK(ended.status == 0);
+    CHECK(ended.out.find("  drawn           model.html\n") != std::string::npos);
+    CHECK(file_text(folder.path() / "model.html").find("id=\"model-view\"") != std::string::npos);
+  }
+  CHECK(folder.entries() == 1);
+  // With a mount that moves, too.
+  const auto mounted = folder.write("mounted.toml", file_text(shipped("heavy_top")) + R"(
+[hub.mount]
+rotation = { amplitude = [0.1, 0.0, 0.0], frequency = 0.6 }
+)");
+  CHECK(run_spoke({"check", mounted.string(), "--html", "m.html"}, folder).status == 0);
+}
+
+TEST_CASE("a page that cannot be written is refused") {
+  const WorkFolder folder;
+  const Ended there = run_spoke({"check", shipped("heavy_top"), "--html", "."}, folder);
+  CHECK(there.status == 2);
+  CHECK(there.err.find('.') != std::string::npos);
+  const Ended nowhere = run_spoke({"check", shipped("heavy_top"), "--html", "no/m.html"}, folder);
+  CHECK(nowhere.status == 2);
+  CHECK(nowhere.err.find("no/m.html: cannot be written") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("heavy_top"), "--html", ""}, folder).status == 2);
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("run tells the largest tip displacements of a model in space") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"run", shipped("tree_of_bodies"), "--set",
+                                 "integration.duration=1", "--no-report", "--out", "o"},
+                                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("  tip moved       ") != std::string::npos);
+  CHECK(ended.out.find(" s (appendage)\n") != std::string::npos);
+}
+
+TEST_CASE("--vtk writes models in space") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"run", shipped("heavy_top"), "--set", "integration.duration=0.1",
+                                 "--vtk", "--no-report", "--out", "o"},
+                                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("vtk (11 times)") != std::string::npos);
+  const std::string last = file_text(folder.path() / "o" / "vtk" / "blades_000010.vtp");
+  CHECK(last.find("NumberOfLines=\"0\"") != std::string::npos);
+  CHECK(last.ends_with("</VTKFile>\n"));
+}

@@ -1,0 +1,138 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/program/cli/program.h"
+#include "tests/program/cli/refusal.h"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST_CASE("static prints an equilibrium and writes its files") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"static", shipped("articulated_rotor"), "--speed", "30"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* part : {"30 rad/s", "hub moment", "blade 4", "hinges 2", "static.html"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  const fs::path results = folder.path() / "results" / "articulated_rotor" / "static";
+  const json all = json::parse(file_text(results / "static.json"));
+  CHECK(all["speed_rad_per_s"] == 30.0);
+  CHECK(all["blades"].size() == 4);
+  CHECK(all["blades"][0]["nodes_m"].size() == all["blades"][0]["undeformed_nodes_m"].size());
+  CHECK(lines_of(file_text(results / "section_forces.csv")).size() ==
+        1 + 4 * all["blades"][0]["section_forces"].size());
+  CHECK(file_text(results / "static.html").find("Equilibrium at 30 rad/s") != std::string::npos);
+}
+
+TEST_CASE("static says how far bodies bend, warns of it, and writes no -0") {
+  const WorkFolder folder;
+  const std::vector<std::string> arguments = {
+      "static", shipped("spin_up_hold_spin_down"),        "--speed", "-0", "--out", "x",
+      "--set",  "load=[{moment=300.0,frame=\"section\"}]"};
+  const Ended ended = run_spoke(arguments, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("largest bending blade 1 / body 1 by ") != std::string::npos);
+  CHECK(ended.err.starts_with("warning: blade 1 / body 1 bends by "));
+  CHECK(ended.err.find("up to which its linear elasticity holds: cut the blade into about ") !=
+        std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "x" / "static.json"));
+  CHECK(all["blades"][0]["bending"].size() == all["blades"][0]["section_forces"].size());
+  CHECK("warning: " + all["warnings"][0].get<std::string>() + '\n' == ended.err);
+  for (const char* file : {"static.json", "section_forces.csv"}) {
+    CAPTURE(file);
+    const std::string text = ' ' + file_text(folder.path() / "x" / file);
+    for (std::size_t at = text.find("-0"); at != std::string::npos; at = text.find("-0", at + 1)) {
+      const bool is_alone = std::string(" ,\n").find(text[at - 1]) != std::string::npos;
+      const std::size_t end = text.find_first_of(",\n]", at);
+      if (is_alone) CHECK(std::stod(text.substr(at, end - at)) != 0.0);
+    }
+  }
+  CHECK(ended.out.find("-0 ") == std::string::npos);
+}
+
+TEST_CASE("modes prints a table and writes its files") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke(
+      {"modes", shipped("wu_haug_rotor"), "--speed", "4", "--count", "3", "--out", "x"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  CHECK(ended.out.find("blades 1 to 3  lag 1") != std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "x" / "modes.json"));
+  CHECK(all["modes"].size() == 3);
+  CHECK(all["blades_couple"] == false);
+  CHECK(all["modes"][0]["shape"][0]["real"].size() == all["equilibrium"][0]["nodes_m"].size());
+  CHECK(lines_of(file_text(folder.path() / "x" / "modes.csv")).size() == 4);
+}
+
+TEST_CASE("modes and campbell without --count take what there is") {
+  const WorkFolder folder;
+  const Ended modes = run_spoke({"modes", shipped("heavy_top"), "--out", "x"}, folder);
+  CHECK(modes.status == 0);
+  CHECK(lines_of(file_text(folder.path() / "x" / "modes.csv")).size() == 1 + 3);
+  const Ended campbell =
+      run_spoke({"campbell", shipped("heavy_top"), "--speeds", "1:3:1", "--out", "y"}, folder);
+  CHECK(campbell.status == 0);
+  CHECK(campbell.err.empty());
+}
+
+TEST_CASE("campbell follows modes and writes its files") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke(
+      {"campbell", shipped("wu_haug_rotor"), "--speeds", "0:4:0.5", "--count", "2", "--out", "x"},
+      folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("Crossings") != std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "x" / "campbell.json"));
+  CHECK(all["speeds_rad_per_s"].size() == 9);
+  CHECK(all["branches"].size() == 2);
+  CHECK(all["branches"][0]["mode"] == "lag 1");
+  CHECK(lines_of(file_text(folder.path() / "x" / "campbell.csv")).size() == 1 + 2 * 9);
+  CHECK(file_text(folder.path() / "x" / "campbell.html").find("per revolution") !=
+        std::string::npos);
+}
+
+TEST_CASE("linearize writes matrices whose rows and columns have names") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"linearize", shipped("wu_haug_rotor"), "--speed", "4", "--set",
+                                 "load=[{force=[0.0,1.0]}]", "--out", "x"},
+                                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  const json names = json::parse(file_text(folder.path() / "x" / "linear.json"));
+  CHECK(names["inputs"].size() == 3);
+  CHECK(names["inputs"][0]["name"] == "blade 1 / load.1");
+  CHECK(names["outputs"][1] == json{{"name", "blade1.tip.y"}, {"unit", "m"}});
+  const std::vector<std::string> b = lines_of(file_text(folder.path() / "x" / "B.mtx"));
+  CHECK(b[0] == "%%MatrixMarket matrix coordinate real general");
+  const std::string sizes = std::to_string(names["states"].size()) + " 3 ";
+  CHECK(b[1] == sizes + std::to_string(b.size() - 2));
+}
+
+TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") {
+  const std::string scenario = shipped("wu_haug_rotor");
+  check_refused({"static", scenario, "--speed", "fast"}, "spoke static: ");
+  check_refused({"static", shipped("satellite_booms")},
+                "hub.support: the hub is free, expected an axle: nothing holds the model");
+  check_refused({"modes", scenario, "--count", "0"}, "--count: Value 0 not in range");
+  check_refused({"modes", scenario, "--count", "1000"},
+                "1000 modes, expected at most 48: there are no more of blades 1 to 3");
+  check_refused({"modes", scenario, "--set", "hub.drive={kind=\"torque\",torque=1.0}"},
+                "hub.drive: a torque has no steady speed by itself");
+  const std::string range =
+      "--speeds: expected FROM:TO:STEP, ascending numbers up to 1e30 [rad/s], got ";
+  for (const std::string speeds :
+       {"4:0:0.5", "0:4:-1", "0:4", "a:4:1", "0:4:9", "0:nan:1", "0:1e308:1e307"})
+    check_refused({"campbell", scenario, "--speeds", speeds}, range + speeds);
+  check_refused({"campbell", scenario}, "--speeds is required");
+  for (const std::string command : {"static", "modes", "linearize"})
+    for (const std::string speed : {"", "nan", "inf", "1e400", "1e308", "-1e31", "3 rad"})
+      check_refused({command, scenario, "--speed", speed},
+                    "--speed: expected a number from -1e30 to 1e30 [rad/s], got \"" + speed);
+  check_refused({"run", scenario, "--set", "initial={state=\"equilibrium\",speed=1.0}"},
+                "initial.speed: is 1, expected a speed that the drive has");
+}

@@ -1,0 +1,163 @@
+#include "program/run_report/html_file.h"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program/report/markup.h"
+#include "tests/approx.h"
+#include "tests/engine/space/system/models.h"
+#include "tests/program/run_report/scenarios.h"
+
+using namespace spoke;
+using namespace spoke::run_report;
+using namespace spoke::test;
+using nlohmann::json;
+using spoke::testing::approx;
+
+namespace {
+
+/// A run of `scenario`, recorded at all its steps.
+struct Run {
+  explicit Run(const Scenario& scenario)
+      : simulation(scenario, test_options()),
+        statistics(simulation.sensor_names().size()),
+        recorder(simulation) {
+    add();
+    for (int k = 0; k < 20; ++k) {
+      simulation.run_until(0.1 * (k + 1));
+      add();
+    }
+  }
+  void add() {
+    statistics.add(simulation.time(), simulation.sensor_values());
+    recorder.add_row(simulation.time(), simulation.sensor_values());
+    recorder.add_picture(simulation);
+  }
+
+  Simulation simulation;
+  SensorStatistics statistics;
+  Recorder recorder;
+};
+
+double largest_lag(const Run& run) {
+  return run.statistics.ranges()[run.simulation.sensor_index("blade2.tip.across")].min;
+}
+
+}  // namespace
+
+TEST_CASE("the data hold the curves of all plots and an animation") {
+  const Run run(test_scenario());
+  const json data = json::parse(make_data(run.recorder));
+  CHECK(data["end"] == approx(2.0));
+  REQUIRE(data["plots"].size() == 8);
+  CHECK(data["plots"][0]["title"] == "Tip deflection across the blade");
+  CHECK(data["plots"][0]["curves"].size() == 2);
+  // 21 samples of a time and a value, 4 bytes each, in base64
+  CHECK(data["plots"][0]["curves"][0]["samples"].get<std::string>().size() == 224);
+  CHECK(data["scene"]["trees"] == json::array({"blade 1", "blade 2"}));
+  CHECK(data["scene"]["strips"].size() == 4);
+  // 21 frames of an angle of 16 nodes, 2 bytes each, in base64
+  CHECK(data["animation"]["rotations"].get<std::string>().size() == 896);
+}
+
+TEST_CASE("a page without a moving picture does not speak of one") {
+  const Simulation simulation(test_scenario(), test_options());
+  SensorStatistics statistics(simulation.sensor_names().size());
+  statistics.add(0.0, simulation.sensor_values());
+  Recorder recorder(simulation);
+  recorder.add_row(0.0, simulation.sensor_values());
+  const std::string still = make_html(simulation, statistics, {0.5, ""}, {}, recorder);
+  CHECK(still.find("Drag to zoom, double-click to reset. With the keyboard") != std::string::npos);
+  CHECK(still.find("animation there") == std::string::npos);
+  const Run run(test_scenario());
+  const std::string moving = make_html(run.simulation, run.statistics, {0.5, ""}, {}, run.recorder);
+  CHECK(moving.find("click to move the animation there") != std::string::npos);
+}
+
+TEST_CASE("a run in space has a moving picture, and its largest tip displacement first") {
+  Scenario scenario = parse_scenario(make_text(kFlyingHub, kTree), "test");
+  scenario.integration.duration = 2.0;
+  const Run run(scenario);
+  const json data = json::parse(make_data(run.recorder));
+  CHECK(data["scene"]["isPlanar"] == false);
+  CHECK(data["scene"]["joints"].size() == 5);
+  const std::string html =
+      make_html(run.simulation, run.statistics, {0.5, ""}, {0.125, "at 1 s (arm)"}, run.recorder);
+  CHECK(html.find("Largest tip displacement") != std::string::npos);
+  CHECK(html.find("at 1 s (arm)") != std::string::npos);
+  CHECK(html.find("id=\"animation-inertial\"") != std::string::npos);
+}
+
+TEST_CASE("deflections across and along the blade have the blade's directions") {
+  const Run run(test_scenario());
+  const auto across = run.recorder.curves().curve(1).back();
+  const auto along = run.recorder.curves().curve(3).back();
+  CHECK(across.value == approx(-run.simulation.sensor("blade2.tip.y")));
+  CHECK(along.value == approx(-run.simulation.sensor("blade2.tip.x")));
+  CHECK(across.value < 0.0);  // lags behind
+}
+
+TEST_CASE("only a free hub has a plot of its place") {
+  Scenario scenario = test_scenario();
+  CHECK(make_plots(Simulation(scenario, test_options())).size() == 8);
+  scenario.rotor.hub.support = HubSupport::free;
+  scenario.rotor.hub.mass = 10.0;
+  const auto plots = make_plots(Simulation(scenario, test_options()));
+  REQUIRE(plots.size() == 9);
+  CHECK(plots[4].title == "Place of the hub");
+}
+
+TEST_CASE("roots and the scenario's own sensors have plots") {
+  Scenario scenario = test_scenario();
+  scenario.sensors.resize(3);
+  scenario.sensors[0].name = "mid";
+  scenario.sensors[0].position = 3.0;
+  scenario.sensors[1].quantity = SensorQuantity::kinetic_energy;
+  scenario.sensors[1].blade = BladeChoice::number(2);
+  scenario.sensors[2].quantity = SensorQuantity::momentum;
+  const Simulation simulation(scenario, test_options());
+  const auto plots = make_plots(simulation);
+  REQUIRE(plots.size() == 8 + 3 + 1 + 3);
+  CHECK(plots[7].title == "Bending moment at the root");
+  CHECK(plots[7].channels[1].first == simulation.sensor_index("blade2.root.moment"));
+  CHECK(plots[9].title == "mid.y");
+  CHECK(plots[9].unit == "m");
+  CHECK(plots[9].channels[1].first == simulation.sensor_index("blade2.mid.y"));
+  REQUIRE(plots[11].channels.size() == 1);
+  CHECK(plots[11].channels[0].name == "blade 2");
+  CHECK(plots[11].channels[0].first == simulation.sensor_index("blade2.kinetic_energy"));
+  CHECK(plots[14].channels[0].first == simulation.sensor_index("momentum.angular"));
+}
+
+TEST_CASE("the page has the model's numbers, settings and extremes, and escapes the title") {
+  const Run run(test_scenario());
+  const std::string html = make_html(run.simulation, run.statistics, {0.5, ""},
+                                     {largest_lag(run), "at 1 s (blades 1-2)"}, run.recorder);
+  for (const char* part :
+       {"two &lt;/script&gt; blades", "2 s in 200 steps of 0.01 s", "at 1 s (blades 1-2)",
+        "beam elements</dt><dd>12<", "structured", "blade2.tip.y",
+        "The plots show every row of sensors.csv.", "The animation has 21 pictures"}) {
+    CAPTURE(part);
+    CHECK(html.find(part) != std::string::npos);
+  }
+  // Both blades lag alike, by some millimetres.
+  const std::string tile = "<strong>" + report::quantity(largest_lag(run), "m", 5) + "</strong>";
+  CAPTURE(tile);
+  CHECK(tile.ends_with(" mm</strong>"));
+  CHECK(html.find(tile) != std::string::npos);
+  CHECK(html.find("note bad") == std::string::npos);
+  CHECK(html.find("note warning\">\n") == std::string::npos);
+}
+
+TEST_CASE("a failure is told at the top, and advice is that of the warnings alone") {
+  const Run run(test_scenario());
+  SensorStatistics statistics(run.simulation.sensor_names().size());
+  std::vector<double> values(run.simulation.sensor_names().size(), 1.0);
+  statistics.add(2.0, values);  // residual as large as the kinetic energy
+  const std::string html =
+      make_html(run.simulation, statistics, {0.5, "blade 1 <left>"}, {}, run.recorder);
+  CHECK(html.find("<div class=\"note bad\">\n<p>blade 1 &lt;left&gt;</p>") != std::string::npos);
+  CHECK(run.simulation.warnings().empty());
+  CHECK(html.find("<div class=\"note warning\">") == std::string::npos);
+}
