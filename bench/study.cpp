@@ -94,7 +94,7 @@ void run_on_two_ranks(const std::vector<std::string>& words) {
   if (std::system(command.c_str()) != 0) throw std::runtime_error("mpirun fails");
 }
 
-/// The same lengths of blades as one study and in halves.
+/// A study of the length of blades as a whole, and the two studies of its halves.
 struct Studies {
   Studies(const fs::path& in, int of_runs)
       : folder(in),

@@ -6,7 +6,8 @@
 
 namespace spoke::test {
 
-/// What the error of this type (an InputError) says that `function` throws, or "no error".
+/// Returns the text of the error of this type (an InputError) that `function` throws, or "no
+/// error".
 template <class Thrown = InputError, class Function>
 std::string message_of(const Function& function) {
   try {

@@ -13,11 +13,11 @@ namespace spoke::compare {
 struct Command {
   std::string program;                   ///< path of the executable file
   std::vector<std::string> arguments;    ///< behind the program's name
-  std::vector<std::string> environment;  ///< all of it, as "NAME=value"
-  std::string input = {};                ///< what it finds on its standard input at first
+  std::vector<std::string> environment;  ///< the whole environment, as "NAME=value"
+  std::string input = {};                ///< first text on its standard input
 };
 
-/// What came from a child.
+/// The answer of a child, or the reason why there is none.
 struct Answer {
   enum class Kind {
     line,
@@ -35,17 +35,17 @@ class Child {
   /// Throws std::system_error if no process can be made. If the program cannot be run, the child
   /// ends at once.
   explicit Child(const Command& command);
-  /// Kills it if it still runs.
+  /// Kills the child if it still runs.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Does nothing if the child has ended; receive() then says so.
+  /// Sends a line. Does nothing if the child has ended; receive() then says so.
   void send(const std::string& line);
   Answer receive(double seconds_allowed);
 
-  /// Halts all its threads wherever they are, so that those which spin leave the processors to
-  /// others; and lets them go on.
+  /// Halts all threads of the child wherever they are, so that spinning ones leave the processors
+  /// to others; go_on() lets them go on.
   void halt();
   void go_on();
 

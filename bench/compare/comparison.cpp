@@ -52,7 +52,7 @@ Result evaluate(Measurement measurement, const Measurement& serial, const Model&
   return result;
 }
 
-/// None if nothing but serial was measured, or nothing else had its bits.
+/// Returns the fastest other result with serial's bits, or null if there is none.
 const Result* fastest_rival(const Comparison& comparison, Formulation formulation) {
   const Result* best = nullptr;
   for (const Result& result : comparison.results) {
@@ -106,7 +106,7 @@ bool Verdict::is_winner(const Result& result) const {
 Verdict judge(const Comparison& comparison, Formulation formulation) {
   using Kind = Verdict::Kind;
   constexpr double kTrifle = 0.03;
-  constexpr double kPossible = 0.93;  // of the bound; a lower time is an error of measurement
+  constexpr double kPossible = 0.93;  // times the bound; a lower time is an error of measurement
   if (!(model_of(comparison, formulation).serial_step > 0.0)) return {};
   const Result* rival = fastest_rival(comparison, formulation);
   if (rival == nullptr) return {Kind::no_rival, nullptr};

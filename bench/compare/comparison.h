@@ -1,6 +1,6 @@
 #pragma once
 
-// What was measured, and what follows from it.
+// Results of a comparison: measurements, and the figures and verdicts derived from them.
 
 #include <optional>
 #include <string>
@@ -17,12 +17,12 @@ struct Model {
   Formulation formulation = Formulation::structured;
   ModelSize size = {};
   std::int64_t batch = 1;    ///< steps of a sample
-  WorkAndSpan pass = {};     ///< of a pass over the graph, its nodes timed one by one [s]
+  WorkAndSpan pass = {};     ///< one pass over the graph, its nodes timed one by one [s]
   double serial_step = 0.0;  ///< T1: median time of a serial step in the rounds [s]
   double span_step = 0.0;    ///< Tinf: T1's share that lies on the costliest path [s]
 };
 
-/// What follows from one measurement. Without a sample there are no figures.
+/// Figures derived from one measurement that has a sample.
 struct Figures {
   double mean = 0.0;  ///< time per step [s]
   std::optional<double> deviation = {};
@@ -31,7 +31,7 @@ struct Figures {
   double speedup_low = 0.0, speedup_high = 0.0;  ///< quartiles
   double bound = 0.0;           ///< max(T1 / P, Tinf) [s]; P: threads, at most the processors
   double ratio_to_bound = 0.0;  ///< median / bound
-  /// The bound with what P threads really did at once (Capacity) instead of P [s].
+  /// The bound with the measured capacity of P threads (Capacity) in place of P [s].
   std::optional<double> bound_at_capacity = {};
 };
 
@@ -39,8 +39,8 @@ struct Result {
   Measurement measurement;
   std::optional<Figures> figures = {};
   std::vector<double> speedups = {};  ///< by round
-  bool hash_equal = false;            ///< to serial's after every batch, at least one
-  bool oversubscribed = false;        ///< more threads than processors
+  bool hash_equal = false;      ///< hashes equal serial's after every batch; false without a batch
+  bool oversubscribed = false;  ///< more threads than processors
 };
 
 struct Loads {
@@ -60,14 +60,14 @@ struct Comparison {
 
 const Model& model_of(const Comparison& comparison, Formulation formulation);
 
-/// Fills in results and, of the models, T1 and Tinf. Precondition: machine and models are set,
-/// measurements as by measure().
+/// Fills in the results, and T1 and Tinf of the models. Precondition: machine and models are set,
+/// and measure() made the measurements.
 void evaluate(Comparison& comparison, std::vector<Measurement> measurements);
 
 bool is_serial(const Result& result);
 bool belongs_to(const Result& result, Formulation formulation);
 
-/// What can be said of a formulation: serial against its fastest rival with serial's bits.
+/// Verdict on a formulation: serial against its fastest rival with serial's bits.
 struct Verdict {
   enum class Kind {
     no_reference,  ///< serial gave no time
@@ -78,7 +78,7 @@ struct Verdict {
     rival_wins,  ///< three quarters of the rounds are faster than serial, by more than a trifle
   };
   Kind kind = Kind::no_reference;
-  const Result* rival = nullptr;  ///< of `comparison`; none of the first two kinds
+  const Result* rival = nullptr;  ///< points into the comparison; null for the first two kinds
 
   /// Whether this is the result that wins.
   bool is_winner(const Result& result) const;

@@ -22,7 +22,8 @@ std::string speedup_text(const Result& result) {
                      report::ratio_text(low), report::ratio_text(high));
 }
 
-/// The other ones whose quartiles reach into the best one's: not distinguishable from it.
+/// Names the results whose quartiles overlap those of the best one: they are not distinguishable
+/// from it.
 std::string describe_equals(const Comparison& comparison, const Result& best) {
   std::vector<std::string> names;
   for (const Result& result : comparison.results) {
@@ -68,7 +69,7 @@ std::string describe_verdict(const Comparison& comparison, const Model& model) {
   }
 }
 
-/// The least time per step of all formulations.
+/// Describes the least time per step of all formulations.
 std::string describe_overall(const Comparison& comparison) {
   if (comparison.models.size() < 2) return "";
   const Result* best = nullptr;
@@ -134,7 +135,7 @@ std::string describe_oversubscribed(const Comparison& comparison) {
                : "");
 }
 
-/// What comes first if it makes all the rest doubtful.
+/// Says whether the machine was busy, which makes all the rest doubtful.
 std::string describe_disturbance(const Comparison& comparison) {
   if (!is_busy(comparison.loads.before, comparison.machine.cores)) return "";
   return fmt::format(

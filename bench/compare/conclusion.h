@@ -1,6 +1,6 @@
 #pragma once
 
-// What a comparison says in plain words.
+// Conclusions of a comparison in plain words.
 
 #include <string>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace spoke::compare {
 
-/// What is to be said in plain words, a part for each matter: what makes the rest doubtful; per
-/// formulation which configuration is best and by how much, or that serial is; what was not
-/// measured or differed; the machine and its load.
+/// Returns the conclusions, a part for each subject: doubts about the measurement; for each
+/// formulation, which configuration is best and by how much, or that serial is; configurations that
+/// were not measured or whose bits differed; the machine and its load.
 std::vector<std::string> make_conclusions(const Comparison& comparison);
-/// The same as one paragraph.
+/// Returns the conclusions as one paragraph.
 std::string make_conclusion(const Comparison& comparison);
 
 }  // namespace spoke::compare

@@ -16,8 +16,9 @@ void append_once(std::vector<graph::Threads>& list, graph::Threads threads) {
   if (std::find(list.begin(), list.end(), threads) == list.end()) list.push_back(threads);
 }
 
-/// Powers of two up to what is available, and that; for nested teams also a thread per subsystem,
-/// alone and with small teams, as long as the processors are not oversubscribed beyond sense.
+/// Returns powers of two below the number of available processors, and that number; for nested
+/// teams also a thread per subsystem, alone and with small teams, unless that oversubscribes the
+/// processors beyond sense.
 std::vector<graph::Threads> default_threads(ExecutorKind kind, int subsystems, int available) {
   constexpr std::array teams{1, 2, 4};
   constexpr int kFew = 12;
@@ -39,15 +40,15 @@ void require_use_of_nested_threads(const Axes& axes) {
                        " is of nested teams, but the executors compared have one layer of threads");
 }
 
-/// The wait policies that a spin count goes with.
+/// Returns the wait policies that a spin count is combined with.
 std::vector<Wait> waits_with(Spin spin, const Axes& axes) {
   if (!axes.waits.empty()) return axes.waits;
-  // A count says itself what the policies say.
+  // A count takes the place of the policies.
   if (spin.count) return {Wait::runtime_default};
   return {Wait::runtime_default, Wait::passive, Wait::active};
 }
 
-/// The count in force: a policy of which the runtime is told is one, too.
+/// Returns the spin count in force; a policy that the runtime is told implies one.
 std::optional<std::int64_t> spin_count_of(const Configuration& configuration) {
   if (configuration.spin.count) return configuration.spin.count;
   if (configuration.wait == Wait::passive) return 0;
@@ -59,7 +60,7 @@ bool waits_alike(const Configuration& a, const Configuration& b) {
   return a.wait == b.wait && spin_count_of(a) == spin_count_of(b);
 }
 
-/// The ways of waiting along the axes, each once.
+/// Returns the configuration with each way of waiting along the axes, once.
 std::vector<Configuration> with_waiting(Configuration configuration, const Axes& axes) {
   std::vector<Configuration> list;
   for (const Spin spin : axes.spins)
@@ -93,13 +94,13 @@ bool is_of_openmp(std::string_view variable) {
          variable.starts_with("KMP_");
 }
 
-/// The value of GOMP_SPINCOUNT: libgomp counts looks.
+/// Returns the value of GOMP_SPINCOUNT: libgomp counts looks.
 std::string looks_text(std::int64_t count) {
   return count == Spin::kInfinite ? "infinity" : std::to_string(count);
 }
 
-/// The value of KMP_BLOCKTIME: libomp looks for a time in whole milliseconds. How long a look takes
-/// is libgomp's own estimate.
+/// Returns the value of KMP_BLOCKTIME: libomp looks for a time in whole milliseconds. The duration
+/// of a look is libgomp's own estimate.
 std::string milliseconds_text(std::int64_t count) {
   constexpr std::int64_t kLooksPerMillisecond = 100'000;
   if (count == Spin::kInfinite) return "infinite";

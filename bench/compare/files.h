@@ -8,11 +8,12 @@
 
 namespace spoke::compare {
 
-/// Everything: scenario, machine, models, and per configuration its figures and all samples.
+/// Returns everything: scenario, machine, models, and the figures and all samples of each
+/// configuration.
 std::string make_json(const Comparison& comparison);
-/// A row of figures per configuration.
+/// Returns a row of figures for each configuration.
 std::string make_csv(const Comparison& comparison);
-/// Conclusion, charts and tables as a page.
+/// Returns conclusion, charts and tables as a page.
 std::string make_html(const Comparison& comparison);
 
 }  // namespace spoke::compare

@@ -41,7 +41,8 @@ report::BarChart speedup_chart(const Comparison& comparison, const Model& model)
   return chart;
 }
 
-/// A group for each configuration, a bar in it for each formulation.
+/// Returns the chart of times per step: a group for each configuration, and in it a bar for each
+/// formulation.
 report::BarChart time_chart(const Comparison& comparison) {
   report::BarChart chart{
       .title = "Time per step",
@@ -64,7 +65,8 @@ report::BarChart time_chart(const Comparison& comparison) {
   return chart;
 }
 
-/// Speedup by number of threads, a line for each executor, where there are numbers to compare.
+/// Returns the chart of speedups by number of threads, a line for each executor that was measured
+/// on several numbers.
 report::LineChart scaling_chart(const Comparison& comparison, const Model& model) {
   report::LineChart chart{.title = fmt::format("Scaling, {}", name_of(model.formulation)),
                           .x = {.title = "threads", .low = 1.0},
@@ -95,7 +97,7 @@ report::LineChart scaling_chart(const Comparison& comparison, const Model& model
   return chart;
 }
 
-/// What is said below a formulation's bars: of pale ones, where there are any.
+/// Returns the caption below a formulation's bars; it explains pale bars if there are any.
 std::string caption_of_speedups(const Comparison& comparison, const Model& model) {
   const bool has_pale =
       std::any_of(comparison.results.begin(), comparison.results.end(), [&](const Result& result) {

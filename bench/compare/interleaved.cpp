@@ -1,4 +1,4 @@
-// Turns and rounds: how long each alternative's batches are, and what their times come to.
+// Turns and rounds: the sizes of each alternative's batches, and the statistics of their times.
 
 #include "bench/compare/interleaved.h"
 
@@ -20,7 +20,7 @@ double time_batch(const Alternative& alternative, int batch) {
   return std::chrono::duration<double>(Clock::now() - begin).count() / batch;
 }
 
-/// How often an alternative is run.
+/// Numbers of runs of an alternative.
 struct Repetitions {
   int batch = 1;
   int rounds = 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the pages of compare, predict and reproduce have in common.
+// Common parts of the pages of compare, predict and reproduce.
 
 #include <string_view>
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace spoke::compare {
 
-/// The page of a scenario that was measured: its title or name, and what it is about.
+/// Makes the page of a scenario that was measured, under its title or name and the subtitle.
 report::Page make_page(const Scenario& scenario, std::string subtitle);
 
-/// A list of facts: those of its own, then the machine, its load and this version of Spoke.
+/// Adds a list of facts: the page's own, then the machine, its load and this version of Spoke.
 void add_facts(report::Page& page, std::vector<report::Fact> own, const Machine& machine,
                const Loads& loads);
 
-/// The end of the page: how all this came about.
+/// Adds the last section of the page: the method of measurement.
 void add_method(report::Page& page, std::string_view heading, std::string_view text);
 
 }  // namespace spoke::compare

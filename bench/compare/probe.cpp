@@ -14,9 +14,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kWarmUpSteps = 3;
-constexpr double kLongEnough = 0.02;  // to time a batch [s]
+constexpr double kLongEnough = 0.02;  // least duration of a timed batch [s]
 
-/// Time per step [s]; the batch doubles until it takes long enough, or the steps end.
+/// Returns the time per step [s]. The batch doubles until it takes long enough, or the steps end.
 double time_step(Simulation& simulation) {
   const double h = simulation.step_size();
   simulation.run_until(static_cast<double>(kWarmUpSteps) * h);
@@ -43,7 +43,7 @@ Scenario with_steps(const Simulation& simulation, std::int64_t steps) {
 
 Model probe(const Scenario& scenario, Formulation formulation, double sample_seconds) {
   constexpr std::int64_t kFewSteps = 1000;
-  constexpr double kCostSeconds = 0.3;  // spent on the costs of nodes, about
+  constexpr double kCostSeconds = 0.3;  // approximate time spent on the costs of nodes
   constexpr double kMostSteps = 1e6;
   const SimulationOptions options{
       .formulation = formulation, .executor = ExecutorKind::serial, .threads = 1};

@@ -1,4 +1,4 @@
-// Trials, warm-up and rounds of the child processes, and what makes one leave early.
+// Trials, warm-up and rounds of the child processes, and the reasons for which one leaves early.
 
 #include "bench/compare/rounds.h"
 
@@ -15,9 +15,9 @@ namespace {
 /// One configuration and its process while it is measured.
 struct Contender {
   Measurement measurement;
-  std::unique_ptr<Child> child;  ///< none once it has left
+  std::unique_ptr<Child> child;  ///< null once it has left
   std::int64_t batch = 1;
-  double spent = 0.0;  ///< in timed batches [s]
+  double spent = 0.0;  ///< time spent in timed batches [s]
 
   bool takes_part() const { return child != nullptr; }
 };
@@ -34,8 +34,8 @@ void leave(Contender& contender, Status status, std::string message) {
   contender.measurement.message = std::move(message);
 }
 
-/// The next answer, which begins with `expected`; what follows it. Empty, and the contender has
-/// left, if something else came.
+/// Receives the next answer. Returns whether it begins with `expected`; `rest` is then the text
+/// behind that. Otherwise the contender has left.
 bool expect(Contender& contender, const std::string& expected, double seconds, std::string& rest) {
   const Answer answer = contender.child->receive(seconds);
   if (answer.kind == Answer::Kind::late) {
@@ -57,7 +57,7 @@ bool expect(Contender& contender, const std::string& expected, double seconds, s
 
 std::int64_t trial_of(std::int64_t batch) { return std::max<std::int64_t>(1, batch / 4); }
 
-/// Runs steps. The time per step [s]; negative if the contender has left.
+/// Runs steps. Returns the time per step [s]; negative if the contender has left.
 double run_steps(Contender& contender, std::int64_t steps, double seconds_allowed) {
   contender.child->go_on();
   contender.child->send("run " + std::to_string(steps));
@@ -79,8 +79,8 @@ bool is_serial(const Contender& contender) {
   return contender.measurement.configuration.executor == ExecutorKind::serial;
 }
 
-/// Who will leave the rounds early, at the pace of its last batch, spends no more on its warm-up
-/// than half of what it may spend on them.
+/// Runs the warm-up. A contender that will leave the rounds early, at the pace of its last batch,
+/// spends at most half of its time on it.
 void warm_up(Contender& contender, const Effort& effort) {
   double last = 0.0, spent = 0.0;
   for (int k = 0; k < kWarmUpBatches && contender.takes_part(); ++k) {
@@ -92,7 +92,8 @@ void warm_up(Contender& contender, const Effort& effort) {
   }
 }
 
-/// At this pace all rounds together take no longer than they may, if one step a round does not.
+/// Returns the size of a batch with which all rounds together take no longer than allowed, at this
+/// pace; at least one step.
 std::int64_t batch_in_time(std::int64_t batch, double step, const Effort& effort) {
   const double most = effort.most_seconds / (step * effort.rounds);
   return std::max<std::int64_t>(
@@ -128,7 +129,7 @@ void take_turn(Contender& contender, int round, const Effort& effort) {
   contender.measurement.step_times.push_back(step);
 }
 
-/// Nothing can be said without the serial one.
+/// Throws InputError if a serial contender has left without a sample: it is the reference.
 void require_reference(const Contender& contender) {
   if (!is_serial(contender) || contender.takes_part()) return;
   if (!contender.measurement.step_times.empty()) return;

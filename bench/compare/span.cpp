@@ -10,7 +10,7 @@ namespace spoke::compare {
 WorkAndSpan calc_work_and_span(const graph::StepGraph& graph, std::span<const double> costs) {
   assert(costs.size() == static_cast<std::size_t>(graph.node_count()));
   WorkAndSpan result;
-  std::vector<double> ends(costs.size());  // of the costliest path to and with each node
+  std::vector<double> ends(costs.size());  // cost of the costliest path that ends with each node
   for (int k = 0; k < graph.node_count(); ++k) {
     const auto node = static_cast<std::size_t>(k);
     double begin = 0.0;

@@ -9,14 +9,14 @@
 
 namespace spoke::compare {
 
-/// What the graph's nodes cost in all, and along the costliest path: no number of threads is faster
-/// than that.
+/// Sum of the costs of all nodes (work), and of those along the costliest path (span), than which
+/// no number of threads is faster.
 struct WorkAndSpan {
   double work = 0.0;
   double span = 0.0;
 };
 
-/// Precondition: a cost for each node.
+/// Precondition: `costs` has one for each node.
 WorkAndSpan calc_work_and_span(const graph::StepGraph& graph, std::span<const double> costs);
 
 }  // namespace spoke::compare

@@ -13,7 +13,7 @@ namespace {
 
 std::string microseconds(double seconds) { return fmt::format("{:.4g}", seconds * 1e6); }
 
-/// What a reader must know of a result besides its figures.
+/// Returns remarks on a result that its figures do not show.
 std::string remarks_on(const Comparison& comparison, const Result& result) {
   const Measurement& measurement = result.measurement;
   std::string text;

@@ -7,7 +7,7 @@
 
 namespace spoke::compare {
 
-/// The results of one formulation as a table for people, the best row marked as good.
+/// Returns the results of one formulation as a table for people, with the best row marked as good.
 report::Table make_table(const Comparison& comparison, const Model& model);
 
 }  // namespace spoke::compare

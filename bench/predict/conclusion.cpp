@@ -23,7 +23,7 @@ const Series* find_series(const Prediction& prediction, ExecutorKind kind) {
   return found == prediction.series.end() ? nullptr : &*found;
 }
 
-/// The fewest threads from which no more gain a twentieth.
+/// Returns the point of the fewest threads beyond which more threads gain less than a twentieth.
 const Point& last_that_pays(const Series& series) {
   double least = series.points.front().step.expected;
   for (const Point& point : series.points) least = std::min(least, point.step.expected);
@@ -43,7 +43,7 @@ std::string describe_disturbance(const Prediction& prediction) {
       prediction.load_before);
 }
 
-/// What no executor that runs this graph can beat.
+/// Describes the bounds that no executor of this graph can beat.
 std::string bound_text(const RunGraph& run, const char* whose) {
   return fmt::format(
       "In {}{}, a step is {} of work, {} of it on the costliest path, and whatever the number of "
@@ -79,14 +79,14 @@ std::string describe_limit(const Prediction& prediction) {
                      most.threads, prediction.speedup(most));
 }
 
-/// Where levels and where the graph are better, by the numbers of threads.
+/// Says on which numbers of threads the levels are better, and on which the graph.
 std::string describe_levels(const Prediction& prediction) {
   const Series* const levels = find_series(prediction, ExecutorKind::openmp_levels);
   const Series* const graph = find_series(prediction, ExecutorKind::automatic);
   if (levels == nullptr || graph == nullptr) return "";
   std::vector<int> as_good;
   const Point* worst = nullptr;
-  double gain = kEqual;  // of the graph, where it is largest
+  double gain = kEqual;  // largest gain of the graph
   for (std::size_t k = 0; k < levels->points.size(); ++k) {
     const Point& point = levels->points[k];
     if (point.threads == 1) continue;
@@ -106,7 +106,7 @@ std::string describe_levels(const Prediction& prediction) {
       fmt::join(as_good, ", "), worst == nullptr ? "" : "; elsewhere " + most);
 }
 
-/// How many processes pay.
+/// Says how many processes pay.
 std::string describe_ranks(const Prediction& prediction) {
   std::vector<RankPoint> several;
   for (const RankPoint& point : prediction.ranks)
@@ -127,7 +127,7 @@ std::string describe_ranks(const Prediction& prediction) {
       last.ranks, gain, 100.0 * last.telling / last.step());
 }
 
-/// What was predicted is so much too high or too low: in per cent, or as a factor.
+/// Describes the error of a prediction: in per cent, or as a factor if it is far too low.
 std::string describe_error(double error) {
   if (error > -0.75) return fmt::format("{:+.1f} % off", 100.0 * error);
   return fmt::format("too low by a factor of {:.3g}", 1.0 / (1.0 + error));
@@ -152,7 +152,7 @@ std::string describe_errors(const Prediction& prediction) {
       counted(points, "prediction"), describe_error(largest), prediction.machine.cores);
 }
 
-/// Which executors of the build there are no predictions of.
+/// Names the executors of the build that are not predicted.
 std::string describe_left_out() {
   std::vector<std::string_view> names;
   for (const ExecutorKind kind : left_out_executors()) names.push_back(graph::name_of(kind));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a prediction says in plain words.
+// Conclusions of a prediction in plain words.
 
 #include <string>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace spoke::predict {
 
-/// What is to be said in plain words: what makes the rest doubtful; what work and span allow; where
-/// more threads stop paying; where openmp_levels is as good as the graph; how far predictions were
-/// from what was measured; which executors were left out.
+/// Returns the conclusions, a part for each subject: doubts about the measurement; bounds by work
+/// and span; the number of threads beyond which more do not pay; where openmp_levels is as good as
+/// the graph; differences between predicted and measured times; executors that were left out.
 std::vector<std::string> make_conclusions(const Prediction& prediction);
-/// The same as one paragraph.
+/// Returns the conclusions as one paragraph.
 std::string make_conclusion(const Prediction& prediction);
 
 }  // namespace spoke::predict

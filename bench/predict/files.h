@@ -8,11 +8,11 @@
 
 namespace spoke::predict {
 
-/// Everything: scenario, machine, calibrated costs, and all points.
+/// Returns everything: scenario, machine, calibrated costs, and all points.
 std::string make_json(const Prediction& prediction);
-/// A row per executor and number of threads.
+/// Returns a row for each executor and number of threads.
 std::string make_csv(const Prediction& prediction);
-/// Conclusion, chart and table as a page.
+/// Returns conclusion, chart and table as a page.
 std::string make_html(const Prediction& prediction);
 
 }  // namespace spoke::predict

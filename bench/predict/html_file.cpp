@@ -24,7 +24,7 @@ report::LineSeries predicted_line(const Prediction& prediction, const Series& se
   return line;
 }
 
-/// Points in the colour of the predicted line, the s-th of the chart.
+/// Returns the measured points in the colour of the predicted line, the s-th of the chart.
 report::LineSeries measured_points(const Series& series, std::size_t s) {
   report::LineSeries points{.name = fmt::format("{}, measured", graph::name_of(series.executor)),
                             .joined = false,
@@ -36,7 +36,7 @@ report::LineSeries measured_points(const Series& series, std::size_t s) {
   return points;
 }
 
-/// Lines that no executor crosses, at each of the numbers of threads.
+/// Returns a line that no executor crosses, with a point at each number of threads.
 template <class Speedup>
 report::LineSeries bound_line(const char* name, const Prediction& prediction, Speedup speedup) {
   report::LineSeries line{.name = name, .markers = false, .dashed = true};
@@ -51,7 +51,7 @@ std::vector<double> thread_counts(const Prediction& prediction) {
   return counts;
 }
 
-/// Speedups from a quarter on; what is slower ends at the axis.
+/// Returns an axis for speedups from a quarter on; lines of lower ones end at the axis.
 report::Axis speedup_axis(const std::vector<double>& counts) {
   report::Axis axis{.title = "speedup",
                     .kind = report::ScaleKind::log,
@@ -89,7 +89,7 @@ report::LineChart speedup_chart(const Prediction& prediction) {
   return chart;
 }
 
-/// Measured beside predicted, for each point that was measured.
+/// Returns the chart of measured beside predicted times, for each point that was measured.
 report::BarChart check_chart(const Prediction& prediction) {
   report::BarChart chart{.title = "Predicted and measured time per step",
                          .value = {.title = "time per step", .unit = "us"}};

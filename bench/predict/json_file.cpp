@@ -14,7 +14,7 @@ Json describe(const Quartiles& quartiles) {
   return Json::array({quartiles.low, quartiles.median, quartiles.high});
 }
 
-/// Costs that the schedule does not have are 0.
+/// Returns the costs of the runtimes; a schedule's missing ones are 0.
 Json describe_runtime(const graph::RuntimeCosts& runtime) {
   return {{"flow_graph_per_node_s", runtime.flow_graph.per_node},
           {"flow_graph_per_cluster_s", runtime.flow_graph.per_cluster},

@@ -1,4 +1,4 @@
-// Medians over the rounds of what nodes cost.
+// Medians of the costs of nodes over the rounds.
 
 #include "bench/predict/nodes.h"
 
@@ -10,7 +10,7 @@
 namespace spoke::predict {
 namespace {
 
-/// Of one quantity, over all measurements.
+/// Returns the median of one quantity over all measurements.
 template <class Quantity>
 double median_of(const std::vector<NodeMeasurement>& measurements, Quantity quantity) {
   std::vector<double> values(measurements.size());
@@ -36,7 +36,7 @@ NodeMeasurement medians_of(const std::vector<NodeMeasurement>& measurements) {
 }  // namespace
 
 std::int64_t choose_steps(Simulation& simulation, double seconds) {
-  constexpr double kMostStamps = 8e6;  // 64 MB of them
+  constexpr double kMostStamps = 8e6;  // 64 MB
   constexpr double kFewestWindows = 8.0;
   const std::int64_t window = std::max(simulation.options().window, 1);
   const NodeMeasurement first = measure_nodes(simulation, 2 * window);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the nodes of a graph cost, timed in rounds.
+// Costs of a graph's nodes, timed in rounds.
 
 #include <cstdint>
 
@@ -10,15 +10,15 @@
 
 namespace spoke::predict {
 
-/// What the nodes of a simulation's step cost.
+/// Costs of the nodes of a simulation's step.
 struct Nodes {
   NodeMeasurement serial = {};    ///< medians; `run_times` of all measurements
   graph::CostSpread spread = {};  ///< quartiles of the times of runs over their median
-  std::int64_t steps = 0;         ///< measured in all
+  std::int64_t steps = 0;         ///< number of measured steps
 };
 
-/// Steps that take about `seconds`, as a whole number of windows; at least 8 windows, and no more
-/// stamps than some memory holds. Makes a few steps of the simulation to find out.
+/// Returns a number of steps that take about `seconds`: a whole number of windows, at least 8, with
+/// no more stamps than fit into 64 MB. Makes a few steps of the simulation to find out.
 std::int64_t choose_steps(Simulation& simulation, double seconds);
 
 /// Times the nodes of one simulation.
@@ -26,9 +26,9 @@ class NodeTimer {
  public:
   explicit NodeTimer(Simulation& simulation) : simulation_(simulation) {}
 
-  /// Makes that many steps.
+  /// Makes that many steps and times their nodes.
   void measure(std::int64_t steps);
-  /// Medians over the calls of measure(), of which there must be one.
+  /// Returns medians over the calls of measure(). Precondition: measure() was called.
   Nodes summarise() const;
 
  private:

@@ -11,7 +11,7 @@
 namespace spoke::predict {
 namespace {
 
-/// A run's times as a step's.
+/// Converts the times of a run to those of a step.
 graph::PredictedRun per_step(graph::PredictedRun run, const NodeMeasurement& nodes) {
   for (double* seconds : {&run.expected, &run.optimistic, &run.pessimistic})
     *seconds = nodes.runs_per_step * (*seconds + nodes.between_runs);
@@ -37,7 +37,7 @@ class StepPredictor {
   graph::RunPredictor predictor_;
 };
 
-/// Whether auto runs all nodes of the graph on one thread; it then leaves a window that it chose.
+/// Whether auto runs all nodes of the graph on one thread; it then drops a window that it chose.
 bool is_serial(const Point& point) { return point.step.clusters == 1; }
 
 bool is_predictable(ExecutorKind kind) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is predicted of a scenario's step, and what was measured of it.
+// Predicted and measured times of a scenario's step.
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ namespace spoke::predict {
 
 using compare::Quartiles;
 
-/// What was measured of an executor on some threads.
+/// Measured times of an executor on some threads.
 struct Measured {
   Quartiles step;     ///< time [s]
   Quartiles speedup;  ///< serial's time / time in the same round
@@ -24,7 +24,7 @@ struct Measured {
 
 /// A graph that executors run, one run after the other.
 struct RunGraph {
-  int window = 1;            ///< steps that one run makes, about
+  int window = 1;            ///< approximate number of steps that one run makes
   bool is_one_pass = false;  ///< a run is one pass over the step graph
   int node_count = 0, edge_count = 0;
   Nodes nodes = {};
@@ -32,17 +32,18 @@ struct RunGraph {
 
   double parallelism() const { return work / span; }
 };
-/// "windows of 94 steps", "runs of one pass", "runs of some passes" of one step.
+/// Returns "windows of 94 steps", "runs of one pass" or, for passes of one step, "runs of some
+/// passes".
 std::string describe_runs(const RunGraph& run);
 
 /// An executor on a number of threads.
 struct Point {
   int threads = 1;
-  int window = 1;                 ///< as RunGraph::window, of what is run
+  int window = 1;                 ///< approximate number of steps that one run makes
   graph::PredictedRun step = {};  ///< times per step [s]
   std::optional<Measured> measured = {};
 
-  /// Predicted / measured time - 1; nothing where nothing was measured.
+  /// Returns predicted / measured time - 1; none if nothing was measured.
   std::optional<double> error() const;
 };
 
@@ -59,36 +60,37 @@ struct Prediction {
   Machine machine = {};
   double load_before = -1.0, load_after = -1.0;  ///< runnable processes; -1: not known
   Capacity capacity = {};
-  int rounds = 0;  ///< of the measured points
+  int rounds = 0;  ///< rounds of the measured points
   graph::RuntimeCosts runtime = {};
   RunGraph run = {};
-  std::optional<RunGraph> auto_run = {};  ///< auto's on several threads, if it is another
+  std::optional<RunGraph> auto_run = {};  ///< graph of auto on several threads, if it is another
   Point serial = {};
-  std::vector<Series> series = {};  ///< of the other executors
+  std::vector<Series> series = {};  ///< the other executors
   Network network = {};
-  std::vector<RankPoint> ranks = {};  ///< on several processes, ascending; none unless asked for
+  std::vector<RankPoint> ranks = {};  ///< numbers of processes, ascending, if asked for
 
   double speedup(const Point& point) const { return serial.step.expected / point.step.expected; }
   double speedup(const RankPoint& point) const { return serial.step.expected / point.step(); }
 };
 
-/// The executors that predictions are made of in this build, besides serial.
+/// Returns the executors of this build, besides serial, that can be predicted.
 std::vector<ExecutorKind> predictable_executors();
-/// The others of this build.
+/// Returns the executors of this build that cannot be predicted.
 std::vector<ExecutorKind> left_out_executors();
 
-/// The bound of a point's time per step with what its threads really do at once on this machine
-/// [s]; nothing if that is not known, or for more threads than processors.
+/// Returns the bound of a point's time per step with the measured capacity of its threads on this
+/// machine [s]; none if that is not known, or for more threads than processors.
 std::optional<double> bound_at_capacity(const Prediction& prediction, ExecutorKind executor,
                                         const Point& point);
 
-/// Fills in points for `threads`, ascending, and T1 and Tinf of the graphs, from these, what their
-/// nodes cost, and runtime. `auto_graph`: that of auto_run, if there is one.
+/// Fills in the points for `threads`, ascending, and T1 and Tinf of the graphs, from the graphs,
+/// the costs of their nodes, and `runtime`. `auto_graph`: the graph of auto_run; null if there is
+/// none.
 void predict(Prediction& prediction, const graph::StepGraph& graph,
              const graph::StepGraph* auto_graph, const std::vector<int>& threads);
 
-/// Puts measurements, as by compare::measure(), beside the points they belong to. Those that gave
-/// no time in several rounds are left out.
+/// Puts measurements that compare::measure() made beside the points they belong to. Leaves out
+/// those without times in several rounds.
 void add_measured(Prediction& prediction, const std::vector<compare::Measurement>& measurements);
 
 }  // namespace spoke::predict

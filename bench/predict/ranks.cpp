@@ -11,14 +11,14 @@
 namespace spoke::predict {
 namespace {
 
-/// With which a pass ends: of each subsystem, or of all together.
+/// Whether a pass ends with the node: that of a subsystem, or of all subsystems together.
 bool is_finish(const graph::Node& node) { return node.label.stage == stages::kFinish; }
 
 }  // namespace
 
 StepShares find_shares(const graph::StepGraph& graph, const NodeMeasurement& nodes, int window) {
   StepShares shares;
-  int common_passes = 0;  // of all subsystems together
+  int common_passes = 0;  // passes of all subsystems together
   for (int n = 0; n < graph.node_count(); ++n) {
     const graph::Node& node = graph.node({n});
     const double cost = nodes.runs_per_step * nodes.costs[static_cast<std::size_t>(n)];

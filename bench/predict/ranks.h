@@ -1,6 +1,6 @@
 #pragma once
 
-// What several processes would make of a step, whose subsystems they share out.
+// Predicted times of a step whose subsystems several processes share out.
 
 #include <functional>
 #include <span>
@@ -11,36 +11,36 @@
 
 namespace spoke::predict {
 
-/// What lies between processes.
+/// The network between processes.
 struct Network {
-  double latency = 5e-6;     ///< of a message [s]
-  bool is_measured = false;  ///< between the processes of this job; else given or assumed
+  double latency = 5e-6;     ///< time of a message [s]
+  bool is_measured = false;  ///< measured between the processes of this job; else given or assumed
 };
 
-/// What a step takes, by who runs it [s].
+/// Times of a step's parts [s], by the processes that run them.
 struct StepShares {
-  std::vector<double> subsystems;  ///< the nodes of each
-  double common = 0.0;             ///< those of the hub and what is between runs, in every process
+  std::vector<double> subsystems;  ///< time of each subsystem's nodes
+  double common = 0.0;             ///< time of the hub's nodes and between runs, in every process
   double exchanges = 0.0;          ///< number of gatherings among all processes
 };
 
-/// Of a graph over all subsystems whose nodes were measured. `window`: steps after which processes
-/// meet.
+/// Returns the shares of a graph over all subsystems whose nodes were measured. `window`: steps
+/// after which processes meet.
 StepShares find_shares(const graph::StepGraph& graph, const NodeMeasurement& nodes, int window);
 
-/// A step by a number of processes of one thread each.
+/// Times of a step on a number of processes of one thread each.
 struct RankPoint {
   int ranks = 1;
-  double computing = 0.0;  ///< of the process with most to do [s]
-  double telling = 0.0;    ///< on the network [s]
+  double computing = 0.0;  ///< time of the process with most to do [s]
+  double telling = 0.0;    ///< time on the network [s]
 
   double step() const { return computing + telling; }
 };
 
-/// By processes of the machine that the nodes were measured on. `share_out`: how subsystems are
-/// shared out over a number of processes, see spoke::share_out(). A gathering takes as many
-/// messages one after the other as the number of processes can be halved; how long they are does
-/// not count.
+/// Predicts a step on processes of the machine on which the nodes were measured. `share_out`: how
+/// subsystems are shared out over a number of processes, see spoke::share_out(). A gathering takes
+/// as many messages one after the other as the number of processes can be halved; the length of
+/// messages does not count.
 std::vector<RankPoint> predict_ranks(const StepShares& shares, const Network& network,
                                      std::span<const int> ranks,
                                      const std::function<std::vector<int>(int)>& share_out);

@@ -34,7 +34,8 @@ report::Row row_of(const Prediction& prediction, ExecutorKind executor, const Po
   return {std::move(cells)};
 }
 
-/// A graph, what a step by it takes and what its nodes cost; `whose`: a run's, auto's.
+/// Adds facts of a graph: its size, the time of a step, and the costs of its nodes. `whose`: a
+/// run's, auto's.
 void add_run(const RunGraph& run, const std::string& whose, std::vector<report::Fact>& facts) {
   const NodeMeasurement& nodes = run.nodes.serial;
   facts.emplace_back("graph of " + whose,

@@ -9,13 +9,14 @@
 
 namespace spoke::predict {
 
-/// All points for people, a row per executor and number of threads.
+/// Returns all points for people, a row for each executor and number of threads.
 report::Table make_table(const Prediction& prediction);
 
-/// The same by number of processes.
+/// Returns the points on several processes, a row for each number of processes.
 report::Table make_rank_table(const Prediction& prediction);
 
-/// Pairs of label and value: the graphs, T1, Tinf, what nodes and runtimes were measured to cost.
+/// Returns pairs of label and value: the graphs, T1, Tinf, the measured costs of nodes and
+/// runtimes.
 std::vector<report::Fact> make_facts(const Prediction& prediction);
 
 }  // namespace spoke::predict

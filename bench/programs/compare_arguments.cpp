@@ -19,7 +19,7 @@ constexpr int kMostRounds = 10000;
 constexpr std::array kWaits{compare::Wait::runtime_default, compare::Wait::passive,
                             compare::Wait::active};
 
-/// The words of a list "a,b,c"; one empty word of an empty list.
+/// Returns the words of a list "a,b,c"; one empty word for an empty list.
 std::vector<std::string> split(const std::string& list) {
   std::vector<std::string> words{""};
   for (const char c : list) {
@@ -32,7 +32,7 @@ std::vector<std::string> split(const std::string& list) {
   return words;
 }
 
-/// A value, and the name it goes by.
+/// A value and its name.
 template <class Value>
 struct Choice {
   std::string name;
@@ -77,9 +77,9 @@ void add_list(CLI::App& command, const std::string& option, const std::string& t
 template <class Value>
 void add_choices(CLI::App& command, const std::string& option, const std::string& text,
                  std::vector<Value>& list, const std::vector<Choice<Value>>& choices) {
-  constexpr std::size_t kWidth = 64;  // of the column that help explains options in
+  constexpr std::size_t kWidth = 64;  // width of the column in which --help explains options
   std::string known = "\nof ", separator;
-  std::size_t line = 0;  // where the last one begins
+  std::size_t line = 0;  // begin of the last line
   for (const auto& choice : choices) {
     known += separator;
     if (known.size() - line + choice.name.size() > kWidth) {

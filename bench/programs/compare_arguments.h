@@ -10,7 +10,7 @@ class App;
 
 namespace spoke::cli {
 
-/// What only the command compare asks for.
+/// Options of the command compare alone.
 struct CompareArguments {
   compare::Axes axes;
   int rounds = 20;

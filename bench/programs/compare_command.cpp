@@ -1,4 +1,5 @@
-// From the options to configurations, rounds, a table and the files of a comparison.
+// Makes configurations from the options, measures them in rounds, prints a table and writes the
+// files.
 
 #include "bench/programs/compare_command.h"
 
@@ -29,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSampleSeconds = 0.03;
-// Steps that are planned for each that is made: auto plans only for a simulation of some length.
+// Planned steps for each step that is made: auto plans only for a simulation of some length.
 constexpr std::int64_t kPlanned = 4;
 constexpr std::size_t kMostConfigurations = 400;  // a process, a socket and some threads each
 
@@ -49,10 +50,11 @@ std::vector<compare::Configuration> choose_configurations(const compare::Axes& a
   return list;
 }
 
-/// All processes live at once, each with the whole model.
+/// Throws InputError if memory is short for all processes, which live at once, each with the whole
+/// model.
 void require_memory(const compare::Comparison& comparison,
                     const std::vector<compare::Configuration>& configurations) {
-  constexpr double kProcess = 2e7;  // of a process besides its model [bytes]
+  constexpr double kProcess = 2e7;  // memory of a process besides its model [bytes]
   double needed = 0.0;
   for (const auto& configuration : configurations)
     needed += kProcess + static_cast<double>(

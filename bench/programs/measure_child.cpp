@@ -1,5 +1,4 @@
-// What the child process does: it reads its task, runs batches of steps and answers with their
-// times.
+// The child process: it reads its task, runs batches of steps and answers with their times.
 
 #include "bench/programs/measure_child.h"
 
@@ -24,7 +23,7 @@ namespace spoke::cli {
 namespace {
 
 constexpr std::string_view kMeasureChild = "measure-child";
-constexpr std::size_t kFixedWords = 10;  // before the overrides
+constexpr std::size_t kFixedWords = 10;  // words before the overrides
 
 using Clock = std::chrono::steady_clock;
 using reproduce::Work;
@@ -81,7 +80,7 @@ struct Timed {
   double seconds = 0.0;
   std::uint64_t hash = 0;
 };
-/// Runs so many steps.
+/// Runs that many steps.
 using Batch = std::function<Timed(std::int64_t steps)>;
 
 template <class Run>

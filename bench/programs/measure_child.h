@@ -14,24 +14,23 @@
 
 namespace spoke::cli {
 
-/// What a child simulates.
+/// Task of a child: scenario and options of its simulation.
 struct ChildTask {
   std::string scenario;  ///< file; empty: the paper's rotor, which is built in
-  std::string text;      ///< of that file, which children do not read again
+  std::string text;      ///< text of that file, which children do not read again
   Overrides overrides;
   Integration integration;  ///< its method, step and duration replace those of the scenario
-  int window = 0;           ///< as SimulationOptions::window
-  reproduce::Work work = reproduce::Work::steps;  ///< what a batch of steps is of
+  int window = 0;           ///< see SimulationOptions::window
+  reproduce::Work work = reproduce::Work::steps;  ///< kind of work in a batch of steps
 };
 
-/// The command that starts this program as a child that measures a configuration.
+/// Returns the command that starts this program as a child that measures a configuration.
 compare::Command make_child_command(const ChildTask& task,
                                     const compare::Configuration& configuration);
 
-/// Runs batches of steps as standard input asks for, see compare/rounds.h. A batch of
-/// Work::run begins anew at t = 0, before its time counts; one of Work::inverse has no state, and
-/// its hash is 0.
-/// Ends with its input. Returns the exit status.
+/// Runs batches of steps as standard input asks for (compare/rounds.h) until the input ends. A
+/// batch of Work::run begins anew at t = 0, before its time counts; one of Work::inverse has no
+/// state, and its hash is 0. Returns the exit status.
 int measure_child(int argc, char** argv);
 
 /// Whether a command line asks for measure_child().

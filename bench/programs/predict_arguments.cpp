@@ -13,7 +13,7 @@
 namespace spoke::cli {
 namespace {
 
-/// "1,2,4" in ascending order, each once.
+/// Parses "1,2,4" into ascending order, each number once.
 std::vector<int> parse_counts(const std::string& list) {
   std::vector<int> counts;
   for (std::size_t begin = 0; begin <= list.size();) {

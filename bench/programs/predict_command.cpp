@@ -36,11 +36,11 @@ namespace fs = std::filesystem;
 constexpr double kBatchSeconds = 0.05;
 constexpr int kRounds = 15;
 
-/// What a prediction is of.
+/// The subject of a prediction: options and scenario.
 struct Task {
   const Arguments& arguments;
   const PredictArguments& own;
-  std::string text;   ///< of the scenario file
+  std::string text;   ///< text of the scenario file
   Scenario scenario;  ///< with the values in force
 };
 
@@ -54,13 +54,13 @@ Task read_task(const Arguments& arguments, const PredictArguments& own) {
 /// A simulation whose nodes are timed while it makes the steps of a measured process.
 struct Subject {
   Simulation simulation;
-  int window = 1;  ///< steps that a run of its graph makes, about
+  int window = 1;  ///< approximate number of steps that a run of its graph makes
 };
 
-/// What is timed: the graph that all executors but auto run, and that of the window which auto
-/// chooses, where it is another.
+/// The graphs whose nodes are timed: the one that all executors but auto run, and that of the
+/// window which auto chooses, if it is another.
 struct Subjects {
-  std::int64_t batch = 2;  ///< steps of a round
+  std::int64_t batch = 2;  ///< number of steps in a round
   Subject all;
   std::optional<Subject> of_auto = {};
 };
@@ -76,14 +76,14 @@ bool runs_single_passes(const Simulation& simulation) {
   return simulation.run_graph().node_count() == simulation.step_graph().node_count();
 }
 
-/// None if auto runs the same graph as the others: on one thread, or in a window that was asked
-/// for.
+/// Returns the simulation in auto's window. None if auto runs the same graph as the others: on one
+/// thread, or in a window that was asked for.
 std::optional<Subject> open_window(const Task& task, const Scenario& scenario) {
   const PredictArguments& asked = task.own;
   if (asked.window > 0 || asked.threads.back() == 1) return {};
   Subject subject{Simulation(scenario, {.formulation = task.arguments.options.formulation,
                                         .executor = ExecutorKind::automatic,
-                                        .threads = 2})};  // their number does not matter to it
+                                        .threads = 2})};  // any number gives this window
   subject.window = open_window(subject.simulation);
   if (runs_single_passes(subject.simulation)) return {};
   return subject;
@@ -95,7 +95,7 @@ Subjects make_subjects(const Task& task) {
   const Simulation given = build_simulation(task.arguments.scenario, task.scenario, options);
   Simulation probe(compare::with_steps(given, kEnoughToProbe), options);
   const std::int64_t batch = predict::choose_steps(probe, kBatchSeconds);
-  // Enough also for the steps by which auto chooses its window.
+  // The length must also suffice for the steps by which auto chooses its window.
   const Scenario longer =
       compare::with_steps(given, compare::steps_of(batch, kRounds) + kEnoughToProbe);
   return {
@@ -122,8 +122,8 @@ predict::Prediction describe(const Arguments& arguments, const Subjects& subject
   return prediction;
 }
 
-/// The steps that a measured process makes before its first round; on one thread, and by the graph
-/// that is timed.
+/// Makes the steps that a measured process makes before its first round; on one thread, and by the
+/// graph that is timed.
 void warm_up(Subject& subject, std::int64_t batch) {
   const std::int64_t steps = compare::steps_of(batch, 0);
   Simulation& simulation = subject.simulation;
@@ -157,8 +157,8 @@ class SubjectTimer {
   std::optional<predict::NodeTimer> of_auto_;
 };
 
-/// Executors on the numbers of threads that this machine has, in child processes; in the same
-/// rounds the nodes, over the same steps.
+/// Measures executors on the numbers of threads that this machine has, in child processes, and
+/// times the nodes in the same rounds over the same steps.
 std::vector<compare::Measurement> measure(const Task& task, const Subjects& subjects,
                                           SubjectTimer& timer, int cores) {
   const Arguments& arguments = task.arguments;
@@ -169,7 +169,7 @@ std::vector<compare::Measurement> measure(const Task& task, const Subjects& subj
                      .binds = {false}};
   for (const int threads : task.own.threads)
     if (threads <= cores) axes.threads.emplace_back(threads);
-  if (axes.threads.empty()) axes.executors.clear();  // leaves serial
+  if (axes.threads.empty()) axes.executors.clear();  // serial remains
   const Scenario& scenario = subjects.all.simulation.scenario();
   const auto configurations =
       compare::make_configurations(axes, static_cast<int>(scenario.rotor.blades.size()), cores);
@@ -194,8 +194,9 @@ std::vector<compare::Measurement> measure(const Task& task, const Subjects& subj
       });
 }
 
-/// The network between the processes that mpirun has started, if it was not told; none but the
-/// first go on, and MPI ends with them, so that nobody disturbs what is measured.
+/// Returns the network between the processes that mpirun has started, unless its latency was given.
+/// Only the first process goes on, and MPI ends with the others, so that nothing disturbs the
+/// measurement.
 std::optional<predict::Network> find_network(const PredictArguments& asked) {
   const ranks::Launch launch;
   const double measured = launch.measure_latency();
@@ -213,7 +214,8 @@ void predict_ranks(const PredictArguments& asked, Simulation& simulation,
       [&simulation](int count) { return share_subsystems(simulation, count); });
 }
 
-/// Before anything is measured: whether there are as many subsystems.
+/// Throws InputError, before anything is measured, unless there are as many subsystems as
+/// processes.
 void require_ranks(const PredictArguments& asked, Simulation& simulation) {
   const int subsystems = simulation.size().subsystems;
   if (!asked.ranks.empty() && asked.ranks.back() > subsystems)

@@ -29,11 +29,11 @@ using reproduce::Work;
 
 constexpr double kExplicitStep = 8e-5;  // s; rk4 is stable up to 8.2e-5 s
 
-/// How long to measure.
+/// Effort of the measurements.
 struct Effort {
   int rounds;
-  double sample_seconds;  ///< of a serial batch
-  double most_seconds;    ///< per configuration
+  double sample_seconds;  ///< duration of a serial batch
+  double most_seconds;    ///< limit per configuration
 };
 constexpr Effort kFull{15, 0.03, 3.0};
 constexpr Effort kQuick{3, 0.008, 0.25};
@@ -57,12 +57,13 @@ void simulate(Reproduction& all) {
   all.implicit.error = std::abs(all.implicit.lag / all.paper.lag - 1.0);
 }
 
-/// Steps in a batch of each formulation, which all rounds together have enough of.
+/// Returns the number of steps in a batch of each formulation, such that the simulation has enough
+/// for all rounds.
 compare::BatchSize probe_batches(const Reproduction& all, const Effort& effort) {
   std::map<Formulation, std::int64_t> batches;
   const auto steps =
       std::llround(all.scenario.integration.duration / all.scenario.integration.step);
-  constexpr std::int64_t kUnit = 1000;  // to ask what rounds need in batches
+  constexpr std::int64_t kUnit = 1000;  // a batch for which the steps of all rounds are counted
   const std::int64_t most = kUnit * steps / compare::steps_of(kUnit, effort.rounds);
   for (const Formulation formulation :
        {Formulation::augmented, Formulation::subsystem, Formulation::structured}) {

@@ -6,9 +6,9 @@
 
 namespace spoke::cli {
 
-/// What it asks for besides Arguments.
+/// Options of the command besides Arguments.
 struct ReproduceArguments {
-  bool quick = false;  ///< few rounds
+  bool quick = false;  ///< whether to measure few rounds
 };
 
 /// Repeats the paper's evaluation, prints a table and writes reproduce.html and reproduce.json.

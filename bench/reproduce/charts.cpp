@@ -1,4 +1,4 @@
-// Fills the charts with what was computed and with the paper's values.
+// Fills the charts with the computed and measured values and with the paper's.
 
 #include "bench/reproduce/charts.h"
 
@@ -31,7 +31,8 @@ LineSeries line_of(const Deflection& deflection, bool dashed) {
   return series;
 }
 
-/// Single points: what cannot be shown parts the line between them.
+/// Returns the exact solution as single points: values that cannot be shown part the line between
+/// them.
 LineSeries exact_points() {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   LineSeries series{.name = "exact (independent)"};

@@ -14,12 +14,12 @@ namespace {
 using Kind = Condition::Kind;
 using Claims = std::vector<Claim>;
 
-constexpr double kGain = 0.97;  // of the time without, below which threads gain something
+constexpr double kGain = 0.97;  // share of the time without threads below which they gain something
 constexpr Condition kGains{Kind::below, 0.0, kGain};
 constexpr Condition kLoses{Kind::above, 1.0, 0.0};
 constexpr Condition kAlike{Kind::between, 1.0 / 1.1, 1.1};
-constexpr Condition kTwoThreads{Kind::above, 1.6, 0.0};    // of two processors
-constexpr Condition kThreeThreads{Kind::above, 2.2, 0.0};  // of three
+constexpr Condition kTwoThreads{Kind::above, 1.6, 0.0};    // least speedup on two processors
+constexpr Condition kThreeThreads{Kind::above, 2.2, 0.0};  // least speedup on three processors
 
 double as_number(std::int64_t value) { return static_cast<double>(value); }
 
@@ -35,7 +35,7 @@ std::optional<bool> is_met(const Condition& condition, const Ratio& ratio) {
   return {};
 }
 
-/// Of one number that does not vary.
+/// Makes a claim about a computed number, which does not vary.
 Claim computed(std::string what, std::optional<double> paper, double here,
                const Condition& condition = {}) {
   Claim claim{std::move(what), paper, here, {}, condition, {}};
@@ -44,7 +44,7 @@ Claim computed(std::string what, std::optional<double> paper, double here,
   return claim;
 }
 
-/// Of times in the same rounds.
+/// Makes a claim about the ratio of two times in the same rounds.
 Claim timed(std::string what, std::optional<double> paper, const std::optional<Ratio>& ratio,
             const Condition& condition = {}) {
   Claim claim{std::move(what), paper, {}, ratio, condition, {}};
@@ -54,7 +54,7 @@ Claim timed(std::string what, std::optional<double> paper, const std::optional<R
   return claim;
 }
 
-/// As timed(); threads wait for processors where other programs have them.
+/// Makes a claim as timed() does, open on a busy machine, where threads wait for processors.
 Claim timed_on_threads(const Reproduction& all, std::string what, std::optional<double> paper,
                        const std::optional<Ratio>& ratio, const Condition& condition) {
   Claim claim = timed(std::move(what), paper, ratio, condition);
@@ -146,7 +146,7 @@ Claims claims_on_layers(const Reproduction& all) {
 }
 
 Claims claims_on_inverse(const Reproduction& all) {
-  constexpr double kShare = 0.986;  // of Table 2, with what it counts as effective mass and force
+  constexpr double kShare = 0.986;  // share in Table 2, with its items of effective mass and force
   Claims claims;
   if (all.inverse_share > 0.0)
     claims.push_back(computed("inverse nodes, share of a serial step", kShare, all.inverse_share));

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the paper says in numbers, beside what was computed and measured here.
+// Numbers of the paper, beside those computed and measured here.
 
 #include <optional>
 #include <string>
@@ -11,22 +11,22 @@
 
 namespace spoke::reproduce {
 
-/// When a number of the paper holds here.
+/// Condition under which a number of the paper holds here.
 struct Condition {
   enum class Kind { none, below, above, between };
   Kind kind = Kind::none;
-  double low = 0.0, high = 0.0;  ///< below: `high`, above: `low`
+  double low = 0.0, high = 0.0;  ///< limits; below has `high` alone, above `low` alone
 };
 
-/// A number of the paper and ours.
+/// A number of the paper beside Spoke's.
 struct Claim {
   std::string what = {};
   std::optional<double> paper = {};    ///< none: Spoke's own
   std::optional<double> here = {};     ///< none: not measured
-  std::optional<Ratio> measured = {};  ///< over the rounds, of what was timed
+  std::optional<Ratio> measured = {};  ///< quartiles over the rounds of a timed number
   Condition condition = {};
-  /// None without a condition; nor if it was not measured, the quartiles lie on both sides of a
-  /// limit, or it is of threads on a busy machine.
+  /// Whether the condition is met. None without a condition, without a measurement, if the
+  /// quartiles lie on both sides of a limit, and for threads on a busy machine.
   std::optional<bool> holds = {};
 };
 
@@ -34,16 +34,18 @@ struct Claim {
 std::vector<Claim> claims_on_counts();
 /// Fig. 8: the hub's final speed.
 std::vector<Claim> claims_on_drive(const Reproduction& reproduction);
-/// Fig. 10 to 12; none without OpenMP in this build, but for the share of the inverse part.
+/// Fig. 10 to 12. Without OpenMP in this build there are no claims but that on the share of the
+/// inverse part.
 std::vector<Claim> claims_on_subsystem_threads(const Reproduction& reproduction);
 std::vector<Claim> claims_on_layers(const Reproduction& reproduction);
 std::vector<Claim> claims_on_inverse(const Reproduction& reproduction);
 /// Fig. 13 and Table 3.
 std::vector<Claim> claims_on_methods(const Reproduction& reproduction);
 
-/// A row per claim: the paper's value, ours, its quartiles, ours by the paper's, whether it holds.
+/// Returns a row for each claim: the paper's value, Spoke's, its quartiles, their ratio, and
+/// whether the claim holds.
 report::Table claim_table(const std::vector<Claim>& claims);
-/// "< 0.97", "> 2.2", "0.91 to 1.1", or nothing.
+/// Returns "< 0.97", "> 2.2", "0.91 to 1.1", or an empty text.
 std::string text_of(const Condition& condition);
 
 }  // namespace spoke::reproduce

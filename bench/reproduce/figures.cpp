@@ -13,7 +13,7 @@
 namespace spoke::reproduce {
 namespace {
 
-constexpr double kInterval = 0.05;  // between points [s]
+constexpr double kInterval = 0.05;  // time between points [s]
 
 double end_of_ramp(const Drive& drive) {
   const auto* spin_up = std::get_if<SpinUp>(&drive);
@@ -33,7 +33,7 @@ std::vector<DrivePoint> sample_drive(const Drive& drive, double duration, int co
 }
 
 Deflection simulate_deflection(std::string name, Scenario scenario, double step) {
-  scenario.rotor.blades.resize(1);  // blades are alike and meet at a hub of given motion
+  scenario.rotor.blades.resize(1);  // blades are alike, and the hub's motion is prescribed
   scenario.integration.method = IntegrationMethod::generalized_alpha;
   scenario.integration.step = step;
   Simulation simulation(scenario, {.executor = ExecutorKind::serial, .threads = 1});

@@ -1,6 +1,6 @@
 #pragma once
 
-// What Fig. 8 and Fig. 9 show: the drive, and the deflection of a blade's tip, over time.
+// Data of Fig. 8 and Fig. 9: the drive, and the deflection of a blade's tip, over time.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,8 @@ struct DrivePoint {
   double t = 0.0;  ///< [s]
   DriveMotion motion = {};
 };
-/// `count` + 1 points from 0 to `duration` [s]. Precondition: the drive prescribes the motion.
+/// Returns `count` + 1 points of the drive from 0 to `duration` [s]. Precondition: the drive
+/// prescribes the motion.
 std::vector<DrivePoint> sample_drive(const Drive& drive, double duration, int count);
 
 /// The transverse displacement of the tip in the hub's frame, "tip.y", of one blade.
@@ -39,7 +40,7 @@ namespace exact {
 inline constexpr double kLag = -0.53411139;        ///< [m]
 inline constexpr double kLagTime = 6.7659135;      ///< [s]
 inline constexpr double kResidual = 0.0082960479;  ///< [m]
-/// tip.y at some times.
+/// Returns tip.y at some times.
 std::vector<Deflection::Point> points();
 }  // namespace exact
 

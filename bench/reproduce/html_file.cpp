@@ -22,7 +22,7 @@ std::vector<report::Fact> facts_of(const Reproduction& all) {
           {"the paper's machine", std::string(paper::kMachine)}};
 }
 
-/// Of times, some of which a build without OpenMP cannot measure.
+/// Adds claims on times, and a note if this build lacks OpenMP and so cannot measure all of them.
 void add_claims(Page& page, const std::vector<Claim>& claims) {
   if (!has_schemes())
     page.add_paragraph("This build is without OpenMP: the paper's two schemes were not measured.");

@@ -16,7 +16,7 @@
 namespace spoke::reproduce {
 namespace {
 
-/// The nodes of one stage, with the parts they declare.
+/// Returns a graph of the nodes of one stage, with the parts that they declare.
 graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) {
   graph::StepGraphBuilder builder(whole.subsystem_word());
   for (const graph::Part& part : whole.parts())
@@ -32,7 +32,7 @@ graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) 
   return builder.build();
 }
 
-/// After the evaluation at t = 0 all nodes wait for a window. Here they may go on and on.
+/// Lets all nodes run without end; after the evaluation at t = 0 they wait for a window.
 void resume_all(SystemContext<Plane>& context) {
   context.data.window.last = std::numeric_limits<std::int32_t>::max();
   for (StepProgress& progress : context.data.progress) progress.is_halted = false;

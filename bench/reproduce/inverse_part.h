@@ -8,8 +8,8 @@
 
 namespace spoke::reproduce {
 
-/// The nodes "inverse" of a step by themselves: a graph of nothing else, run as often as rk4 does
-/// in a step. On more than one thread its time holds their forks and barriers too.
+/// A graph of a step's nodes "inverse" alone, run as often as rk4 runs them in a step. On more than
+/// one thread its time includes forks and barriers.
 class InversePart {
  public:
   /// Precondition: the formulation has such nodes (structured, subsystem).
@@ -19,14 +19,14 @@ class InversePart {
   InversePart& operator=(const InversePart&) = delete;
 
   void run(std::int64_t steps);
-  int nodes() const;  ///< in one evaluation
+  int nodes() const;  ///< number of nodes in one evaluation
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// The share of a step's work that is the nodes "inverse", on one thread: from the costs of all
+/// Returns the share of the nodes "inverse" in a step's work on one thread, from the costs of all
 /// nodes, timed one by one in the same runs.
 double measure_inverse_share(const Scenario& scenario, Formulation formulation);
 

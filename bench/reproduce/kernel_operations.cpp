@@ -8,7 +8,7 @@
 namespace spoke::reproduce {
 namespace {
 
-/// Entries below the diagonal of a band.
+/// Returns the number of entries below the diagonal of a band.
 std::int64_t lower_entries(std::int64_t n, std::int64_t half) {
   const std::int64_t width = std::min(half, n - 1);
   return n * width - width * (width + 1) / 2;

@@ -1,8 +1,7 @@
 #pragma once
 
-// What dense and banded kernels cost, in closed form. Counted are operations on numbers that the
-// kernel needs; changes of sign, copies and the zeros that vector registers are filled up with are
-// not.
+// Operations of dense and banded kernels, in closed form. All operations on numbers that the kernel
+// needs are counted; changes of sign, copies and the zeros that fill up vector registers are not.
 
 #include <cstdint>
 
@@ -10,7 +9,7 @@ namespace spoke::reproduce {
 
 struct Operations {
   std::int64_t multiplications = 0;
-  std::int64_t additions = 0;  ///< and subtractions
+  std::int64_t additions = 0;  ///< additions and subtractions
   std::int64_t others = 0;     ///< divisions, square roots, sines and cosines, one each
 
   std::int64_t total() const { return multiplications + additions + others; }
@@ -31,15 +30,15 @@ Operations lu_solve(std::int64_t n, std::int64_t k);
 Operations product(std::int64_t m, std::int64_t n, std::int64_t k);
 /// x . y
 Operations dot(std::int64_t n);
-/// A x, A symmetric with `half` diagonals on either side..
+/// A x, A symmetric with `half` diagonals on either side.
 Operations band_product(std::int64_t n, std::int64_t half);
-/// L D L^T x = b of such a matrix that is factorised, with the inverse of D.
+/// L D L^T x = b for a factorised band matrix, with the inverse of D.
 Operations band_solve(std::int64_t n, std::int64_t half);
 
 // Symmetric twist matrices of the plane (3 x 3), as in models/plane/plane.h.
 Operations twist_inverse();    ///< invert()
 Operations twist_turn();       ///< rotate() of a matrix
 Operations twist_eliminate();  ///< eliminate()
-Operations rotate();           ///< a twist
+Operations rotate();           ///< rotate() of a twist
 
 }  // namespace spoke::reproduce

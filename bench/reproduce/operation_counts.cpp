@@ -10,10 +10,11 @@ namespace {
 
 constexpr std::int64_t d = 3;
 
-/// Unknowns of a body, d of its frame and d for each element.
+/// Returns the number of unknowns of a body: d of its frame and d for each element.
 std::int64_t dense_size(const RotorSize& size) { return d + d * size.elements; }
 
-/// Unknowns of the whole: hub, bodies, a multiplier for each, and the hub's three constraints.
+/// Returns the number of unknowns of the whole: hub, bodies, d multipliers for each, and the hub's
+/// three constraints.
 std::int64_t augmented_size(const RotorSize& size) {
   return d + size.blades * size.bodies * (dense_size(size) + d) + d;
 }
@@ -67,7 +68,7 @@ Operations count_structured_accelerations(const RotorSize& size) {
   return size.blades * (root + (size.bodies - 1) * joint + size.bodies * body);
 }
 
-/// M^-1 [J^T, Q] and [J] M^-1 [J^T, Q] of each body, then Phi M^-1 Phi^T whole.
+/// Counts M^-1 [J^T, Q] and [J] M^-1 [J^T, Q] of each body, then Phi M^-1 Phi^T as a whole.
 Operations count_subsystem_effective(const RotorSize& size) {
   const std::int64_t n = dense_size(size);
   const std::int64_t C1 = d * size.bodies;
@@ -89,7 +90,7 @@ Operations count_subsystem_accelerations(const RotorSize& size) {
   return size.blades * (multipliers + size.bodies * body);
 }
 
-/// (P 9): three numbers are given, so what is left is the reaction.
+/// Counts (P 9): the hub's three coordinates are given, so only the reaction is left.
 Operations count_hub(const RotorSize& size) {
   return size.blades * (product(d, d, 1) + Operations{3, 8, 0});
 }
@@ -106,7 +107,8 @@ Operations count_subsystem(Stage stage, const RotorSize& size) {
   return stage == Stage::hub ? count_hub(size) : count_subsystem_accelerations(size);
 }
 
-/// All unknowns at once: there is no effective mass, and the hub is among them.
+/// Counts the solution for all unknowns at once: there is no effective mass, and the hub is among
+/// them.
 Operations count_augmented(Stage stage, const RotorSize& size) {
   const std::int64_t joints = size.blades * (size.bodies - 1);
   if (stage == Stage::inverse)

@@ -1,8 +1,8 @@
 #pragma once
 
-// Operations of one evaluation of the accelerations, for blades alike in a clamped frame, without
-// stiffening, damping and loads: the paper's model. Left out are the drive, the integrator's own
-// arithmetic and checks.
+// Operations of one evaluation of the accelerations for the paper's model: equal blades in a
+// clamped frame, without stiffening, damping and loads. The drive, the integrator's own arithmetic
+// and checks are left out.
 
 #include <array>
 #include <string_view>
@@ -22,8 +22,8 @@ struct RotorSize {
 enum class Stage {
   kinematics,     ///< position and velocity analysis
   terms,          ///< mass, inertia and force
-  inverse,        ///< what stands for M_sub^-1: the factorisation, or the banded solves
-  effective,      ///< effective mass and force with what they need of M_sub^-1
+  inverse,        ///< the factorisation, or the banded solves, in place of M_sub^-1
+  effective,      ///< effective mass and force with the products of M_sub^-1 that they need
   hub,            ///< hub acceleration, or reaction
   accelerations,  ///< multipliers and accelerations of the blades
 };
@@ -31,9 +31,9 @@ inline constexpr std::array kStages{Stage::kinematics, Stage::terms, Stage::inve
                                     Stage::effective,  Stage::hub,   Stage::accelerations};
 std::string_view name_of(Stage stage);
 
-/// Of all blades, one evaluation.
+/// Returns the operations of a stage for all blades in one evaluation.
 Operations count(Formulation formulation, Stage stage, const RotorSize& size = {});
-/// The sum over the stages.
+/// Returns the sum over the stages.
 Operations count(Formulation formulation, const RotorSize& size = {});
 
 }  // namespace spoke::reproduce

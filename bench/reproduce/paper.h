@@ -1,8 +1,8 @@
 #pragma once
 
-// What the paper prints: J.-B. Han, H. Song and S.-S. Kim, Trans. Korean Soc. Mech. Eng. A 41(6),
-// 2017, 507-515, doi 10.3795/KSME-A.2017.41.6.507. Its figures are curves without printed values,
-// its tables and text are not.
+// Numbers that the paper prints: J.-B. Han, H. Song and S.-S. Kim, Trans. Korean Soc. Mech. Eng. A
+// 41(6), 2017, 507-515, doi 10.3795/KSME-A.2017.41.6.507. Only its tables and text give values; its
+// figures are curves without.
 
 #include <array>
 #include <string_view>
@@ -16,20 +16,20 @@ namespace spoke::reproduce::paper {
 struct Count {
   Stage stage;
   std::string_view formula;
-  std::int64_t value;  ///< of the formula
+  std::int64_t value;  ///< value of the formula
   std::int64_t printed;
 };
 
-/// The formulas of Table 2, evaluated.
+/// Returns the formulas of Table 2, evaluated.
 std::vector<Count> table_2(const RotorSize& size = {});
-inline constexpr std::int64_t kTable2Total = 7'790'118;  ///< printed
+inline constexpr std::int64_t kTable2Total = 7'790'118;  ///< as printed
 
-/// The item of Table 2 that stands for M_sub^-1, by its own formula n^3/3: with the size that is
-/// printed, with that of a blade, and with the blocks of (P 11).
+/// Values of the item of Table 2 for M_sub^-1 by its formula n^3/3: for the printed size, for that
+/// of a blade, and for the blocks of (P 11).
 struct InverseSizes {
-  std::int64_t printed;  ///< one of (3 M)(3 (E + 1))
-  std::int64_t blade;    ///< one of M (3 + 3 E)
-  std::int64_t blocks;   ///< M of 3 + 3 E
+  std::int64_t printed;  ///< one matrix of the size (3 M)(3 (E + 1))
+  std::int64_t blade;    ///< one matrix of the size M (3 + 3 E)
+  std::int64_t blocks;   ///< M matrices of the size 3 + 3 E
 };
 InverseSizes inverse_sizes(const RotorSize& size = {});
 
@@ -43,10 +43,11 @@ inline constexpr std::array kTable3{
     StepTime{"conventional", 17.92, 36.57}, StepTime{"subsystem", 4.93, 10.06},
     StepTime{"parallel", 1.78, 3.64}, StepTime{"layered parallel", 0.49, 1.0}};
 
-/// Of the hub in Fig. 8 [rad/s]: not printed; of Wu and Haug (1988), whose rotor it is.
+/// Final speed of the hub in Fig. 8 [rad/s]: not printed, but known from Wu and Haug (1988), whose
+/// rotor it is.
 inline constexpr double kFinalSpeed = 4.0;
 
-/// Section 5.2: scheme 2 on 3x4 threads takes about as many times what it takes on 3x1.
+/// Section 5.2: about the ratio of scheme 2's time on 3x4 threads to that on 3x1.
 inline constexpr double kScheme2Slowdown = 1.8;
 
 inline constexpr std::string_view kMachine =

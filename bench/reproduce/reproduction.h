@@ -8,26 +8,26 @@
 
 namespace spoke::reproduce {
 
-/// What generalized_alpha needs for the whole simulation.
+/// The whole simulation by generalized_alpha: its step and its accuracy.
 struct ImplicitRun {
   double step = 0.05;  ///< [s]
   double lag = 0.0;    ///< largest lag of the tip that it finds [m]
-  double error = 0.0;  ///< of that, relative to the converged one of the same model
+  double error = 0.0;  ///< error of that lag, relative to the converged lag of the same model
 };
 
-/// All that was computed and measured.
+/// All computed and measured values.
 struct Reproduction {
-  Scenario scenario;  ///< as the steps are timed: with rk4
+  Scenario scenario;  ///< scenario whose steps are timed, with rk4
   bool is_quick = false;
   Machine machine = {};
   compare::Loads loads = {};
-  int rounds = 0;  ///< planned
+  int rounds = 0;  ///< number of planned rounds
   std::vector<DrivePoint> drive = {};
   Deflection paper = {};      ///< without stiffening, 4 bodies of 4 elements
-  Deflection stiffened = {};  ///< the same with
-  Deflection finest = {};     ///< our finest stiffened model
+  Deflection stiffened = {};  ///< with stiffening, 4 bodies of 4 elements
+  Deflection finest = {};     ///< Spoke's finest stiffened model
   ImplicitRun implicit = {};
-  double inverse_share = 0.0;  ///< of a serial step's work, formulation subsystem
+  double inverse_share = 0.0;  ///< inverse nodes in a serial step, formulation subsystem
   Timings timings = {};
 };
 

@@ -19,7 +19,7 @@ using report::Column;
 using report::Row;
 using report::Table;
 
-/// In groups of three digits.
+/// Formats a number in groups of three digits.
 std::string grouped(std::int64_t value) {
   const std::string digits = fmt::format("{}", value);
   std::string text;
@@ -43,7 +43,7 @@ std::optional<double> median_of(const Reproduction& all, Work work, const Config
   return spread ? std::optional(spread->median) : std::nullopt;
 }
 
-/// Quartiles, or of how few rounds the time is.
+/// Formats the quartiles, or the number of rounds if they are too few for quartiles.
 std::string quartiles_text(const Spread& spread) {
   if (spread.rounds < kLeastRounds)
     return counted(static_cast<std::int64_t>(spread.rounds), "round");
@@ -51,7 +51,7 @@ std::string quartiles_text(const Spread& spread) {
                      graph::duration_text(spread.high));
 }
 
-/// Cells of one configuration: time, quartiles, times faster than another.
+/// Adds the cells of one configuration: time, quartiles, times faster than another.
 void add_timing(const Reproduction& all, Work work, const Configuration& which,
                 const Configuration& reference, Row& row) {
   const auto spread = all.timings.find(work, which);

@@ -7,32 +7,32 @@
 
 namespace spoke::reproduce {
 
-/// Table 2 as printed, its formulas evaluated.
+/// Returns Table 2 as printed, with its formulas evaluated.
 report::Table paper_counts();
-/// The three formulations' operations by part, beside the paper's.
+/// Returns the three formulations' operations by part, beside the paper's.
 report::Table our_counts();
 /// Fig. 9: peaks, beside the exact ones.
 report::Table deflection_table(const Reproduction& reproduction);
 /// Fig. 10: schemes 1 and 2 on 1 to 3 threads.
 report::Table subsystem_table(const Reproduction& reproduction);
-/// Fig. 11, or Fig. 12 of the inverse part: schemes 1 and 2 on 3x1 to 3x4.
+/// Fig. 11: schemes 1 and 2 on 3x1 to 3x4; for Work::inverse Fig. 12, of the inverse part.
 report::Table layered_table(const Reproduction& reproduction, Work work);
 
 /// One line of Table 3 and Fig. 13, the paper's or Spoke's own.
 struct MethodTime {
   std::string name = {};
   std::string how = {};                 ///< formulation, executor
-  std::optional<double> paper_ms = {};  ///< per step
+  std::optional<double> paper_ms = {};  ///< time per step
   std::optional<double> paper_ratio = {};
-  std::optional<double> seconds = {};  ///< per step, here
-  std::optional<double> ratio = {};    ///< to "layered parallel", here
-  std::optional<double> run = {};      ///< for the 20 s [s]
+  std::optional<double> seconds = {};  ///< time per step, here [s]
+  std::optional<double> ratio = {};    ///< ratio to "layered parallel", here
+  std::optional<double> run = {};      ///< time for the 20 s, here [s]
 };
-/// The lines; those that were not measured have no time.
+/// Returns the lines; those that were not measured have no time.
 std::vector<MethodTime> method_times(const Reproduction& reproduction);
 report::Table method_table(const Reproduction& reproduction);
 
-/// The inner teams, 2 to 4, with which scheme 1 was fastest; none if none was measured.
+/// Returns the threads, 3x2 to 3x4, with which scheme 1 was fastest; none if none was measured.
 std::optional<graph::Threads> best_layered(const Reproduction& reproduction);
 
 }  // namespace spoke::reproduce

@@ -1,4 +1,4 @@
-// Which configurations are measured, and how their times are found again.
+// Lists of configurations to measure, and access to their times.
 
 #include "bench/reproduce/timings.h"
 

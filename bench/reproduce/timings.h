@@ -1,6 +1,6 @@
 #pragma once
 
-// Which configurations the paper's timings need, and what was measured of each.
+// Configurations that the paper's timings need, and their measured times.
 
 #include <optional>
 #include <vector>
@@ -10,37 +10,37 @@
 
 namespace spoke::reproduce {
 
-/// What a measurement is of.
+/// The work that a measurement times.
 enum class Work {
   steps,    ///< whole steps of rk4
   inverse,  ///< the nodes "inverse" of as many steps
   run,      ///< the 20 s from the start, with generalized_alpha
 };
-/// "steps", "inverse", "run".
+/// Returns "steps", "inverse" or "run".
 std::string_view name_of(Work work);
 
-/// All to be measured of a kind, each formulation's serial one first. Without OpenMP in this build
-/// there are no nested teams.
+/// Returns all configurations to measure for a kind of work, each formulation's serial one first.
+/// Without OpenMP in this build there are no nested teams.
 std::vector<compare::Configuration> configurations_of(Work work);
 /// Whether this build has the two schemes of the paper.
 bool has_schemes();
 
-/// One of the paper's schemes (1 or 2), with the formulation subsystem.
+/// Returns one of the paper's schemes (1 or 2), with the formulation subsystem.
 compare::Configuration scheme(int number, graph::Threads threads);
-/// Any other.
+/// Returns the executor serial or auto with a formulation.
 compare::Configuration serial(Formulation formulation);
 compare::Configuration automatic(Formulation formulation);
 
-/// Time per step, or of a run [s].
+/// Quartiles of the time per step, or of a run [s].
 using Spread = compare::Quartiles;
 
-/// From so many rounds on there are quartiles, and what follows from them.
+/// Least number of rounds for quartiles and verdicts by them.
 inline constexpr std::size_t kLeastRounds = 3;
 
-/// One time by another of the same round.
+/// Quartiles of the ratio of two times in the same round.
 using Ratio = compare::Quartiles;
 
-/// What a ratio says of a limit.
+/// Side of a limit on which a ratio lies.
 enum class Side {
   below,
   above,
@@ -53,9 +53,9 @@ class Timings {
   void set(Work work, std::vector<compare::Measurement> measurements);
 
   const std::vector<compare::Measurement>& all(Work work) const;
-  /// None if it was not measured, or gave no sample.
+  /// Returns none if the configuration was not measured, or gave no sample.
   std::optional<Spread> find(Work work, const compare::Configuration& configuration) const;
-  /// The first one's time by the second one's.
+  /// Returns the ratio of the first one's time to the second one's.
   std::optional<Ratio> ratio(Work work, const compare::Configuration& above,
                              const compare::Configuration& below) const;
 

@@ -14,13 +14,16 @@
 
 namespace spoke {
 
+/// Stretches of memory, in no order.
 using Memory = std::vector<std::span<std::byte>>;
 
+/// Returns `count` values from the first one on.
 template <class T>
 std::span<std::byte> memory_of(T* first, std::size_t count) {
   return graph::bytes_of(*first, count);
 }
 
+/// Adds the parts of a flex vector that hold coordinates.
 template <class Layout>
 void add_flex(Memory& memory, double* flex, const Layout& layout) {
   layout.for_parts([&](int first, int n) {
@@ -34,32 +37,33 @@ inline void add_joint_coordinates(BodyData<Plane>&, Memory&, Memory&, Memory&) {
 void add_joint_coordinates(BodyData<Space>& body, Memory& coordinates, Memory& history,
                            Memory& accelerations);
 
-/// Returns the results of "position" and "velocity" besides poses and twists.
+/// Lists the memory of the results of "position" and "velocity" besides poses and twists.
 Memory memory_of_motions(SubsystemData<Plane>& data);
 Memory memory_of_motions(SubsystemData<Space>& data);
 
-/// Returns the slides that deformation makes.
+/// Lists the memory of slides that deformation makes.
 inline Memory memory_of_slides(SubsystemData<Plane>&) { return {}; }
 Memory memory_of_slides(SubsystemData<Space>& data);
 
-/// Returns the wrenches at the joints, and the accelerations of joint coordinates that a pass
-/// finds.
+/// Lists the memory of the wrenches at the joints, and of the accelerations of joint coordinates
+/// that a pass finds.
 Memory memory_of_wrenches(SubsystemData<Plane>& data);
 Memory memory_of_wrenches(SubsystemData<Space>& data);
 
-/// Returns the terms of a body, and of the joint that carries it.
+/// Lists the memory of the terms of a body, and of the joint that carries it.
 Memory memory_of_terms(BodyData<Plane>& body);
 Memory memory_of_terms(BodyData<Space>& body);
 
-/// Returns the workspace of the kernels of terms and recovery; none in the plane.
+/// Lists the workspace of the kernels of terms and recovery; none in the plane.
 inline Memory memory_of_scratch(BodyData<Plane>&) { return {}; }
 Memory memory_of_scratch(BodyData<Space>& body);
 
-/// Returns the tension of rotation on the left-hand side of implicit steps; empty without.
+/// Lists the memory of the tension of rotation on the left-hand side of implicit steps; empty
+/// without.
 inline Memory memory_of_tension(BodyData<Plane>&) { return {}; }
 Memory memory_of_tension(BodyData<Space>& body);
 
-/// Returns the memory of the formulation `structured` for a body besides the elimination of its
+/// Lists the memory of the formulation `structured` for a body besides the elimination of its
 /// joint: its response, the workspace of that, and its multi-port if that is no part of the
 /// response.
 Memory memory_of_inverse(BodyData<Plane>& body, plane::Condensed& work);

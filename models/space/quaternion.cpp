@@ -11,7 +11,8 @@ namespace spoke::space {
 Quaternion normalize(const Quaternion& Q) { return 1.0 / std::sqrt(Q.squared_norm()) * Q; }
 
 Rotation make_rotation(const Quaternion& Q) {
-  // Of a simulation that diverges no number may be left.
+  // A simulation that diverges may hold numbers that are not finite, which this assertion lets
+  // pass.
   assert(!(std::abs(Q.w * Q.w + Q.v.squaredNorm() - 1.0) > 1e-6) && "of unit length");
   Matrix3 m = 2.0 * (Q.v * Q.v.transpose() + skew(Q.w * Q.v));
   m.diagonal().array() += Q.w * Q.w - Q.v.squaredNorm();

@@ -4,7 +4,7 @@
 // and the logarithm. With t = |theta|,
 //   exp(theta~) = 1 + s theta~ + c theta~^2,    s = sin t / t,   c = (1 - cos t) / t^2
 //   H = 1 + c theta~ + d theta~^2,              d = (t - sin t) / t^3
-// Of R_AB = exp(theta~), the angular velocity of B in A is H theta' resolved in A, and H^T theta'
+// If R_AB = exp(theta~), the angular velocity of B in A is H theta' resolved in A, and H^T theta'
 // resolved in B.
 
 #include "models/space/rotation.h"

@@ -93,7 +93,7 @@ space::MassMoments make_moments(const PointMass& point, const space::Rotation& a
   return moments;
 }
 
-/// Of as many of each as there are stations, from 0 to the length.
+/// Whether the stations ascend from 0, and there are as many stiffnesses and masses as stations.
 [[maybe_unused]] bool has_fine_stations(const Beam& beam) {
   const Sections& s = beam.sections;
   const std::size_t n = s.station.size();

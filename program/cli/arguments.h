@@ -1,7 +1,7 @@
 #pragma once
 
-// What a command line asks for. Commands that are programs of their own keep what they alone ask
-// for beside it.
+// Arguments of a command line. Commands that are programs of their own keep their own options in a
+// structure beside these.
 
 #include <optional>
 #include <string>
@@ -14,24 +14,24 @@
 
 namespace spoke::cli {
 
-/// What the command line asks for.
+/// Values of the options on the command line.
 struct Arguments {
-  std::string scenario;  ///< file
+  std::string scenario;  ///< scenario file
   Overrides overrides;
   std::string out;     ///< folder of the results; empty: named after the scenario
-  std::string resume;  ///< of run: checkpoint to go on from; empty: start at t = 0
-  std::string html;    ///< of check: page of the model; empty: none
-  std::optional<double> checkpoint_every;  ///< of run [s of wall time]
+  std::string resume;  ///< run: checkpoint to resume from; empty: start at t = 0
+  std::string html;    ///< check: file for the model's page; empty: none
+  std::optional<double> checkpoint_every;  ///< run: wall time between checkpoints [s]
   std::optional<IntegrationMethod> integrator;
   SimulationOptions options;
-  std::string instructions = "auto";  ///< or "avx2", "baseline"
+  std::string instructions = "auto";  ///< "auto", "avx2" or "baseline"
   bool quiet = false;
-  bool writes_report = true;  ///< of run: report.html
-  bool writes_vtk = false;    ///< of run: files for ParaView
+  bool writes_report = true;  ///< run: writes report.html
+  bool writes_vtk = false;    ///< run: writes files for ParaView
   int verbosity = 0;          ///< number of -v
   TraceArguments trace;
   SteadyArguments steady;
-  std::string trace_out;  ///< of run: folder of a trace; empty: none
+  std::string trace_out;  ///< run: folder for a trace; empty: none
 };
 
 }  // namespace spoke::cli

@@ -1,4 +1,4 @@
-// Names the scenario's file in what the simulation refuses.
+// Adds the name of the scenario's file to the errors of the simulation.
 
 #include "program/cli/build_simulation.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How all commands build a simulation.
+// Builds simulations for all commands.
 
 #include <string>
 

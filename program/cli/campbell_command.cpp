@@ -14,7 +14,7 @@
 namespace spoke::cli {
 namespace {
 
-/// Shows how many speeds are done, and wipes that away at the end, whatever that is.
+/// Shows how many speeds are done, and clears the line at the end, after an error as well.
 class Progress {
  public:
   explicit Progress(std::size_t speeds) : speeds_(speeds) {}
@@ -44,7 +44,7 @@ void print(const CampbellResult& result, const SteadyTask& task) {
   print_line("written", task.path("campbell.html") + ", campbell.csv, campbell.json");
 }
 
-/// Of the speed at which bodies bend most.
+/// Prints the warning of the speed at which bodies bend most.
 void warn(const CampbellResult& result) {
   const EquilibriumResult* most = nullptr;
   double largest = 0.0;

@@ -29,11 +29,11 @@ std::string describe_frequency(double frequency) {
   return fmt::format("{:.6g} rad/s ({:.6g} Hz)", frequency, frequency / (2.0 * std::numbers::pi));
 }
 
-/// What is told of frequencies and of rk4.
+/// Frequencies of the model and the limits that they set for rk4.
 struct Limits {
   LinearProperties properties;
-  double speed = 0.0;   ///< of the hub where rk4's limit is that [rad/s]
-  std::string unknown;  ///< why there are none; empty if there are
+  double speed = 0.0;   ///< hub speed at which rk4's limit holds [rad/s]
+  std::string unknown;  ///< reason why they are not known; empty if they are
 };
 
 Limits find_limits(const Simulation& simulation) try {
@@ -61,7 +61,7 @@ void print_limits(const Limits& limits) {
              fmt::format("stable up to a step of {:.4g} s{}", properties.rk4_largest_step, where));
 }
 
-/// Memory, frequencies, and steps.
+/// Prints memory, frequencies, and steps.
 void print_properties(const Simulation& simulation, const Limits& limits) {
   print_line("memory", fmt::format("about {:.3g} MB",
                                    1e-6 * static_cast<double>(simulation.size().memory_bytes)));
@@ -85,7 +85,7 @@ void print_start(const Scenario& scenario) {
                                    start_speed(scenario)));
 }
 
-/// Refuses to draw in the place of a folder, or of the scenario.
+/// Throws InputError if the page would replace a folder or the scenario.
 void require_place(const Arguments& arguments) {
   if (arguments.html.empty()) return;
   require_no_folder(arguments.html);
@@ -94,7 +94,7 @@ void require_place(const Arguments& arguments) {
     throw InputError("spoke check: --html: " + arguments.html + " is the scenario itself");
 }
 
-/// The model as a page, if that is asked for.
+/// Writes the page of the model, if one is asked for.
 void draw(const Arguments& arguments, const Scenario& scenario) {
   if (arguments.html.empty()) return;
   write_file(arguments.html, run_report::make_model_page(scenario));

@@ -23,7 +23,7 @@ namespace {
   throw InputError(file.string() + ": cannot be resumed: " + reason);
 }
 
-/// Whether the record is one of this run; else why not.
+/// Throws InputError, saying why, unless the record is one of this run.
 void require_fit(const std::filesystem::path& file, const RunRecord& record,
                  const Simulation& simulation) {
   const double interval = simulation.scenario().output.interval;
@@ -42,7 +42,8 @@ void require_fit(const std::filesystem::path& file, const RunRecord& record,
 
 namespace {
 
-/// Refuses rows of other sensors. What else may be wrong with them is found when they are opened.
+/// Throws InputError if the rows are of other sensors. Other faults of the file are found when it
+/// is opened.
 void require_columns(const std::filesystem::path& file, const Simulation& simulation) {
   const std::filesystem::path rows = file.parent_path() / "sensors.csv";
   std::ifstream stream(rows);

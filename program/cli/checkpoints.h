@@ -1,6 +1,6 @@
 #pragma once
 
-// When a run writes checkpoints, and how it is resumed from one.
+// Checkpoints of a run: when they are written, and how a run resumes from one.
 
 #include <chrono>
 #include <filesystem>
@@ -26,9 +26,9 @@ class Checkpoints {
   Checkpoints(std::filesystem::path file, std::optional<double> every);
 
   bool are_wanted() const { return every_.has_value(); }
-  /// Whether it is time for one. Cheap enough for every step.
+  /// Whether a checkpoint is due. Cheap enough for every step.
   bool is_due() const { return every_ && Clock::now() >= next_; }
-  /// Throws InputError if it cannot be written; the one before is then still there.
+  /// Writes a checkpoint. Throws InputError if it cannot; the previous one is then still there.
   void save(const Simulation& simulation, const RunRecord& record);
   const std::filesystem::path& file() const { return file_; }
 

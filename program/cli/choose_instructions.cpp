@@ -33,7 +33,8 @@ void use_avx2() {
                      ") that does not forbid it");
 }
 
-/// Changes to these where that is possible; what then differs is refused when it is resumed.
+/// Changes to the instructions `before` where that is possible. If it is not, resuming is refused
+/// later.
 void go_on_with(const std::string& before, char** words) {
   if (instructions_in_use() == "native") return;
   if (before == "baseline") use_baseline(words);

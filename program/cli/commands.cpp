@@ -14,7 +14,8 @@
 namespace spoke::cli {
 namespace {
 
-/// Whether the executor runs on such threads, of which one option says nothing of the other.
+/// Throws CLI::ValidationError unless the executor runs on such threads; neither option alone shows
+/// that.
 void check_threads(const SimulationOptions& options) {
   try {
     graph::check_threads(options.executor, options.threads);
@@ -106,8 +107,8 @@ void add_trace(CLI::App& trace, Arguments& arguments) {
   trace.callback([&] { check_threads(arguments.options); });
 }
 
-/// The instructions that a checkpoint was computed with; empty if no run is resumed, or if the file
-/// cannot be read, which is told when it is resumed.
+/// Returns the instructions that a checkpoint was computed with; empty if no run is resumed, or if
+/// the file cannot be read, which is reported when the run is resumed.
 std::string instructions_of_checkpoint(const Arguments& arguments) {
   if (arguments.resume.empty()) return {};
   try {

@@ -9,7 +9,8 @@
 
 namespace spoke::cli {
 
-/// Simulates a scenario and writes its results. Throws InputError. 3 if the simulation diverged.
+/// Simulates a scenario and writes its results. Throws InputError. Returns 3 if the simulation
+/// diverged.
 int run(const Arguments& arguments);
 
 /// Prints what a scenario's model is and how it vibrates. Throws InputError.
@@ -32,11 +33,11 @@ int find_campbell(const Arguments& arguments);
 int linearize(const Arguments& arguments);
 
 /// Runs to a time, records the steps that follow, node by node, writes the files and prints a
-/// summary. If the simulation diverges meanwhile, of the steps before. Throws InputError, and
-/// DivergenceError if there are none, having written nothing.
+/// summary. If the simulation diverges meanwhile, these hold the steps before. Throws InputError,
+/// and DivergenceError if there are no such steps, having written nothing.
 int trace(const Arguments& arguments);
 
-/// All commands of `spoke`, those that are programs of their own among them.
+/// Returns all commands of `spoke`, including those that are programs of their own.
 std::vector<Command> make_commands();
 
 }  // namespace spoke::cli

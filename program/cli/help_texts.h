@@ -4,8 +4,9 @@
 
 namespace spoke::cli {
 
-// What --help says below the options: of the program, of each command, and of the exit status; the
-// commands that measure write nothing before they are done.
+// Texts of --help below the options: about the exit status, about each command, and about the
+// program. Commands that measure have their own text about the exit status, for they write nothing
+// before they are done.
 extern const char* const kStatusText;
 extern const char* const kMeasuringStatusText;
 extern const char* const kRunText;
@@ -17,7 +18,7 @@ extern const char* const kLinearizeText;
 extern const char* const kTraceText;
 extern const char* const kProgramText;
 
-// The lines of the commands that are programs of their own, which `spoke --help` and theirs have.
+// Summaries of the commands that are programs of their own, for `spoke --help` and for theirs.
 extern const char* const kStudySummary;
 extern const char* const kCompareSummary;
 extern const char* const kPredictSummary;

@@ -16,16 +16,16 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  /// The signal that was noted, else 0.
+  /// Returns the signal that was noted, or 0.
   static int signal();
 
  private:
   using Action = struct sigaction;
-  Action interrupt_{}, terminate_{};  ///< before
+  Action interrupt_{}, terminate_{};  ///< handlers that were in place before
 };
 
-/// From here on a signal that ends the process, SIGINT, SIGTERM or SIGHUP, leaves no unfinished
-/// file (output_file.h). Those that the process was started to ignore stay ignored.
+/// Installs handlers so that a signal that ends the process, SIGINT, SIGTERM or SIGHUP, leaves no
+/// unfinished file (output_file.h). Signals that the process was started to ignore stay ignored.
 void clean_up_on_signals();
 
 /// Writes files that belong together: a first SIGINT or SIGTERM meanwhile ends the process when all
@@ -41,7 +41,7 @@ void write_together(const Write& write) {
   if (signal != 0) std::raise(signal);
 }
 
-/// "SIGINT" or "SIGTERM".
+/// Returns "SIGINT" or "SIGTERM".
 std::string name_of_signal(int signal);
 
 }  // namespace spoke::cli

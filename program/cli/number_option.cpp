@@ -1,4 +1,4 @@
-// Parses them whole.
+// Parses numbers; text behind a number is an error.
 
 #include "program/cli/number_option.h"
 
@@ -12,7 +12,7 @@ double parse_number(const std::string& option, const std::string& text, double l
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   const bool is_number = !text.empty() && end == text.c_str() + text.size();
-  if (!is_number || !(value >= least && value <= most))  // nan is not
+  if (!is_number || !(value >= least && value <= most))  // false for nan
     throw CLI::ValidationError(option, "expected " + expected + ", got " + text);
   return value;
 }

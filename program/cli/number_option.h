@@ -1,14 +1,13 @@
 #pragma once
 
-// Numbers of options.
+// Numbers as values of options.
 
 #include <string>
 
 namespace spoke::cli {
 
-/// The number that the whole text is, from `least` to `most`. Else throws CLI::ValidationError of
-/// the option: "expected EXPECTED, got TEXT". A text that is no number, or nan, is none from
-/// anything.
+/// Returns the whole text as a number from `least` to `most`. Throws CLI::ValidationError of the
+/// option, "expected EXPECTED, got TEXT", if it is outside, no number, or nan.
 double parse_number(const std::string& option, const std::string& text, double least, double most,
                     const std::string& expected);
 

@@ -22,7 +22,7 @@ using spatial::MassProperties;
 using spatial::Tree;
 using spatial::TreeBody;
 
-/// A number of six digits; what is nothing but round-off beside `size` is 0.
+/// Formats a number with six digits; round-off beside `size` becomes 0.
 std::string number(double value, double size = 0.0) {
   return fmt::format("{:.6g}", std::abs(value) <= 1e-12 * size ? 0.0 : value);
 }
@@ -89,7 +89,7 @@ Part describe_part(const Tree& tree, std::size_t first) {
                                    counted(static_cast<std::int64_t>(elements), "element"))};
 }
 
-/// What a body is joined to.
+/// Names the hub or the body that a body is joined to.
 std::string describe_parent(const Tree& tree, const TreeBody& body) {
   if (body.parent < 0) return "the hub";
   const TreeBody& parent = tree.bodies[static_cast<std::size_t>(body.parent)];
@@ -98,7 +98,8 @@ std::string describe_parent(const Tree& tree, const TreeBody& body) {
   return fmt::format("{} at {} m", parent.name, number(beam->nodes[body.parent_node]));
 }
 
-/// The bodies, what they are joined to and how, indented by the joints between them and the hub.
+/// Returns a line for each body or part of a beam with its parent and its joint, indented by the
+/// joints between it and the hub.
 std::vector<std::string> describe(const Tree& tree) {
   std::vector<std::string> lines;
   std::vector<std::size_t> depths(tree.bodies.size(), 0);
@@ -128,7 +129,7 @@ void print_lines(const std::string& label, const std::vector<std::string>& lines
   for (std::size_t i = 0; i < lines.size(); ++i) print_line(i == 0 ? label : "", lines[i]);
 }
 
-/// In the frame of the tree's first body.
+/// Returns the tree's mass properties in the frame of its first body.
 MassProperties seen_from_root(const Tree& tree) {
   const spatial::Placement& root = tree.bodies.front().placement;
   const spatial::Tensor back = root.rotation.transpose();

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `spoke check` prints of a model in space.
+// Output of `spoke check` for a model in space.
 
 #include "models/spatial_model.h"
 

@@ -31,7 +31,8 @@ namespace spoke::cli {
 namespace {
 
 void start_logging(const Arguments& arguments) {
-  // Not as "spoke", where the library would hear it: the program says these things itself.
+  // The logger is not named "spoke": the library would log to it, and the program reports these
+  // things itself.
   spdlog::set_default_logger(spdlog::stderr_color_mt("program"));
   spdlog::set_pattern("[%Y-%m-%d %H:%M:%S.%e] [spoke] [%^%l%$] %v");
   const auto level = arguments.verbosity > 1    ? spdlog::level::debug
@@ -45,8 +46,8 @@ int complain(const std::string& message, int status) {
   return status;
 }
 
-/// The status of a command that ended with `status`, once what it printed has gone out. `is_lost`:
-/// its result is what it prints, and there is no standard output.
+/// Flushes what a command printed. Returns its exit status, `status` unless output was lost.
+/// `is_lost`: the command's result is its output, and standard output is closed.
 int finish_output(int status, bool is_lost) {
   const char* reason = flush_output();
   if (is_lost) reason = "it is closed";
@@ -63,7 +64,8 @@ bool is_assignment(const std::string& argument) {
                      [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; });
 }
 
-/// "--set a=1 b=2" as "--set a=1 --set b=2": a list that ends by itself before SCENARIO.
+/// Turns "--set a=1 b=2" into "--set a=1 --set b=2", so that the list ends by itself before
+/// SCENARIO.
 std::vector<std::string> repeat_set(const std::vector<std::string>& arguments) {
   std::vector<std::string> repeated;
   bool in_list = false;
@@ -76,14 +78,14 @@ std::vector<std::string> repeat_set(const std::vector<std::string>& arguments) {
   return repeated;
 }
 
-/// A scenario whose name begins as an option does, as a path that does not.
+/// Turns the name of a scenario file that begins with "-" into a path that does not.
 std::string as_path(const std::string& argument) {
   const bool is_file = argument.starts_with('-') && argument.ends_with(".toml") &&
                        argument.find('=') == std::string::npos;
   return is_file ? "./" + argument : argument;
 }
 
-/// "run, check or static"
+/// Returns "run, check or static".
 std::string list_names(const std::vector<Command>& commands) {
   std::string text;
   for (std::size_t k = 0; k < commands.size(); ++k) {
@@ -107,8 +109,8 @@ std::string check_first(const std::vector<Command>& commands,
                    " (see spoke --help)");
 }
 
-/// Returns the command that is asked for, or null if help or the version was, which are printed.
-/// Throws InputError.
+/// Returns the command that is asked for. Returns null if help or the version is asked for, which
+/// it prints. Throws InputError.
 const Command* parse(const std::vector<Command>& commands, const std::vector<std::string>& words,
                      Arguments& arguments) {
   CLI::App program("Spoke simulates flexible multibody systems; every step is a task graph.",
@@ -149,7 +151,7 @@ int execute(const Command& command, const Arguments& arguments, char** argv) {
   };
   choose_instructions(arguments.instructions, before, argv);
   start_logging(arguments);
-  // What binds OpenMP's threads (OMP_PROC_BIND and the like) is for OpenMP's executors alone.
+  // Variables that bind OpenMP's threads (such as OMP_PROC_BIND) hold for OpenMP's executors alone.
   std::optional<graph::UnboundThread> unbound;
   if (!graph::is_openmp(arguments.options.executor)) unbound.emplace();
   return command.execute(arguments);
@@ -174,8 +176,8 @@ int run_words(const std::vector<Command>& commands, const std::vector<std::strin
   }
 }
 
-/// Becomes the program beside this one that has the command `argv[1]`. Returns if it cannot be
-/// started, with the exit status.
+/// Replaces this process by the program beside it that has the command `argv[1]`. Returns only if
+/// that cannot be started, with the exit status.
 int start_program(int argc, char** argv) {
   const std::string name = std::string("spoke-") + argv[1];
   std::error_code none;
@@ -196,8 +198,8 @@ int start_program(int argc, char** argv) {
 
 bool prepare_process() {
   const bool has_output = open_standard_streams();
-  // Spoke says itself how many threads there are, and LLVM's OpenMP runtime, which reads this when
-  // it is first used, does not survive what is no number, or takes gigabytes.
+  // Spoke sets the number of threads itself. LLVM's OpenMP runtime reads this variable at its first
+  // use, and fails or takes gigabytes if its value is no number.
   unsetenv("OMP_NUM_THREADS");
   clean_up_on_signals();
   return has_output;

@@ -12,7 +12,7 @@
 namespace spoke::cli {
 namespace {
 
-/// "45 s", "3 min 20 s", "2 h 5 min".
+/// Returns "45 s", "3 min 20 s" or "2 h 5 min".
 std::string duration_text(double seconds) {
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
   if (whole < 60) return fmt::format("{} s", whole);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the terminal shows of how far a command is.
+// Progress of a command, shown on the terminal.
 
 #include <chrono>
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace spoke::cli {
 
-/// Says on a line of the terminal (stderr) what is being done; an empty text clears it. Nothing
-/// where stderr is not a terminal.
+/// Shows on a line of the terminal (stderr) what is being done; an empty text clears it. Does
+/// nothing where stderr is not a terminal.
 void show_progress(const std::string& text);
 
-/// A line on a terminal (stderr) that shows how far a simulation is and how fast it runs; nothing
-/// where stderr is not a terminal.
+/// A line on the terminal (stderr) that shows how far a simulation is and how fast it runs. It
+/// stays empty where stderr is not a terminal.
 class ProgressBar {
  public:
-  /// start, duration: simulated time at the start and the end [s]; a bar that is not wanted shows
-  /// nothing.
+  /// `start`, `duration`: simulated time at the start and the end [s]. A bar that is not `wanted`
+  /// shows nothing.
   ProgressBar(double start, double duration, bool wanted);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
@@ -40,11 +40,11 @@ class ProgressBar {
   Clock::time_point next_ = start_ + kPause;
 };
 
-/// Shows runs done, runs a second, and the time that is left, a few times a second; nothing where
-/// stderr is not a terminal.
+/// Shows runs done, runs a second, and the time that is left, a few times a second. Shows nothing
+/// where stderr is not a terminal.
 class StudyProgress {
  public:
-  /// done: runs before; planned: in all.
+  /// `done`: runs that were made before. `planned`: runs in all.
   StudyProgress(std::int64_t done, std::int64_t planned);
   /// Clears the line.
   ~StudyProgress();
@@ -52,7 +52,7 @@ class StudyProgress {
   StudyProgress& operator=(const StudyProgress&) = delete;
 
   void update(std::int64_t done);
-  /// Since it began [s].
+  /// Returns the time since the start [s].
   double seconds() const;
 
  private:

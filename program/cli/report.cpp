@@ -1,4 +1,4 @@
-// Columns and sentences of what commands print.
+// Columns and sentences of the commands' output.
 
 #include "program/cli/report.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What commands print: labelled lines, the model, tables.
+// Output of commands: labelled lines, the model, tables.
 
 #include <string>
 #include <string_view>
@@ -11,10 +11,10 @@
 
 namespace spoke::cli {
 
-/// One line of what a command prints: a label in a column of its own, then text.
+/// Prints one line: a label in a column of its own, then text.
 void print_line(std::string_view label, std::string_view text);
 
-/// The text with control characters replaced by spaces, for messages of one line.
+/// Returns the text with control characters replaced by spaces, for messages of one line.
 std::string one_line(std::string text);
 
 /// Prints the title of a scenario as a line.
@@ -23,14 +23,14 @@ void print_title(const std::string& title);
 /// Prints title, sizes of the model and of its step graph.
 void print_model(const Simulation& simulation);
 
-/// Prints the model, and what solves it on each of so many processes.
+/// Prints the model, and how its steps are solved on each of so many processes.
 void print_plan(const Simulation& simulation, int processes);
 
 /// Warns on stderr of angles that look as if they were given in degrees, a line for each kind of
-/// angle. `file` of the scenario.
+/// angle. `file`: the scenario's.
 void warn_of_degrees(const std::string& file, const Scenario& scenario);
 
-/// The heads of the columns of sensors.csv behind that of the time, as cells (csv_cell.h).
+/// Returns the heads of the columns of sensors.csv behind the time's, as cells (csv_cell.h).
 std::vector<std::string> column_heads(const Simulation& simulation);
 
 /// Prints a table in columns as wide as their widest cell, after an empty line.

@@ -24,13 +24,13 @@ namespace fs = std::filesystem;
   throw InputError(folder.string() + ": cannot be the folder of results: " + reason);
 }
 
-/// Also of a link to nothing, in whose place nothing can be made.
+/// Whether something has that name. A link to nothing counts, for nothing can be made in its place.
 bool is_there(const fs::path& path, std::error_code& error) {
   std::error_code none;
   return fs::exists(path, error) || fs::is_symlink(fs::symlink_status(path, none));
 }
 
-/// Whether the open folder is the one of that name, which may have been removed or replaced.
+/// Whether the open folder still has that name; it may have been removed or replaced.
 bool is_named(int descriptor, const fs::path& folder) {
   struct stat opened {
   }, named{};
@@ -65,7 +65,7 @@ ResultsFolder::ResultsFolder(fs::path folder) : path_(std::move(folder)) {
 
 ResultsFolder::~ResultsFolder() {
   remove_made();
-  if (descriptor_ >= 0) close(descriptor_);  // not before: nobody is to lock what is removed
+  if (descriptor_ >= 0) close(descriptor_);  // last, so that no other locks a removed folder
 }
 
 void ResultsFolder::make() {
@@ -81,7 +81,7 @@ void ResultsFolder::make() {
   }
 }
 
-/// False if the folder vanished meanwhile.
+/// Locks the folder. Returns false if it vanished meanwhile.
 bool ResultsFolder::lock() {
   descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) return errno != ENOENT;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The folders and files that a command is to write.
+// Folders and files that a command writes.
 
 #include <filesystem>
 #include <string>
@@ -16,15 +16,15 @@ void require_folder(const std::filesystem::path& folder,
 /// Throws InputError if a folder stands where a file is to be written.
 void require_no_folder(const std::filesystem::path& file);
 
-/// A folder that this process alone writes to, of all that take it by this class. It is locked in
-/// the system, not by a file: the lock ends with the process, however that ends. Where the system
-/// knows no locks (some network drives), or the folder may not be read, there is none.
+/// A folder to which only this process writes, among all that take it by this class. The lock is
+/// the system's, not a file: it ends with the process, however that ends. Where the system has no
+/// locks (some network drives), or the folder may not be read, it is not locked.
 class ResultsFolder {
  public:
   /// Makes the folder and those above it, unless they exist, and locks it. Throws InputError if it
-  /// cannot be made or another process has it.
+  /// cannot be made or another process has locked it.
   explicit ResultsFolder(std::filesystem::path folder);
-  /// Removes what it made, if nothing was written to it.
+  /// Removes the folders that it made, if nothing was written to them.
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
@@ -36,7 +36,7 @@ class ResultsFolder {
 
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  ///< each within the one before
-  int descriptor_ = -1;                      ///< of the lock
+  int descriptor_ = -1;                      ///< open folder that carries the lock
 };
 
 }  // namespace spoke::cli

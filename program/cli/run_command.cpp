@@ -42,8 +42,8 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Removes what an earlier run left and does not belong to the rows of this one; the checkpoint
-/// that this one resumes from does.
+/// Removes files of an earlier run that do not belong to this run's rows. The checkpoint from which
+/// this run resumes stays.
 void remove_stale(const fs::path& folder, const Arguments& arguments) {
   const fs::path resumed = arguments.resume;
   std::error_code error;
@@ -58,7 +58,7 @@ void remove_stale(const fs::path& folder, const Arguments& arguments) {
   if (!arguments.writes_vtk) remove_vtk_series(folder / "vtk");
 }
 
-/// What is gathered while a simulation runs.
+/// Everything that is recorded while a simulation runs.
 struct Recording {
   Recording(const Simulation& simulation, const Arguments& arguments, const fs::path& folder)
       : statistics(simulation.sensor_names().size()),
@@ -89,8 +89,8 @@ struct Recording {
   std::optional<run_report::Recorder> report;
   std::optional<VtkSeries> vtk;
   std::optional<StepTrace> trace;
-  double wall_time_before = 0.0;  ///< of the run that is resumed [s]
-  double writing_time = 0.0;      ///< spent on files, and on what goes into them later [s]
+  double wall_time_before = 0.0;  ///< wall time of the run that is resumed [s]
+  double writing_time = 0.0;      ///< time spent on files and on recording their later contents [s]
   double last_row = -1.0;         ///< time of the last row written [s]; negative: none yet
 
  private:
@@ -134,7 +134,7 @@ std::string describe_interruption(const Simulation& simulation, const Checkpoint
   return text;
 }
 
-/// The steps between which the simulation runs through. Files of shapes want all output times, the
+/// Steps at which the simulation stops to record shapes. Files of shapes need all output times, the
 /// page a few hundred of them.
 struct Stops {
   Stops(const Simulation& simulation, const Recording& recording)
@@ -154,7 +154,7 @@ struct Stops {
   std::int64_t end;
 };
 
-/// Records the shape at the simulation's time, where it is due.
+/// Records the shape at the simulation's time, if one is due.
 void record_shape(const Simulation& simulation, const Stops& stops, Recording& recording) {
   const auto start = Clock::now();
   const std::int64_t step = simulation.steps();
@@ -164,7 +164,7 @@ void record_shape(const Simulation& simulation, const Stops& stops, Recording& r
   recording.writing_time += seconds_since(start);
 }
 
-/// Steps to the end of step `target` as run_until() does, and adds what was recorded to the trace.
+/// Steps to the end of step `target` as run_until() does, and adds the recorded steps to the trace.
 void trace_to(std::int64_t target, const StepObserver& observe, Simulation& simulation,
               Recording& recording) {
   const auto add = [&recording](StepTrace steps) {
@@ -217,8 +217,8 @@ RunOutcome integrate(Simulation& simulation, Recording& recording, Checkpoints& 
     outcome.divergence = one_line(error.what());
   }
   outcome.wall_time = wall_time();
-  if (recording.trace) recording.trace->asked_steps = traced_end - begin;  // of all its parts
-  // Before the row that only the end of a run has: a longer run goes on without it.
+  if (recording.trace) recording.trace->asked_steps = traced_end - begin;  // sum over all its parts
+  // Comes before the row that only the end of a run has: a longer run goes on without it.
   if (checkpoints.are_wanted() && outcome.divergence.empty())
     write_checkpoint(simulation, outcome.wall_time, recording, checkpoints);
   const double last = recording.statistics.last_time();
@@ -238,7 +238,8 @@ std::string describe_energy(const Simulation& simulation, const SensorStatistics
   return text;
 }
 
-/// "4.1e-07 in the deformation of blade 1 / body 4 at 6.2 s; 0.05 s would make it 0.001".
+/// Returns "largest error of a step 4.1e-07, in the deformation of blade 1 / body 4 at 6.2 s; 0.05
+/// s would make it 0.001".
 std::string describe_accuracy(const Simulation& simulation, const StepAccuracy& accuracy) {
   std::string text = fmt::format("largest error of a step {:.2g}, in {} at {:.6g} s",
                                  accuracy.error, accuracy.place, accuracy.time);
@@ -247,7 +248,8 @@ std::string describe_accuracy(const Simulation& simulation, const StepAccuracy& 
   return text;
 }
 
-/// Of a free model on which nothing acts; empty of others.
+/// Returns the largest residuals of the momenta of a free model on which nothing acts; empty for
+/// other models.
 std::string describe_momentum(const Simulation& simulation, const SensorStatistics& statistics) {
   const std::vector<std::string>& names = simulation.sensor_names();
   const auto first = std::find(names.begin(), names.end(), "momentum.residual.linear");
@@ -281,7 +283,7 @@ void print_result(const Simulation& simulation, const Recording& recording,
   print_line("written", written);
 }
 
-/// Writes the files that are written at the end. What is in the folder then, in one line.
+/// Writes the files that are written at the end. Returns the folder's contents, in one line.
 std::string write_results(const Simulation& simulation, const Recording& recording,
                           const RunOutcome& outcome, const fs::path& folder) {
   std::string written = (folder / "sensors.csv").string() + ", summary.json";
@@ -298,7 +300,8 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
   return written;
 }
 
-/// Refuses what could not be written, while the files of an earlier run are still there.
+/// Throws InputError if a file could not be written, while the files of an earlier run are still
+/// there.
 void require_places(const Arguments& arguments, const fs::path& folder) {
   if (!arguments.trace_out.empty()) require_folder(arguments.trace_out, trace::file_names());
   if (arguments.writes_vtk) require_folder(folder / "vtk");
@@ -336,7 +339,7 @@ struct Prepared {
     if (!arguments.resume.empty()) resumed = resume(arguments.resume, simulation);
   }
 
-  /// Opens the files, of a new run or one that is resumed.
+  /// Opens the files of the run, whether it is new or resumed.
   void open(const Arguments& arguments) {
     const fs::path rows = fs::path(arguments.resume).parent_path() / "sensors.csv";
     if (resumed)
@@ -365,7 +368,7 @@ struct Prepared {
   }
 };
 
-/// Makes the steps and writes what they show. The exit status.
+/// Makes the steps and writes the results. Returns the exit status.
 int complete(Prepared& run, const Arguments& arguments, ranks::Launch& launch) {
   Simulation& simulation = run.simulation;
   const fs::path trace_folder = arguments.trace_out;

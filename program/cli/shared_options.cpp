@@ -1,4 +1,4 @@
-// Adds these options to a command, with their choices and help.
+// Adds the shared options to a command, with their choices and help.
 
 #include "program/cli/shared_options.h"
 
@@ -14,7 +14,7 @@
 namespace spoke::cli {
 namespace {
 
-/// The names of all values of an enumeration and back.
+/// Maps values of an enumeration to their names and back.
 template <class Enum>
 class Names {
  public:
@@ -45,7 +45,8 @@ void add_choice(CLI::App& command, const std::string& option, const std::string&
       ->type_name("NAME");
 }
 
-/// Like a choice, but a name may be one that this build is without, and the message then says so.
+/// Adds --executor. A name may be that of an executor that this build lacks; the message then says
+/// so.
 void add_executor(CLI::App& run, Arguments& arguments) {
   std::string names;
   for (const ExecutorKind kind : graph::executor_kinds()) {

@@ -1,4 +1,4 @@
-// What the first process tells the others: which simulation it has, and how far to step.
+// Messages of the first process to the others: which simulation it has, and how far to step.
 
 #include "program/cli/shared_run.h"
 
@@ -22,9 +22,10 @@
 namespace spoke::cli {
 namespace {
 
-constexpr std::uint64_t kNone = 0;  // instead of a simulation, and of a step
+constexpr std::uint64_t kNone = 0;  // sent in place of a fingerprint or a step when there is none
 
-/// Of all that decides what the steps are, and of the processor where bits depend on it.
+/// Returns a hash of everything that determines the steps, including the instructions on which bits
+/// depend.
 std::uint64_t fingerprint(const Simulation& simulation) {
   const SavedState state = simulation.save();
   const std::string text =
@@ -40,13 +41,13 @@ Simulation build_follower(const Arguments& arguments, Exchange* exchange) {
   return simulation;
 }
 
-/// Makes the steps that the first process asks for, until it asks for no more.
+/// Makes the steps that the first process asks for, until it lets this one go.
 void make_steps(Simulation& simulation, const ranks::Launch& launch) {
-  const StepObserver observe = [](double, std::span<const double>) {};  // the first one looks
+  const StepObserver observe = [](double, std::span<const double>) {};  // the first one records
   try {
     while (const std::uint64_t step = launch.broadcast(kNone))
       simulation.run_until(static_cast<double>(step) * simulation.step_size(), observe);
-  } catch (const DivergenceError&) {  // which the first one has seen as well, and reports
+  } catch (const DivergenceError&) {  // the first process has seen it as well, and reports it
   }
 }
 
@@ -112,7 +113,7 @@ int follow(const Arguments& arguments, ranks::Launch& launch) {
     launch.release();
     if (failure && all[0] != kNone) std::rethrow_exception(failure);
   }
-  return 0;  // what is wrong the first one says
+  return 0;  // the first process reports the failure
 }
 
 }  // namespace spoke::cli

@@ -26,7 +26,7 @@ void note_error(bool is_written) {
 bool open_standard_streams() {
   const bool has_output = fcntl(STDOUT_FILENO, F_GETFD) >= 0;
   int descriptor = STDIN_FILENO;
-  // Takes the lowest number that is free, until that is none of the three.
+  // Each open() takes the lowest free number, until that is none of the three.
   while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = open("/dev/null", O_RDWR);
   if (descriptor >= 0) close(descriptor);
   std::signal(SIGPIPE, SIG_IGN);

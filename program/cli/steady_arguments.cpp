@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kRange = "expected FROM:TO:STEP, ascending numbers up to 1e30 [rad/s], got ";
 constexpr double kMostSpeeds = 10000;
 
-/// A speed as scenarios may have it, too [rad/s].
+/// Parses a speed within the limits that scenarios have [rad/s].
 double parse_speed(const char* option, const std::string& text, const std::string& refused) {
   constexpr double most = 1e30;
   try {
@@ -24,7 +24,7 @@ double parse_speed(const char* option, const std::string& text, const std::strin
   }
 }
 
-/// "0:12:0.5", both ends included as far as the step meets them.
+/// Parses "0:12:0.5"; both ends are included as far as the step meets them.
 std::vector<double> parse_range(const std::string& text) {
   const std::size_t first = text.find(':'), second = text.find(':', first + 1);
   if (first == std::string::npos || second == std::string::npos)

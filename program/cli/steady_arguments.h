@@ -11,18 +11,18 @@ class App;
 
 namespace spoke::cli {
 
-/// What they ask for besides scenario and folder.
+/// Options of these commands besides scenario and folder.
 struct SteadyArguments {
-  std::optional<double> speed;  ///< [rad/s]; none: that of the drive
-  std::optional<int> count;     ///< of modes; none: 10, or as many as there are
-  std::vector<double> speeds;   ///< of campbell [rad/s]
+  std::optional<double> speed;  ///< hub speed [rad/s]; none: the drive's
+  std::optional<int> count;     ///< number of modes; none: 10, or as many as there are
+  std::vector<double> speeds;   ///< campbell: hub speeds [rad/s]
 };
 
-/// --speed.
+/// Adds --speed.
 void add_speed(CLI::App& command, SteadyArguments& arguments);
-/// --speeds.
+/// Adds --speeds.
 void add_speeds(CLI::App& command, SteadyArguments& arguments);
-/// --count.
+/// Adds --count.
 void add_count(CLI::App& command, SteadyArguments& arguments);
 
 }  // namespace spoke::cli

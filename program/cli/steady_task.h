@@ -1,6 +1,6 @@
 #pragma once
 
-// What the commands about steady states have in common: a scenario, and a folder for what is found.
+// Common part of the commands about steady states: a scenario, and a folder for the results.
 
 #include <filesystem>
 #include <string>
@@ -18,12 +18,12 @@ class SteadyTask {
   SteadyTask(const Arguments& arguments, const std::string& command);
 
   const Scenario& scenario() const { return scenario_; }
-  /// For people.
+  /// Returns the scenario's title or, without one, its name.
   const std::string& title() const;
-  /// "results/NAME/static/static.html".
+  /// Returns the path of a file in the folder, such as "results/NAME/static/static.html".
   std::string path(const std::string& file) const { return (folder_ / file).string(); }
 
-  /// What `solve` returns, which takes the scenario; InputErrors name the file.
+  /// Returns solve(scenario); its InputErrors name the file.
   template <class Solve>
   auto solve(const Solve& solve) const {
     try {
@@ -33,13 +33,13 @@ class SteadyTask {
     }
   }
 
-  /// A text in place of the file of that name, if there is one.
+  /// A file to write, which replaces one of that name.
   struct File {
     std::string name, text;
   };
-  /// Writes them, while no other command writes to the folder.
+  /// Writes the files, while no other command writes to the folder.
   void write(const std::vector<File>& files) const;
-  /// On stderr, of what makes an equilibrium doubtful.
+  /// Prints on stderr the warnings that make an equilibrium doubtful.
   static void warn(const EquilibriumResult& result);
 
  private:

@@ -1,4 +1,4 @@
-// Makes the runs of a study, and writes what they say.
+// Makes the runs of a study, and writes its files.
 
 #include "program/cli/study_command.h"
 
@@ -37,9 +37,9 @@ using study::ResponseKind;
 using study::Sampling;
 using study::Study;
 
-constexpr std::size_t kMostLines = 12;  // of responses
+constexpr std::size_t kMostLines = 12;  // printed responses
 
-/// What is made of a finished journal.
+/// A finished journal, with the study and the sampling that its runs belong to.
 struct Finished {
   const Study& study;
   const Sampling& sampling;
@@ -50,8 +50,8 @@ struct Finished {
   }
 };
 
-/// Refuses what could not be written, while the files of an earlier study are still there, and to
-/// throw away the runs of an unfinished one.
+/// Throws InputError if a file could not be written, while the files of an earlier study are still
+/// there, or if the runs of an unfinished one would be lost.
 void require_place(const fs::path& folder, bool resumes) {
   require_folder(folder, {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5",
                           "study.journal"});
@@ -65,7 +65,7 @@ void require_place(const fs::path& folder, bool resumes) {
                     journal, found->runs, found->planned));
 }
 
-/// Makes the runs that the journal has not. False if a signal ended it before.
+/// Makes the runs that the journal lacks. Returns false if a signal ended them early.
 bool make_runs(const Study& study, const Sampling& sampling, int threads, Journal& journal,
                study::Ranks& ranks) {
   constexpr std::chrono::seconds kPause{5};  // between waits for the disk
@@ -123,7 +123,7 @@ std::string write_results(const Finished& all, const Analysis& analysis, const f
     study::write_hdf5((folder / "study.h5").string(), all.study, all.sampling, for_each);
     written += ", study.h5";
   } else {
-    fs::remove(folder / "study.h5", none);  // of another study
+    fs::remove(folder / "study.h5", none);  // belongs to an earlier study
   }
   return written;
 }
@@ -163,7 +163,7 @@ void print_result(const Study& study, const Analysis& analysis, const std::strin
   print_line("written", written);
 }
 
-/// What a rank other than the first does. The exit status.
+/// Makes runs for the first rank. Returns the exit status.
 int help_first(const StudyArguments& own, int threads, study::Ranks& ranks) {
   const std::uint64_t announced = ranks.hear();
   if (announced == 0) return 0;
@@ -177,7 +177,7 @@ int help_first(const StudyArguments& own, int threads, study::Ranks& ranks) {
   return 0;
 }
 
-/// The study, the folder that is taken for it, and its journal.
+/// A study with its locked folder and its journal.
 struct PreparedStudy {
   PreparedStudy(const Arguments& arguments, const StudyArguments& own)
       : study(read(own)),
@@ -221,7 +221,7 @@ void print_time(std::int64_t runs, double seconds, int threads, int ranks) {
   print_line("took", text);
 }
 
-/// Makes the runs and writes what they say. The exit status.
+/// Makes the runs and writes the study's files. Returns the exit status.
 int complete(PreparedStudy& prepared, bool quiet, int threads, study::Ranks& ranks) {
   const Study& study = prepared.study;
   Journal& journal = *prepared.journal;

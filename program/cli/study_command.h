@@ -8,9 +8,9 @@
 
 namespace spoke::cli {
 
-/// What it asks for besides Arguments.
+/// Options of the command besides Arguments.
 struct StudyArguments {
-  std::string study;     ///< file
+  std::string study;     ///< study file
   bool resumes = false;  ///< goes on from the journal in the folder
 };
 

@@ -62,8 +62,8 @@ void add_options(CLI::App& command, Arguments& arguments, StudyArguments& own) {
   command.footer(std::string(kStudyText) + '\n' + kStudyStatusText);
 }
 
-/// The journal of the study that is resumed, as study_command.cpp has it: in a folder named after
-/// the study's file.
+/// Returns the path of the journal that is resumed, as study_command.cpp has it: in a folder named
+/// after the study's file.
 std::filesystem::path journal_of(const Arguments& arguments, const StudyArguments& own) {
   const std::filesystem::path folder = arguments.out.empty()
                                            ? "results" / std::filesystem::path(own.study).stem()

@@ -12,11 +12,11 @@ class App;
 
 namespace spoke::cli {
 
-/// What only the command trace asks for.
+/// Options of the command trace alone.
 struct TraceArguments {
-  std::optional<std::int64_t> steps;  ///< unless given: 20, or all that there are
-  double from = 0.0;                  ///< [s]
-  double buffer_mb = 256.0;           ///< [10^6 bytes]
+  std::optional<std::int64_t> steps;  ///< none: 20, or all if there are fewer
+  double from = 0.0;                  ///< simulated time at which recording starts [s]
+  double buffer_mb = 256.0;           ///< size of the buffer [10^6 bytes]
 };
 
 /// Adds --steps, --from and --buffer to the command.

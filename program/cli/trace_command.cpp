@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kUsualSteps = 20;
 
-/// How many steps to record. Throws InputError if the scenario has not the steps that are asked
-/// for.
+/// Returns how many steps to record. Throws InputError if the scenario lacks the steps that are
+/// asked for.
 std::int64_t choose_steps(const TraceArguments& asked, const Simulation& simulation) {
   const double step = simulation.step_size();
   const std::int64_t planned = simulation.planned_steps();
@@ -56,7 +56,7 @@ void run_to(double time, Simulation& simulation) {
   show_progress("");
 }
 
-/// What was recorded, and why it ended early if the simulation diverged.
+/// Recorded steps and, if the simulation diverged, the reason why they ended early.
 struct Traced {
   StepTrace steps;
   std::string divergence;

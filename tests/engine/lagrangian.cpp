@@ -118,7 +118,7 @@ Point point_at(const plane::FlexibleBody& body, const BodyCoordinates& q, double
   return point;
 }
 
-/// What lies along a blade, in the coordinate x of a body that begins at `origin`.
+/// Masses along a blade, in the coordinate x of a body that begins at `origin`.
 struct Matter {
   const plane::FlexibleBody& body;
   const Blade* blade;  ///< null: uniform

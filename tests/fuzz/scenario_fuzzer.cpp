@@ -28,7 +28,7 @@ Overrides find_overrides(const std::string& text) {
   return overrides;
 }
 
-/// What the engine relies on.
+/// Requires everything that the engine relies on.
 void check(const Scenario& scenario) {
   require(!scenario.rotor.blades.empty(), "there is a blade");
   for (const Blade& blade : scenario.rotor.blades) {

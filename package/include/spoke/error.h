@@ -11,7 +11,7 @@
 
 namespace spoke {
 
-/// What kind of thing went wrong.
+/// The kind of an error.
 enum class ErrorCode {
   bad_input,    ///< a scenario, file or argument that cannot be used
   diverged,     ///< the simulation left the range of its model
@@ -20,37 +20,36 @@ enum class ErrorCode {
   internal,     ///< a fault in Spoke
 };
 
-/// What all errors of this library's own have in common: a code, and what() is one sentence. No
-/// other exception leaves the library but std::bad_alloc, and what a function of the caller's
-/// throws.
+/// Base of all errors of this library: it has a code, and what() is one sentence. No other
+/// exception leaves the library but std::bad_alloc and those that the caller's own functions throw.
 class SPOKE_EXPORT Error : public std::runtime_error {
  public:
-  /// An error of this kind, with its sentence.
+  /// Makes an error of a kind with its sentence.
   Error(ErrorCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}
-  /// What kind of error it is.
+  /// Returns the kind of the error.
   ErrorCode code() const noexcept { return code_; }
 
  private:
   ErrorCode code_;
 };
 
-/// Where input that cannot be used stands, as far as that is known.
+/// Place of input that cannot be used, as far as it is known.
 struct InputPlace {
-  std::string file{};  ///< as it was named; empty: not known, or it stands in no file
+  std::string file{};  ///< name as it was given; empty: not known, or the input is in no file
   int line = 0;        ///< from 1; 0: not known
   int column = 0;      ///< from 1, in bytes; 0: not known
-  std::string key{};   ///< path of the key, "blade.bodies"; empty: not known, or it is no key's
+  std::string key{};   ///< path of the key, "blade.bodies"; empty: not known, or there is no key
 };
 
-/// Input that cannot be used: one sentence naming where it stands (file:line:column where there is
-/// one), the key, the value, and what was expected. The program ends with status 2.
+/// Input that cannot be used. The sentence names its place (file:line:column where there is one),
+/// the key, the value, and what was expected. The program ends with status 2.
 class SPOKE_EXPORT InputError : public Error {
  public:
-  /// ErrorCode::bad_input. The sentence says where it stands, too.
+  /// Makes an error of the kind ErrorCode::bad_input. The sentence names the place, too.
   explicit InputError(const std::string& sentence, InputPlace place = {})
       : Error(ErrorCode::bad_input, sentence),
         place_(std::make_shared<const InputPlace>(std::move(place))) {}
-  /// Where the input stands.
+  /// Returns the place of the input.
   const InputPlace& place() const noexcept { return *place_; }
 
  private:

@@ -78,7 +78,7 @@ TEST_CASE("the slow leave the warm-up early for the rounds, serial never") {
   CHECK(slow[1].hashes == std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7});
   CHECK(slow[1].step_times == std::vector<double>{0.05, 0.05, 0.05});
   CHECK(slow[1].status == Status::slow);
-  // What has time for all rounds has it for the whole warm-up.
+  // A configuration that has time for all rounds makes the whole warm-up.
   const auto few = measure_scripts({kTiring, kTiring}, {.rounds = 2, .most_seconds = 1.4});
   CHECK(few[1].hashes.size() == kBeforeRounds + 2);
   CHECK(few[1].status == Status::measured);

@@ -28,7 +28,7 @@ RunGraph run_of(const graph::StepGraph& graph, int window) {
   return run;
 }
 
-/// Of steps one by one, and of windows for auto, as are predicted if a handover takes that long.
+/// Predicts single steps, and windows for auto, with a handover that takes that long.
 Prediction predict_with(double handover, const std::vector<int>& threads = {1, 2, 3}) {
   const graph::StepGraph single = make_window(1, kBlades, kBodies);
   const graph::StepGraph window = make_window(kSteps, kBlades, kBodies);

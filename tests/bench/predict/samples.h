@@ -15,5 +15,5 @@ spoke::predict::Prediction sample_prediction();
 spoke::predict::Series series_of(spoke::ExecutorKind executor,
                                  const std::vector<std::pair<int, double>>& times, int window = 1);
 
-/// What was measured of a point: a time per step [s], without spread, and the speedup.
+/// Sets the measured values of a point: a time per step [s], without spread, and the speedup.
 void measure_as(double step, double speedup, spoke::predict::Point& point);

@@ -12,7 +12,7 @@ using Times = std::vector<std::pair<spoke::compare::Configuration, double>>;
 /// same in three rounds.
 spoke::reproduce::Reproduction reproduction_of(spoke::reproduce::Work work, const Times& times);
 
-/// The same with times that differ from round to round.
+/// A reproduction on the same machine with times that differ from round to round.
 spoke::reproduce::Reproduction reproduction_of_rounds(
     spoke::reproduce::Work work,
     const std::vector<std::pair<spoke::compare::Configuration, std::vector<double>>>& times);

@@ -116,7 +116,7 @@ TEST_CASE("an iteration to the step's own error ends at a share of its first cha
   CHECK(count({2e-8, 1e-14}, progress) == 1);
   progress = progress_at_first_step(integrator);
   CHECK(count({2e-8, 2e-9, 1e-11, 1e-14}, progress) == 3);
-  // Of changes below the tolerance a tenth of the first is enough.
+  // When changes are below the tolerance, a decrease to a tenth of the first is enough.
   progress = progress_at_first_step(integrator);
   CHECK(count({0.9e-10, 1.2e-11, 1e-14}, progress) == 3);
   CHECK(count({0.9e-10, 8e-12, 1e-14}, progress) == 2);

@@ -123,7 +123,7 @@ class LoadedRotor {
     return Lagrangian(with_.system).section(y, v_, 0, body, x);
   }
 
-  /// Of loads on blades and hub.
+  /// Power of the loads on blades and hub [W].
   static double load_power(const SystemContext<Plane>& context) {
     double sum = context.data.hub_solution.load.dot(context.data.hub.twist);
     for (const SubsystemData<Plane>& subsystem : context.data.subsystems)
@@ -257,7 +257,7 @@ TEST_CASE("a torque by speed is that of the hub's speed, and rises over its ramp
   for (const double ramp : {0.0, 2.0}) {
     LoadedRotor loaded(9, [&](Rotor& rotor) {
       const double torque = calc_torque(rotor.hub.drive, LoadedRotor::kTime, 0.0);
-      // What the random rotor has, and more by the speed.
+      // The torque is the random rotor's, and a part that depends on the speed.
       rotor.hub.drive = TorqueBySpeed{Curve({-4.0, 4.0}, {torque - 8.0, torque + 8.0}), 2.0, ramp};
     });
     const double at_rest = calc_torque(loaded.rotor().hub.drive, 100.0, 0.0);

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kSteps = 70;  // more than a window has
 
-/// What the threads of a test share.
+/// Memory that the threads of a test share.
 struct Group {
   explicit Group(int ranks) : barrier(ranks), count(ranks) {}
   std::barrier<> barrier;
@@ -67,7 +67,7 @@ class SilentExchange : public Exchange {
   int rank_, count_;
 };
 
-/// What a run shows.
+/// Results of a run.
 struct Shown {
   std::uint64_t hash = 0;
   std::int64_t steps = 0, evaluations = 0;

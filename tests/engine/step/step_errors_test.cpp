@@ -162,7 +162,7 @@ quantity = 'momentum'
 duration = 10.0
 )";
 
-/// What a run of the tumbling model has shown.
+/// Results of a run of the tumbling model.
 struct Tumbled {
   std::vector<Warning> warnings;
   StepAccuracy accuracy;

@@ -37,7 +37,7 @@ Rotor demanding_rotor(bool is_free) {
   return rotor;
 }
 
-/// What ties blades to one another: nothing, a load of the user's, or that and the hub.
+/// Ties between blades: none, a load of the user's, or that and the hub.
 enum class Tie { none, load, hub };
 
 struct Case {

@@ -1,4 +1,4 @@
-// What the library says to the logger "spoke" of the program around it.
+// Messages of the library to the logger "spoke" of the program around it.
 
 #include "engine/support/log.h"
 

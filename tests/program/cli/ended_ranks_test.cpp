@@ -1,4 +1,4 @@
-// What is refused, diverges or is ended under mpirun, which takes a second to notice.
+// Runs under mpirun that are refused, diverge or are ended; mpirun takes a second to notice.
 
 #include <doctest/doctest.h>
 

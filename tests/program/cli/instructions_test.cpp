@@ -29,7 +29,7 @@ json summary_with(const std::string& instructions, const std::string& before = {
 
 constexpr const char* kLikeOldProcessor = "env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";
 
-/// What the instructions "auto" are, of this build on this processor.
+/// Returns the instructions that "auto" means in this build on this processor.
 std::string expect_auto() {
 #if defined(SPOKE_NATIVE)
   return "native";

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-/// What a run leaves behind that must not depend on how often it was killed.
+/// Results of a run that must not depend on how often it was killed.
 struct RunLeft {
   json summary;
   std::string rows;
@@ -53,8 +53,8 @@ std::vector<std::string> next_run(const fs::path& checkpoint, int number) {
   return arguments;
 }
 
-/// What LLVM's OpenMP runtime leaves behind if it has begun in a process that is killed. It may
-/// keep a later process of that number from starting.
+/// Whether a killed process left the file of LLVM's OpenMP runtime, which exists once that has
+/// begun. It may keep a later process of that number from starting.
 bool has_left_openmp(pid_t process, fs::file_time_type since) {
   std::error_code error;
   const auto written = fs::last_write_time(

@@ -40,7 +40,7 @@ struct Ended {
 Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
                 const std::string& before = "", const std::string& input = "/dev/null");
 
-/// What stands before the program, so that it runs in so many processes.
+/// Returns the words before the program that run it in so many processes.
 std::string mpirun(int ranks);
 
 /// The path of a shipped scenario.

@@ -13,7 +13,7 @@ const std::vector<std::string> kStudyOnRanks = {"study", "study.toml", "--quiet"
 
 namespace {
 
-/// What mpirun starts so that one of the ranks is killed after a time.
+/// Returns the command that mpirun starts so that one of the ranks is killed after a time.
 std::string kill_rank(int rank, double seconds) {
   return "sh -c '[ $OMPI_COMM_WORLD_RANK != " + std::to_string(rank) + " ] || (sleep " +
          std::to_string(seconds) + "; kill -9 $$) & exec \"$0\" \"$@\"' ";

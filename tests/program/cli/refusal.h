@@ -9,5 +9,5 @@
 /// stdout and nothing new in the folder. `before` as of run_spoke().
 void check_refused(const std::vector<std::string>& arguments, const std::string& message,
                    const WorkFolder& folder, const std::string& before = "");
-/// The same in an empty folder.
+/// Checks as above in an empty folder.
 void check_refused(const std::vector<std::string>& arguments, const std::string& message);

@@ -11,7 +11,7 @@
 /// Twelve runs of milliseconds.
 extern const char* const kSmallStudy;
 
-/// What a study leaves behind that must not depend on how it was made: files by name.
+/// Files of a study, by name, that must not depend on how it was made.
 using Left = std::map<std::string, std::string>;
 
 class StudyFolder {

@@ -27,7 +27,7 @@ json animation_in(const fs::path& folder) {
   return json::parse(page.substr(begin + mark.size(), end - begin - mark.size()))["animation"];
 }
 
-/// Of the files of two runs.
+/// Returns the hash of the state in a folder's summary.json.
 std::string hash_in(const fs::path& folder) {
   return json::parse(file_text(folder / "summary.json"))["state_hash"];
 }

@@ -1,4 +1,4 @@
-// What motions in space conserve, and how the energy changes where there is work.
+// Conservation of momenta and energy by motions in space, and the change of energy by work.
 
 #include <doctest/doctest.h>
 

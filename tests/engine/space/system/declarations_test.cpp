@@ -1,4 +1,4 @@
-// What the nodes of step graphs in space declare to read and write.
+// The nodes of step graphs in space declare what they read and write.
 
 #include <doctest/doctest.h>
 

@@ -35,7 +35,8 @@ const std::string kMotor =
     "{kind=\"torque_by_speed\", speed=[0, 30, 36, 40], torque=[12000, 12000, 0, -8000],"
     " initial_speed=35}";
 
-/// The same from rest to speed within 0.6 s: through many roundings of the speed.
+/// The shipped helicopter rotor from rest to speed within 0.6 s: through many roundings of the
+/// speed.
 Scenario make_spin_up(int steps) {
   return make_scenario("articulated_rotor.toml",
                        {"hub.drive={kind=\"spin_up\", speed=36, ramp=0.6}", "gravity.ramp=0.6"},
@@ -49,7 +50,7 @@ Simulation run(const Scenario& scenario, ExecutorKind executor = ExecutorKind::s
   return simulation;
 }
 
-/// Of a step; the evaluation of the start is none.
+/// Returns the number of passes in a step; the evaluation at the start is none.
 double passes_of(const Simulation& simulation) {
   return static_cast<double>(simulation.evaluations() - 1) /
          static_cast<double>(simulation.steps());

@@ -33,7 +33,7 @@ speed = 8.0
 ramp = 1.0
 )";
 
-/// The same hub, turned by a torque.
+/// The hub of kDrivenHub, turned by a torque.
 inline const std::string kTurnedHub = R"(
 [hub]
 axis = [0.2, 0.3, 1.0]

@@ -92,7 +92,8 @@ void move_model(spatial::Model& model, const Move& move) {
     }
 }
 
-/// What is run: the file, how its steps are made, and how many bodies its first tree has.
+/// A run: the text of its scenario, the method and size of its steps, and the number of bodies of
+/// its first tree.
 struct MovedCase {
   std::string text;
   IntegrationMethod method;

@@ -67,7 +67,7 @@ Beam make_beam(Dice& dice) {
   return beam;
 }
 
-/// What acts on a coordinate, or its motion.
+/// Sets the forces on a coordinate, or its motion.
 void set_coordinate(bool may_follow_hub, bool slides, Dice& dice, JointCoordinate& coordinate) {
   const double size = slides ? 0.1 : 0.4;
   if (dice.happens(0.25)) {

@@ -8,7 +8,7 @@
 
 namespace spoke::spatial::testing {
 
-/// What moves the hub of a random model.
+/// Motion of a random model's hub.
 enum class RandomHub {
   fixed,   ///< nothing
   driven,  ///< a spin-up
@@ -24,8 +24,8 @@ inline constexpr double kRandomTorque = 0.8;
 /// prescribed motion; gravity, and loads in all frames. Soft enough for steps of 0.1 ms.
 Model make_random_model(RandomHub hub, std::mt19937& random);
 
-/// The same model without gravity and loads, which are all that acts from outside; on a hub that a
-/// torque turns besides that torque.
+/// Returns the model without gravity and loads. Nothing else acts from outside, but for the torque
+/// on a hub that one turns.
 Model without_loads(Model model);
 
 }  // namespace spoke::spatial::testing

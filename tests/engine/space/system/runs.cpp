@@ -10,7 +10,7 @@
 namespace spoke::test {
 namespace {
 
-/// Of the hub itself [J].
+/// Kinetic energy of the hub itself [J].
 double hub_kinetic(const space::Hub& hub, const space::Twist& twist) {
   return 0.5 * twist.dot(hub.inertia.matrix() * twist);
 }

@@ -38,11 +38,11 @@ class Run {
 
   /// Makes so many steps.
   void advance(std::int64_t steps);
-  /// The steps of so many seconds.
+  /// Makes the steps of so many seconds.
   void advance_for(double seconds);
   std::int64_t steps() const { return runner->steps(); }
 
-  /// Of the last step.
+  /// Returns the sample of a subsystem in the last step.
   const SubsystemSample<World>& sample(std::size_t i) const;
   const SystemRecord<World>& record() const;
   std::uint64_t hash() const;
