@@ -55,7 +55,7 @@ BladeEquilibrium describe_subsystem(std::size_t subsystem, const Eigen::VectorXd
 }  // namespace
 
 EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
-  assert(found.q.size() == model.trees());
+  assert(found.q.size() == model.subsystems());
   EquilibriumResult result;
   result.speed = plain_zero(model.speed());
   result.iterations = found.iterations;
