@@ -13,7 +13,7 @@ Tensor point_inertia(const Vector& p) {
   return p.squaredNorm() * Tensor::Identity() - p * p.transpose();
 }
 
-// Gauss's rule of six points on [-1, 1].
+// Gauss's rule of six points on [-1, 1], with 15 digits: more would change the bits of masses.
 constexpr std::array<double, 6> kPlaces{-0.932469514203152, -0.661209386466265, -0.238619186083197,
                                         0.238619186083197,  0.661209386466265,  0.932469514203152};
 constexpr std::array<double, 6> kWeights{0.171324492379170, 0.360761573048139, 0.467913934572691,
