@@ -10,7 +10,6 @@
 #include "engine/plane/natural_frequencies.h"
 #include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
-#include "engine/step/model_memory.h"
 #include "engine/vibration/frequency_limits.h"
 #include "models/error.h"
 #include "models/reader/nearest_name.h"

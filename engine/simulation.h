@@ -162,11 +162,10 @@ class SPOKE_EXPORT Simulation {
   /// Returns one sensor at time(). Throws InputError for an unknown name.
   double sensor(std::string_view name) const;
 
-  /// Returns the warnings so far, at most one of each kind, in the
-  /// order of kinds. They are a function of the steps alone; restore() sets them back. Growth of
-  /// the energy is looked for at steps for which an observer is called, or at all steps if
-  /// limits.on_energy_growth is "stop": then DivergenceError is thrown, and the simulation stands
-  /// at the end of that step.
+  /// Returns the warnings so far, at most one of each kind, in the order of kinds. They are a
+  /// function of the steps alone; restore() sets them back. Growth of the energy is looked for at
+  /// steps for which an observer is called, or at all steps if limits.on_energy_growth is "stop":
+  /// then DivergenceError is thrown, and the simulation stands at the end of that step.
   std::vector<Warning> warnings() const;
   /// Returns the largest estimated error of a step so far.
   StepAccuracy step_accuracy() const;

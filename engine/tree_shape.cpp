@@ -8,7 +8,6 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/samples.h"
 #include "engine/space/element_products.h"
-#include "models/system/spatial_system.h"
 
 namespace spoke {
 namespace {

@@ -101,7 +101,6 @@ TwistOf<World> calc_prescribed_acceleration(const System<World>& system, double 
 template <class World>
 void impose_hub_motion(const System<World>& system, double t, CoordinateBlock& hub) noexcept {
   assert(hub.size == World::kTwist);
-  assert(hub.size == World::kTwist);
   for (int c = 0; c < World::kTwist; ++c)
     if (c != World::kAxial && is_prescribed(system.hub, c)) hub.q[c] = hub.v[c] = hub.a[c] = 0.0;
   if (is_prescribed(system.hub, World::kAxial)) {

@@ -6,7 +6,6 @@
 #include <cassert>
 #include <type_traits>
 
-#include "engine/kernels/kinematics.h"
 #include "engine/plane/band_products.h"
 #include "engine/support/wide_kernels.h"
 

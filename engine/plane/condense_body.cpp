@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "engine/formulation/structured.h"
-#include "engine/kernels/kinematics.h"
 #include "engine/plane/handle_motion.h"
 #include "engine/support/wide_kernels.h"
 

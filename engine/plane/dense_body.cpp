@@ -4,7 +4,6 @@
 
 #include <cassert>
 
-#include "engine/kernels/kinematics.h"
 #include "engine/plane/handle_motion.h"
 
 namespace spoke {

@@ -6,7 +6,6 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/kernels/kinematics.h"
 #include "engine/plane/handle_motion.h"
 #include "engine/plane/section_loads.h"
 #include "models/support/gauss_rule.h"

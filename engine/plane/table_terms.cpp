@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "engine/kernels/kinematics.h"
-#include "engine/kernels/load_terms.h"
 #include "engine/plane/applied_tension.h"
 #include "engine/plane/body_terms.h"
 #include "engine/plane/section_loads.h"

@@ -8,7 +8,6 @@
 #include <exception>
 #include <span>
 
-#include "engine/kernels/load_terms.h"
 #include "engine/step/pass_integration.h"
 #include "engine/table/state_values.h"
 

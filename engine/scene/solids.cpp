@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/space/reference_curve.h"
-
 namespace spoke::scene {
 namespace {
 

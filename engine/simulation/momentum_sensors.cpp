@@ -9,7 +9,6 @@
 #include <numeric>
 
 #include "engine/columns/spatial_columns.h"
-#include "engine/kernels/readings.h"
 
 namespace spoke {
 namespace {

@@ -12,7 +12,6 @@
 #include "engine/simulation/model_identity.h"
 #include "engine/simulation/require_range.h"
 #include "engine/steady/steady_start.h"
-#include "engine/step/model_memory.h"
 #include "engine/table/state_values.h"
 #include "graph/declaration_check.h"
 #include "models/count_text.h"

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"

@@ -3,7 +3,6 @@
 
 #include "engine/kernels/applied_forces.h"
 
-#include "engine/kernels/kinematics.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {

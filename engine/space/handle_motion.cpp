@@ -19,13 +19,6 @@ HandleMotion calc_handle(const FlexibleBody& body, int node, const double* q, co
           calc_rotation_vector_motion(angular(place), angular(rate))};
 }
 
-/// Returns the motion of the section in which the frame is clamped.
-HandleMotion at_rest() {
-  return {Position::Zero(),
-          Position::Zero(),
-          {{}, Matrix3::Identity(), Angular::Zero(), Angular::Zero()}};
-}
-
 }  // namespace
 
 Twist HandleMotion::bias(const Angular& w) const {
@@ -35,8 +28,10 @@ Twist HandleMotion::bias(const Angular& w) const {
 
 void calc_handles(const FlexibleBody& body, const double* q, const double* v,
                   HandleMotion* handles) noexcept {
+  // A handle inboard of the first node is the section in which the frame is clamped.
   for (const int node : body.handles)
-    *handles++ = node < body.first_node() ? at_rest() : calc_handle(body, node, q, v);
+    *handles++ = node < body.first_node() ? make_fixed_handle(Position::Zero())
+                                          : calc_handle(body, node, q, v);
 }
 
 HandleMotion make_fixed_handle(const Position& s) noexcept {

@@ -6,7 +6,6 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
-#include "engine/plane/section_balance.h"
 #include "engine/space/joint_values.h"
 #include "engine/step/pass_integration.h"
 

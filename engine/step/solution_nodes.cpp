@@ -5,7 +5,6 @@
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
-#include "engine/space/table_terms.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "models/reader/names.h"
-
 namespace spoke {
 namespace {
 
