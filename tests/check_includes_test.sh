@@ -48,6 +48,21 @@ fresh_tree && lay engine/kernels/c.cpp oneapi/tbb/flow_graph.h
 expect 1 'threads belong to graph/'
 fresh_tree && lay engine/kernels/c.h nlohmann/json.hpp
 expect 1 'no library but Eigen in a header'
+# A room of some files of a folder: the others are of the folder's room, further down.
+rooms_of_files() {
+  fresh_tree
+  sed -i '2i graph/high/{data,more}' "$tree/tests/include_order.txt"
+  cp "$tree/graph/low/a.h" "$tree/graph/high/data.h"
+  cp "$tree/graph/low/a.h" "$tree/graph/high/more.h"
+}
+rooms_of_files && lay graph/high/b.h graph/high/data.h && lay graph/low/a.h graph/high/more.h
+expect 0 ''
+rooms_of_files && lay graph/high/data.h graph/high/b.h && sed -i d "$tree/graph/high/b.h"
+expect 1 'graph/high/data.h includes graph/high/b.h: graph/high/ is not below graph/high/{data,more}'
+rooms_of_files && cp "$tree/graph/low/a.h" "$tree/graph/high/data_of.h" && lay graph/low/a.h graph/high/data_of.h
+expect 1 'graph/low/a.h includes graph/high/data_of.h: graph/high/ is not below graph/low/'
+rooms_of_files && rm "$tree/graph/high/more.h"
+expect 1 'no such room: graph/high/more'
 fresh_tree && echo 'graph/none/' >>"$tree/tests/include_order.txt"
 expect 1 'no such room: graph/none/'
 exit $((failures > 0))

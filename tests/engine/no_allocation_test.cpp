@@ -322,7 +322,7 @@ double live_bytes() {
   return static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);
 }
 
-/// Returns the estimated memory of a shipped model by what it takes.
+/// Returns the estimated memory of a shipped model, divided by what it takes.
 double relative_estimate(const std::string& file, const std::vector<std::string>& size) {
   const Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + file, size);
   const double before = live_bytes();

@@ -123,7 +123,7 @@ TEST_CASE("a complaint about an overridden value quotes the override") {
 TEST_CASE("an override cannot smuggle in a second key or a second line") {
   TomlDocument document("a = 1", "f.toml");
   document.set("a=2\nb=3");
-  // a document whose text is no known key.
+  // A second key would be refused: only "a" is known.
   CHECK(TomlSection(document, {"a"}).text("a", "") == "2 b=3");
 }
 

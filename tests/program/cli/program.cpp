@@ -43,9 +43,14 @@ fs::path WorkFolder::write(const std::string& name, const std::string& text) con
 
 Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
                 const std::string& before, const std::string& input) {
+  return run_program(SPOKE_PROGRAM, arguments, folder, before, input);
+}
+
+Ended run_program(const std::string& program, const std::vector<std::string>& arguments,
+                  const WorkFolder& folder, const std::string& before, const std::string& input) {
   const WorkFolder texts;
   std::string command =
-      "cd " + quoted(folder.path().string()) + " && " + before + ' ' + quoted(SPOKE_PROGRAM);
+      "cd " + quoted(folder.path().string()) + " && " + before + ' ' + quoted(program);
   for (const std::string& argument : arguments) command += ' ' + quoted(argument);
   command += " >" + quoted((texts.path() / "out").string()) + " 2>" +
              quoted((texts.path() / "err").string()) + " <" + quoted(input);

@@ -40,6 +40,11 @@ struct Ended {
 Ended run_spoke(const std::vector<std::string>& arguments, const WorkFolder& folder,
                 const std::string& before = "", const std::string& input = "/dev/null");
 
+/// Runs another program as run_spoke() does.
+Ended run_program(const std::string& program, const std::vector<std::string>& arguments,
+                  const WorkFolder& folder, const std::string& before = "",
+                  const std::string& input = "/dev/null");
+
 /// Returns the words before the program that run it in so many processes.
 std::string mpirun(int ranks);
 
