@@ -41,10 +41,7 @@ TEST_CASE("alternatives are timed against the one that they refer to, round by r
   for (const bench::Timing& timing : timings) CHECK(timing.rounds == 5);
   CHECK(timings[0].ratio == 1.0);
   CHECK(timings[0].least >= 2e-3);
-  CHECK(timings[0].median >= timings[0].least);
   CHECK(timings[1].ratio > 1.0);
-  CHECK(timings[1].ratio_low <= timings[1].ratio);
-  CHECK(timings[1].ratio <= timings[1].ratio_high);
   CHECK(timings[2].ratio < 1.0);  // half of the time of the short one, by the long one's
   CHECK(told.front() == "warming up short");
   CHECK(told.back().starts_with("round 5 of 5: "));

@@ -12,6 +12,8 @@ using Eigen::MatrixXd;
 
 namespace {
 
+// Round-off of a few dozen products of numbers of order one: some 100 units of 2e-16, with a
+// margin.
 void check_basis(const ArnoldiSpace& space, const MatrixXd& A) {
   const auto size = space.size();
   CHECK((space.basis().transpose() * space.basis() - MatrixXd::Identity(size, size)).norm() <
