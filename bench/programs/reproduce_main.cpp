@@ -20,7 +20,7 @@ paper's own numbers: operation counts, drive, deflection, two schemes of nested 
 The model is built in. Takes one to three minutes; --quick less than 20 s, with rough times.
 
 Output files, in the folder of --out:
-  reproduce.html  tables, charts, and for each what agrees and what differs
+  reproduce.html  tables with the paper's numbers and whether each holds, and charts
   reproduce.json  all of it, samples included
 
 Example:

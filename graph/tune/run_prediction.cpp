@@ -30,7 +30,7 @@ double seconds_of_plan(const Plan& plan, const std::vector<double>& costs, int t
   return simulate_work_stealing(plan, costs, std::min(threads, width), overheads).makespan;
 }
 
-// Returns per round the costliest thread [s].
+// Returns the sum over the rounds of the costliest thread's share [s].
 double critical_shares(const std::vector<Round>& rounds, const std::vector<double>& costs) {
   double seconds = 0.0;
   for (const Round& round : rounds) {
