@@ -8,6 +8,7 @@
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/plane/handle_motion.h"
 #include "engine/plane/section_loads.h"
 #include "engine/space/table_terms.h"
 #include "engine/step/pass_integration.h"
