@@ -137,7 +137,8 @@ HubKinematics make_hub_kinematics(const SteadyModel& model) {
 }
 
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
-  assert(equilibrium.q.size() == model.subsystems() && equilibrium.alike.size() == model.subsystems());
+  assert(equilibrium.q.size() == model.subsystems() &&
+         equilibrium.alike.size() == model.subsystems());
   const std::vector<int>& free = model.free_components();
   const HubKinematics kinematics = make_hub_kinematics(model);
   HubColumns hub = linearize_hub(kinematics, model);

@@ -52,7 +52,8 @@ MatrixXd make_harmonics(const VectorXd& azimuths) {
 }
 
 std::vector<Family> find_families(const LinearModel& model, const std::vector<double>& azimuths) {
-  assert(azimuths.size() == model.subsystems.size() && model.alike.size() == model.subsystems.size());
+  assert(azimuths.size() == model.subsystems.size() &&
+         model.alike.size() == model.subsystems.size());
   std::vector<Family> families;
   for (std::size_t first = 0; first < model.subsystems.size(); ++first) {
     if (model.alike[first] != first) continue;

@@ -1,4 +1,5 @@
-// Tests executors that a program brings along: whatever order they choose, they give the bits of "serial".
+// Tests executors that a program brings along: whatever order they choose, they give the bits of
+// "serial".
 
 #include <doctest/doctest.h>
 
