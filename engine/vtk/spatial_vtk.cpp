@@ -131,13 +131,9 @@ class MeshMaker {
 };
 
 void add_field_data(const Simulation& simulation, const HubPose& hub, VtkText& file) {
-  file.line("<FieldData>");
-  file.number_array("TimeValue", simulation.time());
-  file.text_array("spoke_version", SPOKE_VERSION);
-  file.text_array("scenario", simulation.scenario().title);
-  file.text_array("units",
-                  "points m, displacement m, velocity m/s, axial_force N, shear_force N, torque "
-                  "N m, bending_moment N m, hub_position m, TimeValue s");
+  file.begin_field_data(simulation.time(), simulation.scenario().title,
+                        "points m, displacement m, velocity m/s, axial_force N, shear_force N, "
+                        "torque N m, bending_moment N m, hub_position m, TimeValue s");
   file.array("Float64", "hub_position", "NumberOfComponents=\"3\" NumberOfTuples=\"1\"",
              [&] { file.add(hub.position); });
   file.array("Float64", "hub_axes", "NumberOfComponents=\"9\" NumberOfTuples=\"1\"", [&] {

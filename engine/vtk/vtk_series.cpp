@@ -41,13 +41,9 @@ using Shapes = std::vector<BladeShape>;
 
 void add_field_data(const Simulation& simulation, VtkText& file) {
   const HubMotion hub = simulation.hub();
-  file.line("<FieldData>");
-  file.number_array("TimeValue", simulation.time());
-  file.text_array("spoke_version", SPOKE_VERSION);
-  file.text_array("scenario", simulation.scenario().title);
-  file.text_array("units",
-                  "points m, displacement m, velocity m/s, axial_force N, hub_position m, "
-                  "hub_angle rad, TimeValue s");
+  file.begin_field_data(simulation.time(), simulation.scenario().title,
+                        "points m, displacement m, velocity m/s, axial_force N, hub_position m, "
+                        "hub_angle rad, TimeValue s");
   file.array("Float64", "hub_position", "NumberOfComponents=\"3\" NumberOfTuples=\"1\"",
              [&] { file.add(Position(hub.position.head<kPosition>())); });
   file.number_array("hub_angle", hub.position[kRotation]);

@@ -53,6 +53,15 @@ class VtkText {
   void number_array(std::string_view name, double value) {
     array("Float64", name, "NumberOfTuples=\"1\"", [&] { add(value); });
   }
+  /// Begins the data of the whole file, with those that every file has: time [s], version of Spoke,
+  /// title of the scenario, and units of the arrays.
+  void begin_field_data(double time, std::string_view title, std::string_view units) {
+    line("<FieldData>");
+    number_array("TimeValue", time);
+    text_array("spoke_version", SPOKE_VERSION);
+    text_array("scenario", title);
+    text_array("units", units);
+  }
   std::string take() { return std::move(text_); }
 
  private:

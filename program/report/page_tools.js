@@ -68,6 +68,12 @@ function prepareCanvas(canvas) {
   return { context, width, height };
 }
 
+function strokeLine(context, points) {
+  context.beginPath();
+  for (const [x, y] of points) context.lineTo(x, y);
+  context.stroke();
+}
+
 function make(name, properties = {}, children = []) {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(properties))

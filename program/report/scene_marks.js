@@ -58,12 +58,6 @@ function drawMarks(view) {
   drawRuler(view);
 }
 
-function strokeLine(context, points) {
-  context.beginPath();
-  for (const [x, y] of points) context.lineTo(x, y);
-  context.stroke();
-}
-
 /** A line with a head, on the screen. */
 function drawArrow(context, from, to, heads = 1) {
   const length = Math.hypot(to[0] - from[0], to[1] - from[1]);

@@ -135,12 +135,6 @@ class SpeedPlot {
     const { left, top, width, height } = this.area;
     context.font = '12px system-ui, sans-serif';
     context.lineWidth = 1;
-    const line = (x0, y0, x1, y1) => {
-      context.beginPath();
-      context.moveTo(x0, y0);
-      context.lineTo(x1, y1);
-      context.stroke();
-    };
     context.strokeStyle = colorOf('--rule');
     context.fillStyle = colorOf('--soft');
     const labels = ([low, high], most) => {
@@ -150,13 +144,13 @@ class SpeedPlot {
     context.textAlign = 'center';
     context.textBaseline = 'top';
     for (const { tick, text } of labels(this.range.view, width / 80)) {
-      line(this.x(tick), top, this.x(tick), top + height);
+      strokeLine(context, [[this.x(tick), top], [this.x(tick), top + height]]);
       context.fillText(text, this.x(tick), top + height + 6);
     }
     context.textAlign = 'right';
     context.textBaseline = 'middle';
     for (const { tick, text } of labels(this.view, height / 40)) {
-      line(left, this.y(tick), left + width, this.y(tick));
+      strokeLine(context, [[left, this.y(tick)], [left + width, this.y(tick)]]);
       context.fillText(text, left - 7, this.y(tick));
     }
     context.strokeStyle = colorOf('--soft');

@@ -131,22 +131,16 @@ class ScatterPlot {
     context.strokeStyle = colorOf('--rule');
     context.fillStyle = colorOf('--soft');
     context.lineWidth = 1;
-    const line = (x0, y0, x1, y1) => {
-      context.beginPath();
-      context.moveTo(x0, y0);
-      context.lineTo(x1, y1);
-      context.stroke();
-    };
     context.textAlign = 'center';
     context.textBaseline = 'top';
     for (const { value, text } of this.ticks(this.across, (this.right - this.left) / 90)) {
-      line(this.x(value), this.top, this.x(value), this.bottom);
+      strokeLine(context, [[this.x(value), this.top], [this.x(value), this.bottom]]);
       context.fillText(text, this.x(value), this.bottom + 6);
     }
     context.textAlign = 'right';
     context.textBaseline = 'middle';
     for (const { value, text } of this.ticks(this.up, 7)) {
-      line(this.left, this.y(value), this.right, this.y(value));
+      strokeLine(context, [[this.left, this.y(value)], [this.right, this.y(value)]]);
       context.fillText(fitted(context, text, 52), this.left - 7, this.y(value));
     }
     context.strokeStyle = colorOf('--soft');

@@ -8,8 +8,10 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "engine/support/instructions.h"
+#include "tests/checkpoint_checksum.h"
 #include "tests/engine/rotors.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
@@ -40,16 +42,8 @@ std::string refusal(const std::string& bytes) {
 
 /// Returns the bytes with another format and a checksum that fits.
 std::string with_format(std::string bytes, char format) {
-  // The CRC-32 is calculated bit by bit, unlike in the engine.
   bytes[8] = format;
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
-    crc ^= static_cast<unsigned char>(bytes[k]);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc % 2 != 0 ? 0xEDB88320 : 0);
-  }
-  for (std::size_t k = 0; k < 4; ++k)
-    bytes[bytes.size() - 4 + k] = static_cast<char>(~crc >> (8 * k) & 0xFF);
-  return bytes;
+  return with_fitting_checksum(std::move(bytes));
 }
 
 }  // namespace

@@ -2,13 +2,14 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "tests/checkpoint_checksum.h"
 #include "tests/program/cli/program.h"
 
 namespace fs = std::filesystem;
@@ -225,14 +226,7 @@ namespace {
 std::string with_other_version(std::string bytes) {
   constexpr std::size_t text = 8 + 4 + 8 + 8;  // behind magic, format, length and its own length
   bytes[text] = bytes[text] == '9' ? '8' : '9';
-  std::uint32_t crc = 0xFFFFFFFF;  // CRC-32, bit by bit
-  for (std::size_t k = 0; k + 4 < bytes.size(); ++k) {
-    crc ^= static_cast<unsigned char>(bytes[k]);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc % 2 != 0 ? 0xEDB88320 : 0);
-  }
-  for (std::size_t k = 0; k < 4; ++k)
-    bytes[bytes.size() - 4 + k] = static_cast<char>(~crc >> (8 * k) & 0xFF);
-  return bytes;
+  return spoke::test::with_fitting_checksum(std::move(bytes));
 }
 
 }  // namespace
