@@ -32,6 +32,8 @@ constexpr std::array kQuestions{
              measure_whole_steps},
     Question{"time_to_solution", "how long the 20 s spin-up takes at 0.1 % accuracy",
              measure_time_to_solution},
+    Question{"loops", "what closed loops cost, by mechanism and number of suspensions",
+             measure_loops},
     Question{"passes", "how many passes a step needs, at the steps that accuracy allows",
              measure_passes, true},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",

@@ -22,6 +22,9 @@ void measure_whole_steps(const QuestionOptions& options, Report& report);
 /// How long does the 20 s spin-up take at 0.1 % accuracy, Spoke's way and the paper's way?
 void measure_time_to_solution(const QuestionOptions& options, Report& report);
 
+/// What do closed loops cost, and how does it grow with their number?
+void measure_loops(const QuestionOptions& options, Report& report);
+
 /// How many passes does a step need, by model and step, and at the steps that accuracy allows?
 /// Takes five minutes: only if named.
 void measure_passes(const QuestionOptions& options, Report& report);

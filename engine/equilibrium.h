@@ -39,6 +39,15 @@ struct SectionLoad {
   Eigen::Vector3d moment{0.0, 0.0, 0.0};  ///< [N m]
 };
 
+/// Force and moment that the closure of a loop exerts on its place `from`, about it, in the hub's
+/// frame.
+struct LoopLoad {
+  std::string name;
+  Eigen::Vector3d force{0.0, 0.0, 0.0};          ///< [N]
+  Eigen::Vector3d moment{0.0, 0.0, 0.0};         ///< [N m]
+  std::optional<double> tension = std::nullopt;  ///< of a loop of kind `distance` [N]
+};
+
 /// A blade, or another subsystem, in equilibrium. Vectors are in the hub's frame.
 struct BladeEquilibrium {
   std::string name;                                 ///< "blade 1", or the subsystem's
@@ -46,6 +55,7 @@ struct BladeEquilibrium {
   Eigen::Vector3d tip_rotation{0.0, 0.0, 0.0};      ///< rotation vector [rad]
   std::vector<JointPosition> joints;                ///< coordinates of free joints
   std::vector<SectionLoad> loads;                   ///< of sections, from the root on
+  std::vector<LoopLoad> loops;                      ///< of closed loops
   std::vector<Eigen::Vector3d> nodes;               ///< places, from root to tip [m]
   std::vector<Eigen::Vector3d> undeformed;  ///< places of undeformed bodies, joints as they are [m]
   std::vector<Eigen::Matrix3d> undeformed_axes;  ///< axes of undeformed bodies by node: columns

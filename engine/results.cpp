@@ -23,9 +23,14 @@ std::string hexadecimal(std::uint64_t number) {
 }
 
 Json describe_model(const ModelSize& size) {
-  return {{"subsystems", size.subsystems},    {"bodies", size.bodies},
-          {"coordinates", size.coordinates},  {"joints", size.joints},
-          {"graph_nodes", size.graph_nodes},  {"graph_edges", size.graph_edges},
+  return {{"subsystems", size.subsystems},
+          {"bodies", size.bodies},
+          {"coordinates", size.coordinates},
+          {"joints", size.joints},
+          {"loops", size.loops},
+          {"freedoms", size.freedoms},
+          {"graph_nodes", size.graph_nodes},
+          {"graph_edges", size.graph_edges},
           {"memory_bytes", size.memory_bytes}};
 }
 
@@ -41,6 +46,20 @@ Json describe_sensors(const Simulation& simulation, const SensorStatistics& stat
                                                {"final", range.final}});
   }
   return sensors;
+}
+
+Json describe_loops_at_start(const LoopsAtStart& loops) {
+  Json subsystems = Json::array(), moved = Json::array();
+  for (const SubsystemFreedoms& own : loops.subsystems)
+    subsystems.push_back({{"name", own.name},
+                          {"joint_coordinates", own.joints},
+                          {"deformation_coordinates", own.deformations},
+                          {"rows", own.rows},
+                          {"independent_rows", own.independent},
+                          {"mobility", own.mobility}});
+  for (const MovedJoint& joint : loops.moved)
+    moved.push_back({{"joint", joint.joint}, {"by", joint.by}, {"unit", joint.unit}});
+  return {{"subsystems", subsystems}, {"redundant_rows", loops.redundant}, {"moved", moved}};
 }
 
 /// Describes the error of a step; nothing for rk4.
@@ -130,6 +149,8 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"instructions", instructions_in_use()},
                   {"state_hash", hexadecimal(simulation.state_hash())},
                   {"sensors", describe_sensors(simulation, statistics)}});
+  if (const LoopsAtStart loops = simulation.loops_at_start(); !loops.subsystems.empty())
+    summary.set("loops", describe_loops_at_start(loops));
   return summary.dump_lines();
 }
 

@@ -49,6 +49,8 @@ ModelSize Simulation::size() const {
   size.bodies = extent.bodies;
   size.coordinates = extent.coordinates;
   size.joints = size.bodies;
+  size.loops = extent.loops;
+  size.freedoms = extent.coordinates - extent.independent_rows;
   size.graph_nodes = core_->runner->step_graph().node_count();
   size.graph_edges = core_->runner->step_graph().edge_count();
   size.memory_bytes = static_cast<std::size_t>(core_->model->memory_bytes());
@@ -158,6 +160,31 @@ void Simulation::set_joint_motion(int tree, int joint, int coordinate, const Cur
   core_->set_joint_motion({tree, joint, coordinate},
                           {course.value(t), course.derivative(t), course.second_derivative(t)},
                           spatial::MotionTable{course});
+}
+
+AnchorMotion Simulation::anchor_motion(std::string_view anchor) const {
+  const SaidAnchorMotion motion = core_->model->anchors().motion(anchor, time());
+  AnchorMotion found;
+  found.translation = linear(motion.value);
+  found.velocity = linear(motion.rate);
+  found.acceleration = linear(motion.acceleration);
+  found.rotation = angular(motion.value);
+  found.rotation_rate = angular(motion.rate);
+  found.rotation_acceleration = angular(motion.acceleration);
+  return found;
+}
+
+void Simulation::set_anchor_motion(std::string_view anchor, const AnchorMotion& motion) {
+  const SaidAnchorMotion said{time(), space::make_twist(motion.translation, motion.rotation),
+                              space::make_twist(motion.velocity, motion.rotation_rate),
+                              space::make_twist(motion.acceleration, motion.rotation_acceleration)};
+  core_->set_anchor_motion(anchor, said, said);
+}
+
+void Simulation::set_anchor_motion(std::string_view anchor, const spatial::MountMotion& course) {
+  const double t = time();
+  const AnchorModel model{std::string(anchor), Anchor::Frame::mount, false, course, {}};
+  core_->set_anchor_motion(anchor, motion_of(model, t), course);
 }
 
 void Simulation::set_load(int index, std::shared_ptr<const Load> load) {

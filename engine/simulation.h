@@ -13,6 +13,7 @@
 
 #include "engine/formulation/formulation.h"
 #include "engine/load.h"
+#include "engine/loops_at_start.h"
 #include "engine/saved_state.h"
 #include "engine/shape.h"
 #include "engine/simulation_options.h"
@@ -68,6 +69,16 @@ struct CoordinateMotion {
   double acceleration = 0.0;  ///< [rad/s^2, m/s^2]
 };
 
+/// The motion of an anchor at one time, in the frame in which it moves (Anchor::frame).
+struct AnchorMotion {
+  spatial::Vector translation = spatial::Vector::Zero();            ///< [m]
+  spatial::Vector velocity = spatial::Vector::Zero();               ///< [m/s]
+  spatial::Vector acceleration = spatial::Vector::Zero();           ///< [m/s^2]
+  spatial::Vector rotation = spatial::Vector::Zero();               ///< rotation vector [rad]
+  spatial::Vector rotation_rate = spatial::Vector::Zero();          ///< its derivative [rad/s]
+  spatial::Vector rotation_acceleration = spatial::Vector::Zero();  ///< its second one [rad/s^2]
+};
+
 class SimulationCore;
 
 /// Simulates one system. Not copyable; different Simulations may run in different threads.
@@ -106,6 +117,10 @@ class SPOKE_EXPORT Simulation {
   /// Returns one line about what runs the steps; for "auto" what it has chosen so far, and why.
   std::string executor_description() const;
   graph::Threads threads() const;  ///< in use by the executor
+
+  /// Returns what the start made of closed loops: which joints were moved and how far, freedoms and
+  /// redundant rows.
+  LoopsAtStart loops_at_start() const;
 
   double time() const;                 ///< [s]
   double step_size() const;            ///< in use [s]
@@ -174,6 +189,12 @@ class SPOKE_EXPORT Simulation {
   HubMotion hub() const;
   /// Returns the motion of the hub at time(), in the plane or in space.
   HubFrame hub_frame() const;
+  /// Returns the motion of the frame of an anchor at time(), counted from 0 in the order of the
+  /// scenario, in the inertial frame. Throws InputError if there is none.
+  MarkerMotion anchor_frame(int anchor) const;
+  /// Returns the motion of the frame in which the hub turns about its axle, likewise: the hub's at
+  /// an angle of 0.
+  MarkerMotion mount_frame() const;
   /// Returns the deformation of a body. Throws InputError if there is none; both numbers count from
   /// 0, in space blades before subsystems.
   BodyState body(int blade, int body) const;
@@ -196,6 +217,11 @@ class SPOKE_EXPORT Simulation {
   /// Returns the wrench of the joint inboard of a body (0: at the hub) on the body, about the
   /// joint, in the inertial frame.
   Wrench joint_reaction(int blade, int joint) const;
+  /// Returns the wrench that the loop of that name on a blade or subsystem exerts on its place
+  /// `from`, about it, in the inertial frame. A loop of kind `distance` pulls along the line
+  /// between its places where it is in tension. Throws InputError, with the nearest name, if there
+  /// is no such loop.
+  Wrench loop_reaction(int tree, std::string_view loop) const;
   /// Returns the wrench of support and drive on the hub, about its axis, in space about its origin,
   /// in the inertial frame. It carries the hub and the roots of the blades; if blades have
   /// geometric stiffening, also a moment that the model puts on the hub directly, since bending
@@ -235,6 +261,19 @@ class SPOKE_EXPORT Simulation {
   /// joint_motion() in value and velocity; a constant stretch before time() lets it start from
   /// rest.
   void set_joint_motion(int tree, int joint, int coordinate, const Curve& course);
+  /// Returns the motion at time() of an anchor, prescribed by the scenario or the program; if it
+  /// turns with the hub, without that rotation. Throws InputError, with the nearest name, if there
+  /// is none of that name.
+  AnchorMotion anchor_motion(std::string_view anchor) const;
+  /// Replaces the motion of an anchor that the scenario leaves to the program (motion = { by =
+  /// "program" }): from time() on translation and rotation vector are value + rate s + acceleration
+  /// s^2/2, with s the time since. They must go on from anchor_motion() in value and rate (to
+  /// 1e-9); a controller thus sets accelerations. Throws like set_drive(); the simulation then
+  /// stays as it is.
+  void set_anchor_motion(std::string_view anchor, const AnchorMotion& motion);
+  /// Replaces the motion by functions of time [s], which must go on from anchor_motion() in value
+  /// and rate; constant stretches before time() let them start from rest.
+  void set_anchor_motion(std::string_view anchor, const spatial::MountMotion& course);
   /// Replaces load number `index` of those given to the constructor by one with the same markers.
   /// To change parameters of a load of your own, change them and set the load again. Throws like
   /// set_drive().

@@ -45,8 +45,10 @@ struct SimulationOptions {
 struct ModelSize {
   int subsystems = 0;   ///< blades and other subsystems
   int bodies = 0;       ///< flexible bodies (without the hub)
-  int coordinates = 0;  ///< independent coordinates: free hub coordinates and all deformations
+  int coordinates = 0;  ///< free ones of hub and joints, and all deformations
   int joints = 0;       ///< between bodies, and to the hub
+  int loops = 0;        ///< closed loops
+  int freedoms = 0;     ///< coordinates, less the rows of loops that are rigid and not redundant
   int graph_nodes = 0;  ///< of the step graph of one pass
   int graph_edges = 0;  ///< of the same graph
   std::size_t memory_bytes = 0;  ///< of data, constants and graph, about

@@ -1,5 +1,7 @@
 // Answers queries about hub, bodies, markers and joints of a simulation.
 
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "engine/simulation.h"
@@ -45,6 +47,18 @@ HubFrame Simulation::hub_frame() const {
           frame.angular_acceleration};
 }
 
+LoopsAtStart Simulation::loops_at_start() const { return core_->model->loops_at_start(); }
+
+MarkerMotion Simulation::anchor_frame(int anchor) const {
+  const std::optional<spatial::Model>& space = core_->scenario.space;
+  const auto anchors =
+      space ? std::ssize(space->anchors) : std::ssize(core_->scenario.rotor.anchors);
+  require_range("the index of the anchor", anchor, 0, anchors - 1);
+  return core_->model->carrier_frame(anchor, time());
+}
+
+MarkerMotion Simulation::mount_frame() const { return core_->model->carrier_frame(-1, time()); }
+
 BodyState Simulation::body(int blade, int body) const {
   if (const SystemContext<Space>* space = core_->model->space())
     return make_view(find_body(*space, blade, body));
@@ -76,6 +90,12 @@ Wrench Simulation::joint_reaction(int blade, int joint) const {
   core_->model->require_place({blade, joint, 0.0});
   core_->evaluate();
   return core_->model->joint_reaction(blade, joint);
+}
+
+Wrench Simulation::loop_reaction(int tree, std::string_view loop) const {
+  core_->model->require_loop(tree, loop);
+  core_->evaluate();
+  return core_->model->loop_reaction(tree, loop, time());
 }
 
 Wrench Simulation::hub_reaction() const {

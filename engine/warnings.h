@@ -13,6 +13,7 @@ enum class WarningKind {
   speed_jump,     ///< a prescribed motion (drive, joints, mount) jumps within a few steps
   step_error,     ///< the step is too large for the motion
   momentum,       ///< the momentum of a free model is not kept
+  singular_loop,  ///< a closed loop comes to a singular position
 };
 
 /// An observation that does not end a simulation, but makes its results doubtful.

@@ -94,6 +94,7 @@ std::string name_of(const NodeLabel& label, std::string_view subsystem_word) {
   if (label.body >= 0) {
     name.append("body ").append(std::to_string(label.body + 1)).append(" / ");
   }
+  if (!label.item.empty()) name.append(label.item).append(" / ");
   name.append(label.stage);
   if (label.pass >= 0) name.append(" (pass ").append(std::to_string(label.pass + 1)).append(")");
   return name;

@@ -26,17 +26,19 @@ struct NodeId {
   friend auto operator<=>(const NodeId&, const NodeId&) = default;
 };
 
-/// A node's coordinates: its task, its subsystem and body, and its pass (0-based, -1 = none).
+/// A node's coordinates: its task, its subsystem and body, and its pass (0-based, -1 = none). No
+/// two nodes of a pass have the same ones.
 struct NodeLabel {
   std::string stage;   ///< task of the node
   int subsystem = -1;  ///< index of its subsystem; -1: none
   int body = -1;       ///< index of its body within the subsystem
   int pass = -1;       ///< pass, if there are several
+  std::string item{};  ///< name of what else of the subsystem it is for; empty: nothing
 };
 
-/// Returns a node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", or "hub
-/// solve" for a node of no subsystem and no body; one of several passes ends in " (pass 4)".
-/// `subsystem_word` replaces "subsystem".
+/// Returns a node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", "subsystem 2
+/// / rod / loop columns" for one of an item, or "hub solve" for a node of no subsystem and no body;
+/// one of several passes ends in " (pass 4)". `subsystem_word` replaces "subsystem".
 SPOKE_EXPORT std::string name_of(const NodeLabel& label,
                                  std::string_view subsystem_word = "subsystem");
 

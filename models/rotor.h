@@ -10,6 +10,7 @@
 
 #include "models/blade_choice.h"
 #include "models/drive.h"
+#include "models/loop.h"
 #include "models/vectors.h"
 
 namespace spoke {
@@ -61,6 +62,9 @@ struct Blade {
   /// then 0.
   BladeSections sections{};
   std::vector<PointMass> point_masses{};  ///< point masses besides its own mass
+  /// Closed loops. Their vectors lie in the plane: the third component of a point or axis is 0, and
+  /// rotations are about z.
+  std::vector<Loop> loops{};
 };
 
 /// The support of the hub.
@@ -166,6 +170,7 @@ struct Rotor {
   std::vector<DistributedLoad> distributed_loads;  ///< along blades
   std::vector<Drag> drags;                         ///< drag against the motion of blades
   std::vector<HubLoad> hub_loads;                  ///< loads on the hub
+  std::vector<Anchor> anchors;                     ///< places that loops may close on
 };
 
 }  // namespace spoke

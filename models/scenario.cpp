@@ -1,8 +1,19 @@
-// Names of the choices in a scenario.
+// Names of the choices in a scenario, and what it has.
 
 #include "models/scenario.h"
 
+#include <algorithm>
+
 namespace spoke {
+
+bool has_loops(const Scenario& scenario) {
+  const auto are_any = [](const auto& items) {
+    return std::any_of(items.begin(), items.end(),
+                       [](const auto& item) { return !item.loops.empty(); });
+  };
+  if (!scenario.space) return are_any(scenario.rotor.blades);
+  return are_any(scenario.space->blades) || are_any(scenario.space->subsystems);
+}
 
 std::string_view name_of(IntegrationMethod method) {
   return method == IntegrationMethod::rk4 ? "rk4" : "generalized_alpha";

@@ -41,6 +41,9 @@ struct Integration {
   /// The goal of the iteration; none: the error where the tolerance is the default, else the
   /// tolerance; see goal_of().
   std::optional<IterationGoal> iterate_to = std::nullopt;
+  /// Rows of closed loops that are rigid count as redundant, and are dropped, where their pivot is
+  /// below this share of the largest.
+  double loop_redundancy = 1e-9;
 };
 /// Returns the goal of the iteration in force.
 SPOKE_EXPORT IterationGoal goal_of(const Integration& integration);
@@ -106,6 +109,9 @@ struct SPOKE_EXPORT Scenario {
   /// the file; blades are always one by one, under "blades".
   std::string to_json() const;
 };
+
+/// Returns whether a blade or a subsystem has a closed loop.
+SPOKE_EXPORT bool has_loops(const Scenario& scenario);
 
 /// Returns the name that scenario files use: "generalized_alpha", "rk4".
 SPOKE_EXPORT std::string_view name_of(IntegrationMethod method);

@@ -55,6 +55,7 @@ using Frame = SensorFrame;
 constexpr std::array kMotionFrames{Frame::hub, Frame::blade, Frame::inertial};
 constexpr std::array kSectionFrames{Frame::section, Frame::blade, Frame::hub, Frame::inertial};
 constexpr std::array kJointFrames{Frame::blade, Frame::hub, Frame::inertial};
+constexpr std::array kLoopFrames{Frame::loop, Frame::blade, Frame::hub, Frame::inertial};
 constexpr std::array kHubFrames{Frame::inertial, Frame::hub};
 constexpr std::array kInertial{Frame::inertial};
 
@@ -66,6 +67,9 @@ std::span<const SensorFrame> frames_of(SensorQuantity quantity) {
       return kSectionFrames;
     case SensorQuantity::joint_reaction:
       return kJointFrames;
+    case SensorQuantity::loop_reaction:
+    case SensorQuantity::loop_opening:
+      return kLoopFrames;
     case SensorQuantity::hub_reaction:
       return kHubFrames;
     case SensorQuantity::momentum:
@@ -90,6 +94,10 @@ bool is_motion(SensorQuantity quantity) {
          quantity == SensorQuantity::acceleration;
 }
 
+bool is_of_loop(SensorQuantity quantity) {
+  return quantity == SensorQuantity::loop_reaction || quantity == SensorQuantity::loop_opening;
+}
+
 bool has_position(SensorQuantity quantity) {
   return is_motion(quantity) || quantity == SensorQuantity::section_force;
 }
@@ -103,6 +111,7 @@ std::span<const SensorComponent> components_of(SensorQuantity quantity) {
     case SensorQuantity::section_force:
     case SensorQuantity::joint_reaction:
     case SensorQuantity::hub_reaction:
+    case SensorQuantity::loop_reaction:
       return kWrench;
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
@@ -123,6 +132,7 @@ std::span<const SensorComponent> components_in_space(SensorQuantity quantity) {
     case SensorQuantity::section_force:
     case SensorQuantity::joint_reaction:
     case SensorQuantity::hub_reaction:
+    case SensorQuantity::loop_reaction:
       return kWrench6;
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
@@ -145,14 +155,15 @@ std::string prefix_of(const Sensor& sensor, int blade) {
 }
 
 std::string_view name_of(SensorQuantity quantity) {
-  constexpr std::array<std::string_view, 9> names{
-      "displacement", "velocity", "acceleration",   "section_force", "joint_reaction",
-      "hub_reaction", "momentum", "blade_momentum", "kinetic_energy"};
+  constexpr std::array<std::string_view, 11> names{
+      "displacement",   "velocity",      "acceleration", "section_force",
+      "joint_reaction", "hub_reaction",  "momentum",     "blade_momentum",
+      "kinetic_energy", "loop_reaction", "loop_opening"};
   return names[static_cast<std::size_t>(quantity)];
 }
 
 std::string_view name_of(SensorFrame frame) {
-  constexpr std::array<std::string_view, 4> names{"hub", "blade", "inertial", "section"};
+  constexpr std::array<std::string_view, 5> names{"hub", "blade", "inertial", "section", "loop"};
   return names[static_cast<std::size_t>(frame)];
 }
 

@@ -25,6 +25,11 @@ enum class SensorQuantity {
   momentum,        ///< momentum of hub and blades, about the inertial origin [kg m/s, kg m^2/s]
   blade_momentum,  ///< momentum of a blade, about the inertial origin [kg m/s, kg m^2/s]
   kinetic_energy,  ///< kinetic energy of a blade [J]
+  /// Force and moment that a loop's closure exerts on its place `from`, about it [N, N m].
+  loop_reaction,
+  /// How far a loop is open along the directions that it locks: displacement and small rotation of
+  /// `from` from where the closure wants it [m, rad]. Rigid directions are closed to round-off.
+  loop_opening,
 };
 
 /// The frame in which a motion is observed, and in which vectors are resolved.
@@ -33,6 +38,9 @@ enum class SensorFrame {
   blade,     ///< turns with the hub, x along the undeformed blade
   inertial,  ///< stands still
   section,   ///< turns with the cross section
+  /// Of a loop: turns with its place `to`; of kind `distance`, x is the force of the rod, positive
+  /// in tension, or its elongation, and all other values are 0.
+  loop,
 };
 
 /// A joint of a blade by its number, from 1 at the root, as in files. Whole numbers do not convert:
@@ -67,6 +75,8 @@ struct Sensor {
   /// The body of the subsystem, for quantities at a position or of a joint, which is the one that
   /// carries the body.
   std::string body{};
+  /// Name of the loop, of the blade or the subsystem; required for loop_reaction and loop_opening.
+  std::string loop{};
 };
 
 /// Returns the frame in force.
@@ -77,6 +87,8 @@ SPOKE_EXPORT std::span<const SensorFrame> frames_of(SensorQuantity quantity);
 SPOKE_EXPORT bool is_of_blade(SensorQuantity quantity);
 /// Returns whether the quantity is a displacement or a derivative of one.
 SPOKE_EXPORT bool is_motion(SensorQuantity quantity);
+/// Returns whether the quantity is one of a closed loop.
+SPOKE_EXPORT bool is_of_loop(SensorQuantity quantity);
 /// Returns whether the quantity is measured at a position along a blade.
 SPOKE_EXPORT bool has_position(SensorQuantity quantity);
 
@@ -95,7 +107,7 @@ SPOKE_EXPORT std::string prefix_of(const Sensor& sensor, int blade);
 
 /// Returns the name that scenario files use: "displacement", "velocity", ...
 SPOKE_EXPORT std::string_view name_of(SensorQuantity quantity);
-/// Returns the name that scenario files use: "hub", "blade", "inertial" or "section".
+/// Returns the name that scenario files use: "hub", "blade", "inertial", "section" or "loop".
 SPOKE_EXPORT std::string_view name_of(SensorFrame frame);
 
 }  // namespace spoke

@@ -16,14 +16,14 @@
 #include "models/blade_choice.h"
 #include "models/curve.h"
 #include "models/drive.h"
+#include "models/loop.h"
+#include "models/mount_motion.h"
 #include "models/rotor.h"
 #include "spoke/export.h"
 
 /// Models in space, as data. A rotor in the plane is a spoke::Rotor.
 namespace spoke::spatial {
 
-/// Three components x, y, z.
-using Vector = Eigen::Vector3d;
 /// Three by three components: an inertia tensor, or a rotation.
 using Tensor = Eigen::Matrix3d;
 /// Two components in a cross section, along its y and its z axis.
@@ -209,6 +209,7 @@ struct Blade {
   double azimuth = 0.0;              ///< direction of the undeformed blade in the hub's frame [rad]
   double precone = 0.0;              ///< angle that lifts the tip along the hub's axis [rad]
   std::vector<BladeJoint> joints{};  ///< joints in order from root to tip
+  std::vector<Loop> loops{};         ///< closed loops, as of subsystems
 };
 
 /// A body of a subsystem.
@@ -231,29 +232,7 @@ struct Subsystem {
   std::string name{};                    ///< name, unlike that of any other subsystem
   std::vector<Body> bodies{};            ///< one or more
   std::vector<SubsystemJoint> joints{};  ///< joints, one for each body
-};
-
-/// A vector by a table of its components over time, for the motion of the hub's mount.
-struct VectorTable {
-  std::array<Curve, 3> components{};  ///< x, y, z [m, rad]
-};
-
-/// A vector constant + rate t + amplitude sin(frequency t + phase).
-struct VectorHarmonic {
-  Vector constant = Vector::Zero();   ///< [m, rad]
-  Vector rate = Vector::Zero();       ///< [m/s, rad/s]
-  Vector amplitude = Vector::Zero();  ///< [m, rad]
-  double frequency = 0.0;             ///< [rad/s]
-  double phase = 0.0;                 ///< [rad]
-};
-
-/// A vector that is a function of time.
-using VectorCourse = std::variant<VectorTable, VectorHarmonic>;
-
-/// The motion of the axle's mount: a ship, a helicopter in manoeuvre, a shake table.
-struct MountMotion {
-  VectorCourse translation{};  ///< translation of the hub's origin, inertial frame [m]
-  VectorCourse rotation{};     ///< rotation vector, inertial frame [rad]
+  std::vector<Loop> loops{};             ///< closures of loops that the joints leave open
 };
 
 /// The hub, to which blades and subsystems are fixed. Its frame is the inertial one at t = 0, but
@@ -339,6 +318,7 @@ struct Model {
   std::vector<PointLoad> loads{};                    ///< loads at points
   std::vector<DistributedLoad> distributed_loads{};  ///< along beams
   std::vector<HubLoad> hub_loads{};                  ///< loads on the hub
+  std::vector<Anchor> anchors{};                     ///< places that loops may close on
 };
 
 /// Returns the name that scenario files use: "fixed", "revolute", ...

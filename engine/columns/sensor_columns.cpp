@@ -64,8 +64,9 @@ std::vector<MassPoints> find_masses(const Reading<Plane>& reading, const Subsyst
 Reading<Plane> make_reading(const Sensor& sensor, const Blade& blade,
                             const SubsystemData<Plane>& data) {
   constexpr double kSlack = 1e-9;
-  Reading<Plane> reading{sensor.quantity, frame_of(sensor), 0, 0.0, {}, data.reading_count, {}};
+  Reading<Plane> reading{sensor.quantity, frame_of(sensor), 0, 0.0, {}, 0, data.reading_count, {}};
   if (sensor.quantity == SensorQuantity::joint_reaction) reading.body = sensor.joint->body();
+  if (is_of_loop(sensor.quantity)) reading.loop = find_loop(blade.loops, sensor.loop);
   if (!has_position(sensor.quantity)) return reading;
   const double along = sensor.position.value_or(blade.length) / blade.length * blade.bodies;
   reading.body = std::clamp(static_cast<int>(std::ceil(along - kSlack)) - 1, 0, blade.bodies - 1);

@@ -3,6 +3,8 @@
 // The scenario's sensors in the plane: their places on the subsystems, and the columns that show
 // them.
 
+#include <algorithm>
+#include <cassert>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +25,15 @@ struct SensorColumn {
   std::size_t subsystem = 0;        ///< number of the subsystem; 0 for a sensor of the whole system
   std::vector<std::size_t> places;  ///< places of its readings: on that subsystem, or on every one
 };
+
+/// Returns the index of the loop of that name, which is one of them.
+template <class AnyLoop>
+std::size_t find_loop(const std::vector<AnyLoop>& loops, const std::string& name) {
+  const auto at = std::find_if(loops.begin(), loops.end(),
+                               [&](const AnyLoop& loop) { return loop.name == name; });
+  assert(at != loops.end());
+  return static_cast<std::size_t>(at - loops.begin());
+}
 
 /// Appends the columns of a sensor on a subsystem; `places`: see SensorColumn.
 void add_columns(const Sensor& sensor, std::size_t subsystem,

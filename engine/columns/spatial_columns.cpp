@@ -87,7 +87,11 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
   reading.quantity = sensor.quantity;
   reading.frame = frame_of(sensor);
   reading.first = first;
-  const int body = body_of(sensor, place, tree);
+  int body = body_of(sensor, place, tree);
+  if (is_of_loop(sensor.quantity)) {
+    reading.loop = find_loop(subsystem.loops, sensor.loop);
+    body = subsystem.loops[reading.loop].from.body;
+  }
   reading.path = path_to(body, subsystem);
   if (!has_position(sensor.quantity)) return reading;
   const TreeBody<Space>& model = subsystem.bodies[static_cast<std::size_t>(body)];

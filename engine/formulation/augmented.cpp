@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/formulation/loops.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/dense_body.h"
 #include "engine/kernels/hub_motion.h"
@@ -76,6 +77,49 @@ void add_joint(const Subsystem<World>& model, const SubsystemData<World>& subsys
   add_coordinates<World>(joint, row, first + n, work);
 }
 
+/// Subtracts the place of a loop on a body from row `row`.
+template <class World>
+void subtract_place(const LoopPlaceModel& place, const TwistOf<World>& u,
+                    const SubsystemData<World>& subsystem, int i, int row, Work& work) {
+  const BodyData<World>& body = subsystem.bodies[place.body];
+  const int n = dense_size(*body.model->body);
+  auto J = work.jacobian.leftCols(n);
+  calc_handle_jacobian(body, place.handle, J);
+  work.matrix.block(row, work.first[i][place.body], 1, n) -= u.transpose().lazyProduct(J);
+  work.right[row] += u.dot(calc_handle_bias(body, place.handle, subsystem.twists[place.body]));
+}
+
+/// Fills the rows of the loops of subsystem i.
+template <class World>
+void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsystem, int i,
+               Work& work) {
+  for (std::size_t k = 0; k < model.loops.size(); ++k)
+    for (int r = subsystem.loops.paths[k].first_row, end = r + subsystem.loops.paths[k].rows;
+         r < end; ++r) {
+      const LoopRowState<World>& state = subsystem.loops.states[static_cast<std::size_t>(r)];
+      const int row = work.first_loop[i] + r;
+      work.right[row] = -state.target;
+      work.matrix(row, row) = -state.compliance;
+      work.matrix.template block<1, World::kTwist>(row, 0) = -state.hub.transpose();
+      subtract_place(model.loops[k].from, state.from, subsystem, i, row, work);
+      if (model.loops[k].to.carrier == LoopPlace::Carrier::body)
+        subtract_place(model.loops[k].to, state.to, subsystem, i, row, work);
+    }
+}
+
+/// Takes the place of rows whose forces are no unknowns: they are given, or zero.
+template <class World>
+void give_forces(const SubsystemData<World>& subsystem, int i, Work& work) {
+  const LoopData<World>& loops = subsystem.loops;
+  for (std::size_t r = 0; r < loops.use.size(); ++r) {
+    if (is_solved(loops.use[r], subsystem.progress->control.is_implicit)) continue;
+    const Eigen::Index row = work.first_loop[i] + static_cast<Eigen::Index>(r);
+    work.matrix.row(row).setZero();
+    work.matrix(row, row) = 1.0;
+    work.right[row] = loops.use[r] == LoopRowUse::dropped ? 0.0 : loops.states[r].force;
+  }
+}
+
 template <class World>
 void add_hub(const System<World>& system, const StepData<World>& data, Work& work) {
   constexpr int d = World::kTwist;
@@ -128,6 +172,14 @@ void allocate(const System<World>& system, const StepData<World>& data,
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j, next += d)
       work.first_joint.back().push_back(next);
   }
+  int largest = 0;
+  for (const SubsystemData<World>& subsystem : data.subsystems) {
+    work.first_loop.push_back(next);
+    next += subsystem.loops.rows;
+    for (const BodyData<World>& body : subsystem.bodies)
+      largest = std::max(largest, dense_size(*body.model->body));
+  }
+  work.jacobian.setZero(d, largest);
   work.first_hub_multiplier = next;
   for (int c = 0; c < d; ++c) next += is_prescribed(system.hub, c);
   work.matrix.setZero(next, next);
@@ -152,8 +204,11 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
                work.first[i][j], work);
       add_joint(system.subsystems[i], subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }
+    add_loops(system.subsystems[i], subsystem, static_cast<int>(i), work);
   }
   copy_lower_to_upper(work);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    give_forces(data.subsystems[i], static_cast<int>(i), work);
   work.factor.compute(work.matrix);
   work.factor.solve(work.right, work.solution);
 
@@ -182,6 +237,13 @@ void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work
 }
 
 template <class World>
+void take_loop_forces(int i, const Work& work, SubsystemData<World>& data) noexcept {
+  assert(i >= 0 && std::cmp_less(i, work.first_loop.size()));
+  for (int r = 0; r < data.loops.rows; ++r)
+    data.loops.multipliers[static_cast<std::size_t>(r)] = work.solution[work.first_loop[i] + r];
+}
+
+template <class World>
 void recover_body(int subsystem, int body, const Work& work, BodyData<World>& data,
                   double* a) noexcept {
   assert(subsystem >= 0 && std::cmp_less(subsystem, work.first.size()));
@@ -195,6 +257,8 @@ template void allocate(const System<Plane>&, const StepData<Plane>&,
 template void solve(const System<Plane>&, StepData<Plane>&, Work&) noexcept;
 template void recover_wrenches(int, const Subsystem<Plane>&, const Work&,
                                SubsystemData<Plane>&) noexcept;
+template void take_loop_forces(int, const Work&, SubsystemData<Plane>&) noexcept;
+template void take_loop_forces(int, const Work&, SubsystemData<Space>&) noexcept;
 template void recover_body(int, int, const Work&, BodyData<Plane>&, double*) noexcept;
 template void allocate(const System<Space>&, const StepData<Space>&,
                        std::vector<std::vector<subsystem::DenseBlocks>>, Work&);

@@ -6,8 +6,9 @@
 //   [     M     Phi^T      ] [q''   ] = [Q    ]     H: the hub's prescribed components
 //   [PhiY Phi              ] [lambda]   [gamma]
 //   [H                     ] [mu    ]   [given]
-// Joints with coordinates have these among q'', with R^T H in Phi, the implicit shares of their
-// springs and dampers in M and their forces in Q (docs/formulation.md, section 11).
+// Rows of loops are - (relative acceleration) - compliance lambda = - target, so that lambda acts
+// on `from`. Joints with coordinates have these among q'', with R^T H in Phi, the implicit shares
+// of their springs and dampers in M and their forces in Q (docs/formulation.md, section 11).
 
 #include <Eigen/Core>
 
@@ -22,6 +23,8 @@ struct Work {
   /// First row of each body's coordinates: [X; q], behind them those of its inboard joint.
   std::vector<std::vector<int>> first;
   std::vector<std::vector<int>> first_joint;  ///< first row of each joint's multipliers
+  std::vector<int> first_loop;                ///< by subsystem: first row of its loops' multipliers
+  Eigen::MatrixXd jacobian;                   ///< of one handle, d x the largest body
   int first_hub_multiplier = 0;
   Eigen::MatrixXd matrix;
   LuFactors factor;
@@ -42,6 +45,10 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
 template <class World>
 void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work,
                       SubsystemData<World>& data) noexcept;
+
+/// Sets the multipliers of the loops of subsystem i.
+template <class World>
+void take_loop_forces(int i, const Work& work, SubsystemData<World>& data) noexcept;
 
 /// Sets the accelerations of a body, from the solution.
 template <class World>

@@ -50,6 +50,22 @@ template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept;
 
+/// Calculates what unit forces of one loop do, and its rows' accelerations without them: its parts
+/// of LoopData::joints, branches, hub and free. The tree must have been eliminated.
+template <class World>
+void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
+                       const SubsystemWork<World>& work, SubsystemData<World>& data) noexcept;
+
+/// Fills D of the loops, from the columns of all.
+template <class World>
+void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept;
+
+/// Adds to the accelerations at joints and roots what the loops' forces make of them, for recovery.
+template <class World>
+void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                          SubsystemWork<World>& work) noexcept;
+
 /// Calculates joint wrenches from the roots to the tips (P 8), from the hub's acceleration.
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,

@@ -61,6 +61,12 @@ struct alignas(kInterferenceSize) SubsystemWork {
   Eigen::MatrixXd inverse_columns;    ///< D^-1 R^T H, C1 x C
   Eigen::MatrixXd inertia;   ///< (R^T H)^T D^-1 R^T H + k^, C x C; then its Cholesky factor
   Eigen::MatrixXd response;  ///< q_J'' by [its root's rows of Y'', 1], C x (d + 1)
+  /// Of one loop, by its rows: C = Phi M^-1 u of unit forces, D^-1 C with the coordinates of joints
+  /// following, and these coordinates.
+  struct LoopColumns {
+    Eigen::MatrixXd right, solution, response;
+  };
+  std::vector<LoopColumns> loops;
 };
 
 /// Allocates the work of one subsystem; `elastic`: by body.
@@ -77,6 +83,22 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
 template <class World>
 void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                             SubsystemWork<World>& work) noexcept;
+
+/// Calculates what unit forces of one loop do, and its rows' accelerations without them: its parts
+/// of LoopData::hub and free.
+template <class World>
+void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
+                       SubsystemWork<World>& work, SubsystemData<World>& data) noexcept;
+
+/// Fills D of the loops, from the columns of all.
+template <class World>
+void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+                      SubsystemData<World>& data) noexcept;
+
+/// Adds what the loops' forces make of the multipliers of joints and of their coordinates.
+template <class World>
+void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                          SubsystemWork<World>& work) noexcept;
 
 /// Calculates the multipliers, (P 8), as wrenches on the handles, and the accelerations of the
 /// joints' coordinates.

@@ -156,6 +156,22 @@ double estimate_load(const BodyLoad<Space>& load) {
   return bytes;
 }
 
+/// Counts the loops of a subsystem in the table; `joints`: the rows of all its joints, by which
+/// the formulation `subsystem` has columns.
+template <class World>
+double estimate_loops(const Subsystem<World>& subsystem, Formulation formulation, double joints) {
+  const double rows = subsystem.loop_rows();
+  if (rows == 0.0) return 0.0;
+  const auto bodies = static_cast<double>(subsystem.bodies.size());
+  constexpr double kTwistBytes = sizeof(TwistOf<World>);
+  // By row: its state, N and half of it, and at most a twist for each body and each joint.
+  double bytes = bodies * (sizeof(PoseOf<World>) + kTwistBytes) + sizeof(double) * rows * rows +
+                 rows * (sizeof(LoopRowState<World>) + 8.0 * sizeof(double) + 2.0 * kTwistBytes +
+                         2.0 * bodies * kTwistBytes);
+  if (formulation == Formulation::subsystem) bytes += 3.0 * sizeof(double) * rows * joints;
+  return bytes;
+}
+
 }  // namespace
 
 template <class World>
@@ -196,6 +212,8 @@ double estimate_memory(const System<World>& system, Formulation formulation) {
       for (const BodyDrag<World>& drag : member.drags) bytes += estimate_load(drag);
     }
     if (formulation == Formulation::subsystem) bytes += kNumber * joints * joints;
+    bytes += estimate_loops(subsystem, formulation, joints);
+    unknowns += subsystem.loop_rows();
   }
   if (formulation == Formulation::augmented) bytes += 2.0 * kNumber * unknowns * unknowns;
   return bytes;

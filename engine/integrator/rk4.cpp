@@ -2,6 +2,7 @@
 
 #include "engine/integrator/rk4.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace spoke {
@@ -52,10 +53,25 @@ void close_step(double h, int n, double* __restrict q, double* __restrict v,
   }
 }
 
+/// Copies accelerations to where stage 0 needs them.
+void keep(int n, const double* __restrict a, double* __restrict kept) noexcept {
+  std::copy_n(a, n, kept);
+}
+
+/// Begins stage 0 with projection.
+void project(double h, int n, double* __restrict q, double* __restrict v,
+             const double* __restrict a, const double* __restrict a_0,
+             const double* __restrict a_1) noexcept {
+  for (int i = 0; i < n; ++i) {
+    q[i] += h * h * (a_1[i] - a_0[i]);
+    v[i] += h * (a[i] - a_0[i]);
+  }
+}
+
 }  // namespace
 
 void advance(const Rk4& method, int stage, CoordinateBlock& block) noexcept {
-  assert(method.step > 0.0 && stage >= 0 && stage < Rk4::kStages);
+  assert(method.step > 0.0 && stage >= 0 && stage < method.passes());
   assert(block.history[Rk4::sum_v]);
   const double h = method.step;
   const auto k = static_cast<std::size_t>(stage);
@@ -63,7 +79,13 @@ void advance(const Rk4& method, int stage, CoordinateBlock& block) noexcept {
     double *q = block.q + first, *v = block.v + first, *a = block.a + first;
     double *q0 = block.history[Rk4::start_q] + first, *v0 = block.history[Rk4::start_v] + first;
     double *sum_q = block.history[Rk4::sum_q] + first, *sum_v = block.history[Rk4::sum_v] + first;
-    if (stage == 0)
+    if (stage == 0 && method.projects)
+      project(h, n, q, v, a, q0, v0);
+    else if (stage == Rk4::kClosing)
+      keep(n, a, q0);
+    else if (stage == Rk4::kBraking)
+      keep(n, a, v0);
+    else if (stage == 0 || stage == Rk4::kAtEnd)
       close_step(h, n, q, v, a, q0, v0, sum_q, sum_v);
     else if (stage == 1)
       open_step(h, n, q, v, a, q0, v0, sum_q, sum_v);

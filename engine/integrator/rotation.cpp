@@ -20,6 +20,16 @@ Quaternion calc_relative_rate(const RotationBlock& rotation) {
   return rotation.frame == TurnFrame::child ? calc_rate(P, w) : calc_rate(w, P);
 }
 
+/// Begins stage 0 with projection, which turns the orientation by a small rotation.
+void project(const Rk4& method, const RotationBlock& rotation) {
+  double* q = rotation.block->q;
+  const Angular before = read(q, rotation.at);
+  write(Angular::Zero(), q, rotation.at);
+  spoke::advance(method, 0, *rotation.block);
+  const Angular by = read(q, rotation.at);
+  write(logarithm(turn(make_quaternion(before), by, rotation.frame)), q, rotation.at);
+}
+
 }  // namespace
 
 Quaternion calc_orientation(const RotationBlock& rotation) noexcept {
@@ -33,9 +43,12 @@ void fold(const RotationBlock& rotation) noexcept {
 }
 
 void advance(const Rk4& method, int stage, const RotationBlock& rotation) noexcept {
-  assert(stage >= 0 && stage < Rk4::kStages);
+  assert(stage >= 0 && stage < method.passes());
+  if (stage == Rk4::kClosing || stage == Rk4::kBraking)
+    return spoke::advance(method, stage, *rotation.block);
+  if (stage == 0 && method.projects) return project(method, rotation);
   // `stage` follows the one in which the rate was found.
-  const bool is_last = stage == 0;
+  const bool is_last = stage == 0 || stage == Rk4::kAtEnd;
   const auto found_in = static_cast<std::size_t>(is_last ? Rk4::kStages : stage) - 1;
   Quaternion& sum = rotation.state->sum;
   if (found_in == 0) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "engine/integrator/relaxation.h"
@@ -16,14 +17,14 @@ const Rk4* as_rk4(const Integrator& integrator) { return std::get_if<Rk4>(&integ
 
 /// Sets the stage or iteration that comes next in the step.
 void set_stage(const Integrator& integrator, int stage, StepProgress& progress) {
-  assert(stage >= 0 && (!as_rk4(integrator) || stage < Rk4::kStages));
+  assert(stage >= 0 && (!as_rk4(integrator) || stage < as_rk4(integrator)->passes()));
   const double h = step_size(integrator);
   progress.control.stage = stage;
   progress.control.time = static_cast<double>(progress.step) * h;
   progress.control.is_implicit = true;
   if (!as_rk4(integrator)) return;
   progress.control.is_implicit = false;
-  const double node = Rk4::nodes[static_cast<std::size_t>(stage)];
+  const double node = stage < Rk4::kStages ? Rk4::nodes[static_cast<std::size_t>(stage)] : 1.0;
   if (stage != 0 && node != 1.0)
     progress.control.time = static_cast<double>(progress.step - 1) * h + node * h;
 }
@@ -46,6 +47,7 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
   record.dissipated = progress.dissipated;
   record.deflection = report.deflection;
   record.error = progress.error;
+  record.loop = report.loop;
   // A restart shows nothing: its accelerations are those of the method.
   if (progress.control.stage != PassControl::kRestart) progress.completed = progress.step;
   progress.power = report.power;
@@ -88,6 +90,9 @@ bool is_small_change(const IterationLimits& limits, double change, const StepPro
 /// Whether the iteration has done what it can: by its tolerance, or since changes that the limits
 /// allow hardly fall any more.
 bool has_converged(const IterationLimits& limits, double change, const StepProgress& progress) {
+  const bool leaves_open = change > limits.closing ||
+                           (progress.control.relaxation < 1.0 && std::isfinite(limits.closing));
+  if (leaves_open) return false;
   if (limits.follows_error && leaves_little(change, progress)) return true;
   if (is_small_change(limits, change, progress)) return true;
   if (change > limits.tolerance) return false;
@@ -127,8 +132,9 @@ bool end_stage(const Integrator& integrator, const PassReport& report, StepProgr
   if (stage == 0) return true;
   const double h = step_size(integrator);
   if (stage == 1) add_work(Rk4::weights[0] * h, progress.power, progress);
-  add_work(Rk4::weights[static_cast<std::size_t>(stage)] * h, report.power, progress);
-  set_stage(integrator, (stage + 1) % Rk4::kStages, progress);
+  if (stage < Rk4::kStages)
+    add_work(Rk4::weights[static_cast<std::size_t>(stage)] * h, report.power, progress);
+  set_stage(integrator, (stage + 1) % as_rk4(integrator)->passes(), progress);
   return false;
 }
 
@@ -173,7 +179,7 @@ void end_pass(const Integrator& integrator, const Window& window, const PassRepo
 }
 
 int usual_passes(const Integrator& integrator) {
-  if (as_rk4(integrator)) return Rk4::kStages;
+  if (const Rk4* rk4 = as_rk4(integrator)) return rk4->passes();
   return integrator.limits.fixed > 0 ? integrator.limits.fixed : 2;
 }
 

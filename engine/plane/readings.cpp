@@ -4,6 +4,7 @@
 
 #include <cassert>
 
+#include "engine/kernels/loop_readings.h"
 #include "engine/plane/section_balance.h"
 
 namespace spoke {
@@ -80,6 +81,18 @@ Twist calc_force(const System<Plane>& system, std::size_t i, const StepData<Plan
   return from_hub(asked.frame, subsystem, *own.hub) * (own.poses[asked.body].R * load);
 }
 
+/// Returns the reaction or the opening of a loop, resolved.
+Twist calc_of_loop(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
+                   double t, const Reading<Plane>& asked) {
+  const auto in_plane = [](const space::Twist& vector) {
+    return Twist(vector[0], vector[1], vector[Space::kAxial]);
+  };
+  const LoopVector found = calc_loop_reading(system, i, t, asked, data);
+  if (asked.frame == SensorFrame::loop) return in_plane(found.in_loop);
+  return from_hub(asked.frame, system.subsystems[i], *data.subsystems[i].hub) *
+         in_plane(found.in_hub);
+}
+
 Twist calc_reading(const System<Plane>& system, std::size_t i, const StepData<Plane>& data,
                    double t, const Reading<Plane>& asked) {
   const SubsystemData<Plane>& own = data.subsystems[i];
@@ -92,6 +105,9 @@ Twist calc_reading(const System<Plane>& system, std::size_t i, const StepData<Pl
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
       return plane::calc_momentum(own, asked.masses);
+    case SensorQuantity::loop_reaction:
+    case SensorQuantity::loop_opening:
+      return calc_of_loop(system, i, data, t, asked);
     default:
       return calc_motion(system, i, data, t, asked);
   }

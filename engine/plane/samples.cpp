@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/loop_motion.h"
 #include "engine/plane/applied_tension.h"
 #include "engine/plane/body_energies.h"
 #include "engine/plane/handle_motion.h"
@@ -37,6 +38,7 @@ SubsystemSample<Plane> calc_sample(const System<Plane>& system, std::size_t i,
   sample.tip = {tip[0], tip[1]};
   sample.root = data.root_load;
   const HubState<Plane>& hub = *data.hub;
+  if (!data.loops.is_empty()) sample.strain = calc_closure_energy(subsystem, data.loops);
   const bool has_gravity = system.gravity != Position::Zero() && system.gravity_ramp == 0.0;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const plane::BodyEnergies body =

@@ -26,13 +26,13 @@ std::size_t count_steps(const RecordingPlan& plan) {
 class NodeNumbers {
  public:
   int of(const NodeLabel& label) {
-    const auto [place, is_new] = numbers_.try_emplace({label.stage, label.subsystem, label.body},
-                                                      static_cast<int>(numbers_.size()));
+    const auto [place, is_new] = numbers_.try_emplace(
+        {label.stage, label.subsystem, label.body, label.item}, static_cast<int>(numbers_.size()));
     return place->second;
   }
 
  private:
-  std::map<std::tuple<std::string, int, int>, int> numbers_;
+  std::map<std::tuple<std::string, int, int, std::string>, int> numbers_;
 };
 
 /// Converts ticks to nanoseconds since the start of the recording.

@@ -141,15 +141,18 @@ StepRunner::~StepRunner() = default;
 // The costs are those of the nodes that were timed: a body costs the same in every pass.
 std::unique_ptr<graph::Executor> StepRunner::make_planned(const graph::StepGraph& graph) const {
   const std::vector<double> timed = timed_.node_costs();
-  std::map<std::tuple<std::string_view, int, int>, double> cost_of;
+  const auto key_of = [](const graph::NodeLabel& label) {
+    return std::tuple<std::string_view, int, int, std::string_view>(label.stage, label.subsystem,
+                                                                    label.body, label.item);
+  };
+  std::map<decltype(key_of({})), double> cost_of;
   for (int i = 0; i < single_.graph.node_count(); ++i) {
     const graph::NodeLabel& label = single_.graph.node({i}).label;
-    cost_of[{label.stage, label.subsystem, label.body}] = timed[static_cast<std::size_t>(i)];
+    cost_of[key_of(label)] = timed[static_cast<std::size_t>(i)];
   }
   std::vector<double> costs;
   costs.reserve(static_cast<std::size_t>(graph.node_count()));
-  for (const graph::Node& node : graph.nodes())
-    costs.push_back(cost_of[{node.label.stage, node.label.subsystem, node.label.body}]);
+  for (const graph::Node& node : graph.nodes()) costs.push_back(cost_of[key_of(node.label)]);
   return graph::make_auto_executor(graph, threads_.total(),
                                    {std::move(costs), remaining_seconds(), threads_are_worth_});
 }

@@ -22,7 +22,10 @@ Deformed::Deformed(const Scene& scene, const Frame& frame) : scene_(scene), fram
 }
 
 Placement Deformed::at(const Place& place) const {
-  if (place.node < 0) return {place.p, Tensor::Identity()};
+  if (place.node < 0) {
+    const Placement& group = frame_.groups[static_cast<std::size_t>(place.group)];
+    return {group.position + group.rotation * place.p, group.rotation};
+  }
   const auto k = static_cast<std::size_t>(place.node);
   const Placement& a = nodes_[k];
   if (place.xi == 0.0) return {a.position + a.rotation * (place.p - scene_.nodes[k].p), a.rotation};

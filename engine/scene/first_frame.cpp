@@ -1,5 +1,6 @@
 // Places joints where they stand before a model is simulated.
 
+#include "engine/scene/carriers.h"
 #include "engine/scene/frame.h"
 #include "models/space/mount.h"
 #include "models/space/rotation_vector.h"
@@ -86,9 +87,15 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   frame.groups.resize(static_cast<std::size_t>(scene.groups));
   frame.displacements.assign(scene.nodes.size(), Vector::Zero());
   frame.rotations = frame.displacements;
+  const std::vector<Anchor>& anchors =
+      scenario.space ? scenario.space->anchors : scenario.rotor.anchors;
+  for (const Carrier& carrier : scene.carriers)
+    if (carrier.anchor >= 0)
+      frame.groups[static_cast<std::size_t>(carrier.group)] =
+          calc_first_place(anchors[static_cast<std::size_t>(carrier.anchor)]);
   if (!scenario.space) return frame;
   frame.hub = calc_start(scenario.space->hub);
-  std::size_t next = 1;
+  std::size_t next = 1 + scene.carriers.size();
   for (const Tree& tree : build_trees(*scenario.space)) add_motions(tree, frame.groups, next);
   return frame;
 }

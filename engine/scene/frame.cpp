@@ -36,6 +36,7 @@ void FrameReader::read(const Simulation& simulation, Frame& frame) {
     read_plane(simulation, frame);
   else
     read_space(simulation, frame);
+  read_carriers(simulation, frame);
   for (const Strip& strip : scene_.strips) read_forces(strip, frame);
 }
 
@@ -70,6 +71,16 @@ void FrameReader::read_space(const Simulation& simulation, Frame& frame) {
     Placement& group = frame.groups[static_cast<std::size_t>(drawn.group)];
     group.rotation = now * drawn.axes.transpose();
     group.position = node.p - node.displacement - group.rotation * drawn.p;
+  }
+}
+
+void FrameReader::read_carriers(const Simulation& simulation, Frame& frame) const {
+  const Tensor to_hub = frame.hub.rotation.transpose();
+  for (const Carrier& carrier : scene_.carriers) {
+    const MarkerMotion motion =
+        carrier.anchor < 0 ? simulation.mount_frame() : simulation.anchor_frame(carrier.anchor);
+    frame.groups[static_cast<std::size_t>(carrier.group)] = {
+        to_hub * (motion.position - frame.hub.position), to_hub * motion.rotation};
   }
 }
 

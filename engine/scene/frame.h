@@ -46,6 +46,7 @@ class FrameReader {
  private:
   void read_plane(const Simulation& simulation, Frame& frame);
   void read_space(const Simulation& simulation, Frame& frame);
+  void read_carriers(const Simulation& simulation, Frame& frame) const;
   void read_forces(const Strip& strip, Frame& frame) const;
 
   const Scene& scene_;

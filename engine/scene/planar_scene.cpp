@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/scene/carriers.h"
 #include "engine/scene/make_scene.h"
 #include "engine/scene/solids.h"
 #include "models/plane/beam_properties.h"
@@ -40,6 +41,7 @@ class PlanarScene {
     scene_.gravity = in_space(rotor_.gravity);
     for (std::size_t i = 0; i < rotor_.blades.size(); ++i) add_blade(i);
     add_hub();
+    add_loops();
     for (const PointLoad& load : rotor_.loads)
       for_blades(load.blade, [&](std::size_t i) {
         const double x = load.position.value_or(rotor_.blades[i].length);
@@ -128,6 +130,41 @@ class PlanarScene {
       }
     }
     return {scene_.tips[i], 0.0, place(i, x)};
+  }
+
+  /// Returns a place of a loop of a blade; on hub, mount and anchors it turns with the azimuth.
+  Place find_end(std::size_t i, const LoopPlace& place) const {
+    if (place.carrier == LoopPlace::Carrier::body)
+      return find_place(i, place.station.value_or(rotor_.blades[i].length));
+    int anchor = -1;
+    for (std::size_t a = 0; a < rotor_.anchors.size(); ++a)
+      if (rotor_.anchors[a].name == place.name) anchor = static_cast<int>(a);
+    const Vector p = place.point.x() * along(i) + place.point.y() * across(i);
+    return {-1, 0.0, p, find_group(scene_, place.carrier, anchor)};
+  }
+  void add_loops() {
+    std::vector<const Loop*> loops;
+    for (const Blade& blade : rotor_.blades)
+      for (const Loop& loop : blade.loops) loops.push_back(&loop);
+    add_carriers(rotor_.anchors, loops, scene_);
+    for (std::size_t i = 0; i < rotor_.blades.size(); ++i)
+      for (const Loop& loop : rotor_.blades[i].loops) {
+        LoopMark mark;
+        mark.name = scene_.subsystems[i] + " / " + loop.name;
+        mark.kind = name_of(loop.kind);
+        mark.subsystem = static_cast<int>(i);
+        mark.from = find_end(i, loop.from);
+        mark.to = find_end(i, loop.to);
+        if (count_axes(loop.kind) == 1)
+          mark.axes.push_back(
+              loop.kind == LoopKind::prismatic
+                  ? Vector(
+                        (loop.axes[0].x() * along(i) + loop.axes[0].y() * across(i)).normalized())
+                  : Vector(Vector::UnitZ()));
+        mark.is_sprung = is_sprung(loop);
+        scene_.loops.push_back(std::move(mark));
+      }
+    add_plates(rotor_.anchors, scene_);
   }
 
   template <class Visit>

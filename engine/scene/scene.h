@@ -30,11 +30,19 @@ struct NodeSource {
 };
 
 /// A place that nodes carry: on the element of a beam between `node` and the next one, at the share
-/// `xi` of it; if xi is 0, fixed to the node. node -1: fixed to the hub.
+/// `xi` of it; if xi is 0, fixed to the node. node -1: fixed to a group, 0 for the hub; of a
+/// carrier in the axes of its frame.
 struct Place {
   int node = -1;
   double xi = 0.0;
   Vector p = Vector::Zero();
+  int group = 0;
+};
+
+/// A group that is no body's: the motion of the mount or of an anchor, which loops close on.
+struct Carrier {
+  int anchor = -1;  ///< index of the anchor; -1: the mount
+  int group = 0;
 };
 
 /// An outline of a section: an ellipse.
@@ -53,11 +61,12 @@ struct Strip {
   std::vector<Ring> rings;  ///< from the inboard end
 };
 
-/// A convex body with plane faces, fixed to a node.
+/// A convex body with plane faces, fixed to a node, or to a group.
 struct Solid {
   std::string name;
-  int subsystem = -1;  ///< -1: the hub
-  int node = -1;       ///< -1: the hub
+  int subsystem = -1;  ///< -1: none
+  int node = -1;       ///< -1: none
+  int group = 0;       ///< without a node; 0: the hub
   std::vector<Vector> vertices;
   std::vector<std::vector<int>> faces;  ///< corners, counterclockwise as seen from outside
 };
@@ -76,6 +85,16 @@ struct JointMark {
   int node = 0;      ///< of the child
   std::vector<Vector> axes;
   std::vector<std::string> coordinates;  ///< "free", "sprung", "prescribed"
+};
+
+/// A closed loop: a rod of kind "distance", else a joint.
+struct LoopMark {
+  std::string name;  ///< "blade 1 / pitch_link"
+  std::string kind;  ///< "distance", "revolute", ...
+  int subsystem = 0;
+  Place from, to;
+  std::vector<Vector> axes;  ///< that turn with `to`
+  bool is_sprung = false;    ///< whether it gives
 };
 
 /// A load at a place.
@@ -109,6 +128,8 @@ struct Scene {
   std::vector<Solid> solids;
   std::vector<Link> links;
   std::vector<JointMark> joints;
+  std::vector<LoopMark> loops;
+  std::vector<Carrier> carriers;
   std::vector<LoadMark> loads;
   std::vector<SensorMark> sensors;
 

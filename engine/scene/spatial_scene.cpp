@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/scene/carriers.h"
 #include "engine/scene/make_scene.h"
 #include "engine/scene/section_size.h"
 #include "engine/scene/solids.h"
@@ -25,6 +26,13 @@ std::size_t count_nodes(const std::vector<Tree>& trees) {
       nodes += beam ? beam->nodes.size() : 1;
     }
   return nodes;
+}
+
+std::vector<const Loop*> find_loops(const std::vector<Tree>& trees) {
+  std::vector<const Loop*> loops;
+  for (const Tree& tree : trees)
+    for (const spatial::TreeLoop& loop : tree.loops) loops.push_back(&loop.loop);
+  return loops;
 }
 
 std::string describe(const spatial::JointCoordinate& coordinate) {
@@ -65,6 +73,7 @@ class SubsystemScene {
       add_joint(j);
     }
     scene_.tips.push_back(static_cast<int>(scene_.nodes.size()) - 1);
+    for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
   }
 
   /// Returns the place where a load acts on this subsystem; none if it acts elsewhere. `position`:
@@ -197,6 +206,49 @@ class SubsystemScene {
       if (child.parent == static_cast<int>(j)) link(child.placement.position);
   }
 
+  /// A place of a loop, and its frame in the frame of what carries it.
+  struct LoopEnd {
+    Place at;
+    spatial::Tensor axes;
+  };
+
+  LoopEnd find_end(const spatial::TreePlace& place) {
+    if (place.carrier != LoopPlace::Carrier::body)
+      return {{-1, 0.0, place.placement.position,
+               find_group(scene_, place.carrier, static_cast<int>(place.anchor))},
+              place.placement.rotation};
+    const auto j = static_cast<std::size_t>(place.body);
+    const Placement& body = placements_[j];
+    const spatial::Tensor axes = body.rotation * place.placement.rotation;
+    const Vector offset = body.rotation * place.placement.position;
+    const auto* part = std::get_if<spatial::FlexibleBody>(&tree_.bodies[j].shape);
+    Place at{first_[j], 0.0, body.position};
+    int node = first_[j];
+    if (part) {
+      const double x = part->nodes[place.node];
+      if (place.node > 0) at = place_on(j, *part, x);
+      node = node_before(j, *part, x);
+    }
+    // What holds the place is drawn as a stalk.
+    if (!offset.isZero(1e-12)) scene_.links.push_back({number_, node, at.p, at.p + offset});
+    at.p += offset;
+    return {at, axes};
+  }
+
+  void add_loop(const spatial::TreeLoop& loop) {
+    LoopMark mark;
+    mark.name = tree_.name + " / " + loop.loop.name;
+    mark.kind = spoke::name_of(loop.loop.kind);
+    mark.subsystem = number_;
+    mark.from = find_end(loop.from).at;
+    const LoopEnd to = find_end(loop.to);
+    mark.to = to.at;
+    for (int i = 0; i < count_axes(loop.loop.kind); ++i)
+      mark.axes.emplace_back(to.axes * loop.loop.axes[static_cast<std::size_t>(i)].normalized());
+    mark.is_sprung = is_sprung(loop.loop);
+    scene_.loops.push_back(std::move(mark));
+  }
+
   void add_joint(std::size_t j) {
     const spatial::Joint& joint = tree_.bodies[j].joint;
     if (joint.kind == spatial::JointKind::fixed && joint.name.empty()) return;
@@ -289,6 +341,7 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes) {
   Scene scene;
   scene.axis = model.hub.axis.normalized();
   scene.gravity = model.gravity;
+  add_carriers(model.anchors, find_loops(trees), scene);
   std::vector<SubsystemScene> made;
   for (std::size_t i = 0; i < trees.size(); ++i) {
     made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(), stride,
@@ -296,6 +349,7 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes) {
     made.back().add();
   }
   add_hub(model.hub, scene);
+  add_plates(model.anchors, scene);
   LoadMarks marks(made, scene);
   for (const spatial::PointLoad& load : model.loads) marks.add(load);
   for (const spatial::DistributedLoad& load : model.distributed_loads) marks.add(load);

@@ -1,4 +1,4 @@
-// Changes between steps of a simulation: the drive, the motion of a joint.
+// Changes between steps of a simulation: the drive, the motion of a joint or an anchor.
 
 #include <utility>
 
@@ -30,6 +30,20 @@ void SimulationCore::set_joint_motion(const JointPlace& place, const space::Pres
     next = find_course_jumps(table->value, name, all.unit(place), t, end, step_size);
   }
   set_jumps(name, std::move(next));
+}
+
+void SimulationCore::set_anchor_motion(std::string_view name, const SaidAnchorMotion& begin,
+                                       const decltype(AnchorModel::motion)& course) {
+  const Anchors anchors = model->anchors();
+  AnchorModel& anchor = anchors.said(name);
+  require_state("go on from with another motion of an anchor");
+  const double t = static_cast<double>(runner->steps()) * step_size;
+  anchors.check_continuation(name, begin, t);
+  replace(anchor.motion, course);
+  std::vector<Jump> next;
+  if (const auto* motion = std::get_if<spatial::MountMotion>(&course))
+    next = find_anchor_jumps(name, *motion, t, scenario.integration.duration, step_size);
+  set_jumps(describe_anchor(name), std::move(next));
 }
 
 void SimulationCore::set_drive(const Drive& next) {

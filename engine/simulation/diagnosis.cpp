@@ -40,6 +40,7 @@ SiteNames name_site(const SystemContext<World>& context,
 /// Returns the failed quantity in a word or two.
 std::string name_quantity(StepOutcome outcome, const FailureSite& site) {
   if (outcome == StepOutcome::energy_grew) return "energy";
+  if (site.is_loop) return site.quantity;
   if (outcome == StepOutcome::not_converged) return "change of a coordinate";
   return site.is_known() ? site.quantity : "the acceleration of the hub";
 }
@@ -52,6 +53,8 @@ std::string describe_finding(const Scenario& scenario, const SystemContext<World
   if (failed.outcome == StepOutcome::energy_grew) {
     text << describe_growth(scenario, failed.seen);
     if (site.is_known()) text << "; " << names.whole() << " is strained most";
+  } else if (site.is_loop) {
+    text << names.whole() << ": " << site.quantity << site.finding;
   } else if (failed.outcome == StepOutcome::not_converged) {
     const StepProgress& progress = failed_progress(context.data);
     text << "the iteration still changes a coordinate by " << progress.change << " (tolerance "

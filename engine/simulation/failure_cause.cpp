@@ -116,6 +116,12 @@ std::string blame_drag(const Scenario& scenario, const SystemContext<Plane>& con
   return text.str();
 }
 
+std::string blame_loop(const FailureSite& site) {
+  if (!site.is_loop) return {};
+  return "which way the mechanism goes on there depends on the step: take a smaller "
+         "integration.step, or keep it away from that position";
+}
+
 template <class World>
 std::string blame_iteration(const SystemContext<World>& context, const FailedStep& failed) {
   constexpr double kRoundOff = 1e-12;  // absolute round-off of coordinates of some metres
@@ -165,6 +171,7 @@ std::string find_cause(const Scenario& scenario, const SystemContext<World>& con
     if (cause.empty()) cause = blame();
   };
   or_else([&] { return blame_jump(find_jumps(scenario, h), failed.time, h); });
+  or_else([&] { return blame_loop(site); });
   or_else([&] { return blame_rk4(scenario, context); });
   if constexpr (kIsPlane) or_else([&] { return blame_stiffening(scenario, context, site); });
   if constexpr (kIsPlane) or_else([&] { return blame_drag(scenario, context, failed); });

@@ -187,6 +187,47 @@ FailureSite find_most_strained(const StepData<World>& data) {
   return found;
 }
 
+/// Returns the loop whose opening is the largest.
+template <class World>
+std::size_t find_widest(const Subsystem<World>& subsystem, const LoopData<World>& loops) {
+  std::size_t widest = 0, r = 0;
+  double most = -1.0;
+  for (std::size_t k = 0; k < subsystem.loops.size(); ++k)
+    for (std::size_t row = 0; row < subsystem.loops[k].rows.size(); ++row) {
+      const double opening = std::abs(loops.states[r].opening);
+      if (loops.use[r++] == LoopRowUse::sprung || opening <= most) continue;
+      most = opening;
+      widest = k;
+    }
+  return widest;
+}
+
+/// Finds the loop that cannot be closed any more: one that is lost, or in a singular position.
+template <class World>
+FailureSite find_lost_loop(const System<World>& system, const StepData<World>& data,
+                           StepOutcome outcome) {
+  constexpr double kSingular = 1e-3;
+  FailureSite found;
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    const LoopData<World>& loops = data.subsystems[i].loops;
+    if (loops.is_empty() || data.subsystems[i].progress->outcome == StepOutcome::done) continue;
+    const LoopReport& report = loops.report;
+    const bool is_singular = report.least_pivot < kSingular || !std::isfinite(report.least_pivot);
+    const bool is_lost = outcome == StepOutcome::left_limits && has_lost_loop(report);
+    if (!is_singular && !is_lost) continue;
+    std::size_t k = 0;
+    while (k + 1 < loops.paths.size() && loops.paths[k + 1].first_row <= report.row) ++k;
+    if (!is_singular) k = find_widest(system.subsystems[i], loops);
+    const LoopModel& loop = system.subsystems[i].loops[k];
+    found = {static_cast<int>(i), loop.from.body, "closure of loop \"" + loop.name + "\"",
+             is_singular ? " is lost in a singular position" : " is lost: it opens",
+             stages::kLoopFactor};
+    found.is_loop = true;
+    return found;
+  }
+  return found;
+}
+
 }  // namespace
 
 const StepProgress& failed_progress(const StepTable& data) {
@@ -199,6 +240,8 @@ template <class World>
 FailureSite find_site(const SystemContext<World>& context, StepOutcome outcome) {
   const StepData<World>& data = context.data;
   if (outcome == StepOutcome::energy_grew) return find_most_strained(data);
+  if (FailureSite loop = find_lost_loop(context.system, data, outcome); loop.is_known())
+    return loop;
   if (outcome == StepOutcome::not_converged) return find_most_changed(data);
   FailureSite site = find_bad_load(data);
   if (!site.is_known()) site = find_worst(data);

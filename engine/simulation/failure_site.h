@@ -29,6 +29,7 @@ struct FailureSite {
   std::string finding;        ///< what is wrong with the quantity
   const char* stage = "";     ///< stage of the graph's node that works on it
   bool has_bad_load = false;  ///< whether a load on the body is not finite
+  bool is_loop = false;       ///< whether a loop of the subsystem has failed, from that body
 
   bool is_known() const { return subsystem >= 0; }
 };

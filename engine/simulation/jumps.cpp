@@ -1,4 +1,4 @@
-// Examines the points of drives, and of tables of joints and the mount.
+// Examines the points of drives, and of tables of joints, the mount and anchors.
 
 #include "engine/simulation/jumps.h"
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "engine/simulation/anchors.h"
 #include "models/start.h"
 
 namespace spoke {
@@ -130,25 +131,33 @@ void add_joint_jumps(const spatial::Joint& joint, const std::string& name, doubl
   }
 }
 
-void add_mount_jumps(const spatial::VectorCourse& course, const std::string& name,
-                     const std::string& unit, double end, double step_size,
-                     std::vector<Jump>& jumps) {
+void add_vector_jumps(const spatial::VectorCourse& course, const std::string& name,
+                      const std::string& unit, double begin, double end, double step_size,
+                      std::vector<Jump>& jumps) {
   const auto* table = std::get_if<spatial::VectorTable>(&course);
   if (!table) return;
   for (std::size_t c = 0; c < table->components.size(); ++c)
-    append(find_course_jumps(table->components[c], name + " along " + "xyz"[c], unit, 0.0, end,
+    append(find_course_jumps(table->components[c], name + " along " + "xyz"[c], unit, begin, end,
                              step_size),
            jumps);
+}
+
+void add_anchor_jumps(const std::vector<Anchor>& anchors, double end, double step_size,
+                      std::vector<Jump>& jumps) {
+  for (const Anchor& anchor : anchors)
+    if (const auto* motion = std::get_if<spatial::MountMotion>(&anchor.motion))
+      append(find_anchor_jumps(anchor.name, *motion, 0.0, end, step_size), jumps);
 }
 
 void add_spatial_jumps(const spatial::Model& model, double end, double step_size,
                        std::vector<Jump>& jumps) {
   if (model.hub.mount) {
-    add_mount_jumps(model.hub.mount->translation, "the mount's translation", "m", end, step_size,
-                    jumps);
-    add_mount_jumps(model.hub.mount->rotation, "the mount's rotation", "rad", end, step_size,
-                    jumps);
+    add_vector_jumps(model.hub.mount->translation, "the mount's translation", "m", 0.0, end,
+                     step_size, jumps);
+    add_vector_jumps(model.hub.mount->rotation, "the mount's rotation", "rad", 0.0, end, step_size,
+                     jumps);
   }
+  add_anchor_jumps(model.anchors, end, step_size, jumps);
   for (std::size_t i = 0; i < model.blades.size(); ++i)
     for (std::size_t k = 0; k < model.blades[i].joints.size(); ++k) {
       const spatial::Joint& joint = model.blades[i].joints[k].joint;
@@ -185,10 +194,25 @@ std::vector<Jump> find_drive_jumps(const Drive& drive, double begin, double end,
   return jumps;
 }
 
+std::vector<Jump> find_anchor_jumps(std::string_view name, const spatial::MountMotion& motion,
+                                    double begin, double end, double step_size) {
+  const std::string source = describe_anchor(name);
+  std::vector<Jump> jumps;
+  add_vector_jumps(motion.translation, "the translation of " + source, "m", begin, end, step_size,
+                   jumps);
+  add_vector_jumps(motion.rotation, "the rotation of " + source, "rad", begin, end, step_size,
+                   jumps);
+  for (Jump& jump : jumps) jump.source = source;
+  return jumps;
+}
+
 std::vector<Jump> find_jumps(const Scenario& scenario, double step_size) {
   const double end = scenario.integration.duration;
   std::vector<Jump> jumps = find_drive_jumps(drive_of(scenario), 0.0, end, step_size);
-  if (scenario.space) add_spatial_jumps(*scenario.space, end, step_size, jumps);
+  if (scenario.space)
+    add_spatial_jumps(*scenario.space, end, step_size, jumps);
+  else
+    add_anchor_jumps(scenario.rotor.anchors, end, step_size, jumps);
   sort_by_time(jumps);
   return jumps;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
-// Jumps of prescribed motions: of the drive, of joints, of the mount. A motion jumps if it changes
-// within a few steps. The steps hardly see such a change, and its energy comes from nowhere.
+// Jumps of prescribed motions: of the drive, of joints, of the mount, of anchors. A motion jumps if
+// it changes within a few steps. The steps hardly see such a change, and its energy comes from
+// nowhere.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "models/curve.h"
@@ -18,8 +20,9 @@ inline constexpr double kLeastSteps = 4.0;
 struct Jump {
   double time = 0.0;      ///< at which it begins [s]
   double duration = 0.0;  ///< [s]
-  std::string source{};   ///< kDriveSource, or the name of the joint or the mount that jumps
-  std::string text{};     ///< with its size: "the drive changes the speed by 4 rad/s"
+  std::string
+      source{};  ///< kDriveSource, or the name of the joint, the mount or the anchor that jumps
+  std::string text{};  ///< with its size: "the drive changes the speed by 4 rad/s"
 };
 inline constexpr const char* kDriveSource = "the drive";
 
@@ -34,6 +37,10 @@ std::vector<Jump> find_drive_jumps(const Drive& drive, double begin, double end,
 std::vector<Jump> find_course_jumps(const Curve& course, const std::string& name,
                                     const std::string& unit, double begin, double end,
                                     double step_size);
+
+/// Returns the jumps of the anchor of that name if it moves so, between `begin` and `end` [s].
+std::vector<Jump> find_anchor_jumps(std::string_view name, const spatial::MountMotion& motion,
+                                    double begin, double end, double step_size);
 
 /// Replaces the jumps of a source after time t [s], where its motion is replaced, by `next`.
 void replace_jumps(const std::string& source, double t, std::vector<Jump> next,

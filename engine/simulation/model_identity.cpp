@@ -39,7 +39,7 @@ std::string text_of(const std::string& value) {
 std::string make_identity(const Scenario& scenario, Formulation formulation, double step_size) {
   // The way in which it starts is left out: its effect on drive and ramps is in the model.
   Json json = model_to_json(scenario);
-  Json integration = integration_to_json(scenario.integration);
+  Json integration = integration_to_json(scenario);
   integration.erase("duration");
   integration.set("step", step_size);
   json.set("integration", std::move(integration));

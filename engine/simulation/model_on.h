@@ -2,8 +2,10 @@
 
 // A model of one world on the table: the common part of both worlds.
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -11,10 +13,13 @@
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/simulation/describe_loops.h"
 #include "engine/simulation/planar_model.h"
+#include "engine/simulation/require_range.h"
 #include "engine/simulation/simulated_model.h"
 #include "engine/simulation/spatial_model.h"
 #include "engine/simulation/views.h"
+#include "engine/step/loop_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/step/put_bodies.h"
 #include "engine/step/share_subsystems.h"
@@ -40,6 +45,7 @@ class ModelOn final : public SimulatedModel {
   SystemContext<Plane>* plane() override { return this->template context_of<Plane>(); }
   SystemContext<Space>* space() override { return this->template context_of<Space>(); }
   SpatialJoints* joints() override { return own_.joints(); }
+  Anchors anchors() override { return {scenario_, context_->system.anchors}; }
 
   double ring_bytes() const override {
     return spoke::ring_bytes(system(), own_.count_readings(asked_sensors()));
@@ -55,6 +61,7 @@ class ModelOn final : public SimulatedModel {
   std::vector<double> weights() const override { return weights_of(data()); }
   void put_bodies(const std::vector<Eigen::VectorXd>& q) override {
     spoke::put_bodies(q, *context_);
+    close_loops(*context_);
   }
 
   ModelExtent extent() const override {
@@ -64,6 +71,11 @@ class ModelOn final : public SimulatedModel {
       for (const TreeBody<World>& body : subsystem.bodies)
         extent.coordinates += joint_coordinates(body);
     for (int c = 0; c < World::kTwist; ++c) extent.coordinates += !is_prescribed(system().hub, c);
+    for (const Subsystem<World>& subsystem : system().subsystems)
+      extent.loops += static_cast<int>(subsystem.loops.size());
+    for (const SubsystemData<World>& subsystem : data().subsystems)
+      extent.independent_rows += static_cast<int>(
+          std::count(subsystem.loops.use.begin(), subsystem.loops.use.end(), LoopRowUse::solved));
     return extent;
   }
   double memory_bytes() const override {
@@ -97,6 +109,17 @@ class ModelOn final : public SimulatedModel {
   Wrench joint_reaction(int subsystem, int joint) const override {
     return calc_joint_reaction(*context_, subsystem, joint);
   }
+  void require_loop(int subsystem, std::string_view loop) const override {
+    require_range("the index of the blade or subsystem", subsystem, 0,
+                  std::ssize(system().subsystems) - 1);
+    const auto i = static_cast<std::size_t>(subsystem);
+    find_loop(system().subsystems[i].loops, own_.names()[i].name, loop);
+  }
+  Wrench loop_reaction(int subsystem, std::string_view loop, double t) const override {
+    const auto i = static_cast<std::size_t>(subsystem);
+    const std::size_t k = find_loop(system().subsystems[i].loops, own_.names()[i].name, loop);
+    return calc_loop_wrench(*context_, i, k, t);
+  }
   Wrench hub_reaction() const override { return calc_hub_reaction(data()); }
   Wrench section_force(const Marker& marker) const override { return own_.section_force(marker); }
 
@@ -122,6 +145,10 @@ class ModelOn final : public SimulatedModel {
   }
   HubPose hub_pose() const override { return own_.hub_pose(); }
   MarkerState hub_frame(double t) const override { return calc_hub_frame(*context_, t); }
+  LoopsAtStart loops_at_start() const override { return describe_loops(*context_, own_.names()); }
+  MarkerMotion carrier_frame(int anchor, double t) const override {
+    return own_.carrier_frame(anchor, t);
+  }
 
   DivergenceError diagnose(const FailedStep& failed) const override {
     return spoke::diagnose(scenario_, *context_, own_.names(), failed);
@@ -143,6 +170,7 @@ class ModelOn final : public SimulatedModel {
     if (scenario.limits.deflection > 0.0) context->linear_range = scenario.limits.deflection;
     context->formulation = formulation;
     context->integrator = integrator;
+    context->loop_limits = make_loop_limits(scenario.integration);
     return context;
   }
 

@@ -128,6 +128,39 @@ Warning warn_of_momentum(const Scenario& scenario, double step_size, const Obser
   return {WarningKind::momentum, momentum.first_step * step_size, text.str()};
 }
 
+/// Returns the loop of a row of a subsystem.
+const Loop& loop_of(const Scenario& scenario, double index, double row) {
+  const auto i = static_cast<std::size_t>(index);
+  const std::vector<Loop>* loops = nullptr;
+  if (!scenario.space)
+    loops = &scenario.rotor.blades.at(i).loops;
+  else if (i < scenario.space->blades.size())
+    loops = &scenario.space->blades[i].loops;
+  else
+    loops = &scenario.space->subsystems.at(i - scenario.space->blades.size()).loops;
+  int left = static_cast<int>(row);
+  for (const Loop& loop : *loops) {
+    left -= scenario.space ? count_locked(loop.kind) : count_locked_in_plane(loop.kind);
+    if (left < 0) return loop;
+  }
+  return loops->back();
+}
+
+Warning warn_of_loop(const Scenario& scenario, double step_size, const Observations& seen) {
+  const Observations::Loop& loop = seen.loop;
+  const double time = loop.first_step * step_size;
+  std::ostringstream text;
+  text.precision(3);
+  text << "loop \"" << loop_of(scenario, loop.subsystem, loop.row).name << "\" of "
+       << name_subsystem(scenario, loop.subsystem)
+       << " comes to a singular position at t = " << time
+       << " s, in which its equations depend on one another: a pivot of theirs is " << loop.left
+       << " of that at the start (t = " << loop.step * step_size
+       << " s); which way it goes on from there depends on the step: compare a smaller "
+          "integration.step";
+  return {WarningKind::singular_loop, time, text.str()};
+}
+
 Warning warn_of_growth(const Scenario& scenario, double step_size, const std::vector<Jump>& jumps,
                        const Observations& seen) {
   const double time = seen.growth.step * step_size;
@@ -163,6 +196,22 @@ bool is_possible(const Observations& seen,
   return is_none || (names_body(seen.first_deflection) && names_body(seen.largest_deflection));
 }
 
+namespace {
+
+/// Pivots that have fallen to this share make a position nearly singular.
+constexpr double kNearlySingular = 1e-3;
+
+void observe_loop(double step, const LoopNearness& record, Observations& seen) {
+  Observations::Loop& loop = seen.loop;
+  if (record.left >= loop.left) return;
+  const double first =
+      loop.first_step >= 0.0 || record.left > kNearlySingular ? loop.first_step : step;
+  loop = {first, step, record.left, static_cast<double>(record.subsystem),
+          static_cast<double>(record.row)};
+}
+
+}  // namespace
+
 void observe_step(double step, const StepRecord& record, double error_limit, Observations& seen) {
   const StepError& error = record.error;
   if (error.size > seen.error.size)
@@ -174,6 +223,7 @@ void observe_step(double step, const StepRecord& record, double error_limit, Obs
                   static_cast<double>(error.place)};
   if (seen.error.first_step < 0.0 && error_limit > 0.0 && error.size > error_limit)
     seen.error.first_step = step;
+  observe_loop(step, record.loop, seen);
   const LargeDeflection& largest = record.deflection;
   if (largest.ratio == 0.0) return;
   const Observations::Deflection at{step, largest.ratio, static_cast<double>(largest.subsystem),
@@ -275,6 +325,7 @@ std::vector<Warning> make_warnings(const Scenario& scenario, double step_size,
     warnings.push_back(warn_of_error(scenario, step_size, seen));
   if (seen.momentum.first_step >= 0.0 && limits.momentum > 0.0)
     warnings.push_back(warn_of_momentum(scenario, step_size, seen));
+  if (seen.loop.first_step >= 0.0) warnings.push_back(warn_of_loop(scenario, step_size, seen));
   return warnings;
 }
 

@@ -74,6 +74,14 @@ struct Observations {
     double size = 0.0, angular_size = 0.0;  ///< the largest so far [kg m/s, kg m^2/s]
   };
   Momentum momentum;
+  /// The loop that has come nearest to a singular position.
+  struct Loop {
+    double first_step = -1.0;  ///< first step within the limit; -1: there is none
+    double step = -1.0;        ///< step of the nearest; -1: none is known
+    double left = 1.0;         ///< as in LoopNearness
+    double subsystem = -1.0, row = -1.0;
+  };
+  Loop loop;
 };
 
 /// Whether these may be observations of a model: the bodies that they name by the indices of

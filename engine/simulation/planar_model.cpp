@@ -54,4 +54,8 @@ HubPose PlanarModel::hub_pose() const {
   return {{q[0], q[1], 0.0}, in_space(plane::Rotation::from_angle(q[kRotation]))};
 }
 
+MarkerMotion PlanarModel::carrier_frame(int anchor, double t) const {
+  return calc_carrier_frame(context_, anchor, t);
+}
+
 }  // namespace spoke

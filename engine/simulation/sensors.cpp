@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/loop_motion.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 
@@ -74,6 +75,7 @@ void Sensors::sample(const System<Plane>& system, std::int64_t step, double t,
                      StepData<Plane>& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     update_kinematics(system.subsystems[i], data.subsystems[i]);
+    keep_openings(system, i, t, data);
     of_step(data.subsystems[i].samples, step) = calc_sample(system, i, data.subsystems[i]);
     calc_readings(system, i, step, t, data);
   }

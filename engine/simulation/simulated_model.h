@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/load.h"
+#include "engine/loops_at_start.h"
+#include "engine/simulation/anchors.h"
 #include "engine/simulation/diagnosis.h"
 #include "engine/simulation/sensors.h"
 #include "engine/simulation/spatial_joints.h"
@@ -24,7 +27,9 @@ namespace spoke {
 struct ModelExtent {
   int subsystems = 0;
   int bodies = 0;
-  int coordinates = 0;  ///< of deformations and joints, and free ones of the hub
+  int coordinates = 0;       ///< of deformations and joints, and free ones of the hub
+  int loops = 0;             ///< closed ones
+  int independent_rows = 0;  ///< of loops, rigid and not redundant; known once it is allocated
 };
 
 /// The data of a model, its sensors, and words about it.
@@ -42,6 +47,7 @@ class SimulatedModel {
   // Null if the model is in the plane.
   virtual SystemContext<Space>* space() { return nullptr; }
   virtual SpatialJoints* joints() { return nullptr; }
+  virtual Anchors anchors() = 0;
 
   /// Returns the memory of the rings of the table for one step [bytes].
   virtual double ring_bytes() const = 0;
@@ -76,6 +82,9 @@ class SimulatedModel {
   virtual void require_place(const Marker& marker) const = 0;
   virtual MarkerState marker(const Marker& marker, double t) const = 0;
   virtual Wrench joint_reaction(int subsystem, int joint) const = 0;
+  /// Throws InputError if there is no such subsystem, or no loop of that name on it.
+  virtual void require_loop(int subsystem, std::string_view loop) const = 0;
+  virtual Wrench loop_reaction(int subsystem, std::string_view loop, double t) const = 0;
   virtual Wrench hub_reaction() const = 0;
   virtual Wrench section_force(const Marker& marker) const = 0;
 
@@ -102,6 +111,10 @@ class SimulatedModel {
   /// Returns velocities and accelerations of the frame of the hub at time t [s], see
   /// Simulation::hub_frame().
   virtual MarkerState hub_frame(double t) const = 0;
+  /// See Simulation::loops_at_start().
+  virtual LoopsAtStart loops_at_start() const = 0;
+  /// Returns the motion of an anchor's frame, or of the mount's (-1), see Simulation.
+  virtual MarkerMotion carrier_frame(int anchor, double t) const = 0;
 
   /// Makes the error of a failed step or load, see diagnose() and describe_failed_load().
   virtual DivergenceError diagnose(const FailedStep& failed) const = 0;

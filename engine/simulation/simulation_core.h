@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -70,6 +71,9 @@ class SimulationCore {
   /// `begin`.
   void set_joint_motion(const JointPlace& place, const space::PrescribedMotion& begin,
                         const space::DrivenMotion& course);
+  /// Replaces the course of an anchor that the program prescribes by one that begins with `begin`.
+  void set_anchor_motion(std::string_view name, const SaidAnchorMotion& begin,
+                         const decltype(AnchorModel::motion)& course);
   /// Replaces the drive.
   void set_drive(const Drive& next);
   /// Returns the joints of a model in space. Throws InputError, which refuses `what`, if the model

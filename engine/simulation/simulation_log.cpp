@@ -58,6 +58,7 @@ void SimulationLog::log_warnings(const Scenario& scenario, const Observations& s
   is_logged(WarningKind::energy_growth) |= seen.growth.step >= 0.0;
   is_logged(WarningKind::step_error) |= seen.error.first_step >= 0.0;
   is_logged(WarningKind::momentum) |= seen.momentum.first_step >= 0.0;
+  is_logged(WarningKind::singular_loop) |= seen.loop.first_step >= 0.0;
   for (const Warning& warning : warnings) {
     is_logged(warning.kind) = true;
     if (is_heard(LogLevel::warning) && !was_logged[static_cast<std::size_t>(warning.kind)])

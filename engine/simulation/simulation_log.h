@@ -36,7 +36,8 @@ class SimulationLog {
     return (seen.first_deflection.step >= 0.0 && !is_logged(WarningKind::linear_range)) ||
            (seen.growth.step >= 0.0 && !is_logged(WarningKind::energy_growth)) ||
            (seen.error.first_step >= 0.0 && !is_logged(WarningKind::step_error)) ||
-           (seen.momentum.first_step >= 0.0 && !is_logged(WarningKind::momentum));
+           (seen.momentum.first_step >= 0.0 && !is_logged(WarningKind::momentum)) ||
+           (seen.loop.first_step >= 0.0 && !is_logged(WarningKind::singular_loop));
   }
   /// Logs the warnings, see Simulation::warnings(), that have not been logged.
   void log_warnings(const Scenario& scenario, const Observations& seen,
@@ -47,7 +48,7 @@ class SimulationLog {
   bool& is_logged(WarningKind kind) { return is_logged_[static_cast<std::size_t>(kind)]; }
 
   int logged_choices_ = 0;
-  std::array<bool, 5> is_logged_{};  ///< by kind of warning
+  std::array<bool, 6> is_logged_{};  ///< by kind of warning
 };
 
 }  // namespace spoke

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/loop_motion.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 #include "engine/simulation/views.h"
@@ -76,6 +77,7 @@ void SpatialModel::sample(std::int64_t step, double t) {
     SubsystemData<Space>& data = context_.data.subsystems[i];
     prescribe_joints(context_.system, t, i, context_.data);
     update_kinematics(subsystem, data);
+    keep_openings(context_.system, i, t, context_.data);
     of_step(data.samples, step) = calc_sample(context_.system, i, data);
     keep_joint_values(subsystem, step, data);
     if (!data.readings.empty()) calc_readings(context_.system, i, step, t, context_.data);
@@ -108,6 +110,12 @@ void SpatialModel::calc_shape(int index, double t, TreeShape& shape) {
 HubPose SpatialModel::hub_pose() const {
   const HubState<Space> hub = calc_hub_state(context_.data);
   return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
+}
+
+MarkerMotion SpatialModel::carrier_frame(int anchor, double t) const {
+  MarkerMotion motion = calc_carrier_frame(context_, anchor, t);
+  motion.rotation *= rotor_placement(scenario_.space->hub).rotation.transpose();
+  return motion;
 }
 
 }  // namespace spoke

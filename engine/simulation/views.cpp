@@ -2,15 +2,19 @@
 
 #include "engine/simulation/views.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
+#include "engine/kernels/anchor_motion.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/loop_readings.h"
 #include "engine/kernels/marker_motion.h"
 #include "engine/plane/section.h"
 #include "engine/space/relative_motion.h"
 #include "models/error.h"
+#include "models/reader/nearest_name.h"
 
 namespace spoke {
 namespace {
@@ -20,6 +24,19 @@ Wrench wrench_in_space(const Twist& wrench) {
 }
 Wrench wrench_in_space(const space::Twist& wrench) {
   return {space::Position(linear(wrench)), space::Angular(angular(wrench))};
+}
+
+/// Returns the motion of an anchor, or of the mount (-1).
+template <class World>
+MarkerMotion calc_carrier(const SystemContext<World>& context, int anchor, double t) {
+  LoopPlaceModel place;
+  place.carrier = anchor < 0 ? LoopPlace::Carrier::mount : LoopPlace::Carrier::anchor;
+  place.anchor = anchor;
+  const HubState<World> own = calc_hub_state(context.data);
+  const HubState<Space>& hub = hub_in_space(own);
+  const PlaceMotion in_hub = calc_carried_place(context.system, own, place, t).motion;
+  const space::Twist velocity = hub.R * in_hub.twist;
+  return {hub.p + hub.R * in_hub.p, (hub.R * in_hub.R).axes, linear(velocity), angular(velocity)};
 }
 
 }  // namespace
@@ -78,6 +95,28 @@ Wrench calc_joint_reaction(const SystemContext<Space>& context, int subsystem, i
   return wrench_in_space(space::Twist(data.hub->R * in_hub));
 }
 
+std::size_t find_loop(const std::vector<LoopModel>& loops, const std::string& subsystem,
+                      std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const LoopModel& loop : loops) names.push_back(loop.name);
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at != names.end()) return static_cast<std::size_t>(at - names.begin());
+  const auto nearest = nearest_name(name, names);
+  throw InputError("no loop of " + subsystem + " is named \"" + std::string(name) + "\"" +
+                   (nearest ? ", did you mean \"" + std::string(*nearest) + "\"?" : ""));
+}
+
+template <class World>
+Wrench calc_loop_wrench(const SystemContext<World>& context, std::size_t i, std::size_t k,
+                        double t) {
+  const SubsystemData<World>& data = context.data.subsystems[i];
+  const LoopVector found =
+      calc_loop_reaction(context.system, i, k, t, context.data, data.loops.multipliers);
+  return wrench_in_space(space::Twist(hub_in_space(*data.hub).R * found.in_hub));
+}
+template Wrench calc_loop_wrench(const SystemContext<Plane>&, std::size_t, std::size_t, double);
+template Wrench calc_loop_wrench(const SystemContext<Space>&, std::size_t, std::size_t, double);
+
 template <class World>
 Wrench calc_hub_reaction(const StepData<World>& data) {
   TwistOf<World> wrench = data.evaluated.reaction;
@@ -134,6 +173,13 @@ MarkerState calc_hub_frame(const SystemContext<Space>& context, double t) {
   frame.acceleration = space::Position(linear(acceleration)) + context.system.gravity_at(t);
   frame.angular_acceleration = angular(acceleration);
   return frame;
+}
+
+MarkerMotion calc_carrier_frame(const SystemContext<Plane>& context, int anchor, double t) {
+  return calc_carrier(context, anchor, t);
+}
+MarkerMotion calc_carrier_frame(const SystemContext<Space>& context, int anchor, double t) {
+  return calc_carrier(context, anchor, t);
 }
 
 }  // namespace spoke

@@ -5,6 +5,7 @@
 
 #include <cassert>
 
+#include "engine/kernels/loop_readings.h"
 #include "engine/space/relative_motion.h"
 #include "engine/space/section_balance.h"
 #include "engine/space/table_terms.h"
@@ -81,6 +82,14 @@ space::Twist calc_force(const System<Space>& system, std::size_t i, const StepDa
   return section.inverse() * load;
 }
 
+/// Returns the reaction or the opening of a loop, resolved.
+space::Twist calc_of_loop(const System<Space>& system, std::size_t i, const StepData<Space>& data,
+                          double t, const Reading<Space>& asked) {
+  const LoopVector found = calc_loop_reading(system, i, t, asked, data);
+  if (asked.frame == SensorFrame::loop) return found.in_loop;
+  return from_hub(asked.frame, system.subsystems[i], *data.subsystems[i].hub) * found.in_hub;
+}
+
 space::Twist calc_reading(const System<Space>& system, std::size_t i, const StepData<Space>& data,
                           double t, const Reading<Space>& asked) {
   const SubsystemData<Space>& own = data.subsystems[i];
@@ -95,6 +104,9 @@ space::Twist calc_reading(const System<Space>& system, std::size_t i, const Step
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
       return calc_momentum(own);
+    case SensorQuantity::loop_reaction:
+    case SensorQuantity::loop_opening:
+      return calc_of_loop(system, i, data, t, asked);
     default:
       return calc_motion(system, i, data, t, asked);
   }

@@ -37,24 +37,7 @@ space::Twist carrier_acceleration(const TreeBody<Space>& body, const SubsystemDa
                                   const space::Twist& parent_X) {
   if (body.parent < 0) return parent_X;
   const auto p = static_cast<std::size_t>(body.parent);
-  const HandleMotion& handle = data.bodies[p].work.handles[body.handle];
-  return handle.carry(parent_X) + deform(data.bodies[p], body.handle) +
-         handle.bias(angular(data.twists[p]));
-}
-
-/// Returns X of a body, by that of its parent: R^T (T a + H q_J'' + bias) of the joint, less (u'',
-/// H th'') + b of its own inboard handle.
-space::Twist calc_next(const TreeBody<Space>& body, std::size_t j, const SubsystemData<Space>& data,
-                       const space::Twist& parent_X) {
-  const space::JointMotion& joint = data.joints[j];
-  const BodyData<Space>& own = data.bodies[j];
-  // This is the acceleration of its inboard section, which moves against a chord frame.
-  space::Twist X = calc_carried_acceleration(joint, carrier_acceleration(body, data, parent_X));
-  space::Twist by_coordinates = space::Twist::Zero();
-  for (int c = 0; c < body.joint.joint.coordinates; ++c)
-    by_coordinates += own.joint.coordinates.a[c] * joint.columns.col(c);
-  X += joint.R.inverse() * by_coordinates;
-  return X - deform(own, 0) - own.work.handles[0].bias(angular(data.twists[j]));
+  return calc_handle_acceleration(data, p, body.handle, parent_X);
 }
 
 /// Calls `visit(j, X)` for the bodies of a path, from the hub.
@@ -64,7 +47,7 @@ void walk(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
   space::Twist X = hub_acceleration;
   for (const int body : path) {
     const auto j = static_cast<std::size_t>(body);
-    X = calc_next(subsystem.bodies[j], j, data, X);
+    X = calc_next_acceleration(subsystem.bodies[j], j, data, X);
     visit(j, X);
   }
 }
@@ -134,6 +117,27 @@ void shorten(const BodyData<Space>& body, const space::Section& section, const S
 }
 
 }  // namespace
+
+// R^T (T a + H q_J'' + bias) of the joint, less (u'', H th'') + b of its own inboard handle.
+space::Twist calc_next_acceleration(const TreeBody<Space>& body, std::size_t j,
+                                    const SubsystemData<Space>& data,
+                                    const space::Twist& parent_X) noexcept {
+  const space::JointMotion& joint = data.joints[j];
+  const BodyData<Space>& own = data.bodies[j];
+  // This is the acceleration of its inboard section, which moves against a chord frame.
+  space::Twist X = calc_carried_acceleration(joint, carrier_acceleration(body, data, parent_X));
+  space::Twist by_coordinates = space::Twist::Zero();
+  for (int c = 0; c < body.joint.joint.coordinates; ++c)
+    by_coordinates += own.joint.coordinates.a[c] * joint.columns.col(c);
+  X += joint.R.inverse() * by_coordinates;
+  return X - deform(own, 0) - own.work.handles[0].bias(angular(data.twists[j]));
+}
+
+space::Twist calc_handle_acceleration(const SubsystemData<Space>& data, std::size_t j, int handle,
+                                      const space::Twist& X) noexcept {
+  const HandleMotion& motion = data.bodies[j].work.handles[handle];
+  return motion.carry(X) + deform(data.bodies[j], handle) + motion.bias(angular(data.twists[j]));
+}
 
 space::Twist calc_hub_acceleration(const System<Space>& system, std::size_t i,
                                    const StepData<Space>& data, double t) noexcept {

@@ -22,6 +22,15 @@ struct SpatialMotion {
 space::Twist calc_hub_acceleration(const System<Space>& system, std::size_t i,
                                    const StepData<Space>& data, double t) noexcept;
 
+/// Returns X of body `j` by that of the body that carries it, or by the hub's acceleration, and the
+/// accelerations of coordinates in the table.
+space::Twist calc_next_acceleration(const TreeBody<Space>& body, std::size_t j,
+                                    const SubsystemData<Space>& data,
+                                    const space::Twist& parent_X) noexcept;
+/// Returns the acceleration of a handle of body `j`, in its frame, by X of that frame.
+space::Twist calc_handle_acceleration(const SubsystemData<Space>& data, std::size_t j, int handle,
+                                      const space::Twist& X) noexcept;
+
 /// Returns X of the last body of a path from the hub, less gravity, by the accelerations of its
 /// coordinates and of those inboard.
 space::Twist calc_frame_acceleration(const Subsystem<Space>& subsystem,

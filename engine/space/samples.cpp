@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/loop_motion.h"
 #include "engine/space/body_energies.h"
 #include "engine/space/table_terms.h"
 
@@ -81,6 +82,7 @@ SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
   SubsystemSample<Space> sample;
   sample.tip = calc_tip(subsystem, data);
   sample.root = data.root_load;
+  if (!data.loops.is_empty()) sample.strain = calc_closure_energy(subsystem, data.loops);
   const HubState<Space>& hub = *data.hub;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     const BodyData<Space>& body = data.bodies[j];

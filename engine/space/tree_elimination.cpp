@@ -23,7 +23,7 @@ void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implic
 void join_children(const Subsystem<Space>& subsystem, std::size_t j,
                    const SubsystemData<Space>& data, SubsystemWork<Space>& work) {
   assert(j < work.bodies.size());
-  assert(std::cmp_equal(subsystem.bodies[j].children.size() + 1, data.bodies[j].work.port.handles));
+  assert(std::cmp_less(subsystem.bodies[j].children.size(), data.bodies[j].work.port.handles));
   const tree::MultiPort<Space>& port = data.bodies[j].work.port;
   const std::vector<int>& children = subsystem.bodies[j].children;
   run_large_kernel([&]() noexcept {

@@ -24,37 +24,53 @@ class Dice {
   std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
 };
 
-/// Returns a state that is moved from `q` by a hundredth of the scale of each coordinate.
+/// Returns a state that is moved from `q` by a hundredth of the scale of each coordinate, where
+/// loops of `rows` rows have forces.
 SubsystemState move_all(const VectorXd& q, const std::vector<SubsystemCoordinate>& coordinates,
-                        Dice& dice) {
+                        std::size_t rows, Dice& dice) {
   VectorXd scale(q.size());
   for (Index k = 0; k < q.size(); ++k)
     scale[k] = 0.01 * coordinates[static_cast<std::size_t>(k)].scale;
   const auto moved = [&](double share) {
     return VectorXd(scale.cwiseProduct(dice.vector(q.size(), share)));
   };
-  return {q + moved(1.0), moved(1.0), q + moved(0.01), moved(0.01)};
+  SubsystemState state{q + moved(1.0), moved(1.0), q + moved(0.01), moved(0.01)};
+  state.multipliers = dice.vector(static_cast<Index>(rows), 1.0);
+  return state;
 }
 
 bool are_equal(const VectorXd& a, const VectorXd& b) {
+  if (a.size() == 0) return true;
   return (a - b).lpNorm<Eigen::Infinity>() <= kDifference * a.lpNorm<Eigen::Infinity>();
+}
+
+/// Returns how the coordinates of a subsystem move the rows of its loops.
+VectorXd closures_of(std::size_t subsystem, const SubsystemState& state, SteadyModel& model) {
+  if (model.closure_rows(subsystem).empty()) return {};
+  SubsystemResponse response;
+  model.evaluate(subsystem, state, model.no_offset(), response);
+  return model.closures(subsystem).rightCols(state.q.size()).reshaped();
 }
 
 bool are_alike(std::size_t a, std::size_t b, SteadyModel& model) {
   const auto& coordinates = model.coordinates(a);
   if (coordinates.size() != model.coordinates(b).size()) return false;
-  if (model.initial(a) != model.initial(b)) return false;
+  if (!are_same(model.initial(a), model.initial(b))) return false;
   Dice dice;
-  const SubsystemState state = move_all(VectorXd::Zero(std::ssize(coordinates)), coordinates, dice);
+  if (model.closure_rows(a).size() != model.closure_rows(b).size()) return false;
+  const SubsystemState state = move_all(VectorXd::Zero(std::ssize(coordinates)), coordinates,
+                                        model.closure_rows(a).size(), dice);
   SubsystemResponse of_a, of_b;
   model.evaluate(a, state, model.no_offset(), of_a);
   model.evaluate(b, state, model.no_offset(), of_b);
-  return are_equal(of_a.force, of_b.force);
+  return are_equal(of_a.force, of_b.force) && are_equal(of_a.openings, of_b.openings) &&
+         are_equal(closures_of(a, state, model), closures_of(b, state, model));
 }
 
 bool are_alike_about_hub(std::size_t a, std::size_t b, const VectorXd& q, SteadyModel& model) {
   Dice dice;
-  const SubsystemState state = move_all(q, model.coordinates(a), dice);
+  const SubsystemState state =
+      move_all(q, model.coordinates(a), model.closure_rows(a).size(), dice);
   const Index d = model.twist_size();
   const HubOffset at_a{dice.vector(d, 0.01), dice.vector(d, 0.1), dice.vector(d, 1.0)};
   const Eigen::MatrixXd turn = turn_hub(model.azimuth(b) - model.azimuth(a), model);
@@ -66,6 +82,11 @@ bool are_alike_about_hub(std::size_t a, std::size_t b, const VectorXd& q, Steady
 }
 
 }  // namespace
+
+bool are_same(const VectorXd& a, const VectorXd& b) {
+  constexpr double kRoundOff = 1e-12;
+  return a.size() == b.size() && (a.size() == 0 || (a - b).lpNorm<Eigen::Infinity>() <= kRoundOff);
+}
 
 std::vector<std::size_t> find_alike(SteadyModel& model) {
   std::vector<std::size_t> alike(model.subsystems());

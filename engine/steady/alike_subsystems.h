@@ -8,6 +8,9 @@
 
 namespace spoke::steady {
 
+/// Whether coordinates are equal up to round-off of closing loops at different azimuths.
+bool are_same(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
 /// Returns for each subsystem the first one whose coordinates feel the same forces at equal states
 /// while the hub is in its steady rotation.
 std::vector<std::size_t> find_alike(SteadyModel& model);

@@ -65,6 +65,26 @@ Eigen::MatrixXd calc_rough_derivative(std::size_t subsystem, const SubsystemStat
   return by_q;
 }
 
+Eigen::MatrixXd calc_spring_stiffness(const std::vector<ClosureRow>& rows,
+                                      const Eigen::MatrixXd& closures) {
+  Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(closures.rows());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    if (!rows[r].is_dropped) stiffness[static_cast<Eigen::Index>(r)] = rows[r].stiffness;
+  return closures.transpose() * stiffness.asDiagonal() * closures;
+}
+
+Eigen::MatrixXd calc_stiffness(std::size_t subsystem, const Eigen::VectorXd& q,
+                               const Eigen::VectorXd& multipliers, SteadyModel& model) {
+  const Eigen::Index n = q.size();
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
+  const SubsystemState held{q, zero, q, zero, multipliers, true};
+  const Eigen::MatrixXd by_q = calc_rough_derivative(subsystem, held, model);
+  Eigen::MatrixXd K = model.stiffness(subsystem) - by_q.topRows(n);
+  const std::vector<ClosureRow>& rows = model.closure_rows(subsystem);
+  if (!rows.empty()) K += calc_spring_stiffness(rows, model.closures(subsystem).rightCols(n));
+  return K;
+}
+
 SubsystemDerivatives calc_derivatives(std::size_t subsystem, const SubsystemState& state,
                                       bool with_hub, SteadyModel& model) {
   const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);

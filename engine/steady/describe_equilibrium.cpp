@@ -15,8 +15,9 @@ void evaluate(std::size_t subsystem, const Eigen::VectorXd& q, SteadyModel& mode
   model.evaluate(subsystem, make_state(q), model.no_offset(), response);
 }
 
-BladeEquilibrium describe_subsystem(std::size_t subsystem, const Eigen::VectorXd& q,
+BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& found,
                                     SteadyModel& model) {
+  const Eigen::VectorXd& q = found.q[subsystem];
   BladeEquilibrium described;
   described.name = model.name_of(subsystem);
   const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);
@@ -49,6 +50,7 @@ BladeEquilibrium describe_subsystem(std::size_t subsystem, const Eigen::VectorXd
   described.bending = model.bending(subsystem);
   for (const RootLoad& load : model.root_loads(subsystem))
     described.loads.push_back({load.body, load.station, load.force, load.moment});
+  described.loops = model.loop_loads(subsystem, found.multipliers[subsystem]);
   return described;
 }
 
@@ -69,7 +71,7 @@ EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
     result.hub_moment.z() = found.wrench[2];
   }
   for (std::size_t i = 0; i < model.subsystems(); ++i)
-    result.blades.push_back(describe_subsystem(i, found.q[i], model));
+    result.blades.push_back(describe_subsystem(i, found, model));
   return result;
 }
 

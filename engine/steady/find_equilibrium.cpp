@@ -9,7 +9,9 @@
 #include <sstream>
 
 #include "engine/steady/alike_subsystems.h"
+#include "engine/steady/close_loops.h"
 #include "engine/steady/derivatives.h"
+#include "engine/steady/free_motion.h"
 #include "engine/support/dense.h"
 #include "models/error.h"
 
@@ -23,10 +25,17 @@ constexpr double kSmallestStep = 1.0 / 128;   ///< of the line search
 constexpr double kSmallestShare = 1.0 / 256;  ///< of a load step
 constexpr double kConverged = 1e-9;  ///< change by the scale of coordinates, before polish()
 
-/// Newton's method for one subsystem.
+/// A change of coordinates, and of the forces of loops.
+struct Change {
+  VectorXd q, multipliers;
+};
+
+/// Newton's method for one subsystem, on its coordinates and the forces of its loops.
 class Search {
  public:
-  Search(std::size_t subsystem, SteadyModel& model) : subsystem_(subsystem), model_(model) {
+  Search(std::size_t subsystem, const std::vector<Eigen::Index>& rows, SteadyModel& model)
+      : subsystem_(subsystem), model_(model), rows_(rows) {
+    multipliers = VectorXd::Zero(std::ssize(model.closure_rows(subsystem)));
     const auto& coordinates = model.coordinates(subsystem);
     scale_.resize(std::ssize(coordinates));
     for (Eigen::Index k = 0; k < scale_.size(); ++k)
@@ -35,21 +44,24 @@ class Search {
 
   /// Moves q to the equilibrium. Returns false if it is not found; q is then as before.
   bool run(VectorXd& q) {
-    const VectorXd start = q;
-    if (scale_.size() == 0) return evaluate(q).has_value();
+    const VectorXd start = q, at_start = multipliers;
+    if (scale_.size() == 0) return evaluate(q, multipliers).has_value();
     for (int i = 0; i < kMostIterations; ++i) {
       ++iterations;
       if (!advance(q)) break;
       if (last_change <= kConverged) return polish(q);
     }
     q = start;
+    multipliers = at_start;
     return false;
   }
 
+  VectorXd multipliers;  ///< forces of the rows of loops
   int iterations = 0;
   double last_change = 0.0;
   Eigen::Index worst = 0;  ///< coordinate of the largest correction
   bool is_singular = false;
+  bool is_locked = false;  ///< whether the loops are in a singular position
   Eigen::Index loose = 0;  ///< a coordinate that nothing holds, if it is singular
 
  private:
@@ -57,55 +69,80 @@ class Search {
     return change.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>();
   }
 
-  std::optional<VectorXd> evaluate(const VectorXd& q) {
+  std::optional<SubsystemResponse> evaluate(const VectorXd& q, const VectorXd& forces) {
     SubsystemResponse response;
-    model_.evaluate(subsystem_, make_state(q), model_.no_offset(), response);
+    model_.evaluate(subsystem_, make_state(q, forces), model_.no_offset(), response);
     if (!response.is_valid) return std::nullopt;
-    return response.force;
+    return response;
   }
 
-  /// Factorises the derivative of the forces.
-  void factorise(const VectorXd& q) {
-    const Eigen::MatrixXd by_q = calc_rough_derivative(subsystem_, make_state(q), model_);
-    const Eigen::Index n = scale_.size();
-    const Eigen::MatrixXd slope = scale_.asDiagonal() *
-                                  (model_.stiffness(subsystem_) - by_q.topRows(n)) *
-                                  scale_.asDiagonal();
+  /// Factorises the derivative of the forces on what the loops leave free. Returns false where the
+  /// loops are in a singular position.
+  bool factorise(const VectorXd& q, const SubsystemResponse& at) {
+    slope_ = calc_stiffness(subsystem_, q, at.multipliers, model_);
+    free_.emplace(model_.closures(subsystem_).rightCols(scale_.size()), rows_,
+                  model_.coordinates(subsystem_));
+    is_locked = free_->rows().size() < rows_.size();
+    if (is_locked) return false;
+    const Eigen::Index n = std::ssize(free_->independent());
+    if (n == 0) return true;
+    const VectorXd scale = scale_(free_->independent());
+    const Eigen::MatrixXd slope = scale.asDiagonal() * reduce(slope_) * scale.asDiagonal();
     lu_.compute(slope);
     is_singular = !(lu_.rcond() > 1e-15);
-    if (!is_singular) return;
+    if (!is_singular) return true;
     least_squares_.compute(slope);
     const Eigen::Index rank = std::min(least_squares_.rank(), n - 1);
-    loose = least_squares_.pivot(rank);
+    loose = free_->independent()[static_cast<std::size_t>(least_squares_.pivot(rank))];
+    return true;
   }
 
-  VectorXd correct(const VectorXd& force) const {
-    const VectorXd scaled = scale_.asDiagonal() * force;
+  Eigen::MatrixXd reduce(const Eigen::MatrixXd& matrix) const {
+    if (free_->is_all()) return matrix;
+    return free_->basis().transpose() * matrix * free_->basis();
+  }
+
+  /// Returns the motion that these forces on independent coordinates take to come to rest.
+  VectorXd follow(const VectorXd& force) const {
+    const VectorXd scale = scale_(free_->independent());
+    const VectorXd scaled = scale.asDiagonal() * force;
     VectorXd correction(scaled.size());
     if (is_singular) {
       correction = least_squares_.solve(scaled);
-    } else {
+    } else if (scaled.size() > 0) {
       lu_.solve(scaled, correction);
     }
-    return scale_.asDiagonal() * correction;
+    return scale.asDiagonal() * correction;
+  }
+
+  Change correct(const SubsystemResponse& at) const {
+    if (free_->is_all()) return {follow(at.force), VectorXd::Zero(multipliers.size())};
+    const Eigen::MatrixXd& Z = free_->basis();
+    Change change;
+    change.q = free_->open(-VectorXd(at.openings(free_->rows())));
+    const VectorXd left = at.force - slope_ * change.q;
+    change.q += Z * follow(Z.transpose() * left);
+    change.multipliers = free_->hold(at.force - slope_ * change.q);
+    return change;
   }
 
   /// Makes one step with a line search, in which the next correction must shrink.
   bool advance(VectorXd& q) {
-    const std::optional<VectorXd> force = evaluate(q);
-    if (!force) return false;
-    factorise(q);
-    const VectorXd change = correct(*force);
-    if (!change.allFinite()) return false;
-    change.cwiseQuotient(scale_).cwiseAbs().maxCoeff(&worst);
+    const std::optional<SubsystemResponse> at = evaluate(q, multipliers);
+    if (!at || !factorise(q, *at)) return false;
+    const Change change = correct(*at);
+    if (!change.q.allFinite() || !change.multipliers.allFinite()) return false;
+    change.q.cwiseQuotient(scale_).cwiseAbs().maxCoeff(&worst);
     for (double length = 1.0; length >= kSmallestStep; length *= 0.5) {
-      const VectorXd trial = q + length * change;
-      const std::optional<VectorXd> left = evaluate(trial);
+      const VectorXd trial = q + length * change.q;
+      const VectorXd forces = multipliers + length * change.multipliers;
+      const std::optional<SubsystemResponse> left = evaluate(trial, forces);
       if (!left) continue;
-      const double next = size(correct(*left));
-      if (!(next <= (1.0 - 0.25 * length) * size(change)) && next > kConverged) continue;
-      last_change = length < 1.0 ? size(change) : next;
+      const double next = size(correct(*left).q);
+      if (!(next <= (1.0 - 0.25 * length) * size(change.q)) && next > kConverged) continue;
+      last_change = length < 1.0 ? size(change.q) : next;
       q = trial;
+      multipliers = forces;
       return true;
     }
     return false;
@@ -114,23 +151,38 @@ class Search {
   /// Corrects by the last factors as long as corrections become smaller.
   bool polish(VectorXd& q) {
     for (int i = 0; i < 10; ++i) {
-      const std::optional<VectorXd> force = evaluate(q);
-      if (!force) return false;
-      const VectorXd change = correct(*force);
-      if (i > 0 && !(size(change) < 0.5 * last_change)) break;
-      last_change = size(change);
-      q += change;
+      const std::optional<SubsystemResponse> at = evaluate(q, multipliers);
+      if (!at) return false;
+      const Change change = correct(*at);
+      if (i > 0 && !(size(change.q) < 0.5 * last_change)) break;
+      last_change = size(change.q);
+      q += change.q;
+      multipliers += change.multipliers;
     }
     model_.settle(subsystem_, q);
-    return evaluate(q).has_value();
+    const std::optional<SubsystemResponse> at = evaluate(q, multipliers);
+    if (at) multipliers = at->multipliers;
+    return at.has_value();
   }
 
   std::size_t subsystem_;
   SteadyModel& model_;
+  const std::vector<Eigen::Index>& rows_;  ///< rigid ones that do not depend on others
   VectorXd scale_;
+  Eigen::MatrixXd slope_;
+  std::optional<FreeMotion> free_;
   LuFactors lu_;
   LeastSquares least_squares_;
 };
+
+/// Throws if the loops of a subsystem are where they do not determine its motion.
+void require_regular(std::size_t subsystem, const Search& search, const SteadyModel& model) {
+  if (search.is_locked)
+    throw DivergenceError("no equilibrium found: the loops of " + model.name_of(subsystem) +
+                              " come to a singular position, in which they do not determine which "
+                              "way its joints go",
+                          {.subsystem = model.name_of(subsystem), .quantity = "loops"});
+}
 
 [[noreturn]] void give_up(std::size_t subsystem, const Search& search, double share,
                           const SteadyModel& model) {
@@ -149,7 +201,8 @@ class Search {
 /// Finds the equilibrium of one subsystem, in as many load steps as it takes.
 void find_subsystem(std::size_t subsystem, SteadyModel& model, Equilibrium& result) {
   VectorXd& q = result.q[subsystem] = model.initial(subsystem);
-  Search search(subsystem, model);
+  std::vector<Eigen::Index>& rows = result.rows[subsystem] = close_loops(subsystem, model, q);
+  Search search(subsystem, rows, model);
   double share = 0.0, step = 1.0;
   int steps = 0;
   while (share < 1.0) {
@@ -161,9 +214,13 @@ void find_subsystem(std::size_t subsystem, SteadyModel& model, Equilibrium& resu
       ++steps;
     } else {
       step *= 0.5;
-      if (step < kSmallestShare) give_up(subsystem, search, target, model);
+      if (step < kSmallestShare) {
+        require_regular(subsystem, search, model);
+        give_up(subsystem, search, target, model);
+      }
     }
   }
+  result.multipliers[subsystem] = search.multipliers;
   result.load_steps = std::max(result.load_steps, steps);
   result.iterations += search.iterations;
   result.last_change = std::max(result.last_change, search.last_change);
@@ -177,21 +234,29 @@ void take_over(std::size_t from, std::size_t to, SteadyModel& model, Equilibrium
   // Spherical joints are turned about references of their own: they search themselves.
   VectorXd q = result.q[from];
   SubsystemResponse response;
-  model.evaluate(to, make_state(q), model.no_offset(), response);
+  model.evaluate(to, make_state(result, from), model.no_offset(), response);
   result.q[to] = q;
-  if (model.absolute(from, q) != model.absolute(to, q)) find_subsystem(to, model, result);
+  result.multipliers[to] = result.multipliers[from];
+  result.rows[to] = result.rows[from];
+  if (!are_same(model.absolute(from, q), model.absolute(to, q))) find_subsystem(to, model, result);
 }
 
 }  // namespace
 
-SubsystemState make_state(const Eigen::VectorXd& q) {
+SubsystemState make_state(const Eigen::VectorXd& q) { return make_state(q, VectorXd()); }
+SubsystemState make_state(const Eigen::VectorXd& q, const Eigen::VectorXd& multipliers) {
   const VectorXd zero = VectorXd::Zero(q.size());
-  return {q, zero, q, zero};
+  return {q, zero, q, zero, multipliers};
+}
+SubsystemState make_state(const Equilibrium& equilibrium, std::size_t subsystem) {
+  return make_state(equilibrium.q[subsystem], equilibrium.multipliers[subsystem]);
 }
 
 Equilibrium find_equilibrium(SteadyModel& model) {
   Equilibrium result;
   result.q.resize(model.subsystems());
+  result.multipliers.resize(model.subsystems());
+  result.rows.resize(model.subsystems());
   result.alike = find_alike(model);
   for (std::size_t i = 0; i < model.subsystems(); ++i)
     result.alike[i] == i ? find_subsystem(i, model, result)
@@ -199,7 +264,7 @@ Equilibrium find_equilibrium(SteadyModel& model) {
   result.wrench = -model.hub_force(model.no_offset());
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
     SubsystemResponse response;
-    model.evaluate(i, make_state(result.q[i]), model.no_offset(), response);
+    model.evaluate(i, make_state(result, i), model.no_offset(), response);
     result.wrench -= response.hub_force;
     result.force_scale += response.hub_force.lpNorm<Eigen::Infinity>();
   }

@@ -11,7 +11,10 @@ namespace spoke::steady {
 
 /// A model's equilibrium.
 struct Equilibrium {
-  std::vector<Eigen::VectorXd> q;  ///< by subsystem; spherical joints have been settled
+  std::vector<Eigen::VectorXd> q;              ///< by subsystem; spherical joints have been settled
+  std::vector<Eigen::VectorXd> multipliers{};  ///< by subsystem: forces of the rows of its loops
+  /// By subsystem: the rigid rows that do not depend on others.
+  std::vector<std::vector<Eigen::Index>> rows{};
   std::vector<std::size_t> alike;  ///< by subsystem: the first one that is like it
   HubVector wrench;                ///< of support and drive on the hub, hub frame [N, N m]
   double force_scale = 0.0;  ///< sum of the forces of subsystems, to judge remainders by [N, N m]
@@ -36,5 +39,9 @@ void require_steady_hub(const SteadyModel& model, const Equilibrium& equilibrium
 
 /// Returns the state of a subsystem at rest at q.
 SubsystemState make_state(const Eigen::VectorXd& q);
+/// Returns the state of a subsystem at rest, where its loops have these forces.
+SubsystemState make_state(const Eigen::VectorXd& q, const Eigen::VectorXd& multipliers);
+/// Returns the equilibrium of a subsystem.
+SubsystemState make_state(const Equilibrium& equilibrium, std::size_t subsystem);
 
 }  // namespace spoke::steady

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "engine/steady/alike_subsystems.h"
 #include "engine/steady/derivatives.h"
 #include "engine/steady/differences.h"
+#include "engine/steady/free_motion.h"
+#include "models/error.h"
 
 namespace spoke::steady {
 namespace {
@@ -33,6 +36,7 @@ struct Shared {
   HubColumns by_hub;                      ///< rows of the subsystem's coordinates
   MatrixXd M_on_hub, C_on_hub, K_on_hub;  ///< columns of the subsystem's coordinates
   HubColumns hub;                         ///< its share in the matrices of the hub
+  MatrixXd following;                     ///< see HubCoupling, for all components
   double effort = 0.0;                    ///< see calc_effort()
 };
 
@@ -60,12 +64,87 @@ RoundOff find_round_off(std::size_t i, const MatrixXd& mass, double effort,
   return found;
 }
 
+/// Adds the stiffness of springs in closures, which were held.
+void add_springs(std::size_t i, const MatrixXd& closures, Shared& all, const SteadyModel& model) {
+  const MatrixXd springs = calc_spring_stiffness(model.closure_rows(i), closures);
+  const Eigen::Index d = model.twist_size(), n = all.subsystem.K.rows();
+  all.subsystem.K += springs.bottomRightCorner(n, n);
+  if (all.hub.K.size() == 0) return;
+  all.by_hub.K += springs.bottomLeftCorner(n, d);
+  all.K_on_hub += springs.topRightCorner(d, n);
+  all.hub.K += springs.topLeftCorner(d, d);
+}
+
+/// Returns the motion of coordinates by which the rigid rows stay closed when the free components
+/// of the hub move; empty if nothing follows them.
+MatrixXd find_following(std::size_t i, const FreeMotion& motion, const MatrixXd& closures,
+                        const SteadyModel& model) {
+  const Eigen::Index d = model.twist_size(), n = closures.cols() - d;
+  MatrixXd by_hub = MatrixXd::Zero(closures.rows(), d);
+  for (const int c : model.free_components()) by_hub.col(c) = closures.col(c);
+  const auto size = [&](Eigen::Index r) { return 1e-9 * closures.row(r).norm(); };
+  const MatrixXd following = motion.open(-MatrixXd(by_hub(motion.rows(), Eigen::all)));
+  const MatrixXd left = by_hub + closures.rightCols(n) * following;
+  bool follows = false;
+  for (const Eigen::Index r : find_rigid_rows(model.closure_rows(i))) {
+    follows = follows || by_hub.row(r).norm() > size(r);
+    if (left.row(r).norm() <= size(r)) continue;
+    const std::size_t loop = model.closure_rows(i)[static_cast<std::size_t>(r)].loop;
+    throw InputError(model.name_of(i) + " / loop \"" + model.loop_name(i, loop) +
+                     "\" holds the hub, which nothing else does: expected a hub at a given speed");
+  }
+  return follows ? following : MatrixXd();
+}
+
+/// Takes matrices to the motions that leave loops closed.
+void reduce(const MatrixXd& Z, const MatrixXd& G, Shared& all) {
+  LinearSubsystem& own = all.subsystem;
+  const auto close = [&](MatrixXd& by_hub, MatrixXd& on_hub, MatrixXd& hub, MatrixXd& matrix) {
+    if (G.size() > 0) {
+      hub += on_hub * G + G.transpose() * (by_hub + matrix * G);
+      by_hub += matrix * G;
+      on_hub += G.transpose() * matrix;
+    }
+    if (by_hub.size() > 0) {
+      by_hub = Z.transpose() * by_hub;
+      on_hub = on_hub * Z;
+    }
+    matrix = Z.transpose() * matrix * Z;
+  };
+  const MatrixXd size = Z.cwiseAbs();
+  own.K_terms = size.transpose() * own.K.cwiseAbs() * size;
+  close(all.by_hub.M, all.M_on_hub, all.hub.M, own.M);
+  close(all.by_hub.C, all.C_on_hub, all.hub.C, own.C);
+  close(all.by_hub.K, all.K_on_hub, all.hub.K, own.K);
+  own.round_off.force = size.transpose() * own.round_off.force;
+  own.round_off.step = (size.transpose() * own.round_off.step.cwiseInverse()).cwiseInverse().eval();
+}
+
+/// Adds what the loops of a subsystem do, at its equilibrium. `rows`: the rigid ones that do not
+/// depend on others.
+void close_subsystem(std::size_t i, const std::vector<Eigen::Index>& rows, SteadyModel& model,
+                     Shared& all) {
+  const MatrixXd closures = model.closures(i);
+  add_springs(i, closures, all, model);
+  const FreeMotion motion(closures.rightCols(all.subsystem.M.rows()), rows, model.coordinates(i));
+  if (motion.rows().size() < rows.size())
+    throw InputError(model.name_of(i) +
+                     ": its loops are in a singular position, expected one that they can leave in "
+                     "one way");
+  if (motion.is_all()) return;
+  if (!model.free_components().empty()) all.following = find_following(i, motion, closures, model);
+  reduce(motion.basis(), all.following, all);
+  all.subsystem.independent = motion.independent();
+  all.subsystem.basis = motion.basis();
+}
+
 Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
                            const HubKinematics& kinematics, SteadyModel& model) {
   const bool is_coupled = !model.free_components().empty();
   const Eigen::Index d = model.twist_size();
-  const SubsystemDerivatives by =
-      calc_derivatives(i, make_state(equilibrium.q[i]), is_coupled, model);
+  SubsystemState state = make_state(equilibrium, i);
+  state.holds_springs = true;
+  const SubsystemDerivatives by = calc_derivatives(i, state, is_coupled, model);
   const SubsystemMatrices matrices = model.matrices(i);
   const Eigen::Index n = by.by_q.cols();
   Shared all;
@@ -73,10 +152,15 @@ Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
   all.subsystem.C = matrices.damping - by.by_v.topRows(n);
   all.subsystem.K = model.stiffness(i) - by.by_q.topRows(n);
   SubsystemResponse response;
-  model.evaluate(i, make_state(equilibrium.q[i]), model.no_offset(), response);
+  model.evaluate(i, make_state(equilibrium, i), model.no_offset(), response);
   all.effort = calc_effort(matrices.mass.topLeftCorner(d, d), response.hub_force, model);
   all.subsystem.round_off = find_round_off(i, all.subsystem.M, all.effort, model);
-  if (!is_coupled) return all;
+  all.subsystem.independent.resize(static_cast<std::size_t>(n));
+  std::iota(all.subsystem.independent.begin(), all.subsystem.independent.end(), Eigen::Index{0});
+  if (!is_coupled) {
+    if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], model, all);
+    return all;
+  }
   const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
   all.by_hub = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), kinematics);
   all.M_on_hub = M_bh.transpose();
@@ -84,6 +168,7 @@ Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
   all.K_on_hub = -by.by_q.bottomRows(d);
   all.hub = make_columns(matrices.mass.topLeftCorner(d, d), by.by_turn.bottomRows(d),
                          by.by_twist.bottomRows(d), kinematics);
+  if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], model, all);
   return all;
 }
 
@@ -98,8 +183,13 @@ HubCoupling couple(const Shared& shared, const MatrixXd& turn, const std::vector
   sum.M += turn.transpose() * shared.hub.M * turn;
   sum.C += turn.transpose() * shared.hub.C * turn;
   sum.K += turn.transpose() * shared.hub.K * turn;
-  return {columns(shared.by_hub.M), columns(shared.by_hub.C), columns(shared.by_hub.K),
-          rows(shared.M_on_hub),    rows(shared.C_on_hub),    rows(shared.K_on_hub)};
+  return {columns(shared.by_hub.M),
+          columns(shared.by_hub.C),
+          columns(shared.by_hub.K),
+          rows(shared.M_on_hub),
+          rows(shared.C_on_hub),
+          rows(shared.K_on_hub),
+          shared.following.size() > 0 ? columns(shared.following) : MatrixXd()};
 }
 
 /// Derivatives of the forces on the hub itself, which are simple functions.
@@ -134,6 +224,15 @@ HubKinematics make_hub_kinematics(const SteadyModel& model) {
   hub.W.block<2, 2>(3, 3) = cross;
   hub.P1.block<2, 2>(3, 3) = cross;
   return hub;
+}
+
+Eigen::VectorXcd LinearModel::motion_of(std::size_t i, const Eigen::VectorXcd& y,
+                                        const Eigen::VectorXcd& hub) const {
+  const LinearSubsystem& own = subsystem(i);
+  assert(y.size() == own.M.rows());
+  Eigen::VectorXcd q = own.basis.size() > 0 ? Eigen::VectorXcd(own.basis * y) : y;
+  if (is_coupled() && couplings[i].following.size() > 0) q += couplings[i].following * hub;
+  return q;
 }
 
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {

@@ -25,10 +25,16 @@ struct RoundOff {
   Eigen::VectorXd step;   ///< [m, rad]
 };
 
-/// Matrices of one subsystem alone while the hub is held.
+/// Matrices of one subsystem alone while the hub is held, of its independent coordinates y: of all,
+/// unless it has loops, by which the others follow these.
 struct LinearSubsystem {
   Eigen::MatrixXd M, C, K;
   RoundOff round_off;
+  std::vector<Eigen::Index> independent{};  ///< numbers of the coordinates y
+  /// Z, by which y moves all coordinates: q = Z y; empty: q = y.
+  Eigen::MatrixXd basis{};
+  /// Sizes of the terms of which K consists, in the place of |K|; empty: |K|.
+  Eigen::MatrixXd K_terms{};
 };
 
 /// Coupling of a subsystem with the hub's free coordinates. `bh`: rows of the subsystem, columns of
@@ -36,6 +42,8 @@ struct LinearSubsystem {
 struct HubCoupling {
   Eigen::MatrixXd M_bh, C_bh, K_bh;
   Eigen::MatrixXd M_hb, C_hb, K_hb;
+  /// G, by which loops on the mount move coordinates with the hub: q = Z y + G x; empty: none do.
+  Eigen::MatrixXd following{};
 };
 
 /// The matrices of a model. Subsystems meet at the hub only, whose free coordinates are small
@@ -53,11 +61,17 @@ struct LinearModel {
 
   bool is_coupled() const { return M.rows() > 0; }
   const LinearSubsystem& subsystem(std::size_t i) const { return subsystems[alike[i]]; }
+  /// Returns the motion of all coordinates of a subsystem, for one of its independent coordinates
+  /// and of the hub.
+  Eigen::VectorXcd motion_of(std::size_t i, const Eigen::VectorXcd& y,
+                             const Eigen::VectorXcd& hub) const;
 };
 
 /// Linearises a model about its equilibrium, at which it leaves the model. M is the mass matrix
 /// there; K and D of deformations are the model's own constants; the rest of K and C are
-/// differences of the forces, see calc_derivatives().
+/// differences of the forces, see calc_derivatives(). Of loops only the motions count that leave
+/// their rigid rows closed, with the forces of these rows held. Throws InputError if loops hold the
+/// hub.
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model);
 
 }  // namespace spoke::steady

@@ -88,7 +88,8 @@ class Assembly {
  private:
   const std::vector<int>& free() const { return model_.free_components(); }
   Index hub_size() const { return std::ssize(free()); }
-  Index subsystem_size(std::size_t i) const { return std::ssize(model_.coordinates(i)); }
+  /// Number of the coordinates that the loops of a subsystem leave independent.
+  Index subsystem_size(std::size_t i) const { return linear_.subsystem(i).M.rows(); }
   Index load_count(std::size_t i) const { return std::ssize(effects_.subsystems[i]); }
   bool turns(int c) const { return c >= model_.first_rotation(); }
 
@@ -97,9 +98,12 @@ class Assembly {
   void name_inputs();
   Part make_subsystem_part(std::size_t i);
   Part make_whole_part();
+  LinearSignal name_coordinate(std::size_t i, Index k) const;
+  MatrixXd on_subsystem(std::size_t i) const;
   MatrixXd on_free_hub(const std::vector<steady::LoadEffect>& effects) const;
   void add_part(const Part& part, Index coordinate, Index input);
   void add_outputs_of(std::size_t i);
+  void add_by_coordinates(std::size_t i, Index row, const MatrixXd& by, Index first);
   void add_output(const LinearSignal& signal, Index column);
   void add_hub_outputs();
 
@@ -131,9 +135,7 @@ void Assembly::name_states() {
     states.push_back(
         {std::string("hub / ") + name_component(c, model_).coordinate, turns(c) ? "rad" : "m"});
   for (std::size_t i = 0; i < model_.subsystems(); ++i)
-    for (const steady::SubsystemCoordinate& coordinate : model_.coordinates(i))
-      states.push_back(
-          {model_.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"});
+    for (const Index k : linear_.subsystem(i).independent) states.push_back(name_coordinate(i, k));
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
     states.push_back({"rate of " + states[k].name, states[k].unit + "/s"});
 }
@@ -151,8 +153,21 @@ void Assembly::name_inputs() {
 
 Part Assembly::make_subsystem_part(std::size_t i) {
   const steady::LinearSubsystem& subsystem = linear_.subsystem(i);
-  return {subsystem.M, subsystem.C, subsystem.K,
-          to_columns(effects_.subsystems[i], &steady::LoadEffect::force, subsystem_size(i))};
+  return {subsystem.M, subsystem.C, subsystem.K, on_subsystem(i)};
+}
+
+LinearSignal Assembly::name_coordinate(std::size_t i, Index k) const {
+  const steady::SubsystemCoordinate& coordinate =
+      model_.coordinates(i)[static_cast<std::size_t>(k)];
+  return {model_.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"};
+}
+
+/// Returns the forces of the inputs of a subsystem on its independent coordinates.
+MatrixXd Assembly::on_subsystem(std::size_t i) const {
+  const MatrixXd force = to_columns(effects_.subsystems[i], &steady::LoadEffect::force,
+                                    std::ssize(model_.coordinates(i)));
+  const MatrixXd& Z = linear_.subsystem(i).basis;
+  return Z.size() == 0 || force.cols() == 0 ? force : MatrixXd(Z.transpose() * force);
 }
 
 /// Returns the forces of these effects on the hub's free components.
@@ -182,9 +197,12 @@ Part Assembly::make_whole_part() {
     put(subsystem.C, hub.C_bh, hub.C_hb, part.C);
     put(subsystem.K, hub.K_bh, hub.K_hb, part.K);
     const std::vector<steady::LoadEffect>& effects = effects_.subsystems[i];
-    part.F.block(at, inputs_[i], n, load_count(i)) =
-        to_columns(effects, &steady::LoadEffect::force, n);
+    part.F.block(at, inputs_[i], n, load_count(i)) = on_subsystem(i);
     part.F.block(0, inputs_[i], h, load_count(i)) = on_free_hub(effects);
+    if (hub.following.size() > 0 && load_count(i) > 0)
+      part.F.block(0, inputs_[i], h, load_count(i)) +=
+          hub.following.transpose() *
+          to_columns(effects, &steady::LoadEffect::force, std::ssize(model_.coordinates(i)));
   }
   const Index loads = std::ssize(effects_.hub), own = input_count_ - h;
   part.F.block(0, own - loads, h, loads) = on_free_hub(effects_.hub);
@@ -213,11 +231,11 @@ void Assembly::add_part(const Part& part, Index coordinate, Index input) {
 void Assembly::add_outputs_of(std::size_t i) {
   const steady::OutputDerivatives by =
       calc_output_derivatives(i, steady::make_state(equilibrium_.q[i]), model_);
-  const Index row = std::ssize(result_.outputs), at = coordinates_[i];
+  const Index row = std::ssize(result_.outputs);
   const std::vector<LinearSignal>& signals = model_.outputs(i);
   result_.outputs.insert(result_.outputs.end(), signals.begin(), signals.end());
-  C_.add(row, at, by.by_q);
-  C_.add(row, size_ + at, by.by_v);
+  add_by_coordinates(i, row, by.by_q, 0);
+  add_by_coordinates(i, row, by.by_v, size_);
   D_.add(row, inputs_[i],
          to_columns(effects_.subsystems[i], &steady::LoadEffect::outputs, std::ssize(signals)));
   if (linear_.is_coupled()) {
@@ -229,9 +247,23 @@ void Assembly::add_outputs_of(std::size_t i) {
     C_.add(row, 0, by_acceleration * hub_by_state_);
     D_.add(row, 0, by_acceleration * hub_by_input_);
   }
-  for (Index k = 0; k < subsystem_size(i); ++k)
-    if (model_.coordinates(i)[static_cast<std::size_t>(k)].node < 0)
-      add_output(result_.states[static_cast<std::size_t>(at + k)], at + k);
+  const Index all = std::ssize(model_.coordinates(i));
+  for (Index k = 0; k < all; ++k) {
+    if (model_.coordinates(i)[static_cast<std::size_t>(k)].node >= 0) continue;
+    add_by_coordinates(i, std::ssize(result_.outputs),
+                       Eigen::RowVectorXd(Eigen::RowVectorXd::Unit(all, k)), 0);
+    result_.outputs.push_back(name_coordinate(i, k));
+  }
+}
+
+/// Adds derivatives by all coordinates of a subsystem, or by their rates, whose states begin at
+/// `first`.
+void Assembly::add_by_coordinates(std::size_t i, Index row, const MatrixXd& by, Index first) {
+  const MatrixXd& Z = linear_.subsystem(i).basis;
+  C_.add(row, first + coordinates_[i], Z.size() > 0 ? MatrixXd(by * Z) : by);
+  if (!linear_.is_coupled()) return;
+  const MatrixXd& G = linear_.couplings[i].following;
+  if (G.size() > 0) C_.add(row, first, by * G);
 }
 
 /// Adds an output that is a state.

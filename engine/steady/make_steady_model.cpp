@@ -3,6 +3,7 @@
 #include "engine/columns/spatial_columns.h"
 #include "engine/steady/steady_mount.h"
 #include "engine/steady/steady_system.h"
+#include "engine/step/loop_start.h"
 #include "engine/step/model_memory.h"
 #include "models/system/spatial_system.h"
 #include "models/tree/tree.h"
@@ -19,8 +20,9 @@ std::unique_ptr<SteadyModel> make_planar(const Scenario& scenario, const SteadyO
   const auto place = [&scenario](const System<Plane>&, StepData<Plane>& data) {
     return place_sensors(scenario.sensors, scenario.rotor, data);
   };
-  return std::make_unique<SteadySystem<Plane>>(SystemMaker<Plane>{fill, place},
-                                               name_subsystems(rotor), options);
+  return std::make_unique<SteadySystem<Plane>>(
+      SystemMaker<Plane>{fill, place, make_loop_limits(scenario.integration)},
+      name_subsystems(rotor), options);
 }
 
 /// Pitch by the azimuth has a mean whether a drive or torque turns the hub.
@@ -38,8 +40,9 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Steady
     make_reading_rings(data);
     return columns;
   };
-  return std::make_unique<SteadySystem<Space>>(SystemMaker<Space>{fill, place},
-                                               name_subsystems(trees), options);
+  return std::make_unique<SteadySystem<Space>>(
+      SystemMaker<Space>{fill, place, make_loop_limits(scenario.integration)},
+      name_subsystems(trees), options);
 }
 
 }  // namespace

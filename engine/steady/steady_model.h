@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/equilibrium.h"
 #include "engine/linearize.h"
 #include "models/scenario.h"
 
@@ -38,10 +39,24 @@ inline double velocity_scale(const SubsystemCoordinate& coordinate, double speed
 /// State at which to evaluate a subsystem. Coordinates and velocities are in the order of
 /// coordinates(): for each body those of its joint, then those of its deformation. Elastic forces
 /// are taken at `q_elastic`, forces of dampers at `v_elastic`; the entries of joints in `v_elastic`
-/// have no effect.
+/// have no effect. Rigid rows of loops have the forces `multipliers`, by row; empty: none.
 struct SubsystemState {
   Eigen::VectorXd q, v;
   Eigen::VectorXd q_elastic, v_elastic;
+  Eigen::VectorXd multipliers{};
+  /// Whether springs in closures have the forces `multipliers`, too, rather than those of the
+  /// state; their dampers follow the state.
+  bool holds_springs = false;
+};
+
+/// A row of a loop of a subsystem: a direction that the loop closes.
+struct ClosureRow {
+  std::size_t loop = 0;  ///< of the subsystem
+  bool is_dropped = false;
+  double stiffness = 0.0;  ///< 0: rigid [N/m, N m/rad]
+  double damping = 0.0;    ///< [N s/m, N m s/rad]
+
+  bool is_rigid() const { return stiffness == 0.0 && !is_dropped; }
 };
 
 /// The hub's motion besides its steady rotation, in its frame: the rotation vector by which it is
@@ -54,9 +69,11 @@ struct HubOffset {
 
 /// Forces of a subsystem at a state.
 struct SubsystemResponse {
-  Eigen::VectorXd force;  ///< on its coordinates, with inertia at zero accelerations
-  HubVector hub_force;    ///< with the same inertia on the hub, at its origin, hub frame
-  bool is_valid = true;   ///< whether all is finite, and no body is beyond its limits
+  Eigen::VectorXd force;        ///< on its coordinates, with inertia at zero accelerations
+  HubVector hub_force;          ///< with the same inertia on the hub, at its origin, hub frame
+  Eigen::VectorXd openings;     ///< of loops, by row [m, rad]
+  Eigen::VectorXd multipliers;  ///< forces of all rows, those of dampers included [N, N m]
+  bool is_valid = true;         ///< whether all is finite, and no body is beyond its limits
 };
 
 /// Mass matrix of a subsystem and the hub's frame, and its constant damping.
@@ -159,6 +176,18 @@ class SteadyModel {
   /// their carriers, see root_loads().
   virtual Eigen::VectorXd accelerations(std::size_t subsystem) = 0;
   virtual SubsystemMatrices matrices(std::size_t subsystem) = 0;
+
+  /// Returns the rows of the subsystem's loops.
+  virtual const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const = 0;
+  /// Returns the name of a loop.
+  virtual const std::string& loop_name(std::size_t subsystem, std::size_t loop) const = 0;
+  // At the state that was evaluated last.
+  /// Returns the rates of openings by velocities, row by row: columns for the hub's twist, then for
+  /// the coordinates. Transposed it takes the forces of rows to those on hub and coordinates.
+  virtual Eigen::MatrixXd closures(std::size_t subsystem) = 0;
+  /// Returns what loops exert on their places, by these forces of their rows.
+  virtual std::vector<LoopLoad> loop_loads(std::size_t subsystem,
+                                           const Eigen::VectorXd& multipliers) const = 0;
 
   /// Returns the forces of the hub's own inertia, of drive and loads at an offset whose
   /// acceleration is zero.

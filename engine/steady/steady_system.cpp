@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/columns/spatial_columns.h"
+#include "engine/formulation/loops.h"
 #include "engine/kernels/deformation_limits.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
@@ -17,6 +18,8 @@
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 #include "engine/plane/section_balance.h"
+#include "engine/steady/steady_anchors.h"
+#include "engine/steady/steady_loops.h"
 #include "engine/steady/subsystem_access.h"
 #include "engine/steady/subsystem_forces.h"
 #include "engine/step/stages.h"
@@ -39,7 +42,9 @@ bool makes_terms(const std::string& stage) {
 /// Whether nodes of this stage lead from the terms to the accelerations.
 bool solves(const std::string& stage) {
   return stage == stages::kInverse || stage == stages::kEffective ||
-         stage == stages::kMultipliers || stage == stages::kRecovery;
+         stage == stages::kMultipliers || stage == stages::kRecovery ||
+         stage == stages::kLoopMotion || stage == stages::kLoopColumns ||
+         stage == stages::kLoopFactor || stage == stages::kLoopForces;
 }
 
 /// Returns the distance of the undeformed body from the root of its subsystem [m].
@@ -70,20 +75,26 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
     : names_(std::move(names)) {
   speed_ = options.speed;
   maker.fill(context_.system);
+  const std::vector<std::vector<LoopRowUse>> use = start_loops_of(context_.system, maker.loops);
   hub_ = context_.system.hub;
   for (int c = 0; c < World::kTwist; ++c)
     if (!is_prescribed(hub_, c)) free_.push_back(c);
   loads_.emplace(context_.system, speed_ != 0.0, options.instant);
+  hold_anchors(context_.system, speed_ != 0.0, options.instant);
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
   context_.integrator = {Rk4{1.0}, {}};
   context_.linear_range = 0.0;  // find_large_deflection() reports every deflection
+  context_.loop_limits.has_started = true;
   allocate(context_);
+  for (std::size_t i = 0; i < subsystems(); ++i) data(i).loops.use = use[i];
   if (options.has_outputs) set_outputs(maker.place_sensors(context_.system, context_.data));
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
             make_progress_between_steps(context_.integrator, 0, PassControl::kEvaluateOnly));
   graph_.emplace(build_step_graph(context_));
   find_nodes();
+  for (std::size_t i = 0; i < subsystems(); ++i)
+    rows_.push_back(list_rows(context_.system.subsystems[i], data(i)));
   set_undeformed();
 }
 
@@ -138,9 +149,9 @@ void SteadySystem<World>::set_undeformed() {
 /// Whether a sensor is constant in steady rotation, as are those whose frames turn with the hub.
 template <class World>
 bool SteadySystem<World>::is_steady(const SensorColumn& column) const {
-  const bool is_local = is_motion(column.quantity) ||
-                        column.quantity == SensorQuantity::section_force ||
-                        column.quantity == SensorQuantity::joint_reaction;
+  const bool is_local =
+      is_motion(column.quantity) || column.quantity == SensorQuantity::section_force ||
+      column.quantity == SensorQuantity::joint_reaction || is_of_loop(column.quantity);
   return is_local && column.frame != SensorFrame::inertial;
 }
 
@@ -167,6 +178,7 @@ Eigen::VectorXd SteadySystem<World>::measure(std::size_t subsystem) {
   assert(subsystem < subsystems());
   SubsystemData<World>& own = data(subsystem);
   keep_joint_loads(context_.system.subsystems[subsystem], own);
+  if (!own.loops.is_empty()) keep_loop_loads(own);
   const Eigen::Vector3d displacement = tip(subsystem).displacement;
   calc_readings(context_.system, subsystem, 0, 0.0, context_.data);
   Eigen::VectorXd values(std::ssize(outputs_[subsystem]));
@@ -297,15 +309,29 @@ PrescribedHub<World> SteadySystem<World>::hub_motion(const HubOffset& offset) co
 }
 
 template <class World>
+Eigen::MatrixXd SteadySystem<World>::closures(std::size_t subsystem) {
+  assert(subsystem < subsystems());
+  return calc_closures(context_.system.subsystems[subsystem], data(subsystem));
+}
+
+template <class World>
+std::vector<LoopLoad> SteadySystem<World>::loop_loads(std::size_t subsystem,
+                                                      const Eigen::VectorXd& multipliers) const {
+  assert(std::cmp_equal(multipliers.size(), rows_[subsystem].size()));
+  return calc_loop_loads(context_.system, subsystem, multipliers, context_.data);
+}
+
+template <class World>
 void SteadySystem<World>::evaluate(std::size_t subsystem, const SubsystemState& state,
                                    const HubOffset& hub, SubsystemResponse& response) {
   place(subsystem, state);
   SubsystemData<World>& own = data(subsystem);
   own.prescribed = hub_motion(hub);
   for (const graph::NodeId node : terms_[subsystem]) graph_->run_node(node);
+  put_loops(context_.system, subsystem, rows_[subsystem], state, context_.data, response);
   calc_forces(context_.system.subsystems[subsystem], own, response);
   response.is_valid =
-      response.force.allFinite() &&
+      response.force.allFinite() && response.openings.allFinite() &&
       std::none_of(own.bodies.begin(), own.bodies.end(),
                    [](const BodyData<World>& body) { return has_left_limits(body); });
 }

@@ -22,6 +22,7 @@ template <class World>
 struct SystemMaker {
   std::function<void(System<World>&)> fill;
   std::function<std::vector<SensorColumn>(const System<World>&, StepData<World>&)> place_sensors;
+  LoopLimits loops{};
 };
 
 template <class World>
@@ -56,6 +57,15 @@ class SteadySystem final : public SteadyModel {
   }
   Eigen::VectorXd accelerations(std::size_t subsystem) override;
   SubsystemMatrices matrices(std::size_t subsystem) override;
+  const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const override {
+    return rows_[subsystem];
+  }
+  const std::string& loop_name(std::size_t subsystem, std::size_t loop) const override {
+    return context_.system.subsystems[subsystem].loops[loop].name;
+  }
+  Eigen::MatrixXd closures(std::size_t subsystem) override;
+  std::vector<LoopLoad> loop_loads(std::size_t subsystem,
+                                   const Eigen::VectorXd& multipliers) const override;
   HubVector hub_force(const HubOffset& hub) const override;
   Eigen::MatrixXd hub_mass() const override;
   std::vector<NodePlace> places(std::size_t subsystem) override;
@@ -99,6 +109,7 @@ class SteadySystem final : public SteadyModel {
   /// them.
   std::vector<std::vector<graph::NodeId>> terms_, solution_;
   std::vector<std::vector<SubsystemCoordinate>> coordinates_;
+  std::vector<std::vector<ClosureRow>> rows_;
   std::vector<std::vector<Eigen::VectorXd>> q_elastic_, v_elastic_;  ///< flex vectors by body
   std::vector<Eigen::MatrixXd> stiffness_;
   std::vector<Eigen::Matrix3d> tip_axes_;  ///< undeformed, by subsystem

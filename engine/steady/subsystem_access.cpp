@@ -72,6 +72,11 @@ void make_absolute(const BodyData<Space>& body, double* q) {
   std::copy_n(theta.data(), space::kAngular, at);
 }
 
+void put_initial(const double*, TreeBody<Plane>&) {}
+void put_initial(const double* q, TreeBody<Space>& body) {
+  std::copy_n(q, count_joint_coordinates(body), body.joint.course.initial.begin());
+}
+
 void take_initial(const TreeBody<Plane>&, double*) {}
 void take_initial(const TreeBody<Space>& body, double* q) {
   const space::JointCourse& course = body.joint.course;

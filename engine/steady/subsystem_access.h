@@ -34,6 +34,9 @@ void put_absolute(const double* q, BodyData<Space>& body);
 /// child.
 void make_absolute(const BodyData<Plane>& body, double* q);
 void make_absolute(const BodyData<Space>& body, double* q);
+/// Lets the joint start at the coordinates that make_absolute() returned.
+void put_initial(const double* q, TreeBody<Plane>& body);
+void put_initial(const double* q, TreeBody<Space>& body);
 /// Reads the coordinates at which the joint starts.
 void take_initial(const TreeBody<Plane>& body, double* q);
 void take_initial(const TreeBody<Space>& body, double* q);

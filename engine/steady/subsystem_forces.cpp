@@ -114,42 +114,50 @@ space::Twist pass_inward(const Subsystem<Space>&, const SubsystemData<Space>& da
   return translate(data.joints[j].p, data.joints[j].R * force);
 }
 
-/// Sets the forces on the coordinates of the joint: those of its springs and motors, and that of
-/// its body.
-void add_joint_force(const BodyData<Plane>&, const plane::JointMotion&, const Twist&, double*) {}
-void add_joint_force(const BodyData<Space>& body, const space::JointMotion& motion,
+/// Sets the forces on the coordinates of the joint by that of its body.
+void put_joint_force(const BodyData<Plane>&, const plane::JointMotion&, const Twist&, double*) {}
+void put_joint_force(const BodyData<Space>& body, const space::JointMotion& motion,
                      const space::Twist& force, double* result) {
   const space::Twist turned = motion.R * force;
   for (int c = 0; c < body.model->joint.joint.coordinates; ++c)
-    result[c] =
-        body.joint.forces->tau[static_cast<std::size_t>(c)] + motion.columns.col(c).dot(turned);
+    result[c] = motion.columns.col(c).dot(turned);
 }
 
+/// Adds the forces of the joint's springs and motors.
+void add_joint_springs(const BodyData<Plane>&, double*) {}
+void add_joint_springs(const BodyData<Space>& body, double* result) {
+  for (int c = 0; c < body.model->joint.joint.coordinates; ++c)
+    result[c] += body.joint.forces->tau[static_cast<std::size_t>(c)];
+}
+
+/// Returns the place of the first coordinate of each body in those of the subsystem, and their
+/// number.
 template <class World>
-void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
-                SubsystemResponse& response) {
+std::vector<Eigen::Index> find_starts(const Subsystem<World>& subsystem) {
+  std::vector<Eigen::Index> starts{0};
+  for (const TreeBody<World>& body : subsystem.bodies)
+    starts.push_back(starts.back() + count_joint_coordinates(body) + body.body->coordinates());
+  return starts;
+}
+
+/// Passes the forces on bodies inward. Sets those on coordinates, and returns that on the hub.
+template <class World>
+TwistOf<World> pass_all_inward(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                               const std::vector<Eigen::Index>& starts,
+                               std::vector<VectorXd>& forces, VectorXd& on_coordinates) {
   constexpr Eigen::Index kHub = World::kTwist;
-  std::vector<VectorXd> forces;
-  std::vector<Eigen::Index> starts;
-  Eigen::Index size = 0;
-  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    data.bodies[j].X = carry(subsystem, data, j);
-    forces.push_back(calc_body_force(data.bodies[j]));
-    starts.push_back(size);
-    size += count_joint_coordinates(subsystem.bodies[j]) + forces.back().size() - kHub;
-  }
-  response.force.resize(size);
+  on_coordinates.resize(starts.back());
   TwistOf<World> hub = TwistOf<World>::Zero();
   for (std::size_t j = data.bodies.size(); j-- > 0;) {
     const TreeBody<World>& model = subsystem.bodies[j];
-    BodyData<World>& body = data.bodies[j];
+    const BodyData<World>& body = data.bodies[j];
     const TwistOf<World> on_frame = forces[j].template head<kHub>();
     const Eigen::Index joint = count_joint_coordinates(model), nf = forces[j].size() - kHub;
-    add_joint_force(body, data.joints[j], on_frame, response.force.data() + starts[j]);
+    put_joint_force(body, data.joints[j], on_frame, on_coordinates.data() + starts[j]);
     // The deformation moves the frame against the inboard section.
-    response.force.segment(starts[j] + joint, nf) = forces[j].tail(nf);
+    on_coordinates.segment(starts[j] + joint, nf) = forces[j].tail(nf);
     if (nf > 0)
-      response.force.segment(starts[j] + joint, nf) -=
+      on_coordinates.segment(starts[j] + joint, nf) -=
           calc_jacobian(body, 0).rightCols(nf).transpose() * on_frame;
     const TwistOf<World> inward = pass_inward(subsystem, data, j, on_frame);
     if (model.parent < 0) {
@@ -159,9 +167,63 @@ void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
     const auto parent = static_cast<std::size_t>(model.parent);
     forces[parent] += calc_jacobian(data.bodies[parent], model.handle).transpose() * inward;
   }
+  return hub;
+}
+
+/// Adds the force `size` of a row of a loop to those on bodies. Returns that on the hub.
+template <class World>
+TwistOf<World> add_row_force(const LoopModel& loop, const LoopRowState<World>& row, double size,
+                             const SubsystemData<World>& data, std::vector<VectorXd>& forces) {
+  const auto add = [&](const LoopPlaceModel& place, const TwistOf<World>& unit) {
+    const auto body = static_cast<std::size_t>(place.body);
+    forces[body] += calc_jacobian(data.bodies[body], place.handle).transpose() * (size * unit);
+  };
+  add(loop.from, row.from);
+  if (loop.to.carrier == LoopPlace::Carrier::body) add(loop.to, row.to);
+  return size * row.hub;
+}
+
+template <class World>
+void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
+                SubsystemResponse& response) {
+  const std::vector<Eigen::Index> starts = find_starts(subsystem);
+  std::vector<VectorXd> forces;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    data.bodies[j].X = carry(subsystem, data, j);
+    forces.push_back(calc_body_force(data.bodies[j]));
+  }
+  TwistOf<World> of_rows = TwistOf<World>::Zero();
+  std::size_t row = 0;
+  for (const LoopModel& loop : subsystem.loops)
+    for (std::size_t k = 0; k < loop.rows.size(); ++k, ++row)
+      of_rows += add_row_force(loop, data.loops.states[row],
+                               response.multipliers[static_cast<Eigen::Index>(row)], data, forces);
+  TwistOf<World> hub = pass_all_inward(subsystem, data, starts, forces, response.force);
+  for (std::size_t j = 0; j < data.bodies.size(); ++j)
+    add_joint_springs(data.bodies[j], response.force.data() + starts[j]);
+  hub += of_rows;
   angular(hub) +=
       calc_stiffening_moment(sum_stiffening<World>(data.bodies), angular(data.hub->twist));
   response.hub_force = hub;
+}
+
+template <class World>
+MatrixXd pass_unit_forces(const Subsystem<World>& subsystem, const SubsystemData<World>& data) {
+  const std::vector<Eigen::Index> starts = find_starts(subsystem);
+  std::vector<VectorXd> none;
+  for (const BodyData<World>& body : data.bodies)
+    none.push_back(VectorXd::Zero(dense_size(*body.model->body)));
+  MatrixXd closures(subsystem.loop_rows(), World::kTwist + starts.back());
+  std::size_t row = 0;
+  for (const LoopModel& loop : subsystem.loops)
+    for (std::size_t k = 0; k < loop.rows.size(); ++k, ++row) {
+      std::vector<VectorXd> forces = none;
+      VectorXd on_coordinates;
+      TwistOf<World> hub = add_row_force(loop, data.loops.states[row], 1.0, data, forces);
+      hub += pass_all_inward(subsystem, data, starts, forces, on_coordinates);
+      closures.row(static_cast<Eigen::Index>(row)) << hub.transpose(), on_coordinates.transpose();
+    }
+  return closures;
 }
 
 }  // namespace
@@ -173,6 +235,12 @@ void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
 void calc_forces(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,
                  SubsystemResponse& response) {
   sum_forces(subsystem, data, response);
+}
+MatrixXd calc_closures(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data) {
+  return pass_unit_forces(subsystem, data);
+}
+MatrixXd calc_closures(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data) {
+  return pass_unit_forces(subsystem, data);
 }
 
 }  // namespace spoke::steady

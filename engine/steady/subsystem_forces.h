@@ -10,11 +10,17 @@
 namespace spoke::steady {
 
 /// Sets the accelerations of all frames from the hub to the tips, for coordinates without
-/// accelerations and the hub's as it is; then sums forces from the tips to the hub. Precondition:
-/// kinematics and terms in the table are those of the state.
+/// accelerations and the hub's as it is; then sums forces from the tips to the hub, those of loops
+/// by `response.multipliers` among them. Precondition: kinematics and terms in the table are those
+/// of the state, and so are the states of loops.
 void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
                  SubsystemResponse& response);
 void calc_forces(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,
                  SubsystemResponse& response);
+
+/// Returns what unit forces of the rows of loops are on hub and coordinates, see
+/// SteadyModel::closures().
+Eigen::MatrixXd calc_closures(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data);
+Eigen::MatrixXd calc_closures(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data);
 
 }  // namespace spoke::steady

@@ -2,6 +2,7 @@
 
 // Helpers of the sources that add the nodes of a pass.
 
+#include <string>
 #include <vector>
 
 #include "engine/formulation/tree_joints.h"
@@ -25,6 +26,9 @@ struct Assembly {
   const SubsystemParts& subsystem(int i) const { return parts.subsystems[i]; }
   graph::NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
     return {stage, subsystem, body, pass};
+  }
+  graph::NodeLabel label_item(const char* stage, int subsystem, const std::string& item) const {
+    return {stage, subsystem, -1, pass, item};
   }
 };
 

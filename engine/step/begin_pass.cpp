@@ -83,8 +83,8 @@ bool is_at_new_time(const Method& method, const PassControl& control) noexcept {
   if (control.is_between_steps()) return true;
   if (!std::holds_alternative<Rk4>(method)) return control.stage == 0;
   const auto stage = static_cast<std::size_t>(control.stage);
-  // Stage 0 stands where stage 3 stood, at the end of the step.
-  return stage != 0 && Rk4::nodes[stage] != Rk4::nodes[stage - 1];
+  // Stages 4 to 6 and 0 stand where stage 3 stood, at the end of the step.
+  return stage != 0 && stage < Rk4::kStages && Rk4::nodes[stage] != Rk4::nodes[stage - 1];
 }
 
 template <class World>

@@ -2,8 +2,10 @@
 
 #include "engine/step/closing_nodes.h"
 
+#include "engine/formulation/loops.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/loop_motion.h"
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 #include "engine/space/joint_values.h"
@@ -21,6 +23,8 @@ template <class World>
 PartList joint_load_inputs(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   PartList inputs{own.wrenches, own.rotations};
+  if (!own.loops.is_empty)
+    for (const PartId part : {own.loops.motion, own.loops.factor}) inputs.push_back(part);
   if (!g.c.system.subsystems[i].bodies.front().stiffening) return inputs;
   inputs.push_back(own.hub_acceleration);
   for (const PartId terms : own.all(&BodyParts::terms)) inputs.push_back(terms);
@@ -93,21 +97,24 @@ void add_finish(const Assembly<World>& g) {
   const StepParts& parts = g.parts;
   const bool is_corrected = corrects_hub(g);
   PartList outputs{parts.progress, parts.records};
+  PartList loops;
+  for (const SubsystemParts& own : parts.subsystems)
+    if (!own.loops.is_empty) loops.push_back(own.loops.report);
   if (is_corrected) outputs.push_back(parts.hub_state);
-  g.builder.add_node(g.label(stages::kFinish),
-                     reads(outputs, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
-                           parts.hub_solution, parts.hub_state, parts.hub_coordinates),
-                     writes(outputs), [&c, is_corrected]() noexcept {
-                       StepProgress& progress = c.data.progress[0];
-                       if (progress.is_halted) {
-                         progress.completed = StepProgress::kNone;
-                         return;
-                       }
-                       finish_system(c.system, c.integrator, c.data);
-                       // The sensors need it: the last correction has moved the hub once more.
-                       if (is_corrected && progress.completed >= 0)
-                         c.data.hub = calc_hub_state(c.data);
-                     });
+  g.builder.add_node(
+      g.label(stages::kFinish),
+      reads(outputs, loops, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
+            parts.hub_solution, parts.hub_state, parts.hub_coordinates),
+      writes(outputs), [&c, is_corrected]() noexcept {
+        StepProgress& progress = c.data.progress[0];
+        if (progress.is_halted) {
+          progress.completed = StepProgress::kNone;
+          return;
+        }
+        finish_system(c.system, c.integrator, c.data);
+        // The sensors need it: the last correction has moved the hub once more.
+        if (is_corrected && progress.completed >= 0) c.data.hub = calc_hub_state(c.data);
+      });
 }
 
 template <class World>
@@ -116,9 +123,11 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   const Integrator& integrator = g.c.integrator;
   const Window& window = g.c.data.window;
   SubsystemData<World>& data = g.c.data.subsystems[i];
+  PartList loops;
+  if (!own.loops.is_empty) loops.push_back(own.loops.report);
   g.builder.add_node(g.label(stages::kFinish, i),
-                     reads(own.progress, own.all(&BodyParts::report), own.all(&BodyParts::terms),
-                           own.effective, own.hub_state, own.records),
+                     reads(loops, own.progress, own.all(&BodyParts::report),
+                           own.all(&BodyParts::terms), own.effective, own.hub_state, own.records),
                      writes(own.progress, own.records),
                      [&hub = g.c.system.hub, &integrator, &window, &data]() noexcept {
                        if (data.progress->is_halted)
@@ -138,6 +147,7 @@ void add_sensors(const Assembly<World>& g, int i) {
   PartList outputs{own.poses, own.samples, own.joint_loads};
   if (data.reading_count > 0) outputs.push_back(own.readings);
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
+  if (!own.loops.is_empty) outputs.push_back(own.loops.motion);
   const PartList inputs{own.rotations, own.twists};
   if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
   g.builder.add_node(g.label(stages::kSensors, i),
@@ -149,8 +159,11 @@ void add_sensors(const Assembly<World>& g, int i) {
                        const auto index = static_cast<std::size_t>(i);
                        const Subsystem<World>& subsystem = c.system.subsystems[index];
                        keep_joint_loads(subsystem, data);
+                       keep_loop_loads(data);
                        if (!table.window.observed) return;
                        if (is_corrected) update_kinematics(subsystem, data);
+                       const double t = static_cast<double>(step) * step_size(c.integrator);
+                       keep_openings(c.system, index, t, table);
                        of_step(data.samples, step) = calc_sample(c.system, index, data);
                        keep_readings(c, index, step, table);
                      });

@@ -12,11 +12,20 @@
 namespace spoke {
 namespace {
 
+/// Counts three nodes for a subsystem with loops, and one for each loop.
+template <class World>
+double count_loop_nodes(const System<World>& system) {
+  double nodes = 0.0;
+  for (const Subsystem<World>& subsystem : system.subsystems)
+    if (!subsystem.loops.empty()) nodes += 3.0 + static_cast<double>(subsystem.loops.size());
+  return nodes;
+}
+
 /// Returns the memory of the step graph of one pass, while it is built [bytes].
 template <class World>
 double estimate_graph_memory(const System<World>& system) {
   const double nodes = 3.0 + 8.0 * static_cast<double>(system.subsystems.size()) +
-                       3.0 * static_cast<double>(system.body_count());
+                       3.0 * static_cast<double>(system.body_count()) + count_loop_nodes(system);
   return 1200.0 * nodes;
 }
 

@@ -151,14 +151,27 @@ void add_velocity(const Assembly<World>& g, int i) {
                      }));
 }
 
+namespace {
+
+/// Whether there are several loads of the user's, whose nodes need names of their own.
+template <class World>
+bool has_several_loads(const StepData<World>& data) {
+  std::size_t count = 0;
+  for (const SubsystemData<World>& subsystem : data.subsystems) count += subsystem.loads.size();
+  return count > 1;
+}
+
+}  // namespace
+
 template <class World>
 void add_loads_of_user(const Assembly<World>& g, int i) {
   const SystemContext<World>& c = g.c;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < data.loads.size(); ++k) {
     LoadData<World>& load = data.loads[k];
-    const NodeLabel label =
+    NodeLabel label =
         load.subsystems.size() > 1 ? g.label(stages::kLoad) : g.label(stages::kLoad, i);
+    if (has_several_loads(c.data)) label.item = "load " + std::to_string(load.number + 1);
     g.builder.add_node(
         label, reads(load_inputs(g, load)), writes(g.subsystem(i).loads[k]),
         unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {

@@ -76,6 +76,11 @@ void add_reports(const SubsystemData<World>& subsystem, PassReport& sum) {
     sum.step_change = std::max(sum.step_change, body.report.step_change);
     sum.failed |= body.report.failed;
   }
+  if (subsystem.loops.is_empty()) return;
+  const LoopReport& loops = subsystem.loops.report;
+  sum.power.applied += loops.power;
+  sum.power.dissipation += loops.dissipation;
+  sum.failed |= has_lost_loop(loops);
 }
 
 /// Adds the deflections and errors of subsystem `i`.
@@ -88,6 +93,9 @@ void add_largest(const SubsystemData<World>& subsystem, int i, PassReport& sum) 
     if (report.error.size > sum.error.size)
       sum.error = {report.error.size, i, body, report.error.place};
   }
+  if (subsystem.loops.is_empty()) return;
+  const LoopReport& loops = subsystem.loops.report;
+  if (loops.least_pivot < sum.loop.left) sum.loop = {loops.least_pivot, i, loops.row};
 }
 
 /// Adds the record of subsystem `i`.
@@ -103,6 +111,8 @@ void add_record(const ReactionRecord<World>& record, int i, SystemRecord<World>&
     step.deflection = {deflection.ratio, i, deflection.body};
   const StepError& error = record.step.error;
   if (error.size > step.error.size) step.error = {error.size, i, error.body, error.place};
+  const LoopNearness& loop = record.step.loop;
+  if (loop.left < step.loop.left) step.loop = {loop.left, i, loop.row};
 }
 
 /// Returns the work on the hub's own inertia, which turns faster [J].

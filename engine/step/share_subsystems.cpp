@@ -31,6 +31,7 @@ MemoryPieces memory_of_reports(SubsystemData<World>& subsystem) {
     if constexpr (tree::kHasJointCoordinates<World>)
       memory.push_back(bytes_of(body.report.drive_power));
   }
+  if (!subsystem.loops.is_empty()) memory.push_back(bytes_of(subsystem.loops.report));
   return memory;
 }
 
@@ -70,6 +71,9 @@ std::vector<double> weights_of(const StepData<World>& data) {
     double weight = 0.0;
     for (const BodyData<World>& body : subsystem.bodies)
       weight += World::kTwist + body.coordinates.size;
+    // The columns of a loop go through the bodies that carry it, row by row.
+    for (const LoopPath& path : subsystem.loops.paths)
+      weight += static_cast<double>(path.rows) * static_cast<double>(path.bodies.size());
     weights.push_back(weight);
   }
   return weights;

@@ -2,6 +2,7 @@
 
 #include "engine/step/solution_nodes.h"
 
+#include "engine/formulation/loops.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
@@ -200,8 +201,14 @@ void add_augmented_solve(const Assembly<World>& g) {
     for (const BodyParts& body : own.bodies)
       tensions.insert(tensions.end(), body.tension.begin(), body.tension.end());
   }
+  PartList loops;  // their places may be on any body
+  for (const SubsystemParts& own : parts.subsystems) {
+    if (own.loops.is_empty) continue;
+    loops.push_back(own.loops.motion);
+    for (const BodyParts& body : own.bodies) loops.push_back(body.coordinates);
+  }
   g.builder.add_node(g.label(stages::kSolve),
-                     reads(parts.all(&BodyParts::terms), outboard_joints, tensions,
+                     reads(loops, parts.all(&BodyParts::terms), outboard_joints, tensions,
                            parts.all(&SubsystemParts::rotations),
                            parts.all(&SubsystemParts::twists), hub_inputs(g)),
                      writes(parts.augmented_solution, hub_outputs(g)),
@@ -218,28 +225,36 @@ void add_multipliers(const Assembly<World>& g, int i) {
   const Subsystem<World>& subsystem = c.system.subsystems[i];
   SubsystemData<World>& data = c.data.subsystems[i];
   const PartList accelerations = found_with_multipliers(g, i);
+  PartList loops;
+  if (!own.loops.is_empty) loops = {own.loops.motion, own.loops.factor};
   const auto add = [&](const graph::Reads& inputs, auto recover) {
-    g.builder.add_node(g.label(stages::kMultipliers, i), inputs,
-                       writes(own.wrenches, accelerations), unless_halted(*data.progress, recover));
+    const bool has_loops = !own.loops.is_empty;
+    g.builder.add_node(
+        g.label(stages::kMultipliers, i), inputs, writes(own.wrenches, accelerations),
+        unless_halted(*data.progress, [recover, has_loops, &subsystem, &data]() noexcept {
+          recover();
+          if (has_loops) put_loop_wrenches(subsystem, data);
+        }));
   };
   switch (c.formulation) {
     case Formulation::structured:
       return add(reads(own.progress, own.effective, own.joints(), inner_ports(g, i), own.rotations,
-                       own.hub_state, own.hub_acceleration, accelerations),
+                       own.hub_state, own.hub_acceleration, accelerations, loops),
                  [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
                    structured::recover_wrenches(subsystem, work, data);
                  });
     case Formulation::subsystem:
-      return add(
-          reads(own.progress, own.effective, own.rotations, own.hub_acceleration, accelerations),
-          [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
-            subsystem::recover_wrenches(subsystem, work, data);
-          });
-    case Formulation::augmented:
-      return add(reads(own.progress, g.parts.augmented_solution, own.rotations, accelerations),
-                 [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
-                   augmented::recover_wrenches(i, subsystem, work, data);
+      return add(reads(own.progress, own.effective, own.rotations, own.hub_acceleration,
+                       accelerations, loops),
+                 [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
+                   subsystem::recover_wrenches(subsystem, work, data);
                  });
+    case Formulation::augmented:
+      return add(
+          reads(own.progress, g.parts.augmented_solution, own.rotations, accelerations, loops),
+          [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
+            augmented::recover_wrenches(i, subsystem, work, data);
+          });
   }
 }
 

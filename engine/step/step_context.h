@@ -8,6 +8,7 @@
 
 #include "engine/formulation/work.h"
 #include "engine/integrator/step_control.h"
+#include "engine/step/loop_freedoms.h"
 #include "engine/step/sharing.h"
 #include "engine/table/step_data.h"
 #include "graph/step_graph.h"
@@ -25,6 +26,9 @@ class StepContext {
   Integrator integrator;
   double linear_range = std::numeric_limits<double>::infinity();  ///< see TableOptions
   bool loads_tie_subsystems = false;                              ///< see StepTable::is_coupled
+
+  LoopLimits loop_limits;
+  LoopStart loop_start;  ///< what start_loops() has found
 
   /// None unless several processes simulate the model together, see share_out().
   std::unique_ptr<Sharing> sharing;

@@ -11,6 +11,7 @@
 #include "engine/plane/table_terms.h"
 #include "engine/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
+#include "engine/step/loop_nodes.h"
 #include "engine/step/motion_nodes.h"
 #include "engine/step/solution_nodes.h"
 
@@ -24,6 +25,9 @@
 //   next pass's coordinates <- sensors <- finish <-+- recovery 1 <------------------+
 //                                  |               +- recovery 2 <------------------+
 //                                  +-> hub solve, once, behind all passes of all subsystems
+//
+// Closed loops add "loop motion" behind "velocity", a node "loop columns" for each loop and "loop
+// factor" behind "effective", and "loop forces" before "multipliers". The hub does not see them.
 //
 // A load of the user's on the subsystem is a node between "velocity" and the "mass" of its bodies.
 // One between subsystems is a node of no subsystem, and makes the passes of all subsystems one, as
@@ -149,6 +153,7 @@ void add_motion(const Assembly<World>& g, int i) {
   add_coordinates(g, i);
   add_position(g, i);
   add_velocity(g, i);
+  add_loop_motion(g, i);
 }
 
 /// Adds the nodes from the masses to the inverses, or to the effective inertia where there is one.
@@ -159,11 +164,13 @@ void add_condensation(const Assembly<World>& g, int i) {
   if (g.c.formulation == Formulation::augmented) return;
   for (int j = 0; j < bodies; ++j) add_inverse(g, i, j);
   add_effective(g, i);
+  add_loop_factor(g, i);
 }
 
 template <class World>
 void add_recoveries(const Assembly<World>& g, int i) {
   const int bodies = static_cast<int>(g.subsystem(i).bodies.size());
+  add_loop_forces(g, i);
   add_multipliers(g, i);
   for (int j = 0; j < bodies; ++j) add_recovery(g, i, j);
 }

@@ -92,6 +92,62 @@ void add_synthesis_memory(subsystem::SubsystemWork<World>& work, Memory& effecti
     workspace.push_back(memory_of(*matrix));
 }
 
+/// Adds the parts of one loop that the formulation finds.
+template <class World>
+void add_loop_columns(SystemContext<World>& context, int i, std::size_t k, const std::string& name,
+                      StepGraphBuilder& builder, LoopParts& parts) {
+  LoopData<World>& loops = context.data.subsystems[i].loops;
+  const LoopPath& path = loops.paths[k];
+  const auto row = static_cast<std::size_t>(path.first_row);
+  const auto rows = static_cast<std::size_t>(path.rows);
+  Memory columns{bytes_of(loops.hub[row], rows), bytes_of(loops.free[row], rows)};
+  const std::string own = name + "loop " + std::to_string(k + 1) + " / ";
+  if (context.formulation == Formulation::structured) {
+    const auto bodies = static_cast<std::size_t>(loops.bodies);
+    const auto handles = static_cast<std::size_t>(loops.handles);
+    columns.push_back(bytes_of(loops.branches[row * bodies], rows * bodies));
+    for (auto* of_joints : {&loops.joints, &loops.joint_forces})
+      columns.push_back(bytes_of((*of_joints)[path.first_joint], path.columns()));
+    parts.scratch.push_back(builder.add_part(
+        own + "scratch", {bytes_of(loops.scratch[row * handles], rows * handles)}));
+  } else {
+    auto& work = context.work.subsystem[i].loops[k];
+    columns.push_back(memory_of(work.right));
+    columns.push_back(memory_of(work.solution));
+    if (work.response.size() > 0) columns.push_back(memory_of(work.response));
+  }
+  parts.columns.push_back(builder.add_part(own + "columns", columns));
+}
+
+/// Adds the parts of a subsystem's loops.
+template <class World>
+LoopParts add_loop_parts(SystemContext<World>& context, int i, const std::string& name,
+                         StepGraphBuilder& builder) {
+  LoopParts parts;
+  LoopData<World>& loops = context.data.subsystems[i].loops;
+  if (loops.is_empty()) return parts;
+  parts.is_empty = false;
+  const auto rows = static_cast<std::size_t>(loops.rows);
+  parts.motion = builder.add_part(
+      name + "loop motion",
+      {bytes_of(loops.poses[0], loops.poses.size()),
+       bytes_of(loops.accelerations[0], static_cast<std::size_t>(loops.last_body + 1)),
+       bytes_of(loops.states[0], rows)});
+  Memory factor{bytes_of(loops.multipliers[0], rows)};
+  if (context.formulation != Formulation::augmented) {
+    for (std::size_t k = 0; k < loops.paths.size(); ++k)
+      add_loop_columns(context, i, k, name, builder, parts);
+    factor.push_back(bytes_of(loops.matrix[0], rows * rows));
+    factor.push_back(bytes_of(loops.half_hub[0], rows));
+    factor.push_back(bytes_of(loops.half[0], rows));
+    for (auto* pivots : {&loops.pivots, &loops.first_explicit, &loops.first_implicit})
+      factor.push_back(bytes_of((*pivots)[0], rows));
+  }
+  parts.factor = builder.add_part(name + "loop factor", factor);
+  parts.report = builder.add_part(name + "loop report", {bytes_of(loops.report)});
+  return parts;
+}
+
 template <class World>
 SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
                                    StepGraphBuilder& builder) {
@@ -112,8 +168,13 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   }
   parts.wrenches = builder.add_part(name + "wrenches", memory_of_wrenches(data));
   parts.samples = add_ring(name + "samples", data.samples, builder);
-  parts.joint_loads = builder.add_part(
-      name + "joint loads", {bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)});
+  Memory joint_loads{bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)};
+  LoopData<World>& loops = data.loops;
+  if (!loops.is_empty())
+    for (auto* kept : {&loops.kept_multipliers, &loops.kept_openings})
+      joint_loads.push_back(bytes_of((*kept)[0], kept->size()));
+  parts.joint_loads = builder.add_part(name + "joint loads", joint_loads);
+  parts.loops = add_loop_parts(context, i, name, builder);
   if (data.reading_count > 0)
     parts.readings = builder.add_part(name + "readings",
                                       {bytes_of(data.reading_ring[0], data.reading_ring.size())},

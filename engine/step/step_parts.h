@@ -26,6 +26,16 @@ struct BodyParts {
   std::vector<graph::PartId> tension;  ///< tension in implicit steps, if the body has any (space)
 };
 
+/// Parts of a subsystem's closed loops.
+struct LoopParts {
+  graph::PartId motion;                ///< states of rows
+  std::vector<graph::PartId> columns;  ///< by loop: what its unit forces do
+  std::vector<graph::PartId> scratch;  ///< by loop: workspace
+  graph::PartId factor;                ///< D, and the multipliers
+  graph::PartId report;
+  bool is_empty = true;
+};
+
 struct SubsystemParts {
   std::vector<BodyParts> bodies;
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
@@ -37,6 +47,7 @@ struct SubsystemParts {
   graph::PartId workspace;                              ///< workspace of the effective inertia
   std::vector<graph::PartId> ports;                     ///< ports of the bodies (structured, space)
   std::vector<graph::PartId> loads;                     ///< wrenches of the user's loads
+  LoopParts loops;                                      ///< if there are loops
 
   /// Returns one member of all bodies, parents before children.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;

@@ -32,6 +32,7 @@ struct Reading {
   int body = 0;          ///< body of the section, or the one outboard of the joint
   double station = 0.0;  ///< place of the section on its body, 0 to 1
   typename BodyTypes<World>::Section section;
+  std::size_t loop = 0;   ///< index of the loop that it is on
   std::size_t first = 0;  ///< place of its values among those of the subsystem
   /// For a section's force the points of the body outboard of the section, for a momentum those of
   /// each body.
@@ -49,8 +50,10 @@ template <>
 struct Reading<Space> {
   SensorQuantity quantity = SensorQuantity::displacement;
   SensorFrame frame = SensorFrame::hub;
-  /// Bodies from the hub to that of the section, or to the one outboard of the joint.
+  /// Bodies from the hub to that of the section, to the one outboard of the joint, or to that of a
+  /// loop's place `from`.
   std::vector<int> path;
+  std::size_t loop = 0;  ///< index of the loop that it is on
   space::Section section;
   space::Pose rest;  ///< pose of the section in H, undeformed and with all joint coordinates zero
   std::size_t first = 0;  ///< place of its values among those of the subsystem

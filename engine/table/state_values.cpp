@@ -77,6 +77,8 @@ void for_each_state_part(SubsystemData<World>& subsystem, Apply&& apply) {
   apply(doubles(subsystem.prescribed));
   apply(doubles(subsystem.root_load));
   apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
+  if (ArenaVector<double>& kept = subsystem.loops.kept_multipliers; !kept.empty())
+    apply(doubles(kept[0], kept.size()));
   for (BodyData<World>& body : subsystem.bodies) {
     apply_to_joint(body, apply);
     apply_to_block(body.coordinates, apply);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/table/body_data.h"
+#include "engine/table/loop_data.h"
 #include "engine/table/reading.h"
 #include "engine/table/step_table.h"
 
@@ -106,6 +107,7 @@ struct alignas(kInterferenceSize) SubsystemData {
   /// that carries it hands it on, hub frame [N], and at the end that of all that is applied; empty
   /// unless a tension depends on them.
   ArenaVector<PositionOf<World>> applied_forces;
+  LoopData<World> loops;
   /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
   const PositionOf<World>* flight_acceleration = nullptr;
 

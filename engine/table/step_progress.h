@@ -72,6 +72,14 @@ struct StepError {
   CoordinatePlace place = CoordinatePlace::hub_position;
 };
 
+/// How near a loop is to a singular position.
+struct LoopNearness {
+  /// Least pivot of the loops' equations, each by what it was at the start; 1: none is less.
+  double left = 1.0;
+  std::int64_t subsystem = -1;  ///< index from 0; -1 where a subsystem reports
+  std::int64_t row = -1;        ///< of all loops of the subsystem, from 0
+};
+
 /// Report of a pass, summed in fixed order over the bodies that report together.
 struct PassReport {
   double change = 0.0;  ///< largest change of a coordinate in this iteration [m, rad]
@@ -82,6 +90,7 @@ struct PassReport {
   bool failed = false;         ///< a body or the hub
   LargeDeflection deflection;  ///< the largest, the first of equal ones
   StepError error;             ///< the largest, in the first iteration of a step
+  LoopNearness loop;           ///< the nearest
 };
 
 /// Where a subsystem, or a coupled system, stands, and what it needs to turn the end of a pass into
@@ -114,11 +123,13 @@ struct StepRecord {
   double dissipated = 0.0;     ///< during the step [J]
   LargeDeflection deflection;  ///< the largest at its end
   StepError error;             ///< the largest
+  LoopNearness loop;           ///< the nearest in its last pass
 };
 // Nodes assign whole records: bytes that belong to no member would differ from run to run.
-static_assert(sizeof(StepRecord) ==
-              3 * sizeof(double) + sizeof(LargeDeflection) + sizeof(StepError));
+static_assert(sizeof(StepRecord) == 3 * sizeof(double) + sizeof(LargeDeflection) +
+                                        sizeof(StepError) + sizeof(LoopNearness));
 static_assert(sizeof(StepError) == 3 * sizeof(double));
+static_assert(sizeof(LoopNearness) == 3 * sizeof(double));
 
 /// Bounds of one run over the step graph; set before it, constant during it.
 struct Window {

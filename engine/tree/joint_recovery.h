@@ -64,7 +64,7 @@ typename World::Twist pass_to_child(const Joint& joint, const typename World::Tw
 /// handle.
 template <class World, class Joint>
 typename World::Twist pass_to_parent(const Joint& joint, const typename World::Twist& F) noexcept {
-  const typename World::Twist f = -(joint.R * F);
+  typename World::Twist f = -(joint.R * F);
   if constexpr (kHasJointCoordinates<World>)
     return translate(joint.p, f);
   else

@@ -10,6 +10,7 @@
 
 #include "engine/plane/natural_frequencies.h"
 #include "engine/steady/alike_subsystems.h"
+#include "engine/steady/close_loops.h"
 #include "engine/steady/find_equilibrium.h"
 #include "engine/steady/linear_model.h"
 #include "engine/vibration/coupled_roots.h"
@@ -56,6 +57,8 @@ std::vector<LinearModel> linearize_parts(const Scenario& scenario, double speed,
   start.alike = steady::find_alike(*model);
   for (std::size_t i = 0; i < model->subsystems(); ++i) {
     start.q.push_back(model->initial(i));
+    start.rows.push_back(steady::close_loops(i, *model, start.q.back()));
+    start.multipliers.emplace_back();
     model->settle(i, start.q.back());
   }
   return take_apart(steady::linearize(start, *model), model->azimuths());

@@ -109,12 +109,21 @@ std::string KindNames::find_direction(const std::array<double, 4>& energies) {
   return is_second_ ? "flap" : "lag";
 }
 
-std::string KindNames::name(std::size_t subsystem, const VectorXcd& x, const Eigen::MatrixXd& mass,
-                            const SubsystemShape& shape, const SteadyModel& model) {
+std::vector<steady::SubsystemCoordinate> list_independent(std::size_t subsystem,
+                                                          const steady::LinearModel& linear,
+                                                          const SteadyModel& model) {
+  std::vector<steady::SubsystemCoordinate> list;
+  for (const Eigen::Index k : linear.subsystem(subsystem).independent)
+    list.push_back(model.coordinates(subsystem)[static_cast<std::size_t>(k)]);
+  return list;
+}
+
+std::string KindNames::name(const std::vector<steady::SubsystemCoordinate>& coordinates,
+                            const VectorXcd& x, const Eigen::MatrixXd& mass,
+                            const SubsystemShape& shape) {
   const auto energy = [&mass](const VectorXcd& y) {
     return y.real().dot(mass * y.real()) + y.imag().dot(mass * y.imag());
   };
-  const auto& coordinates = model.coordinates(subsystem);
   std::map<int, VectorXcd> by_joint;  // by number of the body that the joint carries
   std::map<int, std::string> names;
   for (Eigen::Index k = 0; k < x.size(); ++k) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/steady/find_equilibrium.h"
+#include "engine/steady/linear_model.h"
 #include "engine/vibration/eigenvalues.h"
 
 namespace spoke::vibration {
@@ -28,6 +28,12 @@ struct SubsystemShape {
 SubsystemShape calc_subsystem_shape(std::size_t subsystem, const Eigen::VectorXd& q,
                                     const Eigen::VectorXcd& x, steady::SteadyModel& model);
 
+/// Returns those of a subsystem's coordinates that its loops leave independent, in the order of the
+/// linear model.
+std::vector<steady::SubsystemCoordinate> list_independent(std::size_t subsystem,
+                                                          const steady::LinearModel& linear,
+                                                          const steady::SteadyModel& model);
+
 /// Names kinds of modes, in ascending order of their roots.
 class KindNames {
  public:
@@ -35,8 +41,10 @@ class KindNames {
   /// of the joint, if any, that has more than half of the kinetic energy x^H M x: "hinges flap", or
   /// only "flap_hinge" where the name says it. Of two modes with as much flap as lag, the whirls of
   /// equal stiffnesses, the first is flap, the second lag.
-  std::string name(std::size_t subsystem, const Eigen::VectorXcd& x, const Eigen::MatrixXd& mass,
-                   const SubsystemShape& shape, const steady::SteadyModel& model);
+  /// `x` and `mass` are of the independent coordinates, which `coordinates` lists.
+  std::string name(const std::vector<steady::SubsystemCoordinate>& coordinates,
+                   const Eigen::VectorXcd& x, const Eigen::MatrixXd& mass,
+                   const SubsystemShape& shape);
 
  private:
   std::string find_direction(const std::array<double, 4>& energies);

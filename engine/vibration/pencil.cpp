@@ -83,12 +83,14 @@ double Pencil::sum_terms(MatrixXd LinearSubsystem::*subsystem, MatrixXd HubCoupl
   const auto form = [](const auto& left, const MatrixXd& A, const auto& right) {
     return A.size() == 0 ? 0.0 : left.dot(A.cwiseAbs() * right);
   };
+  const bool is_stiffness = subsystem == &LinearSubsystem::K;
   const VectorXd of_hub = x.head(model_.M.rows());
   double sum = form(of_hub, model_.*hub, of_hub);
   for (std::size_t place = 0; place < subsystems_.size(); ++place) {
     const LinearSubsystem& t = model_.subsystem(subsystems_[place]);
     const VectorXd of_subsystem = x.segment(starts_[place], t.M.rows());
-    sum += form(of_subsystem, t.*subsystem, of_subsystem);
+    const bool has_terms = is_stiffness && t.K_terms.size() > 0;
+    sum += form(of_subsystem, has_terms ? t.K_terms : t.*subsystem, of_subsystem);
     if (!has_hub()) continue;
     const HubCoupling& both = model_.couplings[subsystems_[place]];
     sum += form(of_subsystem, both.*subsystem_hub, of_hub) +

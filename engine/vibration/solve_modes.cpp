@@ -125,8 +125,10 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
   const std::string of = name_subsystems(find_like(i, all.linear.alike), all.model);
   const Eigen::Index wanted = find_count(count, pencil.size(), ": there are no more of " + of);
   const auto shape_of = [&](const Eigen::VectorXcd& x) {
-    return vibration::calc_subsystem_shape(i, all.equilibrium.q[i], x, all.model);
+    return vibration::calc_subsystem_shape(
+        i, all.equilibrium.q[i], all.linear.motion_of(i, x, Eigen::VectorXcd()), all.model);
   };
+  const auto independent = vibration::list_independent(i, all.linear, all.model);
   std::vector<Root> roots = vibration::find_roots(pencil, count_with_partners(wanted, pencil));
   separate_equal_roots(
       pencil, [&](const Eigen::VectorXcd& x) { return list_features(shape_of(x)); }, roots);
@@ -135,6 +137,7 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
   vibration::KindNames kinds;
   for (const Root& root : roots) {
     Mode mode = make_mode(root);
+    mode.coordinates = all.linear.motion_of(i, root.x, Eigen::VectorXcd());
     mode.of = of;
     const SubsystemShape shape = shape_of(root.x);
     mode.shape.resize(all.model.subsystems());
@@ -142,7 +145,7 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
     mode.shape[i] = shape.nodes;
     mode.rotations[i] = shape.rotations;
     normalise(mode);
-    mode.kind = kinds.name(i, root.x, all.linear.subsystem(i).M, shape, all.model);
+    mode.kind = kinds.name(independent, root.x, all.linear.subsystem(i).M, shape);
     numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
     result.modes.push_back(std::move(mode));
   }
@@ -172,13 +175,37 @@ void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& 
   }
 }
 
+/// Returns the motion of a subsystem's independent coordinates.
+Eigen::VectorXcd part_of(std::size_t i, const Pencil& pencil, const Eigen::VectorXcd& x,
+                         const Linearised& all) {
+  return x.segment(pencil.start(i), all.linear.subsystem(i).M.rows());
+}
+
+/// Returns the motion of all coordinates of a subsystem.
+Eigen::VectorXcd motion_of(std::size_t i, const Pencil& pencil, const Eigen::VectorXcd& x,
+                           const Linearised& all) {
+  return all.linear.motion_of(i, part_of(i, pencil, x, all), x.head(all.linear.M.rows()));
+}
+
+/// Returns the motion of the hub's free coordinates and of all coordinates of subsystems.
+Eigen::VectorXcd list_motions(const Pencil& pencil, const Eigen::VectorXcd& x,
+                              const Linearised& all) {
+  Eigen::VectorXcd list = x.head(all.linear.M.rows());
+  for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
+    const Eigen::VectorXcd own = motion_of(i, pencil, x, all);
+    list.conservativeResize(list.size() + own.size());
+    list.tail(own.size()) = own;
+  }
+  return list;
+}
+
 /// Names the pattern in which the subsystems that are like subsystem `i` move.
 std::string find_pattern(std::size_t i, const Pencil& pencil, const Eigen::VectorXcd& x,
                          const Linearised& all) {
   std::vector<Eigen::VectorXcd> subsystems;
   std::vector<double> azimuths;
   for (const std::size_t k : find_like(all.equilibrium.alike[i], all.equilibrium.alike)) {
-    subsystems.emplace_back(x.segment(pencil.start(k), all.linear.subsystem(k).M.rows()));
+    subsystems.push_back(part_of(k, pencil, x, all));
     azimuths.push_back(all.model.azimuth(k));
   }
   return vibration::name_pattern(subsystems, azimuths);
@@ -193,7 +220,7 @@ Features list_coupled_features(const Eigen::VectorXcd& x, const Pencil& pencil,
   std::vector<Eigen::Index> starts;
   Eigen::Index size = 0;
   for (std::size_t i = 0; i < subsystems; ++i) {
-    const Eigen::VectorXcd own = x.segment(pencil.start(i), all.linear.subsystem(i).M.rows());
+    const Eigen::VectorXcd own = motion_of(i, pencil, x, all);
     shapes.push_back(
         list_features(vibration::calc_subsystem_shape(i, all.equilibrium.q[i], own, all.model)));
     starts.push_back(size);
@@ -220,6 +247,7 @@ Features list_coupled_features(const Eigen::VectorXcd& x, const Pencil& pencil,
 Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised& all,
                        vibration::KindNames& kinds) {
   Mode mode = make_mode(root);
+  mode.coordinates = list_motions(pencil, root.x, all);
   mode.of = "all";
   const Eigen::Index h = all.linear.M.rows();
   set_hub_motion(root.x.head(h), all.model, mode);
@@ -228,7 +256,7 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   double largest = 0.0;
   std::vector<SubsystemShape> shapes;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
-    const Eigen::VectorXcd x = root.x.segment(pencil.start(i), all.linear.subsystem(i).M.rows());
+    const Eigen::VectorXcd x = motion_of(i, pencil, root.x, all);
     SubsystemShape& shape =
         shapes.emplace_back(vibration::calc_subsystem_shape(i, all.equilibrium.q[i], x, all.model));
     if (shape.total() > largest * (1.0 + kAlike)) {
@@ -245,11 +273,11 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   const Eigen::VectorXcd hub = root.x.head(h);
   const double of_hub =
       hub.real().dot(all.linear.M * hub.real()) + hub.imag().dot(all.linear.M * hub.imag());
-  const Eigen::VectorXcd x =
-      root.x.segment(pencil.start(most), all.linear.subsystem(most).M.rows());
+  const Eigen::VectorXcd x = part_of(most, pencil, root.x, all);
   mode.kind = of_hub > 0.5 && largest < 0.25
                   ? "hub"
-                  : kinds.name(most, x, all.linear.subsystem(most).M, shapes[most], all.model);
+                  : kinds.name(vibration::list_independent(most, all.linear, all.model), x,
+                               all.linear.subsystem(most).M, shapes[most]);
   mode.name = find_pattern(most, pencil, root.x, all);
   return mode;
 }

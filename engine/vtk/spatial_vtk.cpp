@@ -23,7 +23,8 @@ struct Mesh {
   std::vector<Vector> points, displacements, velocities;  ///< inertial axes
   struct Cell {
     std::vector<std::size_t> corners;
-    int subsystem = 0, body = 0, element = 0;  ///< from 1; element 0 for rigid bodies
+    /// From 1; element 0 for rigid bodies, body 0 for rods of loops, all 0 for plates of anchors.
+    int subsystem = 0, body = 0, element = 0;
     ElementForces forces;
   };
   std::vector<Cell> lines, faces;
@@ -32,8 +33,16 @@ struct Mesh {
 /// Fills a mesh.
 class MeshMaker {
  public:
-  MeshMaker(const scene::Scene& scene, const scene::Frame& frame, const scene::FrameReader& reader)
-      : scene_(scene), frame_(frame), reader_(reader), deformed_(scene, frame) {}
+  MeshMaker(const Simulation& simulation, const scene::Scene& scene, const scene::Frame& frame,
+            const scene::FrameReader& reader)
+      : scene_(scene), frame_(frame), reader_(reader), deformed_(scene, frame) {
+    carriers_.resize(1 + scene.carriers.size());
+    const HubFrame hub = simulation.hub_frame();
+    carriers_[0] = {hub.position, hub.rotation, hub.velocity, hub.angular_velocity};
+    for (const scene::Carrier& carrier : scene.carriers)
+      carriers_[static_cast<std::size_t>(carrier.group)] =
+          carrier.anchor < 0 ? simulation.mount_frame() : simulation.anchor_frame(carrier.anchor);
+  }
 
   Mesh make() && {
     for (std::size_t k = 0; k < scene_.nodes.size(); ++k)
@@ -43,7 +52,9 @@ class MeshMaker {
       add_surface(strip);
     }
     for (const scene::Solid& solid : scene_.solids)
-      if (solid.node >= 0) add_solid(solid);
+      if (solid.node >= 0 || solid.group > 0) add_solid(solid);
+    for (const scene::LoopMark& loop : scene_.loops)
+      if (loop.kind == name_of(LoopKind::distance)) add_rod(loop);
     return std::move(mesh_);
   }
 
@@ -52,15 +63,26 @@ class MeshMaker {
     const scene::NodeSource& source = scene_.sources[static_cast<std::size_t>(k)];
     return reader_.body_of(source).nodes[static_cast<std::size_t>(source.node)];
   }
+  static Vector cross(const Vector& w, const Vector& r) {
+    return {w.y() * r.z() - w.z() * r.y(), w.z() * r.x() - w.x() * r.z(),
+            w.x() * r.y() - w.y() * r.x()};
+  }
   /// Returns the velocity of a point that is fixed to a node.
   static Vector velocity_at(const TreeNode& node, const Vector& p) {
-    const Vector r = p - node.p, &w = node.angular_velocity;
-    return node.velocity + Vector(w.y() * r.z() - w.z() * r.y(), w.z() * r.x() - w.x() * r.z(),
-                                  w.x() * r.y() - w.y() * r.x());
+    return node.velocity + cross(node.angular_velocity, p - node.p);
   }
 
-  /// Adds a point that is fixed to a node, or to an element at its outer end.
+  /// Adds a point that is fixed to the hub, the mount or an anchor.
+  void add_carried_point(const Place& place) {
+    const MarkerMotion& motion = carriers_[static_cast<std::size_t>(place.group)];
+    const Vector r = motion.rotation * place.p;
+    mesh_.points.emplace_back(motion.position + r);
+    mesh_.displacements.emplace_back(Vector::Zero());
+    mesh_.velocities.emplace_back(motion.velocity + cross(motion.angular_velocity, r));
+  }
+  /// Adds a point that is fixed to a node, to an element at its outer end, or to what is no body.
   void add_point(const Place& place) {
+    if (place.node < 0) return add_carried_point(place);
     const Vector p = deformed_.at(place).position;
     const spatial::Placement& group = frame_.groups[static_cast<std::size_t>(
         scene_.nodes[static_cast<std::size_t>(place.node)].group)];
@@ -112,21 +134,30 @@ class MeshMaker {
   }
   void add_solid(const scene::Solid& solid) {
     const std::size_t first = mesh_.points.size();
-    for (const Vector& vertex : solid.vertices) add_point({solid.node, 0.0, vertex});
+    for (const Vector& vertex : solid.vertices) add_point({solid.node, 0.0, vertex, solid.group});
     for (const std::vector<int>& face : solid.faces) {
       Mesh::Cell cell;
       cell.subsystem = solid.subsystem + 1;
-      cell.body = scene_.sources[static_cast<std::size_t>(solid.node)].body + 1;
+      if (solid.node >= 0)
+        cell.body = scene_.sources[static_cast<std::size_t>(solid.node)].body + 1;
       for (const int corner : face)
         cell.corners.push_back(first + static_cast<std::size_t>(corner));
       mesh_.faces.push_back(std::move(cell));
     }
   }
 
+  void add_rod(const scene::LoopMark& loop) {
+    const std::size_t first = mesh_.points.size();
+    add_point(loop.from);
+    add_point(loop.to);
+    mesh_.lines.push_back({{first, first + 1}, loop.subsystem + 1, 0, 0, {}});
+  }
+
   const scene::Scene& scene_;
   const scene::Frame& frame_;
   const scene::FrameReader& reader_;
   scene::Deformed deformed_;
+  std::vector<MarkerMotion> carriers_;  ///< hub, mount and anchors, by group
   Mesh mesh_;
 };
 
@@ -206,7 +237,7 @@ SpatialVtk::SpatialVtk(const Scenario& scenario)
 
 std::string SpatialVtk::make(const Simulation& simulation) {
   reader_.read(simulation, frame_);
-  const Mesh mesh = MeshMaker(scene_, frame_, reader_).make();
+  const Mesh mesh = MeshMaker(simulation, scene_, frame_, reader_).make();
   VtkText file;
   file.line("<?xml version=\"1.0\"?>");
   file.line("<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>");

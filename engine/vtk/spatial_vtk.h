@@ -1,6 +1,7 @@
 #pragma once
 
-// A model in space as a VTK file: its beams as lines, and sections and rigid bodies as surfaces.
+// A model in space as a VTK file: its beams and the rods of its loops as lines, sections, rigid
+// bodies and anchors as surfaces.
 
 #include <string>
 #include <vector>

@@ -97,6 +97,14 @@ std::string describe_joint(const spatial::Joint& joint, std::size_t index) {
   return joint.name.empty() ? "joint " + std::to_string(index + 1) : "joint \"" + joint.name + '"';
 }
 
+void look_at_loops(const std::string& of, const std::vector<Loop>& loops, Hints& hints) {
+  for (const Loop& loop : loops)
+    for (const LoopPlace* place : {&loop.from, &loop.to})
+      if (place->orientation)
+        hints.look("orientation", "loop \"" + loop.name + "\" of " + of, place->orientation->norm(),
+                   kTurn);
+}
+
 void look_at_twist(const std::string& of, const spatial::Beam& beam, Hints& hints) {
   for (const double twist : beam.sections.twist) hints.look("twist", of, twist, kHalfTurn);
 }
@@ -111,6 +119,7 @@ void look_at_blades(const std::vector<spatial::Blade>& blades, Hints& hints) {
       const spatial::Joint& joint = blades[i].joints[k].joint;
       look_at_joint(describe_joint(joint, k) + " of " + of, joint, hints);
     }
+    look_at_loops(of, blades[i].loops, hints);
   }
 }
 
@@ -122,10 +131,11 @@ void look_at_subsystem(const spatial::Subsystem& subsystem, Hints& hints) {
   for (std::size_t k = 0; k < subsystem.joints.size(); ++k)
     look_at_joint(describe_joint(subsystem.joints[k].joint, k) + of, subsystem.joints[k].joint,
                   hints);
+  look_at_loops("subsystem \"" + subsystem.name + '"', subsystem.loops, hints);
 }
 
-void look_at_mount(const spatial::VectorCourse& rotation, Hints& hints) {
-  const std::string of = "the rotation of the hub's mount";
+/// Looks at a rotation vector over time; `of`: "the rotation of the hub's mount".
+void look_at_rotation(const std::string& of, const spatial::VectorCourse& rotation, Hints& hints) {
   if (const auto* table = std::get_if<spatial::VectorTable>(&rotation)) {
     for (const Curve& component : table->components) hints.look("table", of, component);
     return;
@@ -136,18 +146,34 @@ void look_at_mount(const spatial::VectorCourse& rotation, Hints& hints) {
   hints.look("phase", of, harmonic.phase, kTurn);
 }
 
+void look_at_anchors(const std::vector<Anchor>& anchors, Hints& hints) {
+  for (const Anchor& anchor : anchors) {
+    const std::string of = "anchor \"" + anchor.name + '"';
+    if (const auto* motion = std::get_if<spatial::MountMotion>(&anchor.motion))
+      look_at_rotation("the rotation of " + of, motion->rotation, hints);
+    else
+      hints.look("rotation", of, std::get<ProgramAnchorMotion>(anchor.motion).rotation.norm(),
+                 kTurn);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> find_angle_hints(const Scenario& scenario) {
   Hints hints;
   if (!scenario.space) {
     look_at_azimuths(scenario.rotor.blades, hints);
+    for (std::size_t i = 0; i < scenario.rotor.blades.size(); ++i)
+      look_at_loops("blade " + std::to_string(i + 1), scenario.rotor.blades[i].loops, hints);
+    look_at_anchors(scenario.rotor.anchors, hints);
     return hints.take();
   }
   const spatial::Model& model = *scenario.space;
   look_at_blades(model.blades, hints);
   for (const spatial::Subsystem& subsystem : model.subsystems) look_at_subsystem(subsystem, hints);
-  if (model.hub.mount) look_at_mount(model.hub.mount->rotation, hints);
+  if (model.hub.mount)
+    look_at_rotation("the rotation of the hub's mount", model.hub.mount->rotation, hints);
+  look_at_anchors(model.anchors, hints);
   return hints.take();
 }
 

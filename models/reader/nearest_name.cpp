@@ -45,4 +45,18 @@ std::optional<std::string_view> nearest_name(std::string_view typed,
   return nearest;
 }
 
+std::string describe_unknown(const std::string& name, std::span<const std::string_view> names) {
+  const auto nearest = nearest_name(name, names);
+  std::string text = "is \"" + name + "\", ";
+  if (nearest) return text + "did you mean \"" + std::string(*nearest) + "\"?";
+  if (names.size() > 12) return text + "expected one of " + std::to_string(names.size()) + " names";
+  text += "expected ";
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0                  ? "\""
+             : i + 1 == names.size() ? " or \""
+                                     : ", \"") +
+            std::string(names[i]) + '"';
+  return text;
+}
+
 }  // namespace spoke

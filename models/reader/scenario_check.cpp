@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "models/reader/loop_faults.h"
 #include "models/reader/scenario_fields.h"
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_check.h"
@@ -82,6 +83,22 @@ void check_blade(const std::string& path, const Blade& blade) {
     check(point_path + ".position", point.position, place_on(blade));
     check_fields(point_path, point);
   }
+}
+
+void check_loops(const Rotor& rotor) {
+  const auto require = [](const std::string& path, const Fault& fault) {
+    if (fault) fail(fault.within(path).path, fault.text);
+  };
+  std::vector<Anchor> anchors;
+  for (const Anchor& anchor : rotor.anchors) {
+    require("anchor." + std::to_string(anchors.size() + 1),
+            find_fault(anchor, anchors, rotor.hub.support, true));
+    anchors.push_back(anchor);
+  }
+  std::size_t number = 0;
+  for (const Blade& blade : rotor.blades)
+    require("blades." + std::to_string(++number),
+            find_fault(blade.loops, surroundings_of(blade, rotor.hub, rotor.anchors)));
 }
 
 void check_blades(const std::vector<Blade>& blades, const Hub& hub) {
@@ -179,6 +196,7 @@ void check_rotor(const Rotor& rotor) {
   check_fields("hub", rotor.hub);
   check_drive(rotor.hub.drive);
   check_blades(rotor.blades, rotor.hub);
+  check_loops(rotor);
   check_numbers("gravity.acceleration", rotor.gravity, kGravity);
   check("gravity.ramp", rotor.gravity_ramp, kRamp);
   check_fields("damping", rotor.damping);
@@ -241,6 +259,8 @@ void check_scenario(const Scenario& scenario) {
   check_fields("integration", scenario.integration);
   const std::string fault = find_step_fault(scenario.integration);
   if (!fault.empty()) fail("integration.step", fault);
+  const std::string radius_fault = find_radius_fault(scenario.integration, scenario);
+  if (!radius_fault.empty()) fail("integration.spectral_radius", radius_fault);
   check_fields("limits", scenario.limits);
   check_fields("output", scenario.output);
   if (scenario.space)

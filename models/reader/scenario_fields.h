@@ -169,6 +169,8 @@ void visit_fields(I& integration, const Visit& visit) {
   visit("iterations", integration.iterations, Count{0, most_iterations}, Presence::optional);
   visit("max_iterations", integration.max_iterations, Count{1, most_iterations},
         Presence::optional);
+  visit("loop_redundancy", integration.loop_redundancy, Quantity::inside(0.0, 1.0),
+        Presence::optional);
 }
 
 template <PerhapsConst<Limits> L, class Visit>

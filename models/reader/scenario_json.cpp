@@ -3,6 +3,7 @@
 #include "models/reader/scenario_json.h"
 
 #include "models/reader/drive_json.h"
+#include "models/reader/loop_json.h"
 #include "models/reader/spatial/model_json.h"
 
 namespace spoke {
@@ -36,7 +37,7 @@ void add_material(const Blade& blade, Json& json) {
   json.set("youngs_modulus", blade.youngs_modulus);
 }
 
-Json to_json(const Blade& blade) {
+Json to_json(const Blade& blade, const Rotor& rotor) {
   Json json = {{"length", blade.length}, {"bodies", blade.bodies}, {"elements", blade.elements}};
   add_material(blade, json);
   json.set("geometric_stiffening", blade.geometric_stiffening);
@@ -45,6 +46,7 @@ Json to_json(const Blade& blade) {
   for (const PointMass& point : blade.point_masses)
     json.append("point_mass",
                 {{"position", point.position}, {"mass", point.mass}, {"inertia", point.inertia}});
+  add_loops(blade.loops, surroundings_of(blade, rotor.hub, rotor.anchors), json);
   return json;
 }
 
@@ -125,6 +127,7 @@ Json to_json(const Sensor& sensor) {
   if (has_position(sensor.quantity) && sensor.position) json.set("position", *sensor.position);
   if (sensor.quantity == SensorQuantity::joint_reaction && sensor.joint)
     json.set("joint", sensor.joint->number());
+  if (is_of_loop(sensor.quantity)) json.set("loop", sensor.loop);
   if (frames_of(sensor.quantity).size() > 1) json.set("frame", name_of(frame_of(sensor)));
   return json;
 }
@@ -163,7 +166,10 @@ void add_rotor(const Rotor& rotor, Json& json) {
   Json gravity = {{"acceleration", to_json(rotor.gravity)}};
   add_ramp(rotor.gravity_ramp, gravity);
   json.set("hub", to_json(rotor.hub));
-  json.set("blades", to_list(rotor.blades));
+  Json blades = Json::array();
+  for (const Blade& blade : rotor.blades) blades.push_back(to_json(blade, rotor));
+  json.set("blades", std::move(blades));
+  add_anchors(rotor.anchors, true, json);
   json.set("gravity", gravity);
   json.set("damping", {{"mass_factor", rotor.damping.mass_factor},
                        {"stiffness_factor", rotor.damping.stiffness_factor}});
@@ -189,18 +195,23 @@ Json model_to_json(const Scenario& scenario) {
   return json;
 }
 
-Json integration_to_json(const Integration& integration) {
-  return {{"method", name_of(integration.method)}, {"step", integration.step},
-          {"duration", integration.duration},      {"spectral_radius", integration.spectral_radius},
-          {"tolerance", integration.tolerance},    {"iterate_to", name_of(goal_of(integration))},
-          {"iterations", integration.iterations},  {"max_iterations", integration.max_iterations}};
+Json integration_to_json(const Scenario& scenario) {
+  const Integration& integration = scenario.integration;
+  Json json = {
+      {"method", name_of(integration.method)}, {"step", integration.step},
+      {"duration", integration.duration},      {"spectral_radius", integration.spectral_radius},
+      {"tolerance", integration.tolerance},    {"iterate_to", name_of(goal_of(integration))},
+      {"iterations", integration.iterations},  {"max_iterations", integration.max_iterations}};
+  // For the reason of add_ramp().
+  if (has_loops(scenario)) json.set("loop_redundancy", integration.loop_redundancy);
+  return json;
 }
 
 Json scenario_to_json(const Scenario& scenario) {
   Json json = {{"title", scenario.title}};
   add_model(scenario, json);
   add_initial(scenario.initial, json);
-  json.set("integration", integration_to_json(scenario.integration));
+  json.set("integration", integration_to_json(scenario));
   json.set("limits", to_json(scenario.limits));
   json.set("output", {{"interval", scenario.output.interval}});
   if (!scenario.space || !scenario.sensors.empty()) json.set("sensor", to_list(scenario.sensors));

@@ -12,6 +12,6 @@ Json scenario_to_json(const Scenario& scenario);
 /// Returns the tables of the model: hub, blades or subsystems, gravity, damping and loads.
 Json model_to_json(const Scenario& scenario);
 /// Returns the table [integration].
-Json integration_to_json(const Integration& integration);
+Json integration_to_json(const Scenario& scenario);
 
 }  // namespace spoke

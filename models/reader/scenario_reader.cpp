@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "models/reader/field_reader.h"
+#include "models/reader/loop_faults.h"
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_reader.h"
@@ -15,10 +16,11 @@
 namespace spoke {
 namespace {
 
-Integration read_integration(const TomlSection& root) {
-  const TomlSection section =
-      root.section("integration", {"method", "step", "duration", "spectral_radius", "tolerance",
-                                   "iterate_to", "iterations", "max_iterations"});
+/// Reads [integration], after the model.
+Integration read_integration(const TomlSection& root, const Scenario& scenario) {
+  const TomlSection section = root.section(
+      "integration", {"method", "step", "duration", "spectral_radius", "tolerance", "iterate_to",
+                      "iterations", "max_iterations", "loop_redundancy"});
   Integration integration;
   integration.method = section.choice(
       "method", {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}, integration.method);
@@ -28,6 +30,8 @@ Integration read_integration(const TomlSection& root) {
         "iterate_to", {IterationGoal::error, IterationGoal::tolerance}, IterationGoal::tolerance);
   const std::string fault = find_step_fault(integration);
   if (!fault.empty()) section.fail(section.has("step") ? "step" : "duration", fault);
+  const std::string radius_fault = find_radius_fault(integration, scenario);
+  if (!radius_fault.empty()) section.fail("spectral_radius", radius_fault);
   return integration;
 }
 
@@ -84,15 +88,15 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
   const TomlSection root(
-      document, {"title", "world", "hub", "blade", "blades", "subsystem", "gravity", "damping",
-                 "load", "distributed_load", "drag", "hub_load", "initial", "integration", "limits",
-                 "output", "sensor"});
+      document, {"title", "world", "hub", "anchor", "blade", "blades", "subsystem", "gravity",
+                 "damping", "load", "distributed_load", "drag", "hub_load", "initial",
+                 "integration", "limits", "output", "sensor"});
   Scenario scenario;
   scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
   read_world(root, scenario);
   scenario.initial = read_initial(root, scenario);
-  scenario.integration = read_integration(root);
+  scenario.integration = read_integration(root, scenario);
   scenario.limits = read_limits(root);
   visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});
   scenario.sensors = scenario.space ? spatial::read_sensors(root, *scenario.space)

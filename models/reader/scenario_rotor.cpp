@@ -9,6 +9,7 @@
 #include "models/reader/blade_sections.h"
 #include "models/reader/curve_reader.h"
 #include "models/reader/field_reader.h"
+#include "models/reader/loop_reader.h"
 #include "models/reader/scenario_loads.h"
 #include "models/scenario.h"
 
@@ -99,7 +100,8 @@ Hub read_hub(const TomlSection& root) {
 
 /// Reads a blade; keys that `own` lacks are taken from `common`. Its azimuth is `azimuth` if not
 /// given.
-Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth) {
+Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth,
+                 const Rotor& rotor) {
   const auto from = [&](std::string_view key) -> const TomlSection& {
     return !own.has(key) && common.has(key) ? common : own;
   };
@@ -119,6 +121,7 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
       from("reference_frame")
           .choice("reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord},
                   blade.reference_frame);
+  blade.loops = read_loops(from("loop"), surroundings_of(blade, rotor.hub, rotor.anchors));
   return blade;
 }
 
@@ -132,7 +135,7 @@ void check_elements(const TomlSection& root, const std::vector<Blade>& blades) {
   if (!fault.empty()) root.fail(root.has("blades") ? "blades" : "blade", fault);
 }
 
-std::vector<Blade> read_blades(const TomlSection& root, const Hub& hub) {
+std::vector<Blade> read_blades(const TomlSection& root, const Rotor& rotor) {
   const TomlSection::Keys keys = {"length",
                                   "bodies",
                                   "elements",
@@ -144,7 +147,8 @@ std::vector<Blade> read_blades(const TomlSection& root, const Hub& hub) {
                                   "reference_frame",
                                   "azimuth",
                                   "sections",
-                                  "point_mass"};
+                                  "point_mass",
+                                  "loop"};
   TomlSection::Keys common_keys = keys;
   common_keys.push_back("count");
   const TomlSection common = root.section("blade", common_keys);
@@ -152,10 +156,10 @@ std::vector<Blade> read_blades(const TomlSection& root, const Hub& hub) {
   const double first = common.number("azimuth", Quantity::any("rad"), 0.0);
   std::vector<Blade> blades;
   if (one_by_one.empty()) {
-    if (!root.has("blade") && moves_alone(hub)) return blades;
+    if (!root.has("blade") && moves_alone(rotor.hub)) return blades;
     if (!root.has("blade")) root.fail("blade", "is missing, expected [blade] or [[blades]]");
     const int count = common.integer("count", {1, kMostOfAKind});
-    const Blade blade = read_blade(common, common, first);
+    const Blade blade = read_blade(common, common, first, rotor);
     check_stations(root, static_cast<std::size_t>(count) * count_stations(blade));
     blades.assign(static_cast<std::size_t>(count), blade);
     for (int i = 0; i < count; ++i) {
@@ -169,7 +173,7 @@ std::vector<Blade> read_blades(const TomlSection& root, const Hub& hub) {
     std::size_t stations = 0;
     for (const TomlSection& own : one_by_one) {
       const double even = first + 2.0 * pi * static_cast<double>(blades.size()) / count;
-      blades.push_back(read_blade(own, common, even));
+      blades.push_back(read_blade(own, common, even, rotor));
       check_stations(root, stations += count_stations(blades.back()));
     }
   }
@@ -182,7 +186,8 @@ std::vector<Blade> read_blades(const TomlSection& root, const Hub& hub) {
 Rotor read_rotor(const TomlSection& root) {
   Rotor rotor;
   rotor.hub = read_hub(root);
-  rotor.blades = read_blades(root, rotor.hub);
+  rotor.anchors = read_anchors(root, rotor.hub.support, true);
+  rotor.blades = read_blades(root, rotor);
   const TomlSection gravity = root.section("gravity", {"acceleration", "ramp"});
   if (gravity.has("acceleration")) {
     const std::vector<double> acceleration = gravity.numbers("acceleration", kGravity, kPosition);

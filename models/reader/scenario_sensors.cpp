@@ -46,6 +46,15 @@ std::vector<std::string> columns_of(const Sensor& sensor, std::size_t blades) {
   return names;
 }
 
+/// Returns the loops of each blade that a sensor is on.
+std::vector<const std::vector<Loop>*> loops_of(const Sensor& sensor,
+                                               const std::vector<Blade>& blades) {
+  std::vector<const std::vector<Loop>*> loops;
+  for (std::size_t i = 0; i < blades.size(); ++i)
+    if (sensor.blade.holds(i)) loops.push_back(&blades[i].loops);
+  return loops;
+}
+
 Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades) {
   Sensor sensor;
   sensor.quantity = read_quantity(section);
@@ -59,6 +68,9 @@ Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades)
   if (quantity == SensorQuantity::joint_reaction)
     sensor.joint = JointChoice::number(
         section.integer("joint", {1, least_of(sensor, blades, &Blade::bodies)}));
+  sensor.loop = section.text("loop", "");
+  if (const std::string fault = find_loop_fault(sensor, loops_of(sensor, blades)); !fault.empty())
+    section.fail("loop", fault);
   if (quantity == SensorQuantity::section_force || section.has("position"))
     sensor.position = section.number("position", place_of(sensor, blades));
   return sensor;
@@ -80,6 +92,8 @@ void check_sensor(const std::string& path, const Sensor& sensor, const std::vect
     refuse_sensor(path + ".name", "is \"" + sensor.name + "\", expected " + kNameExpected);
   if (const std::string fault = find_frame_fault(sensor); !fault.empty())
     refuse_sensor(path + ".frame", fault);
+  if (const std::string fault = find_loop_fault(sensor, loops_of(sensor, blades)); !fault.empty())
+    refuse_sensor(path + ".loop", fault);
   if (sensor.quantity == SensorQuantity::joint_reaction) {
     const int joints = least_of(sensor, blades, &Blade::bodies);
     const std::string expected = "expected a whole number from 1 to " + std::to_string(joints);
@@ -99,8 +113,8 @@ void check_sensor(const std::string& path, const Sensor& sensor, const std::vect
 std::vector<Sensor> read_sensors(const TomlSection& root, const std::vector<Blade>& blades) {
   std::vector<Sensor> sensors;
   ColumnNames columns(is_default);
-  for (const TomlSection& section :
-       root.sections("sensor", {"name", "quantity", "blade", "position", "joint", "frame"})) {
+  for (const TomlSection& section : root.sections(
+           "sensor", {"name", "quantity", "blade", "position", "joint", "loop", "frame"})) {
     sensors.push_back(read_sensor(section, blades));
     const std::string fault = columns.add(columns_of(sensors.back(), blades.size()));
     if (!fault.empty()) section.fail(section.has("name") ? "name" : "", fault);

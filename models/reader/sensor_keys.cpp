@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "models/reader/nearest_name.h"
+
 namespace spoke {
 namespace {
 
@@ -13,12 +15,14 @@ constexpr std::size_t kMostValues = 1'000'000;
 constexpr std::initializer_list<SensorQuantity> kQuantities{
     SensorQuantity::displacement,  SensorQuantity::velocity,       SensorQuantity::acceleration,
     SensorQuantity::section_force, SensorQuantity::joint_reaction, SensorQuantity::hub_reaction,
-    SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy};
+    SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy,
+    SensorQuantity::loop_reaction, SensorQuantity::loop_opening};
 
 /// Whether a sensor of this quantity has a use for a key.
 bool takes(SensorQuantity quantity, std::string_view key) {
   if (key == "position") return has_position(quantity);
   if (key == "joint") return quantity == SensorQuantity::joint_reaction;
+  if (key == "loop") return is_of_loop(quantity);
   if (key == "frame") return frames_of(quantity).size() > 1;
   return is_of_blade(quantity);
 }
@@ -50,7 +54,7 @@ SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantit
 }
 
 void require_fitting_keys(const TomlSection& section, SensorQuantity quantity) {
-  for (const std::string_view key : {"blade", "position", "joint", "frame"})
+  for (const std::string_view key : {"blade", "position", "joint", "loop", "frame"})
     require_fitting(section, key, quantity);
 }
 
@@ -59,6 +63,27 @@ std::string find_frame_fault(const Sensor& sensor) {
   if (std::find(frames.begin(), frames.end(), frame_of(sensor)) != frames.end()) return {};
   return "is \"" + std::string(name_of(frame_of(sensor))) +
          "\", which does not belong to quantity \"" + std::string(name_of(sensor.quantity)) + "\"";
+}
+
+std::string find_loop_fault(const Sensor& sensor,
+                            const std::vector<const std::vector<Loop>*>& loops) {
+  if (!is_of_loop(sensor.quantity)) {
+    return sensor.loop.empty() ? ""
+                               : "does not belong to quantity \"" +
+                                     std::string(name_of(sensor.quantity)) + "\", expected none";
+  }
+  for (const std::vector<Loop>* own : loops) {
+    std::vector<std::string_view> names;
+    for (const Loop& loop : *own) names.push_back(loop.name);
+    if (names.empty())
+      return (sensor.loop.empty() ? "is missing" : "is \"" + sensor.loop + '"') +
+             ", but the sensor is where there is no [[" +
+             (sensor.subsystem.empty() ? "blade" : "subsystem") + ".loop]]";
+    if (sensor.loop.empty()) return "is missing, expected the name of a loop";
+    if (std::find(names.begin(), names.end(), sensor.loop) == names.end())
+      return describe_unknown(sensor.loop, names);
+  }
+  return {};
 }
 
 void append_columns(const Sensor& sensor, int blade, std::span<const SensorComponent> components,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "models/loop.h"
 #include "models/reader/toml_section.h"
 #include "models/sensor.h"
 
@@ -17,11 +18,16 @@ namespace spoke {
 SensorQuantity read_quantity(const TomlSection& section);
 /// Reads the key `frame` of a sensor, which must be a frame of its quantity.
 SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantity);
-/// Refuses the keys `blade`, `position`, `joint` and `frame` where a sensor's quantity has no use
-/// for them.
+/// Refuses the keys `blade`, `position`, `joint`, `loop` and `frame` where a sensor's quantity has
+/// no use for them.
 void require_fitting_keys(const TomlSection& section, SensorQuantity quantity);
 /// Returns what is wrong with a sensor's frame; empty if nothing is.
 std::string find_frame_fault(const Sensor& sensor);
+
+/// Returns what is wrong with the loop that a sensor names, where it must be one of each of these
+/// lists, of the blades or the subsystem that the sensor is on; empty if nothing is.
+std::string find_loop_fault(const Sensor& sensor,
+                            const std::vector<const std::vector<Loop>*>& loops);
 
 /// Appends the names of the columns that a sensor has on a blade (from 0; of none, any number).
 void append_columns(const Sensor& sensor, int blade, std::span<const SensorComponent> components,

@@ -11,7 +11,7 @@
 namespace spoke::space {
 
 /// A body. Handle 0 is the inboard one, at the origin of the body's frame; a child hangs at each
-/// other one.
+/// other one, but for those behind them, at which loops are fixed.
 struct Body {
   std::variant<FlexibleBody, RigidBody> shape;
   std::shared_ptr<const Beam> beam;  ///< the beam that a flexible body is a part of

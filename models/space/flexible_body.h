@@ -38,8 +38,8 @@ struct FlexibleBody {
   /// Its directions, if it is decoupled and no small masses turn with it.
   std::optional<Directions> directions;
   bool is_damped = false;  ///< whether D is not zero
-  /// Nodes at which joints hold the body: first node 0 (the inboard handle), then one for each
-  /// child in the children's order; these may repeat.
+  /// Nodes at which joints and loops hold the body: first node 0 (the inboard handle), then one for
+  /// each child in the children's order, then one for each place of a loop; these may repeat.
   std::vector<int> handles;
 
   double mass = 0.0;               ///< [kg]

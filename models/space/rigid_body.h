@@ -14,7 +14,8 @@ struct RigidBody {
   double mass = 0.0;                   ///< [kg]
   Position centre = Position::Zero();  ///< centre of mass [m]
   Matrix3 inertia = Matrix3::Zero();   ///< inertia about the centre of mass [kg m^2]
-  std::vector<Position> outboard;      ///< handles at which children hang [m]
+  /// Handles at which children hang, then those of loops [m].
+  std::vector<Position> outboard;
 };
 
 /// M_RR = [m 1, -S~; S~, Theta], S = m c, Theta about the frame's origin.

@@ -30,14 +30,18 @@ std::string in_parentheses(std::string_view unit) {
 }
 
 bool Quantity::holds(double value) const {
-  return (least_included ? value >= least : value > least) && value <= greatest;
+  return (least_included ? value >= least : value > least) &&
+         (greatest_included ? value <= greatest : value < greatest);
 }
 
 std::string Quantity::expectation() const {
   std::string text = "a number";
   if (std::isfinite(least) && std::isfinite(greatest)) {
     text += (least_included ? " from " : " greater than ") + describe(least) +
-            (least_included ? " to " : " and at most ") + describe(greatest);
+            (!greatest_included ? " and less than "
+             : least_included   ? " to "
+                                : " and at most ") +
+            describe(greatest);
   } else if (std::isfinite(least)) {
     text +=
         least_included ? " of " + describe(least) + " or more" : " greater than " + describe(least);

@@ -21,6 +21,7 @@ struct Quantity {
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
   bool least_included = true;
+  bool greatest_included = true;
 
   static constexpr Quantity any(std::string_view unit) { return {unit}; }
   static constexpr Quantity positive(std::string_view unit) {
@@ -28,6 +29,9 @@ struct Quantity {
   }
   static constexpr Quantity not_negative(std::string_view unit) { return {unit, 0.0}; }
   static constexpr Quantity between(double least, double greatest) { return {"", least, greatest}; }
+  static constexpr Quantity inside(double least, double greatest) {
+    return {"", least, greatest, false, false};
+  }
 
   /// Returns "a number greater than 0 (m)".
   std::string expectation() const;

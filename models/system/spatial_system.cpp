@@ -112,6 +112,7 @@ class SubsystemMaker {
   Subsystem<Space> make(std::vector<std::vector<BodyLoad<Space>>> loads) {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
+    for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
       made_.bodies[j].joint.slide = find_slide(j);
@@ -161,12 +162,55 @@ class SubsystemMaker {
     });
   }
 
+  /// Returns the places of loops on a body. They have the handles behind those of its children.
+  std::vector<const spatial::TreePlace*> places_on(std::size_t j) const {
+    std::vector<const spatial::TreePlace*> places;
+    for (const spatial::TreeLoop& loop : tree_.loops)
+      for (const spatial::TreePlace* place : {&loop.from, &loop.to})
+        if (place->carrier == LoopPlace::Carrier::body && place->body == static_cast<int>(j))
+          places.push_back(place);
+    return places;
+  }
+
+  LoopPlaceModel make_place(const spatial::TreePlace& place) const {
+    LoopPlaceModel made;
+    made.carrier = place.carrier;
+    made.offset = pose_of(place.placement);
+    if (place.carrier == LoopPlace::Carrier::anchor) made.anchor = static_cast<int>(place.anchor);
+    if (place.carrier != LoopPlace::Carrier::body) {
+      // Anchors have the axes of H as well; H is that of the drive.
+      made.offset = {to_axis_ * made.offset.p, to_axis_ * made.offset.R};
+      return made;
+    }
+    const auto j = static_cast<std::size_t>(place.body);
+    const std::vector<const spatial::TreePlace*> places = places_on(j);
+    made.body = place.body;
+    made.handle =
+        static_cast<int>(made_.bodies[j].children.size()) + 1 +
+        static_cast<int>(std::find(places.begin(), places.end(), &place) - places.begin());
+    const space::Rotation back = frame_of(j).inverse();
+    // The handle of a rigid body is where the place is.
+    made.offset = {flexible(j) ? back * made.offset.p : space::Position(space::Position::Zero()),
+                   back * made.offset.R};
+    return made;
+  }
+
+  void add_loop(const spatial::TreeLoop& loop) {
+    LoopModel& made = made_.loops.emplace_back(make_loop(loop.loop, false));
+    made.owner = tree_.name;
+    made.key = tree_.key + ".loop." + std::to_string(made_.loops.size());
+    made.from = make_place(loop.from);
+    made.to = make_place(loop.to);
+  }
+
   void add_body(std::size_t j) {
     TreeBody<Space>& made = made_.bodies[j];
     if (const spatial::FlexibleBody* part = flexible(j)) {
       std::vector<int> handles{0};
       for (const int c : made.children)
         handles.push_back(static_cast<int>(body(static_cast<std::size_t>(c)).parent_node));
+      for (const spatial::TreePlace* place : places_on(j))
+        handles.push_back(static_cast<int>(place->node));
       made.body = shared_.find_or_make_body(beams_[part->beam], part->nodes,
                                             tree_.beams[part->beam].reference_frame, handles);
       return;
@@ -175,6 +219,8 @@ class SubsystemMaker {
     space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}};
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
+    for (const spatial::TreePlace* place : places_on(j))
+      shape.outboard.emplace_back(place->placement.position);
     made.body = std::make_shared<const space::Body>(space::Body{std::move(shape), nullptr});
   }
 
@@ -418,6 +464,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   for (std::size_t i = 0; i < trees.size(); ++i)
     system.subsystems.push_back(
         SubsystemMaker(trees[i], to_axis, centre, beams).make(make_body_loads(model, trees[i], i)));
+  for (const Anchor& anchor : model.anchors) system.anchors.push_back(make_anchor(anchor, to_axis));
   require_azimuth(system);
   return system;
 }

@@ -2,7 +2,9 @@
 
 #include "models/system/system.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -73,6 +75,43 @@ std::vector<double> find_outboard_moments(const Hub& hub, const Blade& blade) {
     sum += first_moment(beam, hub.radius + j * beam.length);
   }
   return moments;
+}
+
+/// Makes a place of a loop; one on the blade is at the outboard end of one of its bodies.
+LoopPlaceModel make_place(const LoopPlace& place, const Rotor& rotor, const Blade& blade) {
+  LoopPlaceModel made;
+  made.carrier = place.carrier;
+  const spatial::Vector rotation = place.orientation.value_or(spatial::Vector::Zero());
+  made.offset = {space::Position(place.point), space::exponential(space::Angular(rotation))};
+  if (place.carrier != LoopPlace::Carrier::body) {
+    const space::Rotation turn = space::exponential(space::Angular(0.0, 0.0, blade.azimuth));
+    made.offset = {turn * made.offset.p, turn * made.offset.R};
+  }
+  if (place.carrier == LoopPlace::Carrier::anchor) {
+    const auto anchor =
+        std::find_if(rotor.anchors.begin(), rotor.anchors.end(),
+                     [&place](const Anchor& known) { return known.name == place.name; });
+    assert(anchor != rotor.anchors.end());
+    made.anchor = static_cast<int>(anchor - rotor.anchors.begin());
+  } else if (place.carrier == LoopPlace::Carrier::body) {
+    const double length = blade.length / blade.bodies;
+    made.body = static_cast<int>(std::lround(place.station.value_or(blade.length) / length)) - 1;
+    made.handle = 1;
+    assert(made.body >= 0 && made.body < blade.bodies);
+  }
+  return made;
+}
+
+void add_loops(const Rotor& rotor, std::size_t i, Subsystem<Plane>& subsystem) {
+  const Blade& blade = rotor.blades[i];
+  for (const Loop& loop : blade.loops) {
+    LoopModel& made = subsystem.loops.emplace_back(make_loop(loop, true));
+    made.owner = "blade " + std::to_string(i + 1);
+    made.key =
+        "blades." + std::to_string(i + 1) + ".loop." + std::to_string(subsystem.loops.size());
+    made.from = make_place(loop.from, rotor, blade);
+    made.to = make_place(loop.to, rotor, blade);
+  }
 }
 
 Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& catalogue) {
@@ -169,10 +208,12 @@ System<Plane> make_system(const Rotor& rotor) {
   system.gravity_ramp = rotor.gravity_ramp;
   system.damping = rotor.damping;
   system.hub_loads = rotor.hub_loads;
+  for (const Anchor& anchor : rotor.anchors) system.anchors.push_back(make_anchor(anchor, {}));
   BodyCatalogue catalogue;
   for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
     system.subsystems.push_back(make_subsystem(rotor.hub, rotor.blades[i], catalogue));
     put_loads(make_body_loads(rotor, i), system.subsystems.back());
+    add_loops(rotor, i, system.subsystems.back());
   }
   const bool flies = rotor.hub.support == HubSupport::free;
   if (!flies && rotor.gravity.isZero(0.0)) return system;

@@ -10,6 +10,7 @@
 #include "models/plane/plane.h"
 #include "models/rotor.h"
 #include "models/system/blade_loads.h"
+#include "models/system/loop_model.h"
 
 namespace spoke {
 
@@ -39,6 +40,14 @@ struct Subsystem {
   /// Place of the undeformed tip in space, hub frame [m].
   PositionOf<World> tip = PositionOf<World>::Zero();
   std::vector<TreeBody<World>> bodies;
+  std::vector<LoopModel> loops;
+
+  /// Returns the number of rows of all loops.
+  int loop_rows() const {
+    int count = 0;
+    for (const LoopModel& loop : loops) count += static_cast<int>(loop.rows.size());
+    return count;
+  }
 };
 
 template <class World>
@@ -46,6 +55,7 @@ struct System {
   typename World::Hub hub;
   std::vector<typename World::HubLoad> hub_loads;
   std::vector<Subsystem<World>> subsystems;
+  std::vector<AnchorModel> anchors;
   /// Gravitational acceleration, inertial frame, at full size [m/s^2].
   PositionOf<World> gravity = PositionOf<World>::Zero();
   double gravity_ramp = 0.0;  ///< [s]

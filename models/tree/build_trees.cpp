@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "models/space/reference_curve.h"
 #include "models/space/rotation_vector.h"
@@ -72,23 +73,95 @@ void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamR
   }
 }
 
-Tree build_tree(const Blade& blade, const Hub& hub, std::size_t number) {
+/// Returns the stations at which loops are fixed to a beam; `body`: its name.
+std::vector<double> loop_stations(const std::vector<Loop>& loops, const std::string& body,
+                                  const Beam& beam) {
+  std::vector<double> stations;
+  for (const Loop& loop : loops)
+    for (const LoopPlace* place : {&loop.from, &loop.to})
+      if (place->carrier == LoopPlace::Carrier::body && place->name == body)
+        stations.push_back(place->station.value_or(beam.length));
+  return stations;
+}
+
+/// Finds places of loops in a tree whose bodies are made.
+class LoopBuilder {
+ public:
+  /// `turn`: of places that no body carries.
+  LoopBuilder(const std::vector<Anchor>& anchors, const Tensor& turn, Tree& tree)
+      : anchors_(anchors), turn_(turn), tree_(tree) {}
+
+  /// Adds a loop. `find_bodies(name)`: the bodies that make up the body of that name.
+  template <class FindBodies>
+  void add(const Loop& loop, const FindBodies& find_bodies) {
+    tree_.loops.push_back({loop, find(loop.from, find_bodies), find(loop.to, find_bodies)});
+  }
+
+ private:
+  template <class FindBodies>
+  TreePlace find(const LoopPlace& place, const FindBodies& find_bodies) const {
+    TreePlace found;
+    found.carrier = place.carrier;
+    found.placement = {place.point, rotation_of(place.orientation.value_or(Vector::Zero()))};
+    if (place.carrier == LoopPlace::Carrier::anchor) {
+      const auto at = std::find_if(anchors_.begin(), anchors_.end(),
+                                   [&](const Anchor& a) { return a.name == place.name; });
+      assert(at != anchors_.end());
+      found.anchor = static_cast<std::size_t>(at - anchors_.begin());
+    }
+    if (place.carrier == LoopPlace::Carrier::body)
+      find_body(place, find_bodies(place.name), found);
+    else
+      found.placement = Placement{Vector::Zero(), turn_} * found.placement;
+    return found;
+  }
+
+  /// Finds the outermost of the bodies `first` to `last` that has a node at the place.
+  void find_body(const LoopPlace& place, const std::pair<std::size_t, std::size_t>& bodies,
+                 TreePlace& found) const {
+    for (std::size_t i = bodies.second + 1; i-- > bodies.first;) {
+      found.body = static_cast<int>(i);
+      const auto* part = std::get_if<FlexibleBody>(&tree_.bodies[i].shape);
+      if (part == nullptr) return;
+      const Beam& beam = tree_.beams[part->beam];
+      const auto node = find_node(*part, place.station.value_or(beam.length), resolution_of(beam));
+      if (!node) continue;
+      found.node = *node;
+      return;
+    }
+    assert(false && "places of loops are nodes");
+  }
+
+  const std::vector<Anchor>& anchors_;
+  Tensor turn_;
+  Tree& tree_;
+};
+
+Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
   Tree tree;
   tree.name = "blade " + std::to_string(number);
   tree.azimuth = blade.azimuth;
   const Tensor turned =
       rotation_of(blade.azimuth * Vector::UnitZ()) * rotation_of(-blade.precone * Vector::UnitY());
   const Placement root =
-      rotor_placement(hub) * Placement{turned * (hub.radius * Vector::UnitX()), turned};
-  add_beam(tree, blade.beam, "", {{}, root, {}}, blade.joints, {});
+      rotor_placement(model.hub) * Placement{turned * (model.hub.radius * Vector::UnitX()), turned};
+  add_beam(tree, blade.beam, "", {{}, root, {}}, blade.joints,
+           loop_stations(blade.loops, "", blade.beam));
   if (tree.bodies.size() == 1) tree.bodies[0].name = "body 1";
+  LoopBuilder builder(model.anchors, rotation_of(blade.azimuth * model.hub.axis.normalized()),
+                      tree);
+  for (const Loop& loop : blade.loops)
+    builder.add(loop, [&tree](const std::string&) {
+      return std::pair<std::size_t, std::size_t>(0, tree.bodies.size() - 1);
+    });
   return tree;
 }
 
 /// Adds the bodies of a subsystem, each after its parent.
 class SubsystemBuilder {
  public:
-  explicit SubsystemBuilder(const Subsystem& subsystem) : subsystem_(subsystem) {
+  SubsystemBuilder(const Subsystem& subsystem, const std::vector<Anchor>& anchors)
+      : subsystem_(subsystem), anchors_(anchors) {
     tree_.name = subsystem.name;
     for (const SubsystemJoint& joint : subsystem.joints) children_.emplace(joint.parent, &joint);
   }
@@ -104,6 +177,12 @@ class SubsystemBuilder {
       const auto further = children_of(joint.child);
       next.insert(next.end(), further.rbegin(), further.rend());
     }
+    LoopBuilder builder(anchors_, Tensor::Identity(), tree_);
+    for (const Loop& loop : subsystem_.loops)
+      builder.add(loop, [this](const std::string& name) {
+        const Added& added = added_.at(name);
+        return std::pair(added.first, added.last);
+      });
     return std::move(tree_);
   }
 
@@ -147,6 +226,8 @@ class SubsystemBuilder {
       std::vector<double> places;
       for (const SubsystemJoint* further : children_of(child.name))
         places.push_back(further->station.value_or(beam->length));
+      for (const double station : loop_stations(subsystem_.loops, child.name, *beam))
+        places.push_back(station);
       add_beam(tree_, *beam, child.name, {handle_of(joint), {}, joint.joint}, {}, places);
     } else {
       add_body(tree_, child.name, std::get<RigidBody>(child.shape), handle_of(joint), {},
@@ -156,6 +237,7 @@ class SubsystemBuilder {
   }
 
   const Subsystem& subsystem_;
+  const std::vector<Anchor>& anchors_;
   /// Joints by the name of their parent.
   std::multimap<std::string, const SubsystemJoint*> children_;
   std::map<std::string, Added> added_;
@@ -174,9 +256,14 @@ Placement rotor_placement(const Hub& hub) {
 std::vector<Tree> build_trees(const Model& model) {
   std::vector<Tree> trees;
   for (std::size_t i = 0; i < model.blades.size(); ++i)
-    trees.push_back(build_tree(model.blades[i], model.hub, i + 1));
+    trees.push_back(build_tree(model.blades[i], model, i + 1));
   for (const Subsystem& subsystem : model.subsystems)
-    trees.push_back(SubsystemBuilder(subsystem).build());
+    trees.push_back(SubsystemBuilder(subsystem, model.anchors).build());
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    const bool is_blade = i < model.blades.size();
+    trees[i].key = is_blade ? "blades." + std::to_string(i + 1)
+                            : "subsystem." + std::to_string(i + 1 - model.blades.size());
+  }
   return trees;
 }
 

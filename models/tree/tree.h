@@ -35,13 +35,32 @@ struct TreeBody {
   Joint joint{};  ///< its axes are in the body's frame; offset and orientation are in `placement`
 };
 
+/// A place of a loop in its tree.
+struct TreePlace {
+  LoopPlace::Carrier carrier = LoopPlace::Carrier::body;
+  int body = -1;           ///< index of the body that carries it, if one does
+  std::size_t node = 0;    ///< its node, if it is flexible
+  std::size_t anchor = 0;  ///< index of the anchor that carries it, if one does
+  /// The place's frame in that of its body or its node, of the hub, the mount or the anchor. In
+  /// these it stands where the azimuth of the blade has turned it about the hub's axis.
+  Placement placement{};
+};
+
+/// A loop of a tree.
+struct TreeLoop {
+  Loop loop{};  ///< as it is described; its places are in `from` and `to`
+  TreePlace from{}, to{};
+};
+
 /// Bodies on the hub; parents stand before their children.
 struct Tree {
   std::string name{};  ///< "blade 1", or the name of the subsystem
+  std::string key{};   ///< in a scenario: "blades.1", "subsystem.2"
   /// Azimuth of a blade, added to the hub's angle for AzimuthMotion [rad].
   double azimuth = 0.0;
   std::vector<Beam> beams{};       ///< beams whose parts are the flexible bodies
   std::vector<TreeBody> bodies{};  ///< one or more
+  std::vector<TreeLoop> loops{};   ///< closures between bodies, and of bodies on what carries them
 };
 
 /// Returns the number of coordinates of a tree: those of its joints, free or prescribed, and of its
@@ -53,8 +72,9 @@ std::int64_t count_coordinates(const Tree& tree);
 ///
 /// A blade's joints part it, and each part is cut into equally long bodies, none longer than
 /// length/bodies; beams of subsystems are cut by the same rule. A body has as many equally long
-/// elements as the beam says, unless children within it need nodes: then there is at least one
-/// element between two of these, and lengths are as equal as that allows.
+/// elements as the beam says, unless children or loops within it need nodes: then there is at least
+/// one element between two of these, and lengths are as equal as that allows. Where a joint parts a
+/// blade, a loop is fixed to the part outboard of it.
 std::vector<Tree> build_trees(const Model& model);
 
 /// Returns the frame of the blades in the hub's frame, its z axis along the hub's axis.

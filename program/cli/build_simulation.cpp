@@ -11,6 +11,7 @@ Simulation build_simulation(const std::string& file, const Scenario& scenario,
   try {
     return Simulation(scenario, options);
   } catch (const InputError& error) {
+    if (!error.place().key.empty()) throw;  // the program finds its place
     throw InputError(file + ": " + error.what());
   }
 }

@@ -16,6 +16,7 @@
 #include "models/start.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/commands.h"
+#include "program/cli/print_loops.h"
 #include "program/cli/print_space.h"
 #include "program/cli/report.h"
 #include "program/cli/results_folder.h"
@@ -95,9 +96,9 @@ void require_place(const Arguments& arguments) {
 }
 
 /// Writes the page of the model, if one is asked for.
-void draw(const Arguments& arguments, const Scenario& scenario) {
+void draw(const Arguments& arguments, const Simulation& simulation) {
   if (arguments.html.empty()) return;
-  write_file(arguments.html, run_report::make_model_page(scenario));
+  write_file(arguments.html, run_report::make_model_page(simulation));
   print_line("drawn", arguments.html);
 }
 
@@ -116,10 +117,11 @@ int check(const Arguments& arguments) {
   } else {
     print_model(simulation);
   }
+  print_loops(simulation);
   const Limits limits = find_limits(simulation);
   print_properties(simulation, limits);
   print_start(scenario);
-  draw(arguments, scenario);
+  draw(arguments, simulation);
   warn_of_rk4(arguments, simulation, limits.properties.rk4_largest_step);
   return 0;
 }

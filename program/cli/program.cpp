@@ -21,6 +21,7 @@
 #include "graph/execute/unbound_thread.h"
 #include "graph/executor.h"
 #include "models/error.h"
+#include "models/reader/key_place.h"
 #include "program/cli/choose_instructions.h"
 #include "program/cli/help_texts.h"
 #include "program/cli/interruption.h"
@@ -154,7 +155,13 @@ int execute(const Command& command, const Arguments& arguments, char** argv) {
   // Variables that bind OpenMP's threads (such as OMP_PROC_BIND) hold for OpenMP's executors alone.
   std::optional<graph::UnboundThread> unbound;
   if (!graph::is_openmp(arguments.options.executor)) unbound.emplace();
-  return command.execute(arguments);
+  try {
+    return command.execute(arguments);
+  } catch (const InputError& error) {
+    const bool is_placed = error.place().key.empty() || !error.place().file.empty();
+    if (is_placed || arguments.scenario.empty()) throw;
+    throw place_in_file(error, arguments.scenario, arguments.overrides);
+  }
 }
 
 int run_words(const std::vector<Command>& commands, const std::vector<std::string>& words,

@@ -30,7 +30,10 @@ void print_model(const Simulation& simulation) {
   print_title(simulation.scenario().title);
   print_line("model", counted(size.subsystems, "subsystem") + ", " + counted(size.bodies, "body") +
                           ", " + counted(size.coordinates, "coordinate") + ", " +
-                          counted(size.joints, "joint"));
+                          counted(size.joints, "joint") +
+                          (size.loops == 0 ? ""
+                                           : ", " + counted(size.loops, "loop") + ", " +
+                                                 counted(size.freedoms, "freedom")));
   print_line("step graph",
              counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge"));
 }

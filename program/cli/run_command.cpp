@@ -17,6 +17,7 @@
 #include "program/cli/checkpoints.h"
 #include "program/cli/commands.h"
 #include "program/cli/interruption.h"
+#include "program/cli/print_loops.h"
 #include "program/cli/progress.h"
 #include "program/cli/report.h"
 #include "program/cli/results_folder.h"
@@ -374,6 +375,7 @@ int complete(Prepared& run, const Arguments& arguments, ranks::Launch& launch) {
   const fs::path trace_folder = arguments.trace_out;
   Checkpoints checkpoints(run.folder / "checkpoint.spoke", arguments.checkpoint_every);
   if (!arguments.quiet) print_plan(simulation, launch.count());
+  if (!arguments.quiet && arguments.resume.empty()) print_moved_joints(simulation);
   if (!arguments.quiet && !arguments.resume.empty())
     print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
                                       simulation.time(), simulation.steps()));

@@ -14,6 +14,8 @@ void print(const EquilibriumResult& result, const SteadyTask& task) {
   print_table(steady_report::make_tip_table(result));
   const report::Table joints = steady_report::make_joint_table(result);
   if (!joints.rows.empty()) print_table(joints);
+  const report::Table loops = steady_report::make_loop_table(result);
+  if (!loops.rows.empty()) print_table(loops);
   print_line("written", task.path("static.html") + ", static.json, section_forces.csv");
 }
 

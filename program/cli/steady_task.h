@@ -29,6 +29,7 @@ class SteadyTask {
     try {
       return solve(scenario_);
     } catch (const InputError& error) {
+      if (!error.place().key.empty()) throw;  // the program finds its place
       throw InputError(file_ + ": " + error.what());
     }
   }

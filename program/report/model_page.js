@@ -16,7 +16,7 @@ function startPage() {
   for (const name of ['axes', 'joints', 'loads', 'sensors', 'names']) {
     const box = document.getElementById(`model-${name}`);
     settings[name] = box.checked;
-    box.parentElement.hidden = Array.isArray(scene[name]) && scene[name].length === 0;
+    box.parentElement.hidden = Array.isArray(scene[name]) && scene[name].length + (name === 'joints' ? scene.loops.length : 0) === 0;
     box.addEventListener('change', () => {
       settings[name] = box.checked;
       view.draw(state);

@@ -86,7 +86,7 @@ class Player {
     });
     const deforms = animation.largest.size > 0;
     scale.parentElement.hidden = !deforms;
-    const hasMarks = { outline: deforms, joints: scene.joints.length > 0, loads: scene.loads.length > 0 };
+    const hasMarks = { outline: deforms, joints: scene.joints.length + scene.loops.length > 0, loads: scene.loads.length > 0 };
     for (const name of ['outline', 'trails', 'joints', 'loads', 'names']) {
       const box = this.controls[name];
       box.parentElement.hidden = hasMarks[name] === false;

@@ -47,7 +47,8 @@ class Scene {
     };
   }
 
-  /** How far from a node what is fixed to it reaches; of node -1: from the hub's origin. */
+  /** How far from a node what is fixed to it reaches; of node -1: from the hub's origin, or of an anchor
+   *  from its own. */
   reachOf(node) {
     const p = node < 0 ? [0, 0, 0] : this.nodePlace(node);
     let reach = 0;
@@ -55,6 +56,8 @@ class Scene {
       if (solid.node === node)
         for (let k = 0; k < solid.vertices.length; k += 3)
           reach = Math.max(reach, size(sub(solid.vertices.subarray(k, k + 3), p)));
+    for (const { from, to } of this.loops)
+      for (const end of [from, to]) if (end.node === node) reach = Math.max(reach, size(sub(end.p, p)));
     return reach;
   }
 }
@@ -84,10 +87,13 @@ class Deformed {
     return rotationOf([scale * x, scale * y, scale * z]);
   }
 
-  /** Where a place {node, xi, p} is, and how it is turned. */
-  at({ node, xi, p }) {
+  /** Where a place {node, xi, p, group} is, and how it is turned; without a node it is fixed to its group. */
+  at({ node, xi, p, group = 0 }) {
     const { scene, places, turns } = this;
-    if (node < 0) return { p, R: kUnit };
+    if (node < 0) {
+      const { p: origin, R } = this.state.groups[group];
+      return { p: add(origin, turn(R, p)), R };
+    }
     const a = scene.nodePlace(node);
     if (xi === 0) return { p: add(places[node], turn(turns[node], sub(p, a))), R: turns[node] };
     // The axis between two nodes follows Hermite's cubics, whose tangents turn with the nodes.

@@ -50,7 +50,10 @@ function drawMarks(view) {
   drawBodyEnds(view);
   if (view.settings.axes) drawSectionAxes(view);
   drawHubAxis(view);
-  if (view.settings.joints) for (const joint of view.scene.joints) drawJoint(view, joint);
+  if (view.settings.joints) {
+    for (const joint of view.scene.joints) drawJoint(view, joint);
+    for (const loop of view.scene.loops) drawLoop(view, loop);
+  }
   if (view.settings.loads) drawLoads(view);
   if (view.settings.sensors) for (const sensor of view.scene.sensors) drawSensor(view, sensor);
   if (view.settings.names) drawNames(view);
@@ -152,13 +155,31 @@ function drawHubTurn(view) {
 /** The axes of a joint's freedoms: a ring about those of rotation, arrows along those of translation,
  *  a double ring for all rotations, a square where nothing moves. */
 function drawJoint(view, { kind, node, axes, coordinates }) {
-  const { context, at, R } = view.frame;
   const place = { node, xi: 0, p: view.scene.nodePlace(node) };
+  drawMotions(view, kind, place, axes, colorOf(coordinates.includes('prescribed') ? '--s3' : '--ink'));
+}
+
+/** A closure as a joint is drawn, in a colour of its own; dots at the ends of a rod. */
+function drawLoop(view, { kind, from, to, axes }) {
+  const color = colorOf('--bad');
+  if (kind !== 'distance') return drawMotions(view, kind, to, axes, color);
+  const { context, at } = view.frame;
+  context.fillStyle = color;
+  for (const end of [from, to]) {
+    const [x, y] = at(view.deformed.at(end).p);
+    context.beginPath();
+    context.arc(x, y, 3, 0, 2 * Math.PI);
+    context.fill();
+  }
+}
+
+/** What a joint of a kind lets move at a place. */
+function drawMotions(view, kind, place, axes, color) {
+  const { context, at, R } = view.frame;
   const { p, R: own } = view.deformed.at(place);
   const centre = at(p);
   const glyph = glyphSize(view);
-  const isDriven = coordinates.includes('prescribed');
-  context.strokeStyle = context.fillStyle = colorOf(isDriven ? '--s3' : '--ink');
+  context.strokeStyle = context.fillStyle = color;
   context.lineWidth = 1.75;
   const circle = (radius) => {
     context.beginPath();
@@ -241,8 +262,13 @@ function drawNames(view) {
   scene.trees.forEach((name, tree) => write(name, at(deformed.places[scene.tips[tree]]), view.treeColor(tree)));
   const short = (name) => name.split(' / ').pop();
   for (const { name, node } of scene.joints) write(short(name), at(deformed.places[node]), colorOf('--ink'));
-  for (const { name, node, vertices } of scene.solids)
-    if (node >= 0) write(short(name), at(deformed.at({ node, xi: 0, p: vertices.subarray(0, 3) }).p), colorOf('--soft'));
+  for (const { name, from, to } of scene.loops) {
+    const [a, b] = [from, to].map((end) => deformed.at(end).p);
+    write(short(name), at(times(0.5, add(a, b))), colorOf('--bad'));
+  }
+  for (const { name, node, group, vertices } of scene.solids)
+    if (node >= 0 || group > 0)
+      write(short(name), at(deformed.at({ node, group, xi: 0, p: vertices.subarray(0, 3) }).p), colorOf('--soft'));
   for (const sensor of scene.sensors) write(sensor.name, at(deformed.at(sensor).p), colorOf('--s3'));
 }
 

@@ -37,6 +37,18 @@ function showScale(host, kind, most) {
   host.replaceChildren(`${what}: ${numberText(low)} ${unit}`, bar, `${numberText(most)} ${unit}`);
 }
 
+/** Points from a to b in the picture, to and fro in between. */
+function coilPoints(a, b) {
+  const kTurns = 6;
+  const [x, y] = [b[0] - a[0], b[1] - a[1]];
+  const length = Math.hypot(x, y);
+  const half = length > 0 ? Math.min(5, 0.15 * length) / length : 0;
+  const at = (share, side) => [
+    a[0] + share * x - side * half * y, a[1] + share * y + side * half * x, a[2] + share * (b[2] - a[2])];
+  const turns = Array.from({ length: 2 * kTurns }, (_, k) => at(0.2 + (0.6 * (k + 0.5)) / (2 * kTurns), k % 2 ? -1 : 1));
+  return [a, at(0.2, 0), ...turns, at(0.8, 0), b];
+}
+
 class SceneView {
   /** bounds: {centre, radius, travel}; settings: {scale, color, outline, joints, loads, axes, names},
    *  shared by views. `colors(state)`: the colour of an element, or null for that of its tree. */
@@ -128,6 +140,7 @@ class SceneView {
     this.scene.strips.forEach((strip) => this.addStrip(strip, element));
     for (const solid of this.scene.solids) this.addSolid(solid);
     for (const link of this.scene.links) this.addLink(link);
+    for (const loop of this.scene.loops) if (loop.kind === 'distance') this.addRod(loop);
     this.faces.sort((a, b) => a.depth - b.depth);
     const { context } = this.frame;
     context.lineJoin = 'round';
@@ -188,15 +201,24 @@ class SceneView {
       if (k + 2 === rings.length && strip.hasTip) this.addFace(outer, rgb);
     }
   }
-  addSolid({ tree, node, vertices, faces }) {
+  addSolid({ tree, node, group, vertices, faces }) {
     const rgb = rgbOf(this.treeColor(tree));
     const points = [];
     for (let k = 0; k < vertices.length; k += 3)
-      points.push(this.frame.at(this.deformed.at({ node, xi: 0, p: vertices.subarray(k, k + 3) }).p));
+      points.push(this.frame.at(this.deformed.at({ node, group, xi: 0, p: vertices.subarray(k, k + 3) }).p));
     for (const face of faces) this.addFace(face.map((k) => points[k]), rgb);
   }
   addLink({ tree, node, from, to }) {
     const [a, b] = [from, to].map((p) => this.frame.at(this.deformed.at({ node, xi: 0, p }).p));
-    this.faces.push({ points: [a, b], depth: (a[2] + b[2]) / 2, color: this.treeColor(tree) });
+    this.addLine(a, b, this.treeColor(tree));
+  }
+  addLine(a, b, color) {
+    this.faces.push({ points: [a, b], depth: (a[2] + b[2]) / 2, color });
+  }
+  /** The rod of a loop; as a coil if it gives. */
+  addRod({ from, to, isSprung }) {
+    const points = (isSprung ? coilPoints : (...ends) => ends)(
+      ...[from, to].map((end) => this.frame.at(this.deformed.at(end).p)));
+    for (let k = 1; k < points.length; ++k) this.addLine(points[k - 1], points[k], colorOf('--ink'));
   }
 }

@@ -121,6 +121,14 @@ std::string describe_hub(const Scenario& scenario) {
   return scenario.rotor.hub.support == HubSupport::free ? "free in the plane" : "on an axle";
 }
 
+/// Adds the closed loops, if there are any.
+report::FactGroup with_loops(const ModelSize& size, report::FactGroup group) {
+  if (size.loops == 0) return group;
+  group.facts.push_back({"closed loops", std::to_string(size.loops)});
+  group.facts.push_back({"freedoms", std::to_string(size.freedoms)});
+  return group;
+}
+
 report::FactGroup spatial_facts(const Simulation& simulation) {
   const ModelSize size = simulation.size();
   return {
@@ -135,18 +143,19 @@ report::FactGroup spatial_facts(const Simulation& simulation) {
 }
 
 report::FactGroup model_facts(const Simulation& simulation) {
-  if (simulation.scenario().space) return spatial_facts(simulation);
   const ModelSize size = simulation.size();
-  return {
-      "Model",
-      {{"blades", std::to_string(size.subsystems)},
-       {"flexible bodies", std::to_string(size.bodies)},
-       {"beam elements", std::to_string(count_elements(simulation))},
-       {"coordinates", std::to_string(size.coordinates)},
-       {"joints", std::to_string(size.joints)},
-       {"hub", describe_hub(simulation.scenario())},
-       {"step graph", counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge")},
-       {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
+  if (simulation.scenario().space) return with_loops(size, spatial_facts(simulation));
+  return with_loops(
+      size, {"Model",
+             {{"blades", std::to_string(size.subsystems)},
+              {"flexible bodies", std::to_string(size.bodies)},
+              {"beam elements", std::to_string(count_elements(simulation))},
+              {"coordinates", std::to_string(size.coordinates)},
+              {"joints", std::to_string(size.joints)},
+              {"hub", describe_hub(simulation.scenario())},
+              {"step graph",
+               counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge")},
+              {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}});
 }
 
 /// Describes the iterations of generalized_alpha in a step.

@@ -81,8 +81,65 @@ report::Table body_table(const scene::Scene& scene) {
   return table;
 }
 
-std::string make_data(const Scenario& scenario, const scene::Scene& scene) {
-  const scene::Frame frame = make_first_frame(scenario, scene);
+report::Table loop_table(const scene::Scene& scene) {
+  report::Table table{
+      "Places and axes in the frames of what carries them, all joint coordinates "
+      "zero; drawn as the simulation starts, with all loops closed.",
+      {{"loop"}, {"kind"}, {"from [m]"}, {"to [m]"}, {"axes"}},
+      {}};
+  for (const scene::LoopMark& loop : scene.loops) {
+    std::string axes;
+    for (const scene::Vector& axis : loop.axes)
+      axes += (axes.empty() ? "" : ", ") + vector_text(axis);
+    table.rows.push_back({{loop.name, loop.kind + (loop.is_sprung ? ", sprung" : ""),
+                           vector_text(loop.from.p), vector_text(loop.to.p), axes}});
+  }
+  return table;
+}
+
+/// Names of those that begin with `prefix`, without it.
+std::string names_of(const std::vector<std::string>& names, const std::string& prefix) {
+  std::string text;
+  for (const std::string& name : names)
+    if (name.starts_with(prefix)) text += (text.empty() ? "" : ", ") + name.substr(prefix.size());
+  return text;
+}
+
+report::Table freedom_table(const LoopsAtStart& start) {
+  report::Table table{
+      "Free coordinates less independent rows are the mobility; redundant rows take no part. "
+      "Moved: "
+      "joints that left their initial coordinates so that loops are closed.",
+      {{"of"},
+       {"joint coordinates"},
+       {"of deformation"},
+       {"rows"},
+       {"mobility"},
+       {"redundant"},
+       {"moved"}},
+      {}};
+  for (const SubsystemFreedoms& own : start.subsystems) {
+    const std::string prefix = own.name + " / ";
+    std::vector<std::string> moved;
+    for (const MovedJoint& joint : start.moved)
+      moved.push_back(fmt::format("{} by {:.4g} {}", joint.joint, joint.by, joint.unit));
+    table.rows.push_back({{own.name, std::to_string(own.joints), std::to_string(own.deformations),
+                           std::to_string(own.rows), std::to_string(own.mobility),
+                           names_of(start.redundant, prefix), names_of(moved, prefix)}});
+  }
+  return table;
+}
+
+/// Returns the frame in which the model is drawn. Loops close where the simulation starts.
+scene::Frame find_frame(const Simulation& simulation, const scene::Scene& scene) {
+  if (scene.loops.empty()) return make_first_frame(simulation.scenario(), scene);
+  scene::Frame frame;
+  scene::FrameReader(scene).read(simulation, frame);
+  return frame;
+}
+
+std::string make_data(const Simulation& simulation, const scene::Scene& scene) {
+  const scene::Frame frame = find_frame(simulation, scene);
   std::vector<float> groups;
   for (std::size_t g = 1; g < frame.groups.size(); ++g) append_pose(frame.groups[g], groups);
   const Json data = {{"scene", describe_scene(scene)}, {"groups", encode(groups)}};
@@ -91,7 +148,8 @@ std::string make_data(const Scenario& scenario, const scene::Scene& scene) {
 
 }  // namespace
 
-std::string make_model_page(const Scenario& scenario) {
+std::string make_model_page(const Simulation& simulation) {
+  const Scenario& scenario = simulation.scenario();
   const scene::Scene scene = scene::make_scene(scenario, Animation::kMostNodes);
   report::Page page(scenario.title.empty() ? scenario.name : scenario.title,
                     std::string("The model at t = 0, before it is simulated: ") +
@@ -103,11 +161,16 @@ std::string make_model_page(const Scenario& scenario) {
     page.add_heading("Joints");
     page.add_table(joint_table(scene));
   }
+  if (!scene.loops.empty()) {
+    page.add_heading("Loops");
+    page.add_table(loop_table(scene));
+    page.add_table(freedom_table(simulation.loops_at_start()));
+  }
   if (!scene.strips.empty()) {
     page.add_heading("Flexible bodies");
     page.add_table(body_table(scene));
   }
-  page.add_data("model-data", make_data(scenario, scene));
+  page.add_data("model-data", make_data(simulation, scene));
   page.add_script(report::model_script());
   return page.html();
 }

@@ -22,6 +22,7 @@ Json with_place(const scene::Place& at, Json own) {
   own.set("node", at.node);
   own.set("xi", at.xi);
   own.set("p", json_of(at.p));
+  if (at.group > 0) own.set("group", at.group);
   return own;
 }
 
@@ -48,11 +49,8 @@ Json describe(const scene::Solid& solid) {
   for (const Vector& vertex : solid.vertices) append(vertex, vertices);
   Json faces = Json::array();
   for (const std::vector<int>& face : solid.faces) faces.push_back(face);
-  return {{"name", solid.name},
-          {"tree", solid.subsystem},
-          {"node", solid.node},
-          {"vertices", encode(vertices)},
-          {"faces", faces}};
+  return {{"name", solid.name},   {"tree", solid.subsystem},      {"node", solid.node},
+          {"group", solid.group}, {"vertices", encode(vertices)}, {"faces", faces}};
 }
 
 Json describe(const scene::Link& link) {
@@ -70,6 +68,18 @@ Json describe(const scene::JointMark& joint) {
           {"node", joint.node},
           {"axes", axes},
           {"coordinates", joint.coordinates}};
+}
+
+Json describe(const scene::LoopMark& loop) {
+  Json axes = Json::array();
+  for (const Vector& axis : loop.axes) axes.push_back(json_of(axis));
+  return {{"name", loop.name},
+          {"kind", loop.kind},
+          {"tree", loop.subsystem},
+          {"from", with_place(loop.from, Json::object())},
+          {"to", with_place(loop.to, Json::object())},
+          {"axes", axes},
+          {"isSprung", loop.is_sprung}};
 }
 
 Json describe(const scene::LoadMark& load) {
@@ -111,6 +121,7 @@ Json describe_scene(const scene::Scene& scene) {
           {"solids", describe_all(scene.solids)},
           {"links", describe_all(scene.links)},
           {"joints", describe_all(scene.joints)},
+          {"loops", describe_all(scene.loops)},
           {"loads", describe_all(scene.loads)},
           {"sensors", describe_all(scene.sensors)}};
 }

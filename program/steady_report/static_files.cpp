@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/steady/steady_warnings.h"
 #include "engine/support/csv_cell.h"
@@ -101,11 +102,20 @@ Json blade_json(const BladeEquilibrium& blade) {
                      {"station_m", load.station},
                      {"force_N", vector_json(load.force)},
                      {"moment_N_m", vector_json(load.moment)}});
+  Json loops = Json::array();
+  for (const LoopLoad& loop : blade.loops) {
+    Json load = {{"name", loop.name},
+                 {"force_N", vector_json(loop.force)},
+                 {"moment_N_m", vector_json(loop.moment)}};
+    if (loop.tension) load.set("tension_N", *loop.tension);
+    loops.push_back(std::move(load));
+  }
   return {{"name", blade.name},
           {"tip_displacement_m", vector_json(blade.tip_displacement)},
           {"tip_rotation_rad", vector_json(blade.tip_rotation)},
           {"joints", joints},
           {"section_forces", loads},
+          {"loops", loops},
           {"bending", blade.bending},
           {"nodes_m", nodes_json(blade.nodes)},
           {"undeformed_nodes_m", nodes_json(blade.undeformed)}};
@@ -171,6 +181,25 @@ report::Table make_joint_table(const EquilibriumResult& result) {
   return table;
 }
 
+report::Table make_loop_table(const EquilibriumResult& result) {
+  const RootScale scale = calc_root_scale(result);
+  report::Table table{.caption =
+                          "Closed loops: what they exert on their place `from`, in the hub's "
+                          "frame",
+                      .columns = {{"blade"},
+                                  {"loop"},
+                                  {"force [N]"},
+                                  {"moment [N m]"},
+                                  {"tension [N]", report::Align::number}}};
+  for (const BladeEquilibrium& blade : result.blades)
+    for (const LoopLoad& loop : blade.loops)
+      table.rows.push_back({{blade.name, loop.name,
+                             vector_text(loop.force, std::max(scale.force, loop.force.norm())),
+                             vector_text(loop.moment, std::max(scale.moment, loop.moment.norm())),
+                             loop.tension ? number_text(*loop.tension, scale.force) : ""}});
+  return table;
+}
+
 std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
   const RootScale scale = calc_root_scale(result);
   return {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
@@ -225,6 +254,8 @@ std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
   page.add_table(make_tip_table(result));
   if (const report::Table joints = make_joint_table(result); !joints.rows.empty())
     page.add_table(joints);
+  if (const report::Table loops = make_loop_table(result); !loops.rows.empty())
+    page.add_table(loops);
   page.add_data("steady-data", make_data(result, scenario));
   page.add_script(report::static_script());
   return page.html();

@@ -10,9 +10,10 @@
 
 namespace spoke::steady_report {
 
-/// Makes a row for each blade's tip motion and joints.
+/// Makes a row for each blade's tip motion, joints and closed loops.
 report::Table make_tip_table(const EquilibriumResult& result);
 report::Table make_joint_table(const EquilibriumResult& result);
+report::Table make_loop_table(const EquilibriumResult& result);
 /// Returns speed, hub wrench and the course of the search.
 std::vector<report::Fact> make_facts(const EquilibriumResult& result);
 

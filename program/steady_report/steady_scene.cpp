@@ -55,7 +55,8 @@ struct NodeShape {
 
 SteadyScene::SteadyScene(const Scenario& scenario, const EquilibriumResult& result,
                          std::size_t most_nodes)
-    : scene_(scene::make_scene(scenario, most_nodes)) {
+    : scene_(scene::make_scene(scenario, most_nodes)),
+      first_(make_first_frame(scenario, scene_).groups) {
   for (const scene::NodeSource& source : scene_.sources) {
     const std::vector<int>& bodies =
         result.blades[static_cast<std::size_t>(source.subsystem)].bodies;
@@ -68,6 +69,10 @@ Json SteadyScene::describe() const { return run_report::describe_scene(scene_); 
 
 Json SteadyScene::describe(const EquilibriumResult& result) const {
   std::vector<spatial::Placement> motions(static_cast<std::size_t>(scene_.groups));
+  for (const scene::Carrier& carrier : scene_.carriers) {
+    const auto g = static_cast<std::size_t>(carrier.group);
+    motions[g] = first_[g];
+  }
   std::vector<float> displacements(3 * scene_.nodes.size()), rotations = displacements, groups;
   if (!result.blades.empty()) {
     displacements.clear();

@@ -6,7 +6,7 @@
 
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/frame.h"
 #include "models/support/json.h"
 
 namespace spoke::steady_report {
@@ -28,6 +28,7 @@ class SteadyScene {
 
  private:
   scene::Scene scene_;
+  std::vector<spatial::Placement> first_;  ///< motions of its groups at t = 0
   std::vector<std::size_t> places_;  ///< places of the scene's nodes among those of their blades
 };
 

@@ -76,8 +76,8 @@ Boxes boxes_of_nodes(const TracedGraph& graph) {
   Boxes boxes = group(graph, "node", [](int node) { return node; });
   for (int node = 0; node < graph.node_count(); ++node) {
     const graph::NodeLabel& label = graph.labels[index_of(node)];
-    const std::string stage =
-        label.body < 0 ? label.stage : fmt::format("body {} / {}", label.body + 1, label.stage);
+    std::string stage = label.item.empty() ? label.stage : label.item + " / " + label.stage;
+    if (label.body >= 0) stage = fmt::format("body {} / {}", label.body + 1, stage);
     boxes.all[index_of(node)].label =
         label.subsystem < 0
             ? stage

@@ -125,6 +125,9 @@ void bind_queries(py::class_<UsedSimulation, std::shared_ptr<UsedSimulation>>& s
       .def("joint_reaction", alone(&Simulation::joint_reaction), "blade"_a, "joint"_a,
            "What the joint inboard of a body (0: at the hub) does to the body, about the joint, in "
            "the inertial frame. Both count from 0.")
+      .def("loop_reaction", alone(&Simulation::loop_reaction), "tree"_a, "loop"_a,
+           "What the loop of that name on a blade or subsystem, counted from 0, does to its place "
+           "`from`, about it, in the inertial frame.")
       .def("hub_reaction", alone(&Simulation::hub_reaction),
            "What support and drive do to the hub, about its axis, in space about its origin, in "
            "the inertial frame.")

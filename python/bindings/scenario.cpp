@@ -11,6 +11,15 @@ namespace spoke::python {
 namespace py = pybind11;
 using namespace py::literals;
 
+namespace {
+
+std::string draw_model(const Scenario& scenario) {
+  return run_report::make_model_page(
+      Simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1}));
+}
+
+}  // namespace
+
 void bind_scenario(py::module_& module) {
   py::class_<Scenario>(module, "Scenario",
                        "Everything about a simulation that a file says. See read_scenario().")
@@ -28,8 +37,10 @@ void bind_scenario(py::module_& module) {
           "Whether the model lies in space, not in the plane.")
       .def("to_json", &Scenario::to_json,
            "Every key with the value in force, as JSON of the shape of the file.")
-      .def("page", &run_report::make_model_page,
-           "The model as it stands at t = 0, drawn: one HTML page without network.");
+      .def("page", &draw_model,
+           "The model as it stands at t = 0, its loops closed, drawn: one HTML page without "
+           "network. "
+           "Raises InputError if the model cannot be simulated.");
 }
 
 }  // namespace spoke::python

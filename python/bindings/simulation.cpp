@@ -2,10 +2,13 @@
 
 #include "engine/simulation.h"
 
+#include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "engine/checkpoint.h"
 #include "models/error.h"
@@ -67,6 +70,45 @@ void bind_progress(Class& simulation) {
           "Independent coordinates: free ones of the hub, and all deformations.");
 }
 
+void bind_anchor_motion(py::module_& module) {
+  py::class_<AnchorMotion>(module, "AnchorMotion",
+                           "The motion of an anchor at one time, in the frame in which it moves.")
+      .def(py::init<>())
+      .def_readwrite("translation", &AnchorMotion::translation, "(3,) [m]")
+      .def_readwrite("velocity", &AnchorMotion::velocity, "(3,) [m/s]")
+      .def_readwrite("acceleration", &AnchorMotion::acceleration, "(3,) [m/s^2]")
+      .def_readwrite("rotation", &AnchorMotion::rotation, "(3,) rotation vector [rad]")
+      .def_readwrite("rotation_rate", &AnchorMotion::rotation_rate,
+                     "(3,) derivative of the rotation vector [rad/s]")
+      .def_readwrite("rotation_acceleration", &AnchorMotion::rotation_acceleration,
+                     "(3,) its second derivative [rad/s^2]");
+}
+
+void bind_anchors(Class& simulation) {
+  simulation
+      .def("anchor_motion", alone(&Simulation::anchor_motion), "name"_a,
+           "The motion at `time` of an anchor of closed loops. Raises InputError, with the nearest "
+           "name, if there is none.")
+      .def("set_anchor_motion",
+           alone(py::overload_cast<std::string_view, const AnchorMotion&>(
+               &Simulation::set_anchor_motion)),
+           "name"_a, "motion"_a,
+           "Moves an anchor that the scenario leaves to the program from the next step on: "
+           "accelerations stay as they are given. It must go on from where it is, with its rates.")
+      .def(
+          "set_anchor_course",
+          [](UsedSimulation& s, const std::string& name, const std::array<Curve, 3>& translation,
+             const std::array<Curve, 3>& rotation) {
+            const Use use(s);
+            const py::gil_scoped_release unlocked;
+            s.set_anchor_motion(
+                name, {spatial::VectorTable{translation}, spatial::VectorTable{rotation}});
+          },
+          "name"_a, "translation"_a, "rotation"_a,
+          "Moves it by functions of time: three curves or numbers each, of the translation [m] and "
+          "the rotation vector [rad].");
+}
+
 void bind_steps(Class& simulation) {
   simulation
       .def("step", alone(&Simulation::step),
@@ -99,11 +141,13 @@ void bind_steps(Class& simulation) {
 void bind_simulation(py::module_& module) {
   bind_saved_state(module);
   bind_query_results(module);
+  bind_anchor_motion(module);
   Class simulation(module, "Simulation");
   simulation.def(py::init(&make_simulation), "scenario"_a, "formulation"_a, "executor"_a,
                  "threads"_a, "window"_a, "loads"_a);
   bind_progress(simulation);
   bind_steps(simulation);
+  bind_anchors(simulation);
   bind_queries(simulation);
 }
 

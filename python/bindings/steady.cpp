@@ -174,6 +174,17 @@ void bind_equilibrium(py::module_& module) {
         return "<spoke.SectionLoad at " + six_digits(load.station) + " m, force " +
                vector_text(load.force) + " N, moment " + vector_text(load.moment) + " N m>";
       });
+  py::class_<LoopLoad>(
+      module, "LoopLoad",
+      "What the closure of a loop exerts on its place `from`, about it; hub frame.")
+      .def_readonly("name", &LoopLoad::name)
+      .def_readonly("force", &LoopLoad::force, "(3,) [N]")
+      .def_readonly("moment", &LoopLoad::moment, "(3,) [N m]")
+      .def_readonly("tension", &LoopLoad::tension, "Of a loop of kind distance [N]; else None.")
+      .def("__repr__", [](const LoopLoad& load) {
+        return "<spoke.LoopLoad " + load.name + ", force " + vector_text(load.force) +
+               " N, moment " + vector_text(load.moment) + " N m>";
+      });
   py::class_<BladeEquilibrium>(module, "BladeEquilibrium",
                                "A blade, or another subsystem, in equilibrium; hub frame.")
       .def_readonly("name", &BladeEquilibrium::name)
@@ -181,6 +192,7 @@ void bind_equilibrium(py::module_& module) {
       .def_readonly("tip_rotation", &BladeEquilibrium::tip_rotation, "(3,) rotation vector [rad]")
       .def_readonly("joints", &BladeEquilibrium::joints, "That are free.")
       .def_readonly("loads", &BladeEquilibrium::loads, "From the root on.")
+      .def_readonly("loops", &BladeEquilibrium::loops, "That are closed.")
       .def_readonly("bending", &BladeEquilibrium::bending,
                     "By body: its largest deflection across its axis by its length.")
       .def_property_readonly(

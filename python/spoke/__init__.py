@@ -14,6 +14,7 @@ from . import model
 from ._result import Result
 from ._simulation import Simulation, read_scenario
 from ._spoke import (
+    AnchorMotion,
     BladeEquilibrium,
     BladeShape,
     BodyState,
@@ -31,6 +32,7 @@ from ._spoke import (
     JointPosition,
     Load,
     LoadError,
+    LoopLoad,
     Marker,
     MarkerMotion,
     MarkerMotions,
@@ -54,9 +56,10 @@ from ._spoke import (
 from ._steady import campbell, equilibrium, modes
 
 __all__ = [
-    "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed", "Curve",
-    "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion", "InputError",
-    "InternalError", "JointPosition", "Load", "LoadError", "Marker", "MarkerMotion",
+    "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed",
+    "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
+    "InputError", "InternalError", "JointPosition", "Load", "LoadError", "LoopLoad", "Marker",
+    "MarkerMotion",
     "MarkerMotions", "MarkerState", "Mode", "Modes", "Result", "SavedState", "Scenario",
     "SectionLoad", "Simulation", "SpeedTable", "SpinUp", "SpinUpHoldSpinDown", "StateError",
     "TorqueBySpeed", "TorqueDrive", "Trace", "Wrench", "__version__", "campbell", "equilibrium",

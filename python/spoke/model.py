@@ -27,8 +27,8 @@ from ._spoke import (
 )
 
 __all__ = [
-    "blade", "damping", "distributed_load", "drag", "gravity", "hub", "hub_load", "integration",
-    "limits", "load", "output", "point_mass", "scenario", "sections", "sensor",
+    "anchor", "blade", "damping", "distributed_load", "drag", "gravity", "hub", "hub_load", "integration",
+    "limits", "load", "loop", "output", "point_mass", "scenario", "sections", "sensor",
 ]
 
 
@@ -63,13 +63,13 @@ _DRIVES = {
 }
 
 
-def scenario(*, hub, integration, blade=None, blades=None, title=None, world=None, gravity=None,
-             damping=None, load=None, distributed_load=None, drag=None, hub_load=None, limits=None,
-             output=None, sensor=None, **more):
+def scenario(*, hub, integration, blade=None, blades=None, title=None, world=None, anchor=None,
+             gravity=None, damping=None, load=None, distributed_load=None, drag=None, hub_load=None,
+             limits=None, output=None, sensor=None, **more):
     """A whole scenario, for spoke.Simulation and spoke.read_scenario().
 
     hub, integration, blade, gravity, damping, limits, output: tables.
-    blades, load, distributed_load, drag, hub_load, sensor: lists of tables.
+    anchor, blades, load, distributed_load, drag, hub_load, sensor: lists of tables.
     title: for people.
     world: "plane" or "space".
     """
@@ -91,7 +91,7 @@ def hub(*, support=None, radius=None, inertia=None, mass=None, drive=None, **mor
 
 
 def blade(*, count=None, length=None, bodies=None, elements=None, density=None, area=None,
-          second_moment=None, youngs_modulus=None, sections=None, point_mass=None,
+          second_moment=None, youngs_modulus=None, sections=None, point_mass=None, loop=None,
           geometric_stiffening=None, reference_frame=None, azimuth=None, **more):
     """All blades alike, or one of several.
 
@@ -105,6 +105,7 @@ def blade(*, count=None, length=None, bodies=None, elements=None, density=None, 
     youngs_modulus: [Pa].
     sections: properties that change along the blade, in place of these four: sections().
     point_mass: a list of point_mass().
+    loop: a list of loop().
     geometric_stiffening: whether the tension of rotation stiffens bending within a body.
     reference_frame: "clamped" or "chord".
     azimuth: direction of the first blade in the hub's frame [rad].
@@ -130,6 +131,33 @@ def point_mass(*, position, mass, inertia=None, **more):
     position: distance from the root [m].
     mass: [kg].
     inertia: about its centre, for rotation in the plane [kg m^2].
+    """
+    return _given(locals())
+
+
+def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, damping=None, **more):
+    """A closed loop of a blade: a cut joint between two places.
+
+    name: unlike that of the blade's other loops.
+    kind: "fixed", "revolute", "prismatic" or "distance".
+    from_: a place on a body, a table with station or point, and orientation.
+    to: another place: "hub", "mount", or a table, also with anchor or body.
+    axis: of a prismatic closure, in the frame of to.
+    length: of a distance; None: that at the start [m].
+    stiffness: of springs in place of a rigid closure, one number, or one for each direction that is
+        locked [N/m, N m/rad].
+    damping: of dampers beside these, likewise [N s/m, N m s/rad].
+    """
+    return _given(locals())
+
+
+def anchor(*, name, frame=None, turns_with_hub=None, motion=None):
+    """A frame whose motion is prescribed, for loops to close on.
+
+    name: unlike that of any other anchor.
+    frame: in which it moves, "mount" or "hub".
+    turns_with_hub: whether it turns with the hub besides.
+    motion: a table with translation and rotation, or with by="program".
     """
     return _given(locals())
 
@@ -210,7 +238,7 @@ def hub_load(*, force=None, position=None, frame=None, torque=None, ramp=None, t
 
 
 def integration(*, duration, step=None, method=None, spectral_radius=None, tolerance=None,
-                iterate_to=None, iterations=None, max_iterations=None):
+                iterate_to=None, iterations=None, max_iterations=None, loop_redundancy=None):
     """How the motion is integrated.
 
     duration: simulated time [s].
@@ -222,6 +250,7 @@ def integration(*, duration, step=None, method=None, spectral_radius=None, toler
         where a tolerance is given.
     iterations: of each step; 0: as many as the tolerance needs.
     max_iterations: of a step, beyond which the simulation has diverged.
+    loop_redundancy: share of the largest pivot, below which a row of rigid closed loops is dropped.
     """
     return _given(locals())
 
@@ -247,15 +276,18 @@ def output(*, interval):
     return _given(locals())
 
 
-def sensor(*, quantity, name=None, blade=None, position=None, joint=None, frame=None, **more):
+def sensor(*, quantity, name=None, blade=None, position=None, joint=None, loop=None, frame=None,
+           **more):
     """What is measured besides the sensors that every simulation has.
 
     quantity: "displacement", "velocity", "acceleration", "section_force", "joint_reaction",
-        "hub_reaction", "momentum", "blade_momentum" or "kinetic_energy".
+        "hub_reaction", "momentum", "blade_momentum", "kinetic_energy", "loop_reaction" or
+        "loop_opening".
     name: in the names of the result's arrays.
     blade: number from 1, or "all".
     position: distance from the root [m]; None: the tip.
     joint: number from 1 at the root.
-    frame: "hub", "blade", "inertial" or "section".
+    loop: name of a closed loop.
+    frame: "hub", "blade", "inertial", "section" or "loop".
     """
     return _given(locals())

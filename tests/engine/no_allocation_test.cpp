@@ -17,6 +17,7 @@
 #include "engine/space/joint_terms.h"
 #include "engine/space/section.h"
 #include "engine/tree/joint_recovery.h"
+#include "tests/engine/loop_models.h"
 #include "tests/engine/rotors.h"
 #include "tests/engine/space/bodies.h"
 #include "tests/engine/space/hub_table.h"
@@ -129,6 +130,25 @@ TEST_CASE("a step of the dense formulations allocates nothing at the paper's siz
       if (method == IntegrationMethod::rk4) scenario.integration.step = 8e-5;
       CAPTURE(name_of(formulation));
       CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
+    }
+}
+
+TEST_CASE("a step of a model with loops and sensors on them allocates nothing") {
+  for (const Formulation formulation : formulations())
+    for (const IntegrationMethod method :
+         {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}) {
+      Scenario scenario = make_pitching("drive = { kind = \"constant\", speed = 5.0 }", 2);
+      scenario.integration.method = method;
+      for (const SensorQuantity quantity :
+           {SensorQuantity::loop_reaction, SensorQuantity::loop_opening})
+        scenario.sensors.push_back(loop_sensor(quantity, "", "bladeB", "link"));
+      const SimulationOptions options{formulation, ExecutorKind::serial, 1};
+      CAPTURE(name_of(formulation));
+      CHECK(allocations_of_steps(scenario, options, 20) == 0);
+      Simulation simulation(scenario, options);
+      CHECK(allocations_between(allocations, [&](const StepObserver& observe) {
+              simulation.run_until(kTracedSteps * simulation.step_size(), observe);
+            }) == 0);
     }
 }
 
@@ -322,12 +342,36 @@ double live_bytes() {
   return static_cast<double>(heap.uordblks) + static_cast<double>(heap.hblkhd);
 }
 
-/// Returns the estimated memory of a shipped model, divided by what it takes.
-double relative_estimate(const std::string& file, const std::vector<std::string>& size) {
-  const Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + file, size);
+/// Returns the estimated memory of a model, divided by what it takes.
+double relative_estimate(const Scenario& scenario,
+                         Formulation formulation = Formulation::structured) {
   const double before = live_bytes();
-  const Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+  const Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1});
   return static_cast<double>(simulation.size().memory_bytes) / (live_bytes() - before);
+}
+
+/// Makes a chain of rigid bodies on a turning hub, each with three rods to the hub.
+Scenario make_tied_chain(int bodies) {
+  std::string text = "world = \"space\"\n[hub]\ndrive = { kind = \"constant\", speed = 1.0 }\n";
+  text += "[integration]\nduration = 1.0\nstep = 0.01\n[[subsystem]]\nname = \"chain\"\n";
+  for (int j = 0; j < bodies; ++j)
+    text += "[[subsystem.body]]\nname = \"b" + std::to_string(j) +
+            "\"\nkind = \"rigid\"\nmass = 1.0\ninertia = [0.1, 0.1, 0.1]\n";
+  for (int j = 0; j < bodies; ++j)
+    text += "[[subsystem.joint]]\nparent = \"" + (j == 0 ? "hub" : "b" + std::to_string(j - 1)) +
+            "\"\nchild = \"b" + std::to_string(j) +
+            "\"\nkind = \"revolute\"\naxis = [0.0, 0.0, 1.0]\noffset = [0.3, 0.1, 0.0]\n";
+  Scenario scenario = parse_scenario(text, "chain.toml");
+  for (int j = 0; j < bodies; ++j)
+    for (const char* rod : {"x", "y", "z"}) {
+      Loop loop;
+      loop.name = rod + std::to_string(j);
+      loop.kind = LoopKind::distance;
+      loop.from = place_on("b" + std::to_string(j), {0.1 * (*rod - 'w'), 0.2, 0.0});
+      loop.to = place_on(LoopPlace::Carrier::hub, {-1.0, 0.5 * (*rod - 'x'), 0.0});
+      scenario.space->subsystems[0].loops.push_back(loop);
+    }
+  return scenario;
 }
 
 }  // namespace
@@ -338,8 +382,14 @@ TEST_CASE("the memory of a model is known to a quarter before it is allocated") 
   for (const auto& size : {many, fine})
     for (const char* file : {"wu_haug_rotor.toml", "spatial_wu_haug.toml", "nrel_5mw_rotor.toml"}) {
       CAPTURE(file);
-      CHECK(relative_estimate(file, size) == doctest::Approx(1.0).epsilon(0.25));
+      CHECK(relative_estimate(read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + file, size)) ==
+            doctest::Approx(1.0).epsilon(0.25));
     }
+  for (const Formulation formulation : formulations()) {
+    CAPTURE(name_of(formulation));
+    CHECK(relative_estimate(make_tied_chain(40), formulation) ==
+          doctest::Approx(1.0).epsilon(0.25));
+  }
 }
 
 TEST_CASE("joints of trees in space are eliminated and recovered without allocation") {

@@ -485,3 +485,15 @@ TEST_CASE("the graph of a trace is that of a step, with edges to the next pass")
       if (expected.predecessors({i}).empty()) CHECK(waiting.count(i) == 1);
   }
 }
+
+TEST_CASE("of several loads on one blade each has a node of its own in a trace") {
+  const Scenario scenario = spin_up_scenario(wu_haug_blade(1, 1), 1e-3);
+  const auto load = [] { return make_load("none", {{0, 0, 1.0}}, [](auto...) {}); };
+  Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1, 1},
+                        {load(), load()});
+  const StepTrace trace = simulation.trace(2);
+  CHECK(trace.graph.node_count() == simulation.step_graph().node_count());
+  const std::set<std::string> names(trace.graph.names.begin(), trace.graph.names.end());
+  CHECK(std::ssize(names) == trace.graph.node_count());
+  CHECK(names.contains("blade 1 / load 2 / load"));
+}

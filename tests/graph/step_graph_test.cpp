@@ -160,6 +160,7 @@ TEST_CASE("the builder is empty after building, and an empty graph is a graph") 
 TEST_CASE("names count from 1 and use the graph's word for a subsystem") {
   CHECK(name_of({"inverse", 1, 2}, "blade") == "blade 2 / body 3 / inverse");
   CHECK(name_of({"recovery", 0}) == "subsystem 1 / recovery");
+  CHECK(name_of({"loop columns", 1, -1, 2, "rod"}) == "subsystem 2 / rod / loop columns (pass 3)");
   CHECK(name_of({"load", -1, 4}) == "body 5 / load");
   CHECK(name_of({"hub solve"}) == "hub solve");
   StepGraphBuilder builder("blade");

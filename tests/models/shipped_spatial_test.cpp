@@ -20,9 +20,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const char* const kNames[] = {"articulated_rotor", "drone_rotor",     "heavy_top",
-                              "nrel_5mw_rotor",    "satellite_booms", "spatial_wu_haug",
-                              "tree_of_bodies"};
+const char* const kNames[] = {"andrews_squeezer", "articulated_rotor", "bricard",
+                              "drone_rotor",      "four_bar",          "heavy_top",
+                              "helicopter_rotor", "nrel_5mw_rotor",    "satellite_booms",
+                              "spatial_wu_haug",  "tree_of_bodies",    "vehicle"};
 
 Scenario shipped_in_space(const std::string& name) {
   return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"));

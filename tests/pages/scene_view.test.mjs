@@ -198,6 +198,26 @@ test('joints, axes, loads and names can be shown or not', () =>
     assert.ok(!seen.has(await picture(canvas)));
   }));
 
+test('loops are drawn and listed, and the swashplate has its name', () =>
+  withPage(draw('helicopter_rotor'), {}, async (page) => {
+    const canvas = page.locator('#model-view');
+    const closed = await picture(canvas);
+    await page.locator('#model-joints').uncheck();
+    assert.notEqual(await picture(canvas), closed);
+    assert.match(await page.locator('table').nth(1).textContent(), /blade 4 \/ pitch_linkdistance/);
+    const { loops, solids } = await page.evaluate(() => JSON.parse(document.getElementById('model-data').textContent).scene);
+    assert.equal(loops.length, 4);
+    assert.ok(solids.some(({ name, group }) => name === 'swashplate' && group > 0));
+  }));
+
+test('a car on springs moves on its page', () =>
+  withPage(run('vehicle', '--set', 'integration.duration=0.5'), {}, async (page) => {
+    const view = page.locator('#animation-hub');
+    const before = await picture(view);
+    await page.locator('#animation-time').fill('0.3');
+    assert.notEqual(await picture(view), before);
+  }));
+
 test('pages of models are small', () => {
   assert.ok(statSync(draw('wu_haug_rotor')).size < 1.5e5);
   assert.ok(statSync(draw('large_rotor')).size < 5e5);

@@ -52,6 +52,59 @@ def test_scenarios_from_file_string_dict_and_code_are_one():
     assert len({hash_of(scenario) for scenario in (tables, text, code)}) == 1
 
 
+def crane(**motion):
+    """A boom of 20 kg and 2 m on a hinge, its tip on an upright rope of 1 m from a winch."""
+    return spoke.Simulation({
+        "world": "space",
+        "hub": {"drive": {"kind": "fixed"}},
+        "gravity": {"acceleration": [0.0, 0.0, -9.81]},
+        "anchor": [model.anchor(name="winch", motion=motion)],
+        "subsystem": [{
+            "name": "crane",
+            "body": [{"name": "boom", "kind": "rigid", "mass": 20.0, "center": [1.0, 0.0, 0.0],
+                      "inertia": [0.1, 7.0, 7.0]}],
+            "joint": [{"name": "hinge", "parent": "hub", "child": "boom", "kind": "revolute",
+                       "axis": [0.0, -1.0, 0.0]}],
+            "loop": [model.loop(name="rope", kind="distance",
+                                from_={"body": "boom", "point": [2.0, 0.0, 0.0]},
+                                to={"anchor": "winch", "point": [2.0, 0.0, 1.0]})],
+        }],
+        "sensor": [model.sensor(quantity="loop_reaction", name="rope", subsystem="crane",
+                                loop="rope")],
+        "integration": {"duration": 1.0, "step": 0.01}}, executor="serial")
+
+
+def test_a_program_moves_an_anchor_and_a_loop_carries_the_weight():
+    sim = crane(by="program")
+    assert sim.sensor("crane.rope.force.x") == pytest.approx(20.0 * 9.81 / 2.0)
+    assert sim.loop_reaction(0, "rope").force == pytest.approx([0.0, 0.0, 98.1])
+    for _ in range(20):
+        winch = sim.anchor_motion("winch")
+        winch.acceleration = (0.0, 0.0, 0.5)
+        sim.set_anchor_motion("winch", winch)
+        sim.step()
+    rise = sim.anchor_motion("winch").translation[2]
+    assert rise == pytest.approx(0.5 * 0.5 * 0.2**2)
+    hinge = sim.sensor("crane.hinge")
+    reach, height = 2.0 * np.cos(hinge), 2.0 * np.sin(hinge)
+    assert np.hypot(2.0 - reach, 1.0 + rise - height) == pytest.approx(1.0, abs=1e-9)
+
+
+def test_a_program_moves_an_anchor_by_functions_of_time():
+    lift = spoke.Curve([0.0, 0.1, 0.5], [0.0, 0.0, 0.02])
+    sim = crane(by="program")
+    sim.run(until=0.05)
+    sim.set_anchor_course("winch", (0.0, 0.0, lift), (0.0, 0.0, 0.0))
+    sim.run(until=0.3)
+    assert sim.anchor_motion("winch").translation[2] == lift(0.3)
+    with pytest.raises(spoke.InputError, match="does not go on from where it is"):
+        sim.set_anchor_motion("winch", spoke.AnchorMotion())
+    with pytest.raises(spoke.InputError, match='did you mean "winch"'):
+        sim.anchor_motion("winsh")
+    with pytest.raises(spoke.InputError, match='no loop of crane is named "rod"'):
+        sim.loop_reaction(0, "rod")
+
+
 def test_values_set_take_precedence():
     four, eight = (spoke.Simulation(ROTOR, set={"blade.bodies": n}).coordinates for n in (4, 8))
     assert eight == 2 * four
@@ -99,7 +152,7 @@ def test_named_arguments_are_the_keys_of_the_documents():
     common = {"blade", "ramp", "time", "factor"}
     for name in ("hub", "blade", "sections", "point_mass", "gravity", "damping", "load",
                  "distributed_load", "drag", "hub_load", "integration", "limits", "output",
-                 "sensor"):
+                 "sensor", "loop", "anchor"):
         function = getattr(model, name)
         arguments = {argument.rstrip("_") for argument in inspect.signature(function).parameters}
         expected = {key for key in keys[name] if not key.startswith('"')}

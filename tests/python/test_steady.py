@@ -26,6 +26,49 @@ def test_an_equilibrium_is_that_of_the_program(program):
     assert found.page().startswith("<!")
 
 
+def test_an_equilibrium_has_the_forces_of_loops(program, tmp_path):
+    scenario = tmp_path / "pitch_link.toml"
+    scenario.write_text("""
+world = "space"
+[hub]
+drive = { kind = "constant", speed = 0.0 }
+[gravity]
+acceleration = [0.0, 0.0, -9.81]
+[integration]
+duration = 1.0
+step = 0.01
+[[subsystem]]
+name = "blade"
+[[subsystem.body]]
+name = "horn"
+kind = "rigid"
+mass = 2.0
+center = [0.4, 0.05, 0.0]
+inertia = [0.02, 0.3, 0.3]
+[[subsystem.joint]]
+parent = "hub"
+child = "horn"
+kind = "revolute"
+axis = [1.0, 0.0, 0.0]
+stiffness = 1.0
+[[subsystem.loop]]
+name = "link"
+kind = "distance"
+from = { body = "horn", point = [0.1, 0.1, 0.0] }
+to = { body = "hub", point = [0.1, 0.1, -0.3] }
+stiffness = 1e9
+""")
+    written = json.loads((program("static", scenario) / "static.json").read_text())
+    link = spoke.equilibrium(scenario).blades[0].loops[0]
+    # The weight has half the arm of the link, which is compressed.
+    assert link.name == "link"
+    assert link.tension == pytest.approx(-9.81, rel=1e-4)
+    assert link.force[2] == pytest.approx(9.81, rel=1e-4)
+    assert written["blades"][0]["loops"] == [
+        {"name": "link", "force_N": list(link.force), "moment_N_m": list(link.moment),
+         "tension_N": link.tension}]
+
+
 def test_modes_are_those_of_the_program(program):
     folder = program("modes", ROTOR, "--speed", 3, "--count", 4)
     rows = np.genfromtxt(folder / "modes.csv", delimiter=",", names=True, dtype=None,

@@ -40,6 +40,12 @@ void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& 
   work.inverse_columns.setZero(C1, coordinates);
   work.inertia.setZero(coordinates, coordinates);
   work.response.setZero(coordinates, d + 1);
+  for (const LoopPath& path : data.loops.paths) {
+    typename SubsystemWork<World>::LoopColumns& columns = work.loops.emplace_back();
+    columns.right.setZero(C1, path.rows);
+    columns.solution.setZero(C1, path.rows);
+    columns.response.setZero(coordinates, path.rows);
+  }
 }
 
 template <class World>

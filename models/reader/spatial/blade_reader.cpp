@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "models/reader/field_reader.h"
+#include "models/reader/loop_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
@@ -35,7 +36,8 @@ std::vector<BladeJoint> read_joints(const TomlSection& blade) {
   return joints;
 }
 
-Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth) {
+Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth,
+                 const Model& model) {
   const Layers from(own, common);
   const auto read = [&](std::string_view key, auto& value, const auto& range, Presence presence) {
     FieldReader{key == "azimuth" ? own : from.of(key)}(key, value, range, presence);
@@ -55,14 +57,15 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
   blade.joints = read_joints(from.of("joint"));
   if (const Fault fault = find_fault(blade))
     from.of(fault.path.substr(0, fault.path.find('.'))).fail_at(fault.path, fault.text);
+  blade.loops = read_loops(from.of("loop"), surroundings_of(blade, model));
   return blade;
 }
 
 }  // namespace
 
-std::vector<Blade> read_blades(const TomlSection& root) {
+std::vector<Blade> read_blades(const TomlSection& root, const Model& model) {
   TomlSection::Keys keys = beam_keys();
-  keys.insert(keys.end(), {"azimuth", "precone", "joint"});
+  keys.insert(keys.end(), {"azimuth", "precone", "joint", "loop"});
   TomlSection::Keys common_keys = keys;
   common_keys.push_back("count");
   const TomlSection common = root.section("blade", common_keys);
@@ -75,14 +78,14 @@ std::vector<Blade> read_blades(const TomlSection& root) {
   };
   if (one_by_one.empty()) {
     const auto count = static_cast<std::size_t>(common.integer("count", {1, kMostOfAKind}));
-    blades.assign(count, read_blade(common, common, first));
+    blades.assign(count, read_blade(common, common, first, model));
     for (std::size_t i = 0; i < count; ++i) blades[i].azimuth = azimuth(i, count);
     return blades;
   }
   if (common.has("count"))
     common.fail("count", "given along with [[blades]], expected only one of them");
   for (const TomlSection& own : one_by_one)
-    blades.push_back(read_blade(own, common, azimuth(blades.size(), one_by_one.size())));
+    blades.push_back(read_blade(own, common, azimuth(blades.size(), one_by_one.size()), model));
   return blades;
 }
 

@@ -9,10 +9,11 @@
 
 namespace spoke::spatial {
 
-/// Reads [blade] and [[blades]] from a scenario's root; none if there are none.
-std::vector<Blade> read_blades(const TomlSection& root);
+/// Reads [blade] and [[blades]] from a scenario's root; none if there are none. The model has its
+/// hub and its anchors, on which loops may close.
+std::vector<Blade> read_blades(const TomlSection& root, const Model& model);
 
-/// Reads [[subsystem]] from a scenario's root.
-std::vector<Subsystem> read_subsystems(const TomlSection& root);
+/// Reads [[subsystem]] from a scenario's root. The model has its hub and its anchors.
+std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model);
 
 }  // namespace spoke::spatial

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "models/reader/names.h"
-#include "models/reader/nearest_name.h"
 
 namespace spoke::spatial {
 
@@ -72,20 +71,6 @@ Fault find_curve_fault(const std::string& key, const Curve& curve, const Quantit
 Fault find_name_fault(const std::string& name) {
   if (is_name(name)) return {};
   return {"name", "is \"" + name + "\", expected " + kNameExpected};
-}
-
-std::string describe_unknown(const std::string& name, const std::vector<std::string_view>& names) {
-  const auto nearest = nearest_name(name, names);
-  std::string text = "is \"" + name + "\", ";
-  if (nearest) return text + "did you mean \"" + std::string(*nearest) + "\"?";
-  if (names.size() > 12) return text + "expected one of " + std::to_string(names.size()) + " names";
-  text += "expected ";
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0                  ? "\""
-             : i + 1 == names.size() ? " or \""
-                                     : ", \"") +
-            std::string(names[i]) + '"';
-  return text;
 }
 
 }  // namespace spoke::spatial

@@ -53,10 +53,10 @@ enum class MayBeZero { no, yes };
 Fault find_inertia_fault(const std::string& key, const Tensor& inertia, MayBeZero may_be_zero);
 /// Finds a fault of a curve of this quantity over time.
 Fault find_curve_fault(const std::string& key, const Curve& curve, const Quantity& quantity);
+/// Finds a fault of a vector over time.
+Fault find_course_fault(const std::string& key, const VectorCourse& course, std::string_view unit);
 /// Finds a missing or malformed name.
 Fault find_name_fault(const std::string& name);
-/// Returns "is \"NAME\", expected ...", with the nearest of the existing names.
-std::string describe_unknown(const std::string& name, const std::vector<std::string_view>& names);
 
 /// Finds a fault of sections of a beam of this length.
 Fault find_fault(const Sections& sections, double length);

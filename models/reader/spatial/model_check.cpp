@@ -3,7 +3,9 @@
 #include "models/reader/spatial/model_check.h"
 
 #include <set>
+#include <vector>
 
+#include "models/reader/loop_faults.h"
 #include "models/reader/spatial/fault.h"
 #include "spoke/error.h"
 
@@ -26,12 +28,22 @@ void check_each(const std::string& key, const Items& items, const Find& find) {
 
 void check_model(const Model& model) {
   require(find_fault(model.hub).within("hub"));
-  check_each("blades", model.blades, [](const Blade& blade) { return find_fault(blade); });
+  std::vector<Anchor> anchors;
+  check_each("anchor", model.anchors, [&](const Anchor& anchor) {
+    const Fault fault = find_fault(anchor, anchors, model.hub.support, false);
+    anchors.push_back(anchor);
+    return fault;
+  });
+  const auto of_loops = [&](const Fault& fault, const auto& item) {
+    return fault ? fault : find_fault(item.loops, surroundings_of(item, model));
+  };
+  check_each("blades", model.blades,
+             [&](const Blade& blade) { return of_loops(find_fault(blade), blade); });
   std::set<std::string> names;
   check_each("subsystem", model.subsystems, [&](const Subsystem& subsystem) -> Fault {
     if (!names.insert(subsystem.name).second)
       return {"name", "is \"" + subsystem.name + "\" as another subsystem's, expected its own"};
-    return find_fault(subsystem);
+    return of_loops(find_fault(subsystem), subsystem);
   });
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     require({"blades", "there are none, and no subsystem; expected one or more"});

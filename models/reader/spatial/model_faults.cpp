@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "models/reader/nearest_name.h"
 #include "models/reader/spatial/fault.h"
 
 namespace spoke::spatial {
@@ -28,23 +29,6 @@ Fault find_axle_fault(const Hub& hub) {
     return {"angular_velocity",
             "belongs to a free hub, expected initial_speed of a drive, or [hub.mount]"};
   return {};
-}
-
-Fault find_course_fault(const std::string& key, const VectorCourse& course, std::string_view unit) {
-  const FirstFault first;
-  if (const auto* harmonic = std::get_if<VectorHarmonic>(&course)) {
-    visit_fields(*harmonic, unit, first);
-    return first.found().within(key);
-  }
-  const std::vector<double>* times = nullptr;  // times of the components that are not left out
-  for (const Curve& component : std::get<VectorTable>(course).components) {
-    first.add(find_curve_fault("value", component, Quantity::any(unit)));
-    if (component.times().size() == 1 && component.values()[0] == 0.0) continue;
-    if (times == nullptr) times = &component.times();
-    if (*times != component.times())
-      first.add({"time", "differs between x, y and z, expected one array for all"});
-  }
-  return first.found().within(key);
 }
 
 const Subsystem* find_subsystem(const Model& model, const std::string& name) {
@@ -111,6 +95,23 @@ Fault find_common_fault(const Load& load, const Model& model) {
 }
 
 }  // namespace
+
+Fault find_course_fault(const std::string& key, const VectorCourse& course, std::string_view unit) {
+  const FirstFault first;
+  if (const auto* harmonic = std::get_if<VectorHarmonic>(&course)) {
+    visit_fields(*harmonic, unit, first);
+    return first.found().within(key);
+  }
+  const std::vector<double>* times = nullptr;  // times of the components that are not left out
+  for (const Curve& component : std::get<VectorTable>(course).components) {
+    first.add(find_curve_fault("value", component, Quantity::any(unit)));
+    if (component.times().size() == 1 && component.values()[0] == 0.0) continue;
+    if (times == nullptr) times = &component.times();
+    if (*times != component.times())
+      first.add({"time", "differs between x, y and z, expected one array for all"});
+  }
+  return first.found().within(key);
+}
 
 Fault find_fault(const Hub& hub) {
   const FirstFault first;

@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "models/reader/drive_json.h"
+#include "models/reader/loop_json.h"
+#include "models/reader/spatial/course_json.h"
 #include "models/reader/spatial/joint_json.h"
 #include "models/reader/spatial/spatial_fields.h"
 #include "models/scenario.h"
@@ -32,26 +34,6 @@ Json inertia_to_json(const Tensor& t) {
   return Json::array({t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(0, 2), t(1, 2)});
 }
 
-Json to_json(const VectorCourse& course, std::string_view unit) {
-  Json json;
-  if (const auto* harmonic = std::get_if<VectorHarmonic>(&course)) {
-    visit_fields(*harmonic, unit, FieldWriter{json});
-    return json;
-  }
-  // A component that is not given is zero, and has one point only.
-  const char* names[] = {"x", "y", "z"};
-  bool is_any = false;
-  const auto& components = std::get<VectorTable>(course).components;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (components[i].times().size() == 1 && components[i].values()[0] == 0.0) continue;
-    json.set("time", components[i].times());
-    json.set(names[i], components[i].values());
-    is_any = true;
-  }
-  if (!is_any) return to_json(VectorCourse(VectorHarmonic{}), unit);
-  return json;
-}
-
 Json to_json(const Hub& hub) {
   Json json = {{"support", name_of(hub.support)}};
   const bool is_free = hub.support == HubSupport::free;
@@ -62,8 +44,8 @@ Json to_json(const Hub& hub) {
   json.set("inertia", inertia_to_json(hub.inertia));
   json.set("drive", drive_to_json(hub.drive));
   if (hub.mount)
-    json.set("mount", {{"translation", to_json(hub.mount->translation, "m")},
-                       {"rotation", to_json(hub.mount->rotation, "rad")}});
+    json.set("mount", {{"translation", spatial::to_json(hub.mount->translation, "m")},
+                       {"rotation", spatial::to_json(hub.mount->rotation, "rad")}});
   return json;
 }
 
@@ -108,7 +90,7 @@ void add_beam(const Beam& beam, Json& json) {
   }
 }
 
-Json to_json(const Blade& blade) {
+Json to_json(const Blade& blade, const Model& model) {
   Json json;
   add_beam(blade.beam, json);
   visit_fields(blade, FieldWriter{json});
@@ -117,6 +99,7 @@ Json to_json(const Blade& blade) {
     add_joint(joint.joint, table);
     json.append("joint", table);
   }
+  add_loops(blade.loops, surroundings_of(blade, model), json);
   return json;
 }
 
@@ -134,7 +117,7 @@ Json to_json(const Body& body) {
   return json;
 }
 
-Json to_json(const Subsystem& subsystem) {
+Json to_json(const Subsystem& subsystem, const Model& model) {
   Json json = {{"name", subsystem.name}};
   for (const Body& body : subsystem.bodies) json.append("body", to_json(body));
   for (const SubsystemJoint& joint : subsystem.joints) {
@@ -143,6 +126,7 @@ Json to_json(const Subsystem& subsystem) {
     add_joint(joint.joint, table);
     json.append("joint", table);
   }
+  add_loops(subsystem.loops, surroundings_of(subsystem, model), json);
   return json;
 }
 
@@ -197,8 +181,10 @@ void add_list(const char* key, const Items& items, Json& json) {
 void add_model(const Model& model, Json& json) {
   json.set("world", "space");
   json.set("hub", to_json(model.hub));
-  add_list("blades", model.blades, json);
-  add_list("subsystem", model.subsystems, json);
+  for (const Blade& blade : model.blades) json.append("blades", to_json(blade, model));
+  for (const Subsystem& subsystem : model.subsystems)
+    json.append("subsystem", to_json(subsystem, model));
+  add_anchors(model.anchors, false, json);
   json.set("gravity", {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}});
   json.set("damping", {{"mass_factor", model.damping.mass_factor},
                        {"stiffness_factor", model.damping.stiffness_factor}});

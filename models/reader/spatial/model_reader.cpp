@@ -3,6 +3,7 @@
 #include "models/reader/spatial/model_reader.h"
 
 #include "models/reader/blade_choice_reader.h"
+#include "models/reader/loop_reader.h"
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
@@ -113,8 +114,9 @@ void read_hub_loads(const TomlSection& root, Model& model) {
 Model read_model(const TomlSection& root) {
   Model model;
   model.hub = read_hub(root);
-  model.blades = read_blades(root);
-  model.subsystems = read_subsystems(root);
+  model.anchors = read_anchors(root, model.hub.support, false);
+  model.blades = read_blades(root, model);
+  model.subsystems = read_subsystems(root, model);
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);

@@ -9,6 +9,7 @@
 
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/names.h"
+#include "models/reader/nearest_name.h"
 #include "models/reader/sensor_keys.h"
 #include "models/reader/spatial/fault.h"
 #include "models/tree/sensor_place.h"
@@ -99,6 +100,16 @@ Fault find_joint_fault(const Sensor& sensor, const std::vector<SensorPlace>& pla
   return {"joint", "is " + std::to_string(number) + ", " + expected};
 }
 
+/// Returns the loops of each blade, or of the subsystem, that a sensor is on.
+std::vector<const std::vector<Loop>*> loops_of(const Sensor& sensor, const Model& model) {
+  std::vector<const std::vector<Loop>*> loops;
+  for (std::size_t i = 0; i < model.blades.size(); ++i)
+    if (sensor.subsystem.empty() && sensor.blade.holds(i)) loops.push_back(&model.blades[i].loops);
+  for (const Subsystem& subsystem : model.subsystems)
+    if (subsystem.name == sensor.subsystem) loops.push_back(&subsystem.loops);
+  return loops;
+}
+
 Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tree>& trees) {
   if (!sensor.name.empty() && !is_name(sensor.name))
     return {"name", "is \"" + sensor.name + "\", expected " + kNameExpected};
@@ -106,6 +117,8 @@ Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tre
   if (const Fault fault = sensor.subsystem.empty() ? find_blade_fault(sensor, model)
                                                    : find_body_fault(sensor, model))
     return fault;
+  if (const std::string fault = find_loop_fault(sensor, loops_of(sensor, model)); !fault.empty())
+    return {"loop", fault};
   if (!needs_body(sensor)) return {};
   const auto places = find_places(sensor, model.blades.size(), trees);
   if (has_position(sensor.quantity)) return find_position_fault(sensor, length_at(places, trees));
@@ -171,6 +184,7 @@ Sensor read_sensor(const TomlSection& section, const Model& model) {
   if (section.has("joint"))
     sensor.joint =
         JointChoice::number(section.integer("joint", {1, std::numeric_limits<int>::max()}));
+  sensor.loop = section.text("loop", "");
   if (section.has("position")) sensor.position = section.number("position", kStation);
   return sensor;
 }
@@ -179,8 +193,8 @@ Sensor read_sensor(const TomlSection& section, const Model& model) {
 
 std::vector<Sensor> read_sensors(const TomlSection& root, const Model& model) {
   std::vector<Sensor> sensors;
-  const auto sections = root.sections(
-      "sensor", {"name", "quantity", "blade", "subsystem", "body", "position", "joint", "frame"});
+  const auto sections = root.sections("sensor", {"name", "quantity", "blade", "subsystem", "body",
+                                                 "position", "joint", "loop", "frame"});
   if (sections.empty()) return sensors;
   SensorRules rules(model);
   for (const TomlSection& section : sections) {

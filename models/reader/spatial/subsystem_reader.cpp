@@ -1,5 +1,6 @@
 // Reads subsystems: bodies by name, and the joints between them.
 
+#include "models/reader/loop_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
@@ -77,7 +78,7 @@ SubsystemJoint read_subsystem_joint(const TomlSection& section, const Subsystem&
   return joint;
 }
 
-Subsystem read_subsystem(const TomlSection& section) {
+Subsystem read_subsystem(const TomlSection& section, const Model& model) {
   TomlSection::Keys body_keys = beam_keys();
   body_keys.insert(body_keys.end(), {"name", "kind", "mass", "center", "inertia"});
   TomlSection::Keys keys = joint_keys();
@@ -89,15 +90,16 @@ Subsystem read_subsystem(const TomlSection& section) {
   for (const TomlSection& table : section.sections("joint", keys))
     subsystem.joints.push_back(read_subsystem_joint(table, subsystem));
   if (const Fault fault = find_fault(subsystem)) section.fail_at(fault.path, fault.text);
+  subsystem.loops = read_loops(section, surroundings_of(subsystem, model));
   return subsystem;
 }
 
 }  // namespace
 
-std::vector<Subsystem> read_subsystems(const TomlSection& root) {
+std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model) {
   std::vector<Subsystem> subsystems;
-  for (const TomlSection& section : root.sections("subsystem", {"name", "body", "joint"})) {
-    subsystems.push_back(read_subsystem(section));
+  for (const TomlSection& section : root.sections("subsystem", {"name", "body", "joint", "loop"})) {
+    subsystems.push_back(read_subsystem(section, model));
     for (std::size_t i = 0; i + 1 < subsystems.size(); ++i)
       if (subsystems[i].name == subsystems.back().name)
         section.fail("name", "is \"" + subsystems[i].name +

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "models/reader/nearest_name.h"
 #include "models/reader/spatial/fault.h"
 
 namespace spoke::spatial {
@@ -72,7 +73,7 @@ Fault find_shape_fault(const Subsystem& subsystem, const Names& names) {
       return {"joint." + std::to_string(i + 1) + ".child",
               "is \"" + subsystem.joints[i].child + "\", the child of joint " +
                   std::to_string(before + 1) +
-                  " already; expected a tree: closed loops are not simulated"};
+                  " already; expected a tree, closed by [[subsystem.loop]]"};
     before = static_cast<std::ptrdiff_t>(i);
   }
   for (std::size_t i = 0; i < carrier.size(); ++i)

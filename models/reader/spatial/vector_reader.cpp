@@ -12,9 +12,17 @@ void VectorReader::operator()(std::string_view key, Vector& value, const Quantit
     value = read_vector(section, key, quantity);
 }
 
-Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity) {
-  const std::vector<double> values = section.numbers(key, quantity, 3);
-  return Vector::Map(values.data());
+Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity,
+                   const VectorShape& shape) {
+  Vector vector = Vector::Zero();
+  if (shape.count == 1) {
+    vector[static_cast<Eigen::Index>(shape.first)] = section.number(key, quantity);
+    return vector;
+  }
+  const std::vector<double> values = section.numbers(key, quantity, shape.count);
+  for (std::size_t i = 0; i < shape.count; ++i)
+    vector[static_cast<Eigen::Index>(shape.first + i)] = values[i];
+  return vector;
 }
 
 Tensor read_inertia(const TomlSection& section, std::string_view key, MayBeZero may_be_zero) {
@@ -42,21 +50,47 @@ Curve read_factor(const TomlSection& section) {
   return read_curve(section, "time", kTime, "factor", kFactor);
 }
 
-VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit) {
-  if (!section.has(key)) return VectorHarmonic{};
-  const TomlSection table = section.section(
-      key, {"time", "x", "y", "z", "constant", "rate", "amplitude", "frequency", "phase"});
-  if (table.has("time")) {
-    for (const char* other : {"constant", "rate", "amplitude", "frequency", "phase"})
-      if (table.has(other)) table.fail(other, "given along with time, expected only one of them");
-    VectorTable course;
-    const char* names[] = {"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (table.has(names[i]))
-        course.components[i] = read_curve(table, "time", kTime, names[i], Quantity::any(unit));
-    return course;
+namespace {
+
+/// Reads the course of a table that has "time".
+VectorTable read_table(const TomlSection& table, const Quantity& quantity,
+                       const VectorShape& shape) {
+  for (const char* other : {"constant", "rate", "amplitude", "frequency", "phase"})
+    if (table.has(other)) table.fail(other, "given along with time, expected only one of them");
+  VectorTable course;
+  for (std::size_t i = 0; i < shape.count; ++i)
+    if (table.has(shape.names[i]))
+      course.components[shape.first + i] =
+          read_curve(table, "time", kTime, shape.names[i], quantity);
+  return course;
+}
+
+/// Reads the numbers and vectors of a harmonic course.
+struct CourseReader {
+  const TomlSection& table;
+  const VectorShape& shape;
+
+  void operator()(std::string_view key, double& value, const Quantity& quantity,
+                  Presence presence) const {
+    FieldReader{table}(key, value, quantity, presence);
   }
-  for (const char* component : {"x", "y", "z"})
+  void operator()(std::string_view key, Vector& value, const Quantity& quantity, Presence) const {
+    if (table.has(key)) value = read_vector(table, key, quantity, shape);
+  }
+};
+
+}  // namespace
+
+VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit,
+                         const VectorShape& shape) {
+  if (!section.has(key)) return VectorHarmonic{};
+  const TomlSection::Keys components(shape.names.begin(), shape.names.begin() + shape.count);
+  TomlSection::Keys keys = components;
+  keys.insert(keys.begin(), "time");
+  keys.insert(keys.end(), {"constant", "rate", "amplitude", "frequency", "phase"});
+  const TomlSection table = section.section(key, keys);
+  if (table.has("time")) return read_table(table, Quantity::any(unit), shape);
+  for (const std::string_view component : components)
     if (table.has(component)) table.fail(component, "would be ignored, expected only with time");
   if (!table.has("constant") && !table.has("rate") && !table.has("amplitude"))
     table.fail("", "has none of time, constant, rate and amplitude, expected one or more");
@@ -66,7 +100,7 @@ VectorCourse read_course(const TomlSection& section, std::string_view key, std::
     if (table.has(other) && !table.has("amplitude"))
       table.fail(other, "would be ignored, expected only with amplitude");
   VectorHarmonic course;
-  visit_fields(course, unit, VectorReader{table});
+  visit_fields(course, unit, CourseReader{table, shape});
   return course;
 }
 

@@ -7,6 +7,7 @@
 #include "models/reader/field_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/spatial_fields.h"
+#include "models/reader/spatial/vector_shape.h"
 #include "models/reader/toml_section.h"
 
 namespace spoke::spatial {
@@ -24,8 +25,9 @@ struct VectorReader {
                   Presence presence) const;
 };
 
-/// Reads an array of three numbers.
-Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity);
+/// Reads a vector of a shape, by default an array of three numbers.
+Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity,
+                   const VectorShape& shape = kVectorInSpace);
 
 /// Reads an inertia tensor: one number, about every axis; three moments; or the six entries xx, yy,
 /// zz, xy, xz, yz.
@@ -34,8 +36,9 @@ Tensor read_inertia(const TomlSection& section, std::string_view key, MayBeZero 
 /// Reads the keys "time" and "factor" of a load; 1 if there are none.
 Curve read_factor(const TomlSection& section);
 
-/// Reads the table `key`, with "time" and arrays x, y, z, or with "constant", "rate", "amplitude"
-/// and "frequency"; zero if it is missing.
-VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit);
+/// Reads the table `key`, with "time" and arrays x, y, z or as the shape has it, or with
+/// "constant", "rate", "amplitude" and "frequency"; zero if it is missing.
+VectorCourse read_course(const TomlSection& section, std::string_view key, std::string_view unit,
+                         const VectorShape& shape = kVectorInSpace);
 
 }  // namespace spoke::spatial

@@ -1,5 +1,5 @@
-// Colours of stages: eight that colour-blind eyes tell apart, then the same eight hatched. Stages are
-// also named in nodes, slices and rows, so that nothing is said by colour alone.
+// Colours of stages: eight that colour-blind eyes tell apart, then the same eight hatched one way, and the
+// other way. Stages are also named in nodes, slices and rows, so that nothing is said by colour alone.
 import { inkOn, rgb, Theme } from './theme';
 
 export interface Paint {
@@ -7,6 +7,8 @@ export interface Paint {
   fill: string | CanvasPattern;
   plain: string;
   hatched: boolean;
+  /** Whether its stripes fall from left to right. */
+  falls: boolean;
   ink: string;
 }
 
@@ -17,7 +19,7 @@ export function mix(a: string, b: string, share: number): string {
   return `#${hex.join('')}`;
 }
 
-function hatch(colour: string, paper: string): CanvasPattern {
+function hatch(colour: string, paper: string, falls: boolean): CanvasPattern {
   const size = 8 * devicePixelRatio;
   const tile = document.createElement('canvas');
   tile.width = tile.height = size;
@@ -28,8 +30,8 @@ function hatch(colour: string, paper: string): CanvasPattern {
   context.lineWidth = size / 5;
   for (let k = -1; k <= 1; ++k) {
     context.beginPath();
-    context.moveTo((k - 0.25) * size, 1.25 * size);
-    context.lineTo((k + 1.25) * size, -0.25 * size);
+    context.moveTo((k - 0.25) * size, (falls ? -0.25 : 1.25) * size);
+    context.lineTo((k + 1.25) * size, (falls ? 1.25 : -0.25) * size);
     context.stroke();
   }
   const pattern = context.createPattern(tile, 'repeat') as CanvasPattern;
@@ -50,7 +52,9 @@ export class Palette {
       const number = Math.max(0, this.stages.indexOf(name));
       const plain = this.theme.series[number % 8];
       const hatched = number >= 8;
-      paint = { plain, hatched, fill: hatched ? hatch(plain, this.theme.paper) : plain, ink: inkOn(rgb(plain)) };
+      const falls = number % 24 >= 16;
+      const fill = hatched ? hatch(plain, this.theme.paper, falls) : plain;
+      paint = { plain, hatched, falls, fill, ink: inkOn(rgb(plain)) };
       this.paints.set(name, paint);
     }
     return paint;
@@ -74,14 +78,14 @@ export class Palette {
     const k = Math.min(stops.length - 2, Math.floor(at));
     const colour = stops[k].map((c, i) => Math.round(c + (stops[k + 1][i] - c) * (at - k))) as [number, number, number];
     const plain = `rgb(${colour.join(',')})`;
-    return { plain, fill: plain, hatched: false, ink: inkOn(colour) };
+    return { plain, fill: plain, hatched: false, falls: false, ink: inkOn(colour) };
   }
 }
 
 /** The same paint for the style sheet. */
 export function swatchStyle(palette: Palette, stage: string): string {
-  const { plain, hatched } = palette.stage(stage);
+  const { plain, hatched, falls } = palette.stage(stage);
   if (!hatched) return `background:${plain}`;
   const stripe = mix(plain, palette.theme.paper, 0.55);
-  return `background:repeating-linear-gradient(135deg,${plain} 0 3px,${stripe} 3px 5px)`;
+  return `background:repeating-linear-gradient(${falls ? 45 : 135}deg,${plain} 0 3px,${stripe} 3px 5px)`;
 }

@@ -17,6 +17,7 @@
 #include "engine/simulation/simulation_core.h"
 #include "graph/declaration_check.h"
 #include "models/error.h"
+#include "tests/engine/loop_models.h"
 #include "tests/engine/space/system/models.h"
 
 using namespace spoke;
@@ -177,6 +178,24 @@ std::vector<Case> all_cases() {
           {"forests on a hub that a torque turns", make_forests()}};
 }
 
+/// Four blades that a swashplate pitches by links, on a hub that turns as prescribed or by a
+/// torque.
+Scenario make_linked(const std::string& hub) {
+  Scenario scenario = test::make_pitching(hub, 4);
+  spatial::MountMotion shaken;
+  shaken.translation =
+      spatial::VectorHarmonic{.amplitude = spatial::Vector(0.0, 0.0, 0.02), .frequency = 9.0};
+  shaken.rotation =
+      spatial::VectorHarmonic{.amplitude = spatial::Vector(0.0, 0.1, 0.0), .frequency = 7.0};
+  scenario.space->anchors[0].motion = shaken;
+  for (const SensorQuantity quantity :
+       {SensorQuantity::loop_reaction, SensorQuantity::loop_opening})
+    scenario.sensors.push_back(
+        test::loop_sensor(quantity, "", scenario.space->subsystems[3].name, "link"));
+  scenario.integration.duration = kSteps * scenario.integration.step;
+  return scenario;
+}
+
 /// Takes steps beyond the stability limit of the method.
 Scenario make_diverging(Scenario scenario) {
   scenario.integration.method = IntegrationMethod::rk4;
@@ -228,6 +247,25 @@ TEST_CASE("processes that share a model all have the bits of one alone") {
           for (const Shown& shown : run_shared(scenario, options, count)) CHECK(shown == expected);
         }
       }
+}
+
+TEST_CASE("processes that share a model with loops all have the bits of one alone") {
+  for (const char* hub : {"drive = { kind = \"constant\", speed = 5.0 }",
+                          "mass = 3.0\ninertia = 0.8\ndrive = { kind = \"torque\", torque = 3.0, "
+                          "initial_speed = 4.0 }"})
+    for (const Formulation formulation : {Formulation::structured, Formulation::subsystem}) {
+      const Scenario scenario = make_linked(hub);
+      const SimulationOptions options{formulation, ExecutorKind::serial, 1};
+      const Shown expected = run(scenario, options);
+      CHECK(expected.error == "");
+      CHECK(expected.steps == kSteps);
+      for (const int count : {2, 4}) {
+        CAPTURE(hub);
+        CAPTURE(name_of(formulation));
+        CAPTURE(count);
+        for (const Shown& shown : run_shared(scenario, options, count)) CHECK(shown == expected);
+      }
+    }
 }
 
 TEST_CASE("windows that are asked for, and the executor auto, change no bits of a shared model") {

@@ -346,9 +346,10 @@ TEST_CASE("a state that is restored has its error of a step and its iteration") 
 
 TEST_CASE("the steps of shipped scenarios are small enough") {
   for (const char* name :
-       {"articulated_rotor", "drone_rotor", "free_hub_satellite", "nrel_5mw_rotor", "paper_rotor",
+       {"andrews_squeezer", "articulated_rotor", "bricard", "drone_rotor", "four_bar",
+        "free_hub_satellite", "helicopter_rotor", "nrel_5mw_rotor", "paper_rotor",
         "satellite_booms", "simo_vu_quoc_beam", "spatial_wu_haug", "spin_up_hold_spin_down",
-        "tree_of_bodies", "wu_haug_rotor"}) {
+        "tree_of_bodies", "vehicle", "wu_haug_rotor"}) {
     CAPTURE(name);
     Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + name + ".toml");
     Simulation simulation(scenario, kSerial);

@@ -11,6 +11,7 @@
 #include "graph/declaration_check.h"
 #include "tests/engine/load_rotors.h"
 #include "tests/engine/rotors.h"
+#include "tests/engine/step/damaged_graph.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -113,41 +114,6 @@ void prepare(const Case& which, SystemContext<Plane>& context) {
   for (double* history : context.data.hub_coordinates.history)
     if (history)
       for (int c = 0; c < kTwist; ++c) history[c] = unit(random);
-}
-
-/// The memory of all parts, to set back what a check's run has changed.
-class Snapshot {
- public:
-  explicit Snapshot(const graph::StepGraph& graph) : graph_(graph) {
-    for (const graph::Part& part : graph.parts())
-      for (const std::span<std::byte> range : part.memory)
-        saved_.emplace_back(range.begin(), range.end());
-  }
-  void restore() const {
-    auto next = saved_.begin();
-    for (const graph::Part& part : graph_.parts())
-      for (const std::span<std::byte> range : part.memory)
-        std::copy(next->begin(), next->end(), range.begin()), ++next;
-  }
-
- private:
-  const graph::StepGraph& graph_;
-  std::vector<std::vector<std::byte>> saved_;
-};
-
-/// The graph's nodes again, one declared access left out.
-graph::StepGraph rebuild_without(const graph::StepGraph& graph, int node, graph::PartId part,
-                                 bool is_read) {
-  graph::StepGraphBuilder builder("blade");
-  for (const graph::Part& p : graph.parts()) builder.add_part(p.name, p.memory);
-  for (int n = 0; n < graph.node_count(); ++n) {
-    const graph::NodeId id{n};
-    std::vector<graph::PartId> reads = graph.node(id).reads, writes = graph.node(id).writes;
-    if (n == node) std::erase(is_read ? reads : writes, part);
-    builder.add_node(graph.node(id).label, graph::reads(reads), graph::writes(writes),
-                     [&graph, id]() noexcept { graph.run_node(id); });
-  }
-  return builder.build();
 }
 
 }  // namespace

@@ -319,8 +319,8 @@ TEST_CASE("blades given in both ways or wrongly are refused") {
       {"[[blades]]\ncount = 3\n",
        "f.toml:23:1: blades.1.count: unknown key, expected \"length\", \"bodies\", "
        "\"elements\", \"density\", \"area\", \"second_moment\", \"youngs_modulus\", "
-       "\"geometric_stiffening\", \"reference_frame\", \"azimuth\", \"sections\" or "
-       "\"point_mass\""},
+       "\"geometric_stiffening\", \"reference_frame\", \"azimuth\", \"sections\", \"point_mass\" "
+       "or \"loop\""},
   });
   check_edits({
       {"[blade]", "[[blade]]",

@@ -140,7 +140,7 @@ TEST_CASE("trees that are none are refused") {
            "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"mirror\"\nkind = "
            "\"fixed\"\n[integration]",
            "f.toml:34:9: subsystem.1.joint.3.child: is \"mirror\", the child of joint 2 already; "
-           "expected a tree: closed loops are not simulated"},
+           "expected a tree, closed by [[subsystem.loop]]"},
           {"[integration]",
            "[[subsystem.body]]\nname = \"lost\"\nkind = \"rigid\"\nmass = 1\ninertia = [1, 1, "
            "1]\n[integration]",

@@ -4,6 +4,7 @@
 
 #include "models/space/reference_curve.h"
 #include "models/tree/tree.h"
+#include "tests/models/reader/loop_texts.h"
 #include "tests/models/reader/spatial_texts.h"
 
 using doctest::Approx;
@@ -157,4 +158,19 @@ TEST_CASE("a child within a beam is on a node at its station") {
     CHECK(parent.nodes.size() == 5);
     CHECK(calc_placements(tree).back().position.isApprox(Vector(station, 0.0, 0.0), 1e-13));
   }
+}
+
+TEST_CASE("places of a blade's loop on hub, mount and anchors are turned by its azimuth") {
+  Model model = read(edited(spoke::test::kPitchLinkText, "count = 3", "count = 4"));
+  const auto placement_of = [&model](std::size_t blade) {
+    const std::vector<Tree> trees = build_trees(model);
+    REQUIRE(trees[blade].loops.size() == 1);
+    CHECK(trees[blade].loops[0].from.placement.position == Vector(0.0, 0.2, 0.0));
+    return trees[blade].loops[0].to.placement;
+  };
+  CHECK(placement_of(0).position.isApprox(Vector(0.5, 0.2, 0.0), 1e-14));
+  CHECK(placement_of(1).position.isApprox(Vector(-0.2, 0.5, 0.0), 1e-14));
+  CHECK((placement_of(1).rotation * Vector::UnitX()).isApprox(Vector::UnitY(), 1e-14));
+  model.hub.axis = {0.0, 3.0, 0.0};
+  CHECK(placement_of(1).position.isApprox(Vector(0.0, 0.2, -0.5), 1e-14));
 }

@@ -199,3 +199,26 @@ TEST_CASE("--vtk writes models in space") {
   CHECK(last.find("NumberOfLines=\"0\"") != std::string::npos);
   CHECK(last.ends_with("</VTKFile>\n"));
 }
+
+TEST_CASE("check prints loops, redundant rows, the mobility, and what was moved") {
+  const WorkFolder folder;
+  const Ended ring = run_spoke({"check", shipped("bricard"), "--html", "ring.html"}, folder);
+  CHECK(ring.status == 0);
+  for (const char* part :
+       {"  loops           ring: hinge_6 (revolute, 5 rows), bar_5 to the hub\n",
+        "ring: 5 free joint coordinates, less 4 rows (1 of 5 redundant): mobility 1\n",
+        "  redundant       ring / hinge_6: "}) {
+    CAPTURE(part);
+    CHECK(ring.out.find(part) != std::string::npos);
+  }
+  CHECK(file_text(folder.path() / "ring.html").find("<td>ring / hinge_6</td><td>revolute</td>") !=
+        std::string::npos);
+  CHECK(file_text(folder.path() / "ring.html")
+            .find("<td>ring</td><td>5</td><td>0</td><td>5</td><td>1</td>") != std::string::npos);
+  const Ended car =
+      run_spoke({"check", shipped("vehicle"), "--set", "subsystem.1.joint.1.initial=0.02"}, folder);
+  CHECK(car.status == 0);
+  CHECK(car.out.find("front_left: spring (distance, 1 row, sprung), lower_arm to the hub\n") !=
+        std::string::npos);
+  CHECK(car.out.find("  moved           front_left / ") != std::string::npos);
+}

@@ -24,7 +24,7 @@ json data_of(const std::string& html) {
 
 TEST_CASE("the page of a model has its scene, how its joints stand, and lists them") {
   const Scenario scenario = parse_scenario(make_text(kFlyingHub, kTree), "test");
-  const std::string html = make_model_page(scenario);
+  const std::string html = make_model_page(Simulation(scenario));
   const json data = data_of(html);
   CHECK(data["scene"]["joints"].size() == 5);
   // Seven numbers for each of five groups, 4 bytes each, in base64
@@ -37,7 +37,7 @@ TEST_CASE("the page of a model has its scene, how its joints stand, and lists th
 }
 
 TEST_CASE("the page of a planar rotor has its bodies and no joints") {
-  const std::string html = make_model_page(test_scenario());
+  const std::string html = make_model_page(Simulation(test_scenario()));
   CHECK(data_of(html)["scene"]["isPlanar"] == true);
   CHECK(html.find("two &lt;/script&gt; blades") != std::string::npos);
   CHECK(html.find("<td>blade 2 / body 2</td>") != std::string::npos);

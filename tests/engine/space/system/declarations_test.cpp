@@ -9,6 +9,7 @@
 #include "tests/engine/space/system/models.h"
 #include "tests/engine/space/system/random_system.h"
 #include "tests/engine/space/system/runs.h"
+#include "tests/engine/step/damaged_graph.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -60,22 +61,6 @@ void prepare(const Case& which, Formulation formulation, SystemContext<Space>& c
   allocate(context);
   std::mt19937 random(4);
   randomize_state(random, context.data);
-}
-
-/// Sets all progress to a pass within step 20, after work was done, as wide as one step.
-void set_progress(const PassControl& control, SystemContext<Space>& context) {
-  for (StepProgress& progress : context.data.progress) {
-    progress = {};
-    progress.control = control;
-    progress.step = control.stage == PassControl::kEvaluateOnly ? 0 : 20;
-    progress.passes = 1;
-    progress.power = {3.0, 2.0};
-    progress.work = 0.3;
-    progress.dissipated = 0.2;
-  }
-  context.data.window = {20, 20, true};
-  // The second iteration completes its step.
-  context.integrator.limits.tolerance = control.stage == 1 ? 1e9 : 0.0;
 }
 
 }  // namespace

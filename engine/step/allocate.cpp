@@ -1,13 +1,14 @@
 // Allocates table and formulation for a system.
 
-#include "engine/step/step_context.h"
-
 #include <algorithm>
 #include <cassert>
 
+#include "engine/formulation/loops.h"
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/space/put_joint.h"
+#include "engine/step/loop_start.h"
+#include "engine/step/step_context.h"
 #include "engine/step/step_errors.h"
 
 namespace spoke {
@@ -26,6 +27,20 @@ ElasticShares implicit_shares(const Method& method, const Damping& damping) {
 }  // namespace
 
 namespace {
+
+/// Lets the integrator close loops that are rigid.
+template <class World>
+void close_loops_by(SystemContext<World>& context) {
+  // Openings that are left are some 1e-14 of the model's length then.
+  constexpr double kClosing = 1e-7;
+  bool has_rigid = false;
+  for (const Subsystem<World>& subsystem : context.system.subsystems)
+    for (const LoopModel& loop : subsystem.loops)
+      for (const LoopRow& row : loop.rows) has_rigid |= row.is_rigid();
+  if (!has_rigid) return;
+  context.integrator.limits.closing = kClosing * std::min(1.0, context.data.length);
+  if (auto* rk4 = std::get_if<Rk4>(&context.integrator.method)) rk4->projects = true;
+}
 
 // Start of the motion, besides the drive's.
 
@@ -65,7 +80,10 @@ void allocate(SystemContext<World>& context, int window_steps) {
   const bool is_coupled = context.formulation == Formulation::augmented ||
                           !is_prescribed(context.system) || context.loads_tie_subsystems;
   allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    allocate_loops(context.system.subsystems[i], data.subsystems[i]);
   set_lengths(data);
+  close_loops_by(context);
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (BodyData<World>& body : subsystem.bodies) {
       CoordinateBlock& block = body.coordinates;
@@ -78,6 +96,7 @@ void allocate(SystemContext<World>& context, int window_steps) {
   set_start(context.system, !alpha, data);
   place_applied_forces(data);
   put_hub_at_start(context);
+  start_loops(context);
 }
 
 template <class World>

@@ -1,0 +1,142 @@
+// Moves what is prescribed at unit speed, or samples it over the run.
+
+#include "engine/step/given_rates.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/kernels/hub_motion.h"
+
+namespace spoke {
+namespace {
+
+bool moves(const space::DrivenMotion& motion, double duration, bool hub_turns) {
+  if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion))
+    return hub_turns && (azimuth->cosine != 0.0 || azimuth->sine != 0.0);
+  if (const auto* said = std::get_if<space::SaidMotion>(&motion))
+    return said->rate != 0.0 || said->acceleration != 0.0;
+  const Curve& curve = std::get<spatial::MotionTable>(motion).value;
+  const std::vector<double>& values = curve.values();
+  return duration > curve.times().front() &&
+         std::any_of(values.begin(), values.end(),
+                     [&](double value) { return value != values.front(); });
+}
+
+/// Whether the drive turns the hub within the run, by its prescribed motion.
+template <class Hub>
+bool turns(const Hub& hub, double duration) {
+  constexpr int kSamples = 64;
+  if (!prescribes_motion(hub.drive)) return false;
+  for (int k = 0; k <= kSamples; ++k)
+    if (calc_motion(hub.drive, duration * k / kSamples).speed != 0.0) return true;
+  return false;
+}
+
+bool moves(const spatial::VectorCourse& course) {
+  if (const auto* harmonic = std::get_if<spatial::VectorHarmonic>(&course))
+    return !harmonic->rate.isZero(0.0) || !harmonic->amplitude.isZero(0.0);
+  const auto& components = std::get<spatial::VectorTable>(course).components;
+  return std::any_of(components.begin(), components.end(), [](const Curve& curve) {
+    const std::vector<double>& values = curve.values();
+    return std::any_of(values.begin(), values.end(),
+                       [&](double value) { return value != values.front(); });
+  });
+}
+
+/// Whether an anchor moves, or may be moved by the embedding program.
+bool moves(const AnchorModel& anchor) {
+  const auto* motion = std::get_if<spatial::MountMotion>(&anchor.motion);
+  return motion == nullptr || moves(motion->translation) || moves(motion->rotation);
+}
+
+template <class World>
+void add_driven(const SystemContext<World>& context, std::size_t subsystem, double duration,
+                LoopKinematics<World>& kinematics, GivenRates& given) {
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    const Subsystem<World>& model = context.system.subsystems[subsystem];
+    const bool hub_turns = turns(context.system.hub, duration);
+    for_loop_bodies(model, context.data.subsystems[subsystem].loops, [&](std::size_t j) {
+      const std::vector<space::DrivenMotion>& driven = model.bodies[j].joint.course.driven;
+      for (std::size_t c = 0; c < driven.size(); ++c)
+        if (moves(driven[c], duration, hub_turns))
+          given.add(kinematics.calc_driven_column(static_cast<int>(j), static_cast<int>(c)),
+                    "the driven joint of body " + std::to_string(j + 1));
+    });
+  }
+}
+
+/// Adds what anchors and mount do, at times within the run.
+template <class World>
+void add_places(SystemContext<World>& context, std::size_t subsystem, double duration,
+                LoopKinematics<World>& kinematics, GivenRates& given) {
+  constexpr int kSamples = 16;
+  const std::vector<LoopModel>& loops = context.system.subsystems[subsystem].loops;
+  const bool has_any = std::any_of(loops.begin(), loops.end(), [](const LoopModel& loop) {
+    return loop.to.carrier == LoopPlace::Carrier::anchor ||
+           loop.to.carrier == LoopPlace::Carrier::mount;
+  });
+  if (!has_any) return;
+  double& time = context.data.subsystems[subsystem].progress->control.time;
+  const double kept = time;
+  for (int k = 0; k <= kSamples; ++k) {
+    time = duration * k / kSamples;
+    kinematics.evaluate();
+    given.add(kinematics.given_rates(), "the motion of its anchor or mount");
+  }
+  time = kept;
+  kinematics.evaluate();
+}
+
+}  // namespace
+
+void GivenRates::add(const Eigen::VectorXd& column, const std::string& name) {
+  assert(column.size() == columns.rows());
+  columns.conservativeResize(column.size(), columns.cols() + 1);
+  columns.col(columns.cols() - 1) = column;
+  names.push_back(name);
+}
+
+template <class World>
+GivenRates find_given_rates(SystemContext<World>& context, std::size_t subsystem, double duration,
+                            LoopKinematics<World>& kinematics) {
+  assert(subsystem < context.system.subsystems.size());
+  GivenRates given;
+  given.columns.resize(std::ssize(kinematics.rigid_rows()), 0);
+  add_driven(context, subsystem, duration, kinematics, given);
+  if (turns(context.system.hub, duration))
+    given.add(kinematics.calc_hub_column(), "the rotation of the hub");
+  add_places(context, subsystem, duration, kinematics, given);
+  return given;
+}
+
+template <class World>
+bool is_at_rest(const System<World>& system, double duration) {
+  if (!is_prescribed(system) || turns(system.hub, duration)) return false;
+  if constexpr (tree::kHasJointCoordinates<World>)
+    if (system.hub.mount) return false;
+  return true;
+}
+
+template <class World>
+bool may_be_moved(const System<World>& system, const Subsystem<World>& subsystem) {
+  for (const LoopModel& loop : subsystem.loops)
+    if (loop.to.carrier == LoopPlace::Carrier::anchor &&
+        moves(system.anchors[static_cast<std::size_t>(loop.to.anchor)]))
+      return true;
+  if constexpr (tree::kHasJointCoordinates<World>)
+    for (const TreeBody<World>& body : subsystem.bodies)
+      for (const space::DrivenMotion& motion : body.joint.course.driven)
+        if (std::holds_alternative<space::SaidMotion>(motion)) return true;
+  return false;
+}
+
+template GivenRates find_given_rates(SystemContext<Plane>&, std::size_t, double,
+                                     LoopKinematics<Plane>&);
+template bool is_at_rest(const System<Plane>&, double);
+template bool may_be_moved(const System<Plane>&, const Subsystem<Plane>&);
+template GivenRates find_given_rates(SystemContext<Space>&, std::size_t, double,
+                                     LoopKinematics<Space>&);
+template bool is_at_rest(const System<Space>&, double);
+template bool may_be_moved(const System<Space>&, const Subsystem<Space>&);
+
+}  // namespace spoke

@@ -1,0 +1,189 @@
+// Evaluates the rows of loops at states near the start.
+
+#include "engine/step/loop_coordinates.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/integrator/rotation.h"
+#include "engine/kernels/hub_motion.h"
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/loop_motion.h"
+#include "engine/kernels/samples.h"
+
+namespace spoke {
+namespace {
+
+void list_joint(const TreeBody<Plane>&, int, double, std::vector<LoopCoordinate>&) {}
+void list_joint(const TreeBody<Space>& body, int j, double length,
+                std::vector<LoopCoordinate>& list) {
+  int at = 0;
+  for (const space::JointPrimitive& primitive : body.joint.joint.sequence()) {
+    if (primitive.is_driven) continue;
+    const bool slides = primitive.kind == space::JointPrimitive::Kind::prismatic;
+    const bool is_spherical = primitive.kind == space::JointPrimitive::Kind::spherical;
+    const int first = at;
+    for (int c = 0; c < primitive.components(); ++c)
+      list.push_back({j, true, at++, slides ? length : 1.0, is_spherical ? first : -1});
+  }
+}
+
+const CoordinateBlock* joint_block(const BodyData<Plane>&) { return nullptr; }
+const CoordinateBlock* joint_block(const BodyData<Space>& body) { return &body.joint.coordinates; }
+
+void fold_joint(BodyData<Plane>&) {}
+void fold_joint(BodyData<Space>& body) {
+  const space::Joint& joint = body.model->joint.joint;
+  if (joint.spherical_at >= 0)
+    space::fold(
+        {&body.joint.coordinates, joint.spherical_at, body.joint.rotation, joint.spherical_frame});
+}
+
+double* driven_rate(BodyData<Plane>&, int) { return nullptr; }
+double* driven_rate(BodyData<Space>& body, int c) { return &body.joint.driven[c].rate; }
+
+}  // namespace
+
+template <class World>
+LoopKinematics<World>::LoopKinematics(SystemContext<World>& context, std::size_t subsystem)
+    : context_(context),
+      index_(subsystem),
+      subsystem_(context.system.subsystems[subsystem]),
+      data_(context.data.subsystems[subsystem]) {
+  context.data.hub = calc_hub_state(context.data);
+  if (!context.data.is_coupled) data_.prescribed = calc_prescribed_motion(context.system, 0.0);
+  prescribe_joints(context.system, 0.0, subsystem, context.data);
+  list_coordinates();
+  int row = 0;
+  std::vector<double> scales;
+  for (const LoopModel& loop : subsystem_.loops)
+    for (const LoopRow& constants : loop.rows) {
+      if (constants.is_rigid()) {
+        rigid_rows_.push_back(row);
+        scales.push_back(constants.is_length() ? 1.0 / context.data.length : 1.0);
+      }
+      ++row;
+    }
+  row_scale_ = Eigen::Map<const Eigen::VectorXd>(scales.data(), std::ssize(scales));
+}
+
+template <class World>
+void LoopKinematics<World>::list_coordinates() {
+  for_loop_bodies(subsystem_, data_.loops, [this](std::size_t j) {
+    list_joint(subsystem_.bodies[j], static_cast<int>(j), context_.data.length, coordinates_);
+  });
+  joint_count_ = static_cast<int>(coordinates_.size());
+  for_loop_bodies(subsystem_, data_.loops, [this](std::size_t j) {
+    for (int k = 0; k < subsystem_.bodies[j].body->coordinates(); ++k)
+      coordinates_.push_back(
+          {static_cast<int>(j), false, static_cast<int>(data_.bodies[j].layout.offset(k))});
+  });
+}
+
+template <class World>
+double* LoopKinematics<World>::speed_of(const LoopCoordinate& coordinate) {
+  BodyData<World>& body = data_.bodies[static_cast<std::size_t>(coordinate.body)];
+  return (coordinate.is_joint ? joint_block(body)->v : body.coordinates.v) + coordinate.at;
+}
+
+template <class World>
+void LoopKinematics<World>::evaluate() {
+  update_kinematics(subsystem_, data_);
+  calc_loop_motion(context_.system, index_, data_.progress->control.time, {}, context_.data);
+}
+
+template <class World>
+Eigen::VectorXd LoopKinematics<World>::by_row(double LoopRowState<World>::*value) const {
+  Eigen::VectorXd values(row_scale_.size());
+  for (Eigen::Index r = 0; r < values.size(); ++r) {
+    const auto row = static_cast<std::size_t>(rigid_rows_[static_cast<std::size_t>(r)]);
+    values[r] = row_scale_[r] * (data_.loops.states[row].*value);
+  }
+  return values;
+}
+
+template <class World>
+Eigen::VectorXd LoopKinematics<World>::openings() const {
+  return by_row(&LoopRowState<World>::opening);
+}
+template <class World>
+Eigen::VectorXd LoopKinematics<World>::rates() const {
+  return by_row(&LoopRowState<World>::rate);
+}
+template <class World>
+Eigen::VectorXd LoopKinematics<World>::given_rates() const {
+  return by_row(&LoopRowState<World>::given_rate);
+}
+
+// Rates are linear in speeds.
+template <class World>
+Eigen::MatrixXd LoopKinematics<World>::calc_jacobian(int count) {
+  assert(count >= 0 && std::cmp_less_equal(count, coordinates_.size()));
+  evaluate();
+  const Eigen::VectorXd before = rates();
+  Eigen::MatrixXd jacobian(before.size(), count);
+  for (int c = 0; c < count; ++c) {
+    const LoopCoordinate& coordinate = coordinates_[static_cast<std::size_t>(c)];
+    double& speed = *speed_of(coordinate);
+    const double kept = speed;
+    speed += coordinate.scale;
+    evaluate();
+    jacobian.col(c) = rates() - before;
+    speed = kept;
+  }
+  evaluate();
+  return jacobian;
+}
+
+template <class World>
+Eigen::VectorXd LoopKinematics<World>::calc_driven_column(int body, int c) {
+  evaluate();
+  const Eigen::VectorXd before = rates();
+  double& speed = *driven_rate(data_.bodies[static_cast<std::size_t>(body)], c);
+  const double kept = speed;
+  speed += 1.0;
+  evaluate();
+  Eigen::VectorXd column = rates() - before;
+  speed = kept;
+  evaluate();
+  return column;
+}
+
+template <class World>
+Eigen::VectorXd LoopKinematics<World>::calc_hub_column() {
+  evaluate();
+  const Eigen::VectorXd before = rates();
+  for (HubState<World>* hub : {&context_.data.hub, &data_.prescribed.state})
+    hub->twist[World::kAxial] += 1.0;
+  evaluate();
+  Eigen::VectorXd column = rates() - before;
+  for (HubState<World>* hub : {&context_.data.hub, &data_.prescribed.state})
+    hub->twist[World::kAxial] -= 1.0;
+  evaluate();
+  return column;
+}
+
+template <class World>
+void LoopKinematics<World>::move(const Eigen::VectorXd& by) {
+  assert(by.size() <= joint_count_);
+  for (Eigen::Index c = 0; c < by.size(); ++c) {
+    const LoopCoordinate& coordinate = coordinates_[static_cast<std::size_t>(c)];
+    joint_block(data_.bodies[static_cast<std::size_t>(coordinate.body)])->q[coordinate.at] +=
+        coordinate.scale * by[c];
+  }
+  for (BodyData<World>& body : data_.bodies) fold_joint(body);
+}
+
+template <class World>
+void LoopKinematics<World>::add_speeds(const Eigen::VectorXd& by) {
+  assert(std::cmp_less_equal(by.size(), coordinates_.size()));
+  for (Eigen::Index c = 0; c < by.size(); ++c) {
+    const LoopCoordinate& coordinate = coordinates_[static_cast<std::size_t>(c)];
+    *speed_of(coordinate) += coordinate.scale * by[c];
+  }
+}
+
+template class LoopKinematics<Plane>;
+template class LoopKinematics<Space>;
+
+}  // namespace spoke

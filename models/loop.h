@@ -1,0 +1,107 @@
+#pragma once
+
+// Closed loops: cut joints that close what the tree of joints leaves open, and the anchors that
+// loops may close on.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "models/mount_motion.h"
+#include "spoke/export.h"
+
+namespace spoke {
+
+/// The kind of a closure: the relative motion that it leaves to its two places.
+enum class LoopKind {
+  fixed,        ///< none
+  revolute,     ///< rotation about an axis
+  prismatic,    ///< translation along an axis
+  universal,    ///< rotation about an axis of `to` and one of `from`, which stay at one angle
+  spherical,    ///< any rotation
+  cylindrical,  ///< rotation about an axis, and translation along it
+  distance,     ///< all but a change of the distance: a rod with a ball joint at each end
+};
+
+/// Returns the number of directions that a closure locks in space: 1 to 6. In the plane `fixed`
+/// locks 3, `revolute` and `prismatic` 2, `distance` 1; there are no others.
+SPOKE_EXPORT int count_locked(LoopKind kind);
+SPOKE_EXPORT int count_locked_in_plane(LoopKind kind);
+/// Returns the number of its axes in space: 0 to 2. In the plane a prismatic one has an axis, and
+/// the others have none.
+SPOKE_EXPORT int count_axes(LoopKind kind);
+/// Returns the name that scenario files use: "fixed", "revolute", ...
+SPOKE_EXPORT std::string_view name_of(LoopKind kind);
+
+/// A place that a loop is fixed to: a frame on a body of its blade or subsystem, on the hub, on the
+/// mount that holds the hub's axle, or on an anchor. A place of a blade's loop on these three is
+/// given as a blade at the azimuth 0 has it, and turned by the blade's azimuth about the hub's
+/// axis.
+struct LoopPlace {
+  /// What carries the place.
+  enum class Carrier { body, hub, mount, anchor };
+
+  Carrier carrier = Carrier::body;
+  /// Name of a body of the subsystem, or of an anchor; empty: the blade, hub or mount.
+  std::string name{};
+  /// Station on a beam [m]; none: its tip. In the plane one of the ends of the blade's bodies.
+  std::optional<double> station = std::nullopt;
+  /// Place in the frame of a rigid body, the hub, the mount or the anchor; of a beam, from its axis
+  /// at the station, in the beam's axes, which turn with the section [m].
+  spatial::Vector point = spatial::Vector::Zero();
+  /// Rotation vector of the place's frame against that of its carrier [rad]. None: of `to`, no
+  /// rotation; of `from`, the one by which the two frames coincide at the start.
+  std::optional<spatial::Vector> orientation = std::nullopt;
+};
+
+/// A closed loop: a cut joint between two places. Its forces act on `from`, and against `to`.
+///
+/// The closure is at zero where both places coincide, and so do their frames, but for the motion
+/// that its kind allows. At the start joints are moved until it is.
+struct Loop {
+  std::string name{};  ///< name, unlike that of any other loop of the blade or subsystem
+  LoopKind kind = LoopKind::spherical;  ///< relative motion that is allowed
+  LoopPlace from{};                     ///< one place, on a body
+  LoopPlace to{};                       ///< the other one
+  /// Axes in the frame of `to`, of any length but zero, as they are at the start; the first
+  /// count_axes(kind) are in use. The second one of a universal closure is fixed to `from`.
+  std::array<spatial::Vector, 2> axes{spatial::Vector::Zero(), spatial::Vector::Zero()};
+  /// Distance of the places, of that kind [m]; none: the one at the start.
+  std::optional<double> length = std::nullopt;
+  /// Springs against opening, by locked direction: places along x, y, z or across the axis, then
+  /// rotations likewise [N/m, N m/rad]. Empty, or 0: rigid.
+  std::vector<double> stiffness{};
+  /// Dampers beside the springs [N s/m, N m s/rad]; empty: none. Rigid directions have none.
+  std::vector<double> damping{};
+};
+
+/// The motion of an anchor that the embedding program sets while it simulates.
+struct ProgramAnchorMotion {
+  spatial::Vector translation = spatial::Vector::Zero();  ///< until the program sets one [m]
+  spatial::Vector rotation = spatial::Vector::Zero();     ///< rotation vector, likewise [rad]
+};
+
+/// A frame whose motion is prescribed, for loops to close on: a swashplate. What moves it takes up
+/// its forces, and rests on the hub or the mount.
+struct Anchor {
+  /// The frame in which it moves: the hub's, or that of the mount, in which the hub turns about its
+  /// axle.
+  enum class Frame { hub, mount };
+
+  std::string name{};          ///< name, unlike that of any other anchor
+  Frame frame = Frame::mount;  ///< frame in which its motion is given
+  /// Whether it turns with the hub, by the same angle about the hub's axis in its own frame; only
+  /// of the frame `mount`. Its rotation tilts it as it stands: a swashplate, whose tilt does not
+  /// turn.
+  bool turns_with_hub = false;
+  /// Motion of its frame.
+  std::variant<spatial::MountMotion, ProgramAnchorMotion> motion{};
+};
+
+/// Returns "hub" or "mount".
+SPOKE_EXPORT std::string_view name_of(Anchor::Frame frame);
+
+}  // namespace spoke

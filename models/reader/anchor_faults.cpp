@@ -1,0 +1,78 @@
+// Rules for anchors.
+
+#include "models/reader/loop_faults.h"
+
+namespace spoke {
+namespace {
+
+using spatial::FirstFault;
+
+/// Whether a component of a course is 0 all the time.
+bool is_zero(const spatial::VectorCourse& course, std::size_t component) {
+  if (const auto* table = std::get_if<spatial::VectorTable>(&course)) {
+    const std::vector<double>& values = table->components[component].values();
+    return values.size() == 1 && values[0] == 0.0;
+  }
+  const auto& harmonic = std::get<spatial::VectorHarmonic>(course);
+  const auto c = static_cast<Eigen::Index>(component);
+  return harmonic.constant[c] == 0.0 && harmonic.rate[c] == 0.0 && harmonic.amplitude[c] == 0.0;
+}
+
+/// Finds vectors that leave the plane; files cannot say any.
+Fault find_plane_fault(const spatial::MountMotion& motion) {
+  if (!is_zero(motion.translation, 2))
+    return {"motion.translation", "leaves the plane, expected z = 0"};
+  if (!is_zero(motion.rotation, 0) || !is_zero(motion.rotation, 1))
+    return {"motion.rotation", "leaves the plane, expected a rotation about z"};
+  return {};
+}
+
+Fault find_plane_fault(const ProgramAnchorMotion& motion) {
+  if (motion.translation.z() != 0.0)
+    return {"motion.translation", "leaves the plane, expected z = 0"};
+  if (!motion.rotation.head<2>().isZero(0.0))
+    return {"motion.rotation", "leaves the plane, expected a rotation about z"};
+  return {};
+}
+
+Fault find_motion_fault(const spatial::MountMotion& motion) {
+  const FirstFault first;
+  first.add(spatial::find_course_fault("motion.translation", motion.translation, "m"));
+  first.add(spatial::find_course_fault("motion.rotation", motion.rotation, "rad"));
+  return first.found();
+}
+
+Fault find_motion_fault(const ProgramAnchorMotion& motion) {
+  const FirstFault first;
+  first("motion.translation", motion.translation, kLength, Presence::optional);
+  first("motion.rotation", motion.rotation, spatial::kAngle, Presence::optional);
+  return first.found();
+}
+
+}  // namespace
+
+Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before, HubSupport support,
+                 bool in_plane) {
+  const FirstFault first;
+  first.add(spatial::find_name_fault(anchor.name));
+  for (const Anchor& other : before)
+    if (other.name == anchor.name)
+      first.add(
+          {"name", "is \"" + anchor.name + "\" as another anchor's, expected a name of its own"});
+  const bool is_of_hub = anchor.frame == Anchor::Frame::hub;
+  if (!is_of_hub && support == HubSupport::free)
+    first.add({"frame", "is \"mount\", which a free hub has not; expected \"hub\""});
+  if (is_of_hub && anchor.turns_with_hub)
+    first.add({"turns_with_hub",
+               "is true in the frame \"hub\", which turns with the hub itself; expected it only "
+               "with frame = \"mount\""});
+  std::visit(
+      [&](const auto& motion) {
+        first.add(find_motion_fault(motion));
+        if (in_plane) first.add(find_plane_fault(motion));
+      },
+      anchor.motion);
+  return first.found();
+}
+
+}  // namespace spoke

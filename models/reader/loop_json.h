@@ -1,0 +1,17 @@
+#pragma once
+
+// Writes closed loops and anchors as JSON, in the shape of their tables.
+
+#include <vector>
+
+#include "models/reader/loop_faults.h"
+#include "models/support/json.h"
+
+namespace spoke {
+
+/// Adds the loops of a blade or a subsystem to its table; nothing if there are none.
+void add_loops(const std::vector<Loop>& loops, const LoopSurroundings& around, Json& json);
+/// Adds the anchors to the tables of a model; nothing if there are none.
+void add_anchors(const std::vector<Anchor>& anchors, bool in_plane, Json& json);
+
+}  // namespace spoke

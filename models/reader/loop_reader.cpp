@@ -1,0 +1,213 @@
+// Reads places by what carries them, and the keys that only some kinds of closure have.
+
+#include "models/reader/loop_reader.h"
+
+#include <algorithm>
+
+#include "models/reader/spatial/vector_reader.h"
+
+namespace spoke {
+namespace {
+
+using spatial::place_shape;
+using spatial::rotation_shape;
+
+constexpr LoopKind kKinds[] = {LoopKind::fixed,     LoopKind::revolute,  LoopKind::prismatic,
+                               LoopKind::universal, LoopKind::spherical, LoopKind::cylindrical,
+                               LoopKind::distance};
+
+/// Returns the number of axes that a file gives.
+int count_axes(LoopKind kind, bool in_plane) {
+  return in_plane ? (kind == LoopKind::prismatic ? 1 : 0) : count_axes(kind);
+}
+
+LoopKind read_kind(const TomlSection& section, bool in_plane) {
+  TomlSection::Keys names;
+  std::vector<LoopKind> kinds;
+  for (const LoopKind kind : kKinds) {
+    if (count_locked(kind, in_plane) == 0) continue;
+    kinds.push_back(kind);
+    names.push_back(name_of(kind));
+  }
+  return kinds[section.choice("kind", names)];
+}
+
+/// Refuses a key of other kinds of closure, which would be ignored.
+template <class Has>
+void require_kind(const TomlSection& section, std::string_view key, LoopKind own, bool in_plane,
+                  const Has& has) {
+  if (!section.has(key) || has(own)) return;
+  TomlSection::Keys fitting;
+  for (const LoopKind kind : kKinds)
+    if (count_locked(kind, in_plane) > 0 && has(kind)) fitting.push_back(name_of(kind));
+  section.fail(key, "does not belong to kind \"" + std::string(name_of(own)) +
+                        "\", expected only with kind " + join_names(fitting));
+}
+
+void check_kind_keys(const TomlSection& section, LoopKind kind, bool in_plane) {
+  const auto require = [&](std::string_view key, const auto& has) {
+    require_kind(section, key, kind, in_plane, has);
+  };
+  require("axis", [&](LoopKind k) { return count_axes(k, in_plane) == 1; });
+  require("axes", [&](LoopKind k) { return count_axes(k, in_plane) == 2; });
+  require("length", [](LoopKind k) { return k == LoopKind::distance; });
+}
+
+/// Reads what carries a place by its name.
+void read_carrier(const TomlSection& table, LoopPlace& place) {
+  if (table.has("anchor")) {
+    if (table.has("body")) table.fail("anchor", "given along with body, expected only one of them");
+    place.carrier = LoopPlace::Carrier::anchor;
+    place.name = table.text("anchor", "");
+    return;
+  }
+  const std::string name = table.text("body", "");
+  if (name == "hub") {
+    place.carrier = LoopPlace::Carrier::hub;
+  } else if (name == "mount") {
+    place.carrier = LoopPlace::Carrier::mount;
+  } else {
+    place.name = name;
+  }
+}
+
+/// Reads station and point. On a beam a point alone has its station in its first component.
+void read_point(const TomlSection& table, const LoopSurroundings& around, LoopPlace& place) {
+  if (table.has("station")) place.station = table.number("station", kStation);
+  if (!table.has("point")) return;
+  place.point = spatial::read_vector(table, "point", kLength, place_shape(around.in_plane));
+  const LoopBody* body = place.carrier == LoopPlace::Carrier::body ? around.find(place) : nullptr;
+  if (body == nullptr || !body->length || place.station) return;
+  place.station = place.point.x();
+  place.point.x() = 0.0;
+  if (const Fault fault = find_fault(place, around); fault.path == "station")
+    table.fail_at("point.1", fault.text);
+}
+
+LoopPlace read_place(const TomlSection& section, std::string_view key,
+                     const LoopSurroundings& around) {
+  const std::string expected = around.is_blade()
+                                   ? "\"hub\", \"mount\", or a table with body, anchor or station"
+                                   : "\"hub\", \"mount\", or a table with body or anchor";
+  if (!section.has(key)) section.fail(key, "is missing, expected " + expected);
+  LoopPlace place;
+  if (section.is_text(key)) {
+    const std::string text = section.text(key, "");
+    if (text != "hub" && text != "mount") section.fail_expected(key, expected);
+    place.carrier = text == "hub" ? LoopPlace::Carrier::hub : LoopPlace::Carrier::mount;
+    return place;
+  }
+  if (!section.is_table(key)) section.fail_expected(key, expected);
+  const TomlSection table =
+      section.section(key, {"body", "anchor", "station", "point", "orientation"});
+  read_carrier(table, place);
+  read_point(table, around, place);
+  if (table.has("orientation"))
+    place.orientation = spatial::read_vector(table, "orientation", spatial::kAngle,
+                                             rotation_shape(around.in_plane));
+  return place;
+}
+
+void read_axes(const TomlSection& section, bool in_plane, Loop& loop) {
+  const int count = count_axes(loop.kind, in_plane);
+  if (count == 1)
+    loop.axes[0] =
+        spatial::read_vector(section, "axis", spatial::kDirection, place_shape(in_plane));
+  if (count != 2) return;
+  const auto rows = section.rows("axes", spatial::kDirection, 3);
+  if (rows.size() != 2) section.fail_expected("axes", "2 arrays of 3 numbers");
+  for (std::size_t i = 0; i < 2; ++i) loop.axes[i] = spatial::Vector::Map(rows[i].data());
+}
+
+/// Reads numbers by locked direction, or one for all; none if all are 0.
+std::vector<double> read_springs(const TomlSection& section, std::string_view key, const Loop& loop,
+                                 bool in_plane) {
+  if (!section.has(key)) return {};
+  const auto count = static_cast<std::size_t>(count_locked(loop.kind, in_plane));
+  const bool are_lengths = count_locked_places(loop.kind, in_plane) == static_cast<int>(count);
+  const char* unit = key == "damping" ? (are_lengths ? "N s/m" : "N s/m, N m s/rad")
+                                      : (are_lengths ? "N/m" : "N/m, N m/rad");
+  const std::vector<double> values =
+      section.is_array(key)
+          ? section.numbers(key, Quantity::not_negative(unit), count)
+          : std::vector<double>(count, section.number(key, Quantity::not_negative(unit)));
+  const bool is_any = std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; });
+  return is_any ? values : std::vector<double>{};
+}
+
+/// Reads springs and dampers. One number for all dampers is for those directions that have springs.
+void read_springs(const TomlSection& section, bool in_plane, Loop& loop) {
+  loop.stiffness = read_springs(section, "stiffness", loop, in_plane);
+  loop.damping = read_springs(section, "damping", loop, in_plane);
+  if (section.is_array("damping") || loop.damping.empty()) return;
+  for (std::size_t i = 0; i < loop.stiffness.size(); ++i)
+    if (loop.stiffness[i] == 0.0) loop.damping[i] = 0.0;
+}
+
+Loop read_loop(const TomlSection& section, const LoopSurroundings& around) {
+  Loop loop;
+  if (!section.has("name")) section.fail("name", "is missing, expected a name");
+  loop.name = section.text("name", "");
+  loop.kind = read_kind(section, around.in_plane);
+  check_kind_keys(section, loop.kind, around.in_plane);
+  loop.from = read_place(section, "from", around);
+  loop.to = read_place(section, "to", around);
+  read_axes(section, around.in_plane, loop);
+  if (section.has("length")) loop.length = section.number("length", Quantity::positive("m"));
+  read_springs(section, around.in_plane, loop);
+  return loop;
+}
+
+/// Reads what moves an anchor: courses over time, or the embedding program.
+void read_motion(const TomlSection& section, bool in_plane, Anchor& anchor) {
+  if (!section.has("motion")) return;
+  const TomlSection motion = section.section("motion", {"by", "translation", "rotation"});
+  const auto& place = place_shape(in_plane);
+  const auto& rotation = rotation_shape(in_plane);
+  if (motion.has("by")) {
+    motion.choice("by", {"program"});
+    ProgramAnchorMotion program;
+    if (motion.has("translation"))
+      program.translation = spatial::read_vector(motion, "translation", kLength, place);
+    if (motion.has("rotation"))
+      program.rotation = spatial::read_vector(motion, "rotation", spatial::kAngle, rotation);
+    anchor.motion = program;
+    return;
+  }
+  if (!motion.has("translation") && !motion.has("rotation"))
+    motion.fail("", "has none of translation, rotation and by, expected one or more");
+  anchor.motion = spatial::MountMotion{spatial::read_course(motion, "translation", "m", place),
+                                       spatial::read_course(motion, "rotation", "rad", rotation)};
+}
+
+}  // namespace
+
+std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& around) {
+  TomlSection::Keys keys = {"name", "kind", "from", "to", "axis", "length", "stiffness", "damping"};
+  if (!around.in_plane) keys.push_back("axes");
+  std::vector<Loop> loops;
+  for (const TomlSection& section : parent.sections("loop", keys))
+    loops.push_back(read_loop(section, around));
+  if (const Fault fault = find_fault(loops, around)) parent.fail_at(fault.path, fault.text);
+  return loops;
+}
+
+std::vector<Anchor> read_anchors(const TomlSection& root, HubSupport support, bool in_plane) {
+  std::vector<Anchor> anchors;
+  for (const TomlSection& section :
+       root.sections("anchor", {"name", "frame", "turns_with_hub", "motion"})) {
+    Anchor anchor;
+    if (!section.has("name")) section.fail("name", "is missing, expected a name");
+    anchor.name = section.text("name", "");
+    anchor.frame =
+        section.choice("frame", {Anchor::Frame::mount, Anchor::Frame::hub}, anchor.frame);
+    anchor.turns_with_hub = section.flag("turns_with_hub", anchor.turns_with_hub);
+    read_motion(section, in_plane, anchor);
+    if (const Fault fault = find_fault(anchor, anchors, support, in_plane))
+      section.fail_at(fault.path, fault.text);
+    anchors.push_back(std::move(anchor));
+  }
+  return anchors;
+}
+
+}  // namespace spoke

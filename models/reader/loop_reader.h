@@ -1,0 +1,20 @@
+#pragma once
+
+// Reads closed loops and anchors, in the plane and in space.
+
+#include <vector>
+
+#include "models/loop.h"
+#include "models/reader/loop_faults.h"
+#include "models/reader/toml_section.h"
+
+namespace spoke {
+
+/// Reads the tables "loop" of a blade's or a subsystem's table. Throws InputError, also about what
+/// find_fault() finds.
+std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& around);
+
+/// Reads [[anchor]] from a scenario's root. Throws InputError, also about what find_fault() finds.
+std::vector<Anchor> read_anchors(const TomlSection& root, HubSupport support, bool in_plane);
+
+}  // namespace spoke

@@ -1,0 +1,86 @@
+#pragma once
+
+// The constants of closed loops, for plane and space: places in the frames that carry them, and one
+// row for each direction that a closure locks (docs/formulation.md, section 12). A loop of the
+// plane is one in space whose rows lie in the plane.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "models/loop.h"
+#include "models/space/space.h"
+
+namespace spoke {
+
+/// A place of a loop. Its frame is that of its handle, of H, of the frame A in which the axle
+/// turns, or of an anchor, moved and turned by a constant offset. (A handle's frame turns with its
+/// section.)
+struct LoopPlaceModel {
+  LoopPlace::Carrier carrier = LoopPlace::Carrier::body;
+  int body = -1;    ///< of the subsystem, if one carries it
+  int handle = 0;   ///< its handle
+  int anchor = -1;  ///< index of the anchor, if one carries it
+  space::Pose offset;
+};
+
+/// The opening of a closure along one direction that it locks. With r the place of `from` and R its
+/// orientation, as `to` sees them:
+struct LoopRow {
+  enum class Kind {
+    displacement,  ///< axis . r
+    alignment,     ///< axis . R other - rest: directions of `to` and `from` that stay at one angle
+    rotation,      ///< axis . log R
+    distance,      ///< |r| - rest
+  };
+
+  Kind kind = Kind::displacement;
+  space::Position axis = space::Position::Zero();   ///< unit vector in the frame of `to`
+  space::Position other = space::Position::Zero();  ///< unit vector in the frame of `from`
+  double rest = 0.0;                                ///< [-, m]
+  double stiffness = 0.0;                           ///< 0: rigid [N/m, N m/rad]
+  double damping = 0.0;                             ///< [N s/m, N m s/rad]
+
+  bool is_rigid() const { return stiffness == 0.0; }
+  /// Whether it is a length; else an angle.
+  bool is_length() const { return kind == Kind::displacement || kind == Kind::distance; }
+};
+
+/// A closed loop of a subsystem.
+struct LoopModel {
+  std::string name;
+  std::string owner;  ///< "blade 1", or the name of the subsystem
+  std::string key;    ///< its key in a scenario, "subsystem.2.loop.1"
+  LoopKind kind = LoopKind::spherical;
+  LoopPlaceModel from, to;
+  bool turns_to_start = false;     ///< the frame of `from` is the one of `to` at the start
+  bool measures_at_start = false;  ///< the distance is that at the start
+  std::vector<LoopRow> rows;
+};
+
+/// The motion that the embedding program has set for an anchor, from a time on: value + rate s +
+/// acceleration s^2/2, s = t - since, of translation and rotation vector.
+struct SaidAnchorMotion {
+  double since = 0.0;                                ///< [s]
+  space::Twist value = space::Twist::Zero();         ///< [m, rad]
+  space::Twist rate = space::Twist::Zero();          ///< [m/s, rad/s]
+  space::Twist acceleration = space::Twist::Zero();  ///< [m/s^2, rad/s^2]
+};
+
+/// An anchor. Its vectors, as described, are turned to the axes of H.
+struct AnchorModel {
+  std::string name;
+  Anchor::Frame frame = Anchor::Frame::mount;
+  bool turns_with_hub = false;
+  std::variant<spatial::MountMotion, SaidAnchorMotion> motion;
+  space::Rotation to_axis;  ///< from the frame of the description to H
+};
+
+/// Makes the rows of a closure; in the plane those that lie in it.
+std::vector<LoopRow> make_loop_rows(const Loop& loop, bool in_plane);
+/// Makes the constants of a loop besides its places.
+LoopModel make_loop(const Loop& loop, bool in_plane);
+AnchorModel make_anchor(const Anchor& anchor, const space::Rotation& to_axis);
+
+}  // namespace spoke

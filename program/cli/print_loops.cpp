@@ -1,0 +1,112 @@
+// Lines of loops: what each closes, what is left to move, what is locked twice.
+
+#include "program/cli/print_loops.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <string>
+#include <vector>
+
+#include "models/count_text.h"
+#include "program/cli/report.h"
+
+namespace spoke::cli {
+namespace {
+
+constexpr std::size_t kMostMoved = 12;  // joints that are named
+
+/// Names a place; `own`: the blade.
+std::string describe(const LoopPlace& place, const std::string& own) {
+  if (place.carrier == LoopPlace::Carrier::hub) return "the hub";
+  if (place.carrier == LoopPlace::Carrier::mount) return "the mount";
+  std::string name = place.name.empty() ? own : place.name;
+  if (place.carrier == LoopPlace::Carrier::anchor || !place.station) return name;
+  return fmt::format("{} at {:.6g} m", name, *place.station);
+}
+
+std::string describe(const Loop& loop, const std::string& own, bool in_plane) {
+  const int rows = in_plane ? count_locked_in_plane(loop.kind) : count_locked(loop.kind);
+  int soft = 0;
+  for (const double stiffness : loop.stiffness) soft += stiffness > 0.0;
+  std::string locks = counted(rows, "row");
+  if (soft == rows) locks += rows == 1 ? ", sprung" : ", all sprung";
+  if (soft > 0 && soft < rows) locks += fmt::format(", {} sprung", soft);
+  return fmt::format("{} ({}, {}), {} to {}", loop.name, name_of(loop.kind), locks,
+                     describe(loop.from, own), describe(loop.to, own));
+}
+
+struct OwnLoops {
+  std::string name;
+  const std::vector<Loop>* loops;
+};
+
+/// Returns the blades and subsystems that have loops.
+std::vector<OwnLoops> find_owners(const Scenario& scenario) {
+  std::vector<OwnLoops> owners;
+  const auto add = [&owners](const std::string& name, const std::vector<Loop>& loops) {
+    if (!loops.empty()) owners.push_back({name, &loops});
+  };
+  const auto add_blades = [&add](const auto& blades) {
+    for (std::size_t i = 0; i < blades.size(); ++i)
+      add("blade " + std::to_string(i + 1), blades[i].loops);
+  };
+  if (!scenario.space) {
+    add_blades(scenario.rotor.blades);
+    return owners;
+  }
+  add_blades(scenario.space->blades);
+  for (const spatial::Subsystem& subsystem : scenario.space->subsystems)
+    add(subsystem.name, subsystem.loops);
+  return owners;
+}
+
+std::string describe(const SubsystemFreedoms& own) {
+  std::string text = counted(own.joints, "free joint coordinate");
+  if (own.deformations > 0) text += " and " + std::to_string(own.deformations) + " of deformation";
+  text += fmt::format(", less {}", counted(own.independent, "row"));
+  if (own.rows > own.independent)
+    text += fmt::format(" ({} of {} redundant)", own.rows - own.independent, own.rows);
+  return text + ": mobility " + std::to_string(own.mobility);
+}
+
+void print_loop_lines(const std::string& label, const std::vector<std::string>& lines) {
+  for (std::size_t k = 0; k < lines.size(); ++k) print_line(k == 0 ? label : "", lines[k]);
+}
+
+}  // namespace
+
+void print_loops(const Simulation& simulation) {
+  const LoopsAtStart start = simulation.loops_at_start();
+  const std::vector<OwnLoops> owners = find_owners(simulation.scenario());
+  const bool in_plane = !simulation.scenario().space;
+  std::vector<std::string> before, lines;
+  std::string example;
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    std::vector<std::string> own;
+    for (const Loop& loop : *owners[k].loops) own.push_back(describe(loop, "the blade", in_plane));
+    own.push_back(describe(start.subsystems[k]));
+    if (own == before) {
+      lines.push_back(owners[k].name + ": as " + example);
+      continue;
+    }
+    for (const std::string& line : own) lines.push_back(owners[k].name + ": " + line);
+    before = own;
+    example = owners[k].name;
+  }
+  print_loop_lines("loops", lines);
+  print_loop_lines("redundant", start.redundant);
+  print_moved_joints(simulation);
+}
+
+void print_moved_joints(const Simulation& simulation) {
+  const std::vector<MovedJoint> moved = simulation.loops_at_start().moved;
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < moved.size() && k < kMostMoved; ++k)
+    lines.push_back(fmt::format("{} by {:.6g} {}, so that loops are closed", moved[k].joint,
+                                moved[k].by, moved[k].unit));
+  if (moved.size() > kMostMoved)
+    lines.push_back(fmt::format("and {} further joints", moved.size() - kMostMoved));
+  print_loop_lines("moved", lines);
+}
+
+}  // namespace spoke::cli
