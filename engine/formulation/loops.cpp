@@ -145,7 +145,6 @@ void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& dat
     *pivots = ArenaVector<double>(rows, 1.0, arena);
   loops.multipliers = ArenaVector<double>(rows, 0.0, arena);
   loops.kept_multipliers = ArenaVector<double>(rows, 0.0, arena);
-  loops.kept_openings = ArenaVector<double>(rows, 0.0, arena);
 }
 
 template <class World>

@@ -22,6 +22,13 @@ inline bool is_solved(LoopRowUse use, bool is_implicit) {
   return use == LoopRowUse::solved || (use == LoopRowUse::sprung && is_implicit);
 }
 
+/// Calls `visit(place, wrench of the unit force)` for the places of a row on bodies.
+template <class World, class Visit>
+void for_places_on_bodies(const LoopModel& loop, const LoopRowState<World>& row, Visit&& visit) {
+  visit(loop.from, row.from);
+  if (loop.to.carrier == LoopPlace::Carrier::body) visit(loop.to, row.to);
+}
+
 /// Factorises D, which `loops.matrix` holds (its lower triangle), and adds to effective mass and
 /// force.
 template <class World>

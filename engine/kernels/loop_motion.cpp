@@ -163,13 +163,10 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
 }
 
 template <class World>
-void keep_openings(const System<World>& system, std::size_t i, double t,
-                   StepData<World>& table) noexcept {
-  LoopData<World>& loops = table.subsystems[i].loops;
-  if (loops.is_empty()) return;
-  calc_loop_motion(system, i, t, {}, table);
-  for (std::size_t r = 0; r < loops.states.size(); ++r)
-    loops.kept_openings[r] = loops.states[r].opening;
+void update_loops(const System<World>& system, std::size_t i, double t,
+                  StepData<World>& table) noexcept {
+  assert(i < table.subsystems.size());
+  if (!table.subsystems[i].loops.is_empty()) calc_loop_motion(system, i, t, {}, table);
 }
 
 template <class World>
@@ -179,7 +176,7 @@ double calc_closure_energy(const Subsystem<World>& subsystem,
   std::size_t r = 0;
   for (const LoopModel& loop : subsystem.loops)
     for (const LoopRow& row : loop.rows) {
-      const double opening = loops.kept_openings[r++];
+      const double opening = loops.states[r++].opening;
       energy += 0.5 * row.stiffness * opening * opening;
     }
   return energy;
@@ -189,13 +186,13 @@ template PlaceMotion calc_place_motion(const System<Plane>&, std::size_t, const 
                                        double, const StepData<Plane>&);
 template void calc_loop_motion(const System<Plane>&, std::size_t, double, const ClosureGains&,
                                StepData<Plane>&) noexcept;
-template void keep_openings(const System<Plane>&, std::size_t, double, StepData<Plane>&) noexcept;
+template void update_loops(const System<Plane>&, std::size_t, double, StepData<Plane>&) noexcept;
 template double calc_closure_energy(const Subsystem<Plane>&, const LoopData<Plane>&) noexcept;
 template PlaceMotion calc_place_motion(const System<Space>&, std::size_t, const LoopPlaceModel&,
                                        double, const StepData<Space>&);
 template void calc_loop_motion(const System<Space>&, std::size_t, double, const ClosureGains&,
                                StepData<Space>&) noexcept;
-template void keep_openings(const System<Space>&, std::size_t, double, StepData<Space>&) noexcept;
+template void update_loops(const System<Space>&, std::size_t, double, StepData<Space>&) noexcept;
 template double calc_closure_energy(const Subsystem<Space>&, const LoopData<Space>&) noexcept;
 
 }  // namespace spoke

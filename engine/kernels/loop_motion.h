@@ -66,12 +66,13 @@ template <class World>
 void calc_loop_motion(const System<World>& system, std::size_t i, double t,
                       const ClosureGains& gains, StepData<World>& data) noexcept;
 
-/// Sets kept_openings by the state at time t [s], likewise.
+/// Sets them at the end of a step, if the subsystem has loops, by the coordinates in the table: the
+/// last pass of an implicit step leaves them one correction behind, see update_kinematics().
 template <class World>
-void keep_openings(const System<World>& system, std::size_t i, double t,
-                   StepData<World>& data) noexcept;
+void update_loops(const System<World>& system, std::size_t i, double t,
+                  StepData<World>& data) noexcept;
 
-/// Returns the energy of the springs in closures at the openings that are kept [J].
+/// Returns the energy of the springs in closures by the states of their rows [J].
 template <class World>
 double calc_closure_energy(const Subsystem<World>& subsystem,
                            const LoopData<World>& loops) noexcept;

@@ -1,7 +1,7 @@
 #pragma once
 
 // What sensors and queries show of a closed loop, in vectors of space. Rotations, twists and
-// `loops.poses` must be those of the state at time t [s] (see keep_openings()); multipliers those
+// `loops.poses` must be those of the state at time t [s] (see update_loops()); multipliers those
 // of its evaluation.
 
 #include <span>

@@ -77,7 +77,7 @@ void SpatialModel::sample(std::int64_t step, double t) {
     SubsystemData<Space>& data = context_.data.subsystems[i];
     prescribe_joints(context_.system, t, i, context_.data);
     update_kinematics(subsystem, data);
-    keep_openings(context_.system, i, t, context_.data);
+    update_loops(context_.system, i, t, context_.data);
     of_step(data.samples, step) = calc_sample(context_.system, i, data);
     keep_joint_values(subsystem, step, data);
     if (!data.readings.empty()) calc_readings(context_.system, i, step, t, context_.data);

@@ -163,7 +163,7 @@ void add_sensors(const Assembly<World>& g, int i) {
                        if (!table.window.observed) return;
                        if (is_corrected) update_kinematics(subsystem, data);
                        const double t = static_cast<double>(step) * step_size(c.integrator);
-                       keep_openings(c.system, index, t, table);
+                       update_loops(c.system, index, t, table);
                        of_step(data.samples, step) = calc_sample(c.system, index, data);
                        keep_readings(c, index, step, table);
                      });

@@ -171,8 +171,7 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   Memory joint_loads{bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)};
   LoopData<World>& loops = data.loops;
   if (!loops.is_empty())
-    for (auto* kept : {&loops.kept_multipliers, &loops.kept_openings})
-      joint_loads.push_back(bytes_of((*kept)[0], kept->size()));
+    joint_loads.push_back(bytes_of(loops.kept_multipliers[0], loops.kept_multipliers.size()));
   parts.joint_loads = builder.add_part(name + "joint loads", joint_loads);
   parts.loops = add_loop_parts(context, i, name, builder);
   if (data.reading_count > 0)

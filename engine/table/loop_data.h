@@ -117,7 +117,7 @@ struct LoopData {
   LoopReport report{};
 
   // Values at the end of the last step, by its last evaluation.
-  ArenaVector<double> kept_multipliers, kept_openings;  ///< by row
+  ArenaVector<double> kept_multipliers;  ///< by row
 
   bool is_empty() const { return rows == 0; }
   /// Acceleration of the inboard handle of a body that carries the loop of a row.

@@ -10,6 +10,7 @@
 
 #include <cassert>
 
+#include "engine/formulation/loops.h"
 #include "engine/formulation/structured.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/support/wide_kernels.h"
@@ -65,13 +66,6 @@ Twist transmitted(const plane::JointTerms& joint, const tree::RootElimination<Pl
 space::Twist transmitted(const space::JointTerms& joint, const tree::RootElimination<Space>& root) {
   return root.mass * space::Twist(root.free - joint.R.inverse() * joint.bias) +
          root.response.wrench;
-}
-
-/// Calls `visit(place, wrench of the unit force)` for the places of a row on bodies.
-template <class World, class Visit>
-void for_places(const LoopModel& loop, const LoopRowState<World>& row, Visit&& visit) {
-  visit(loop.from, row.from);
-  if (loop.to.carrier == LoopPlace::Carrier::body) visit(loop.to, row.to);
 }
 
 template <class World>
@@ -136,12 +130,13 @@ class LoopEliminator {
     const int children =
         static_cast<int>(subsystem_.bodies[static_cast<std::size_t>(body)].children.size());
     for (int h = 0; h <= children; ++h) at(h, row).setZero();
-    for_places(loop_, data_.loops.states[r], [&](const LoopPlaceModel& place, const Vector& u) {
-      if (place.body != body) return;
-      for (int h = 0; h <= children; ++h)
-        at(h, row) += respond(data_, work_, body, h, place.handle, u);
-      data_.loops.free[r] += u.dot(free_acceleration(data_, work_, body, place.handle));
-    });
+    for_places_on_bodies(
+        loop_, data_.loops.states[r], [&](const LoopPlaceModel& place, const Vector& u) {
+          if (place.body != body) return;
+          for (int h = 0; h <= children; ++h)
+            at(h, row) += respond(data_, work_, body, h, place.handle, u);
+          data_.loops.free[r] += u.dot(free_acceleration(data_, work_, body, place.handle));
+        });
   }
 
   void eliminate_joint(const LoadedJoint& joint, int row, std::size_t column) {
@@ -207,9 +202,9 @@ class LoopCoupling {
     const auto r = static_cast<std::size_t>(loops.paths[a].first_row + i);
     const auto c = static_cast<std::size_t>(loops.paths[b].first_row + j);
     double sum = 0.0;
-    for_places(
+    for_places_on_bodies(
         subsystem_.loops[a], loops.states[r], [&](const LoopPlaceModel& place, const Vector& u) {
-          for_places(
+          for_places_on_bodies(
               subsystem_.loops[b], loops.states[c],
               [&](const LoopPlaceModel& other, const Vector& v) {
                 if (other.body == place.body)

@@ -5,6 +5,7 @@
 
 #include <cassert>
 
+#include "engine/formulation/loops.h"
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/support/dense.h"
@@ -12,19 +13,12 @@
 namespace spoke::subsystem {
 namespace {
 
-/// Calls `visit(place, wrench of the unit force)` for the places of a row on bodies.
-template <class World, class Visit>
-void for_places(const LoopModel& loop, const LoopRowState<World>& row, Visit&& visit) {
-  visit(loop.from, row.from);
-  if (loop.to.carrier == LoopPlace::Carrier::body) visit(loop.to, row.to);
-}
-
 /// Returns the acceleration of handle `h` of a body by the unit force of a row on it.
 template <class World>
 TwistOf<World> respond(const LoopModel& loop, const LoopRowState<World>& row, int body, int h,
                        const SubsystemWork<World>& work) {
   TwistOf<World> sum = TwistOf<World>::Zero();
-  for_places(loop, row, [&](const LoopPlaceModel& place, const TwistOf<World>& u) {
+  for_places_on_bodies(loop, row, [&](const LoopPlaceModel& place, const TwistOf<World>& u) {
     if (place.body == body) sum += work.bodies[body].compliance(h, place.handle) * u;
   });
   return sum;
@@ -81,9 +75,10 @@ void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
       loops.hub[r] -= tree::carrying_matrix<World>(root).transpose() * share;
     }
     loops.free[r] = -columns.right.col(row).dot(work.solution.col(d));
-    for_places(model, loops.states[r], [&](const LoopPlaceModel& place, const TwistOf<World>& u) {
-      loops.free[r] += u.dot(work.bodies[place.body].free_acceleration(place.handle));
-    });
+    for_places_on_bodies(
+        model, loops.states[r], [&](const LoopPlaceModel& place, const TwistOf<World>& u) {
+          loops.free[r] += u.dot(work.bodies[place.body].free_acceleration(place.handle));
+        });
   }
 }
 
@@ -97,7 +92,7 @@ void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<Wor
         for (int j = 0; j < loops.paths[b].rows && (a != b || j <= i); ++j) {
           const int r = loops.paths[a].first_row + i, c = loops.paths[b].first_row + j;
           double sum = -work.loops[a].right.col(i).dot(work.loops[b].solution.col(j));
-          for_places(
+          for_places_on_bodies(
               subsystem.loops[a], loops.states[static_cast<std::size_t>(r)],
               [&](const LoopPlaceModel& place, const TwistOf<World>& u) {
                 sum += u.dot(respond(subsystem.loops[b], loops.states[static_cast<std::size_t>(c)],

@@ -110,8 +110,8 @@ double calc_energy(Run<Space>& run) {
   if (system.gravity_ramp == 0.0)
     sum -= system.gravity.dot(system.hub.mass * hub.p + hub.R * hub_moment(system.hub));
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    keep_openings(system, i, static_cast<double>(run.steps()) * step_size(run.context.integrator),
-                  data);
+    update_loops(system, i, static_cast<double>(run.steps()) * step_size(run.context.integrator),
+                 data);
     const SubsystemSample<Space> sample = calc_sample(system, i, data.subsystems[i]);
     sum += sample.kinetic + sample.strain - sample.gravity;
   }
