@@ -13,7 +13,7 @@ namespace spoke::spatial {
 /// Three components x, y, z.
 using Vector = Eigen::Vector3d;
 
-/// A vector by a table of its components over time, for the motion of the hub's mount.
+/// A vector by a table of its components over time.
 struct VectorTable {
   std::array<Curve, 3> components{};  ///< x, y, z [m, rad]
 };
@@ -30,10 +30,11 @@ struct VectorHarmonic {
 /// A vector that is a function of time.
 using VectorCourse = std::variant<VectorTable, VectorHarmonic>;
 
-/// The motion of the axle's mount: a ship, a helicopter in manoeuvre, a shake table.
+/// The prescribed motion of a frame: of the axle's mount (a ship, a helicopter in manoeuvre, a
+/// shake table) in the inertial frame, or of an anchor in the frame that it names.
 struct MountMotion {
-  VectorCourse translation{};  ///< translation of the hub's origin, inertial frame [m]
-  VectorCourse rotation{};     ///< rotation vector, inertial frame [rad]
+  VectorCourse translation{};  ///< translation of its origin; of a mount, of the hub's [m]
+  VectorCourse rotation{};     ///< rotation vector [rad]
 };
 
 }  // namespace spoke::spatial

@@ -85,17 +85,44 @@ void add_plates(const std::vector<Anchor>& anchors, Scene& scene) {
   }
 }
 
-spatial::Placement calc_first_place(const Anchor& anchor) {
+namespace {
+
+/// Translation and rotation vector of an anchor.
+struct AnchorPlace {
   Vector translation, rotation;
-  if (const auto* course = std::get_if<spatial::MountMotion>(&anchor.motion)) {
-    translation = space::follow(course->translation, 0.0).value;
-    rotation = space::follow(course->rotation, 0.0).value;
-  } else {
-    const auto& program = std::get<ProgramAnchorMotion>(anchor.motion);
-    translation = program.translation;
-    rotation = program.rotation;
-  }
-  return {translation, space::exponential(rotation).axes};
+};
+
+AnchorPlace calc_place(const Anchor& anchor, double t) {
+  if (const auto* course = std::get_if<spatial::MountMotion>(&anchor.motion))
+    return {space::follow(course->translation, t).value, space::follow(course->rotation, t).value};
+  const auto& program = std::get<ProgramAnchorMotion>(anchor.motion);
+  return {program.translation, program.rotation};
+}
+
+/// Returns a time behind the points of a course that is a table; 0 for others.
+double end_of(const spatial::VectorCourse& course) {
+  double end = 0.0;
+  if (const auto* table = std::get_if<spatial::VectorTable>(&course))
+    for (const Curve& curve : table->components) end = std::max(end, curve.times().back());
+  return end;
+}
+
+}  // namespace
+
+spatial::Placement calc_first_place(const Anchor& anchor) {
+  const AnchorPlace place = calc_place(anchor, 0.0);
+  return {place.translation, space::exponential(place.rotation).axes};
+}
+
+spatial::Placement calc_last_place(const Anchor& anchor, const Vector* axis) {
+  double end = 0.0;
+  if (const auto* course = std::get_if<spatial::MountMotion>(&anchor.motion))
+    end = std::max(end_of(course->translation), end_of(course->rotation));
+  AnchorPlace place = calc_place(anchor, end);
+  if (axis)
+    for (Vector* vector : {&place.translation, &place.rotation})
+      *vector = axis->dot(*vector) * *axis;
+  return {place.translation, space::exponential(place.rotation).axes};
 }
 
 }  // namespace spoke::scene

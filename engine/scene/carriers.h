@@ -25,5 +25,8 @@ void add_plates(const std::vector<Anchor>& anchors, Scene& scene);
 
 /// Returns where an anchor is at t = 0, in the frame in which it moves.
 spatial::Placement calc_first_place(const Anchor& anchor);
+/// Returns where it comes to rest. `axis`: null, or the unit vector along which alone its motion
+/// counts, as that of a swashplate on a hub that turns (docs/modes.md).
+spatial::Placement calc_last_place(const Anchor& anchor, const Vector* axis);
 
 }  // namespace spoke::scene

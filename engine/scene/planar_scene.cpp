@@ -7,6 +7,7 @@
 #include "engine/scene/make_scene.h"
 #include "engine/scene/solids.h"
 #include "models/plane/beam_properties.h"
+#include "models/space/rotation_vector.h"
 
 namespace spoke::scene {
 namespace {
@@ -68,6 +69,13 @@ class PlanarScene {
   Vector across(std::size_t i) const {
     const Vector x = along(i);
     return {-x.y(), x.x(), 0.0};
+  }
+  /// Returns the axis of a closure of a blade, which is in the frame of its place `to`.
+  Vector find_axis(std::size_t i, const Loop& loop) const {
+    if (loop.kind != LoopKind::prismatic) return Vector::UnitZ();
+    const Vector rotation = loop.to.orientation.value_or(Vector::Zero());
+    const Vector axis = space::exponential(rotation).axes * loop.axes[0];
+    return (axis.x() * along(i) + axis.y() * across(i)).normalized();
   }
   Vector place(std::size_t i, double x) const { return (rotor_.hub.radius + x) * along(i); }
 
@@ -155,12 +163,7 @@ class PlanarScene {
         mark.subsystem = static_cast<int>(i);
         mark.from = find_end(i, loop.from);
         mark.to = find_end(i, loop.to);
-        if (count_axes(loop.kind) == 1)
-          mark.axes.push_back(
-              loop.kind == LoopKind::prismatic
-                  ? Vector(
-                        (loop.axes[0].x() * along(i) + loop.axes[0].y() * across(i)).normalized())
-                  : Vector(Vector::UnitZ()));
+        if (count_axes(loop.kind) == 1) mark.axes.push_back(find_axis(i, loop));
         mark.is_sprung = is_sprung(loop);
         scene_.loops.push_back(std::move(mark));
       }

@@ -11,7 +11,7 @@
 namespace spoke {
 namespace {
 
-/// Returns "x", "-y", or the components of an axis that is none of the frame's.
+/// Returns "x" for an axis along x, either way, likewise y and z; else its components.
 std::string describe_axis(const space::Position& axis) {
   constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
   std::ostringstream text;

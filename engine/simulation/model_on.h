@@ -88,6 +88,11 @@ class ModelOn final : public SimulatedModel {
     return subsystem >= 0 && subsystem < std::ssize(subsystems) && body >= 0 &&
            body < std::ssize(subsystems[static_cast<std::size_t>(subsystem)].bodies);
   }
+  bool has_loop_row(std::int64_t subsystem, std::int64_t row) const override {
+    const auto& subsystems = system().subsystems;
+    return subsystem >= 0 && subsystem < std::ssize(subsystems) && row >= 0 &&
+           row < subsystems[static_cast<std::size_t>(subsystem)].loop_rows();
+  }
   Drive& drive() override { return context_->system.hub.drive; }
   void begin_drive(const Drive& drive) override {
     context_->system.hub.drive = drive;

@@ -176,7 +176,8 @@ Warning warn_of_growth(const Scenario& scenario, double step_size, const std::ve
 }  // namespace
 
 bool is_possible(const Observations& seen,
-                 const std::function<bool(std::int64_t, std::int64_t)>& has_body) {
+                 const std::function<bool(std::int64_t, std::int64_t)>& has_body,
+                 const std::function<bool(std::int64_t, std::int64_t)>& has_loop_row) {
   const auto is_index = [](double value) {
     return value >= 0.0 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
   };
@@ -193,6 +194,12 @@ bool is_possible(const Observations& seen,
       is_index(error.body) &&
       has_body(static_cast<std::int64_t>(error.subsystem), static_cast<std::int64_t>(error.body));
   if (!is_of_hub && !is_of_body) return false;
+  const Observations::Loop& loop = seen.loop;
+  const bool is_of_loop =
+      is_index(loop.subsystem) && is_index(loop.row) &&
+      has_loop_row(static_cast<std::int64_t>(loop.subsystem), static_cast<std::int64_t>(loop.row));
+  if (loop.step != -1.0 && !is_of_loop) return false;
+  if (loop.step == -1.0 && loop.first_step != -1.0) return false;
   return is_none || (names_body(seen.first_deflection) && names_body(seen.largest_deflection));
 }
 

@@ -85,9 +85,10 @@ struct Observations {
 };
 
 /// Whether these may be observations of a model: the bodies that they name by the indices of
-/// subsystem and body exist.
+/// subsystem and body exist, and the rows of loops by those of subsystem and row.
 bool is_possible(const Observations& seen,
-                 const std::function<bool(std::int64_t, std::int64_t)>& has_body);
+                 const std::function<bool(std::int64_t, std::int64_t)>& has_body,
+                 const std::function<bool(std::int64_t, std::int64_t)>& has_loop_row);
 
 /// Takes the record of a step, in order of steps. Errors of a step beyond `error_limit` are warned
 /// of; 0: none.

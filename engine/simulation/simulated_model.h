@@ -67,6 +67,8 @@ class SimulatedModel {
   virtual std::uint64_t hash() const = 0;
   /// Whether there is such a body, counted from 0.
   virtual bool has_body(std::int64_t subsystem, std::int64_t body) const = 0;
+  /// Whether there is such a row of a loop, counted from 0 through all loops of the subsystem.
+  virtual bool has_loop_row(std::int64_t subsystem, std::int64_t row) const = 0;
   virtual Drive& drive() = 0;
   /// Replaces the drive by another one of the same kind, and puts the hub where that begins.
   /// Precondition: t = 0.

@@ -275,10 +275,14 @@ void SimulationCore::restore(const SavedState& state) {
   const std::span<double> observed = doubles(before);
   std::copy(state.values.end() - static_cast<std::ptrdiff_t>(observed.size()), state.values.end(),
             observed.begin());
-  if (!is_possible(before, [this](std::int64_t subsystem, std::int64_t body) {
-        return model->has_body(subsystem, body);
-      }))
-    throw InputError("the saved state names a body that there is not");
+  const auto has_body = [this](std::int64_t subsystem, std::int64_t body) {
+    return model->has_body(subsystem, body);
+  };
+  const auto has_loop_row = [this](std::int64_t subsystem, std::int64_t row) {
+    return model->has_loop_row(subsystem, row);
+  };
+  if (!is_possible(before, has_body, has_loop_row))
+    throw InputError("the saved state names a body or a loop that there is not");
   seen = before;
   put(state.values, state.steps);
   evaluations = state.evaluations;

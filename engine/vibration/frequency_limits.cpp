@@ -42,10 +42,23 @@ void require_size(const spatial::Model& model) {
                      " coordinates, expected at most " + std::to_string(kMostInAll));
 }
 
-/// Returns the scenario without the motion of the mount, which is not one of the model.
-Scenario without_mount(const Scenario& scenario) {
+/// Lets a course stay where it is at t = 0, if it is no table, which comes to rest by itself.
+void hold(spatial::VectorCourse& course) {
+  auto* harmonic = std::get_if<spatial::VectorHarmonic>(&course);
+  if (!harmonic) return;
+  harmonic->constant += std::sin(harmonic->phase) * harmonic->amplitude;
+  harmonic->rate.setZero();
+  harmonic->amplitude.setZero();
+}
+
+/// Returns the scenario without the motion of the mount and the vibration of anchors, which are
+/// none of the model's.
+Scenario without_motion(const Scenario& scenario) {
   Scenario held = scenario;
   held.space->hub.mount.reset();
+  for (Anchor& anchor : held.space->anchors)
+    if (auto* motion = std::get_if<spatial::MountMotion>(&anchor.motion))
+      for (spatial::VectorCourse* course : {&motion->translation, &motion->rotation}) hold(*course);
   return held;
 }
 
@@ -137,7 +150,7 @@ Rk4Limit find_least(const Scenario& scenario, const std::vector<LinearModel>& pa
 
 FrequencyLimits find_frequency_limits(const Scenario& scenario) {
   require_size(*scenario.space);
-  const Scenario held = without_mount(scenario);
+  const Scenario held = without_motion(scenario);
   std::vector<LinearModel> parts = linearize_parts(held, 0.0, 0.0);
   FrequencyLimits limits;
   limits.rk4 = find_least(held, parts);
@@ -155,7 +168,7 @@ FrequencyLimits find_frequency_limits(const Scenario& scenario) {
 
 Rk4Limit find_rk4_limit(const Scenario& scenario) {
   require_size(*scenario.space);
-  const Scenario held = without_mount(scenario);
+  const Scenario held = without_motion(scenario);
   return find_least(held, linearize_parts(held, 0.0, 0.0));
 }
 

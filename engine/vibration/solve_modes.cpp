@@ -66,7 +66,6 @@ Mode make_mode(const Root& root) {
   mode.frequency = std::abs(root.s.imag());
   const double size = std::abs(root.s);
   mode.damping_ratio = size > 0.0 ? 0.0 - root.s.real() / size : 0.0;
-  mode.coordinates = root.x;
   return mode;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/scene/carriers.h"
 #include "engine/scene/make_scene.h"
 #include "program/run_report/base64.h"
 #include "program/run_report/scene_data.h"
@@ -62,6 +63,22 @@ SteadyScene::SteadyScene(const Scenario& scenario, const EquilibriumResult& resu
         result.blades[static_cast<std::size_t>(source.subsystem)].bodies;
     const auto first = std::find(bodies.begin(), bodies.end(), source.body);
     places_.push_back(static_cast<std::size_t>(first - bodies.begin() + source.node));
+  }
+  put_anchors(scenario, result);
+}
+
+/// Puts anchors where the equilibrium has them.
+void SteadyScene::put_anchors(const Scenario& scenario, const EquilibriumResult& result) {
+  const std::vector<Anchor>& anchors =
+      scenario.space ? scenario.space->anchors : scenario.rotor.anchors;
+  spatial::Vector axis = spatial::Vector::UnitZ();
+  if (scenario.space) axis = scenario.space->hub.axis.normalized();
+  for (const scene::Carrier& carrier : scene_.carriers) {
+    if (carrier.anchor < 0) continue;
+    const Anchor& anchor = anchors[static_cast<std::size_t>(carrier.anchor)];
+    const bool is_averaged = anchor.turns_with_hub && result.speed != 0.0;
+    first_[static_cast<std::size_t>(carrier.group)] =
+        scene::calc_last_place(anchor, is_averaged ? &axis : nullptr);
   }
 }
 

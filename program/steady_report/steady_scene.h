@@ -27,8 +27,10 @@ class SteadyScene {
   Json describe(const Mode& mode, const EquilibriumResult& result) const;
 
  private:
+  void put_anchors(const Scenario& scenario, const EquilibriumResult& result);
+
   scene::Scene scene_;
-  std::vector<spatial::Placement> first_;  ///< motions of its groups at t = 0
+  std::vector<spatial::Placement> first_;  ///< motions of its groups before bodies deform
   std::vector<std::size_t> places_;  ///< places of the scene's nodes among those of their blades
 };
 

@@ -18,8 +18,8 @@ using spatial::Vector;
 
 namespace {
 
-/// Two booms that turn with a hub, elastic, whose tips a rod of another boom ties together, and a
-/// crank that drives one of them by a sprung rod.
+/// On each of two sides of a hub two elastic booms, tied by a rod on the first one, and a link from
+/// the second one to the hub, sprung on one side.
 spatial::Model make_tied_booms(HubSupport support) {
   spatial::Model model;
   model.hub.support = support;
@@ -86,7 +86,7 @@ spatial::Model make_tied_booms(HubSupport support) {
   return model;
 }
 
-/// Returns the model with rigid loops alone, without dampers.
+/// Returns the model without dampers in its loops.
 spatial::Model without_dampers(spatial::Model model) {
   for (spatial::Subsystem& subsystem : model.subsystems)
     for (Loop& loop : subsystem.loops) loop.damping.clear();

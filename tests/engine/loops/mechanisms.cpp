@@ -177,7 +177,7 @@ spatial::Model make_andrews_squeezer() {
   return model;
 }
 
-// Each hinge axis is along the bar before it; the bars go along the edges of a cube.
+// Each hinge axis is across both bars that it joins; the bars go along the edges of a cube.
 spatial::Model make_bricard() {
   spatial::Model model;
   model.hub.drive = FixedDrive{};

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/checkpoint.h"
@@ -13,6 +14,7 @@
 #include "graph/declaration_check.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/loop_models.h"
+#include "tests/message_of.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -88,6 +90,23 @@ TEST_CASE("a run with loops goes on from a checkpoint with the bits of the whole
     CHECK(other.state_hash() == whole.state_hash());
     CHECK(shown_by(other) == shown_by(whole));
   });
+}
+
+TEST_CASE("a state whose nearest loop is one that there is not is refused") {
+  const SimulationOptions options{Formulation::structured, ExecutorKind::serial, 1, 1};
+  Simulation simulation(make_pitching("drive = { kind = \"constant\", speed = 5.0 }", 2), options);
+  simulation.run_until(0.1);
+  // The last five values of a state: Observations::Loop.
+  for (const auto& [subsystem, row] :
+       {std::pair{-1.0, 0.0}, std::pair{1e300, 0.0}, std::pair{0.0, 1e9}, std::pair{0.5, 0.0}}) {
+    SavedState state = simulation.save();
+    const std::size_t last = state.values.size() - 5;
+    state.values[last + 1] = 3.0;  // the step
+    state.values[last + 3] = subsystem;
+    state.values[last + 4] = row;
+    CHECK(message_of([&] { simulation.restore(state); }) ==
+          "the saved state names a body or a loop that there is not");
+  }
 }
 
 TEST_CASE("windows, threads and observers change no bits of a run with loops") {

@@ -143,6 +143,42 @@ axis = [0.0, -1.0, 0.0]
   CHECK(limit.step == Approx(2.0 * std::sqrt(2.0) / flap).epsilon(1e-6));
 }
 
+TEST_CASE("an anchor that vibrates is none of the model's motions: the limit is that at rest") {
+  const auto limit_of = [](const std::string& amplitude) {
+    return vibration::find_rk4_limit(parse(R"([hub.drive]
+kind = "fixed"
+[[anchor]]
+name = "shaker"
+[anchor.motion.translation]
+amplitude = [0.0, 0.0, )" + amplitude + R"(]
+frequency = 50.0
+[[subsystem]]
+name = "bar"
+[[subsystem.body]]
+name = "bar"
+kind = "rigid"
+mass = 1.0
+center = [1.0, 0.0, 0.0]
+inertia = [0.02, 0.1, 0.1]
+[[subsystem.joint]]
+parent = "hub"
+child = "bar"
+kind = "revolute"
+axis = [0.0, -1.0, 0.0]
+[[subsystem.loop]]
+name = "spring"
+kind = "distance"
+from = { body = "bar", point = [1.0, 0.0, 0.0] }
+to = { anchor = "shaker", point = [1.0, 0.0, -0.5] }
+stiffness = 440.0
+)"));
+  };
+  const vibration::Rk4Limit shaken = limit_of("0.01");
+  // 440 N/m at 1 m from the hinge, 1.1 kg m^2 about it.
+  CHECK(std::abs(shaken.root) == Approx(20.0).epsilon(1e-6));
+  CHECK(shaken.step == limit_of("0.0").step);
+}
+
 TEST_CASE("rk4 in space goes through below its limit and diverges above it, which is named") {
   for (const Scenario& scenario :
        {at_speed(0.0, ""), at_speed(0.0, "", 0.01), at_speed(0.0, kFlapHinge),
