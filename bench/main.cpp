@@ -34,6 +34,7 @@ constexpr std::array kQuestions{
              measure_time_to_solution},
     Question{"loops", "what closed loops cost, by mechanism and number of suspensions",
              measure_loops},
+    Question{"solids", "what solids cost, and what threads gain on one of them", measure_solids},
     Question{"passes", "how many passes a step needs, at the steps that accuracy allows",
              measure_passes, true},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",

@@ -3,6 +3,7 @@
 // The equilibrium of a model in steady rotation, or at rest.
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@
 namespace spoke {
 
 class Simulation;
+namespace space {
+struct SolidConstants;
+}
 
 /// The steady motion of a model.
 struct SteadyState {
@@ -48,6 +52,13 @@ struct LoopLoad {
   std::optional<double> tension = std::nullopt;  ///< of a loop of kind `distance` [N]
 };
 
+/// The deformation of a solid in equilibrium.
+struct SolidDeformation {
+  int body = 0;  ///< of the blade or subsystem, from 0
+  std::shared_ptr<const space::SolidConstants> solid;
+  std::vector<double> coordinates;
+};
+
 /// A blade, or another subsystem, in equilibrium. Vectors are in the hub's frame.
 struct BladeEquilibrium {
   std::string name;                                 ///< "blade 1", or the subsystem's
@@ -56,11 +67,14 @@ struct BladeEquilibrium {
   std::vector<JointPosition> joints;                ///< coordinates of free joints
   std::vector<SectionLoad> loads;                   ///< of sections, from the root on
   std::vector<LoopLoad> loops;                      ///< of closed loops
-  std::vector<Eigen::Vector3d> nodes;               ///< places, from root to tip [m]
+  /// Places, from root to tip [m]; of a solid those of its frame, its interfaces, and sets of nodes
+  /// that loads act on.
+  std::vector<Eigen::Vector3d> nodes;
   std::vector<Eigen::Vector3d> undeformed;  ///< places of undeformed bodies, joints as they are [m]
   std::vector<Eigen::Matrix3d> undeformed_axes;  ///< axes of undeformed bodies by node: columns
   std::vector<Eigen::Vector3d> rotations;        ///< of nodes from these axes, rotation vectors
   std::vector<int> bodies;                       ///< of the nodes, from 0
+  std::vector<SolidDeformation> solids;          ///< of the bodies that are solids
   /// For each body its largest deflection across its axis by its length; 0 for rigid ones.
   std::vector<double> bending;
 };

@@ -17,12 +17,16 @@ namespace spoke {
 
 struct Scenario;
 
-/// A point on the axis of a flexible body; in space also a point of a rigid body.
+/// A point on the axis of a flexible body; in space also a point of a rigid body, or an interface
+/// of a solid.
 struct Marker {
   int blade = 0;         ///< from 0; in space subsystems count behind the blades
   int body = 0;          ///< from 0, at the root; in space in the order of `spoke check`
   double station = 0.0;  ///< along the body: 0 at its inboard end, 1 at its outboard end
   Eigen::Vector3d point{0.0, 0.0, 0.0};  ///< on a rigid body, in its frame [m]; else zero
+  /// Name of an interface of a solid; empty: the only one that does not carry its frame. Else
+  /// empty.
+  std::string interface {};
 
   /// Whether all members are equal.
   friend bool operator==(const Marker&, const Marker&) = default;

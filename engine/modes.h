@@ -39,6 +39,9 @@ struct Mode {
   std::vector<std::vector<Eigen::Vector3cd>> shape;
   /// Rotations of the nodes in the same motion, hub frame [rad/m].
   std::vector<std::vector<Eigen::Vector3cd>> rotations;
+  /// By blade, then by other subsystems: motions of the coordinates of its solids, in the order of
+  /// BladeEquilibrium::solids; empty for a blade that does not move in this mode.
+  std::vector<std::vector<Eigen::VectorXcd>> solids;
   /// Displacement of the hub's frame in the same motion, with which the nodes go; zero where it is
   /// prescribed.
   Eigen::Vector3cd hub_displacement = Eigen::Vector3cd::Zero();

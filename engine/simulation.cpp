@@ -12,8 +12,8 @@
 #include "engine/simulation/simulation_core.h"
 #include "engine/vibration/frequency_limits.h"
 #include "models/error.h"
-#include "models/reader/nearest_name.h"
 #include "models/reader/scenario_check.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {

@@ -8,6 +8,7 @@
 #include "engine/equilibrium.h"
 #include "engine/linearize.h"
 #include "engine/modes.h"
+#include "engine/reduce.h"
 #include "engine/results.h"
 #include "engine/simulation.h"
 #include "graph/declaration_check.h"

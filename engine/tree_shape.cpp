@@ -8,6 +8,8 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/samples.h"
 #include "engine/space/element_products.h"
+#include "engine/space/solid_places.h"
+#include "engine/space/solid_table_terms.h"
 
 namespace spoke {
 namespace {
@@ -84,8 +86,13 @@ class SubsystemWalk {
     const space::Body& body = *data_.bodies[j].model->body;
     shape_.bodies[j].nodes.clear();
     shape_.bodies[j].forces.clear();
+    shape_.bodies[j].solid.reset();
+    shape_.bodies[j].coordinates.clear();
+    shape_.bodies[j].velocities.clear();
     if (const space::FlexibleBody* flexible = body.flexible())
       add_flexible(j, *flexible);
+    else if (const space::Solid* solid = body.solid())
+      add_solid(j, *solid);
     else
       add_node(j, Rotation{}, Position::Zero(), space::make_fixed_handle(Position::Zero()),
                carried_offset(j));
@@ -105,22 +112,19 @@ class SubsystemWalk {
     return {rigid_[p].p + rigid_[p].R * place, rigid_[p].R * (back * joint.R * own)};
   }
   Position undeformed_handle(std::size_t p, int handle) const {
-    const auto h = static_cast<std::size_t>(handle);
-    if (const space::FlexibleBody* body = model(p).body->flexible())
-      return body->nodes[static_cast<std::size_t>(body->handles[h])];
-    return model(p).body->rigid()->outboard[h - 1];
+    return model(p).body->handle_at_rest(static_cast<std::size_t>(handle));
   }
 
   /// Returns the offset of a body by the foreshortening of its carriers.
   Offset carried_offset(std::size_t j) const {
     if (model(j).parent < 0) return {};
     const auto p = static_cast<std::size_t>(model(j).parent);
-    const space::FlexibleBody* parent = model(p).body->flexible();
-    const auto node =
-        parent
-            ? static_cast<std::size_t>(parent->handles[static_cast<std::size_t>(model(j).handle)])
-            : 0;
-    return offsets_[p][node];
+    const auto handle = static_cast<std::size_t>(model(j).handle);
+    if (const space::FlexibleBody* parent = model(p).body->flexible())
+      return offsets_[p][static_cast<std::size_t>(parent->handles[handle])];
+    if (const space::Solid* parent = model(p).body->solid())
+      return offsets_[p][1 + static_cast<std::size_t>(parent->handles[handle])];
+    return offsets_[p][0];
   }
 
   void add_flexible(std::size_t j, const space::FlexibleBody& body) {
@@ -150,6 +154,26 @@ class SubsystemWalk {
                motion_of(flex.values.data() + at, speed.values.data() + at,
                          body.nodes[static_cast<std::size_t>(k)]),
                offset);
+    }
+  }
+  /// Adds the frame and the places of a solid.
+  void add_solid(std::size_t j, const space::Solid& solid) {
+    const BodyData<Space>& data = data_.bodies[j];
+    const double *q = data.coordinates.q, *v = data.coordinates.v;
+    const Offset before = carried_offset(j);
+    const Position w = angular(data_.twists[j]);
+    const Rotation& R = data_.poses[j].R;
+    offsets_[j].clear();
+    add_node(j, Rotation{}, Position::Zero(), space::make_fixed_handle(Position::Zero()), before);
+    shape_.bodies[j].solid = solid.constants;
+    shape_.bodies[j].coordinates.assign(q, q + solid.coordinates());
+    shape_.bodies[j].velocities.assign(v, v + solid.coordinates());
+    for (std::size_t i = 0; i < solid.constants->places.size(); ++i) {
+      const space::SolidPlace& place = solid.constants->places[i];
+      const space::PlaceDrawn drawn = calc_solid_drawn(data, static_cast<int>(i), q, v, nullptr);
+      add_node(j, Rotation{}, place.p, calc_place_motion(place, q, v),
+               {before.p - R * drawn.place,
+                before.v - R * Position(drawn.rate + cross(w, drawn.place))});
     }
   }
   static space::HandleMotion motion_of(const double* q, const double* v, const Position& place) {

@@ -3,6 +3,7 @@
 // The deformed shape of a blade or subsystem in space, for pictures and for files of other
 // programs.
 
+#include <memory>
 #include <vector>
 
 #include "models/spatial_model.h"
@@ -14,6 +15,9 @@ struct Subsystem;
 template <class World>
 struct SubsystemData;
 struct Space;
+namespace space {
+struct SolidConstants;
+}
 
 /// The pose of the hub in the inertial frame.
 struct HubPose {
@@ -21,7 +25,8 @@ struct HubPose {
   spatial::Tensor rotation = spatial::Tensor::Identity();  ///< from the hub's to inertial axes
 };
 
-/// A section of a beam, or the origin of a rigid body's frame. All vectors are resolved in the
+/// A section of a beam, the origin of a rigid body's frame, or for a solid that of its frame, the
+/// point of an interface or of a set of nodes that a load acts on. All vectors are resolved in the
 /// hub's frame as the scenario describes it.
 struct TreeNode {
   spatial::Vector p = spatial::Vector::Zero();  ///< place in the hub's frame [m]
@@ -45,8 +50,14 @@ struct ElementForces {
 
 /// The shape of a body at one time.
 struct TreeBodyShape {
-  std::vector<TreeNode> nodes{};        ///< from the inboard end of a beam; one for a rigid body
-  std::vector<ElementForces> forces{};  ///< by element
+  /// From the inboard end of a beam; one for a rigid body; for a solid that of its frame, then
+  /// one for each interface, then one for each set of nodes that loads act on.
+  std::vector<TreeNode> nodes{};
+  std::vector<ElementForces> forces{};  ///< by element of a beam
+  /// Constants of a solid; null for other bodies.
+  std::shared_ptr<const space::SolidConstants> solid{};
+  std::vector<double> coordinates{};  ///< of the deformation of a solid
+  std::vector<double> velocities{};   ///< their rates
 };
 
 /// The shape of a blade or subsystem in space at one time: its bodies in the order of `spoke

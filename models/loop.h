@@ -37,9 +37,8 @@ SPOKE_EXPORT int count_axes(LoopKind kind);
 SPOKE_EXPORT std::string_view name_of(LoopKind kind);
 
 /// A place that a loop is fixed to: a frame on a body of its blade or subsystem, on the hub, on the
-/// mount that holds the hub's axle, or on an anchor. A place of a blade's loop on these three is
-/// given as a blade at the azimuth 0 has it, and turned by the blade's azimuth about the hub's
-/// axis.
+/// mount that holds the hub's axle, or on an anchor. A place of a loop on these three is given as a
+/// blade or subsystem at the azimuth 0 has it, and turned by its azimuth about the hub's axis.
 struct LoopPlace {
   /// What carries the place.
   enum class Carrier { body, hub, mount, anchor };
@@ -50,11 +49,14 @@ struct LoopPlace {
   /// Station on a beam [m]; none: its tip. In the plane one of the ends of the blade's bodies.
   std::optional<double> station = std::nullopt;
   /// Place in the frame of a rigid body, the hub, the mount or the anchor; of a beam, from its axis
-  /// at the station, in the beam's axes, which turn with the section [m].
+  /// at the station, in the beam's axes, which turn with the section; of a solid, from the point of
+  /// the interface, in the axes of the mesh, which turn with it [m].
   spatial::Vector point = spatial::Vector::Zero();
   /// Rotation vector of the place's frame against that of its carrier [rad]. None: of `to`, no
   /// rotation; of `from`, the one by which the two frames coincide at the start.
   std::optional<spatial::Vector> orientation = std::nullopt;
+  /// Interface of a solid, by its name; empty: the only one that does not carry its frame.
+  std::string interface {};
 };
 
 /// A closed loop: a cut joint between two places. Its forces act on `from`, and against `to`.

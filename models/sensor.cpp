@@ -16,6 +16,7 @@ constexpr Components kAcceleration{{{"x", "m/s^2"}, {"y", "m/s^2"}, {"rotation",
 constexpr Components kWrench{{{"x", "N"}, {"y", "N"}, {"moment", "N m"}}};
 constexpr Components kMomentum{{{"x", "kg m/s"}, {"y", "kg m/s"}, {"angular", "kg m^2/s"}}};
 constexpr std::array<SensorComponent, 1> kEnergy{{{"", "J"}}};
+constexpr std::array<SensorComponent, 1> kStress{{{"", "Pa"}}};
 
 // Components in space.
 using Six = std::array<SensorComponent, 6>;
@@ -66,6 +67,7 @@ std::span<const SensorFrame> frames_of(SensorQuantity quantity) {
     case SensorQuantity::section_force:
       return kSectionFrames;
     case SensorQuantity::joint_reaction:
+    case SensorQuantity::interface_force:
       return kJointFrames;
     case SensorQuantity::loop_reaction:
     case SensorQuantity::loop_opening:
@@ -75,6 +77,7 @@ std::span<const SensorFrame> frames_of(SensorQuantity quantity) {
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
     case SensorQuantity::kinetic_energy:
+    case SensorQuantity::von_mises:
       return kInertial;
     default:
       return kMotionFrames;
@@ -98,6 +101,10 @@ bool is_of_loop(SensorQuantity quantity) {
   return quantity == SensorQuantity::loop_reaction || quantity == SensorQuantity::loop_opening;
 }
 
+bool is_of_solid(SensorQuantity quantity) {
+  return quantity == SensorQuantity::interface_force || quantity == SensorQuantity::von_mises;
+}
+
 bool has_position(SensorQuantity quantity) {
   return is_motion(quantity) || quantity == SensorQuantity::section_force;
 }
@@ -112,12 +119,15 @@ std::span<const SensorComponent> components_of(SensorQuantity quantity) {
     case SensorQuantity::joint_reaction:
     case SensorQuantity::hub_reaction:
     case SensorQuantity::loop_reaction:
+    case SensorQuantity::interface_force:
       return kWrench;
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
       return kMomentum;
     case SensorQuantity::kinetic_energy:
       return kEnergy;
+    case SensorQuantity::von_mises:
+      return kStress;
     default:
       return kDisplacement;
   }
@@ -133,12 +143,15 @@ std::span<const SensorComponent> components_in_space(SensorQuantity quantity) {
     case SensorQuantity::joint_reaction:
     case SensorQuantity::hub_reaction:
     case SensorQuantity::loop_reaction:
+    case SensorQuantity::interface_force:
       return kWrench6;
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
       return kMomentum6;
     case SensorQuantity::kinetic_energy:
       return kEnergy;
+    case SensorQuantity::von_mises:
+      return kStress;
     default:
       return kDisplacement6;
   }
@@ -155,10 +168,10 @@ std::string prefix_of(const Sensor& sensor, int blade) {
 }
 
 std::string_view name_of(SensorQuantity quantity) {
-  constexpr std::array<std::string_view, 11> names{
-      "displacement",   "velocity",      "acceleration", "section_force",
-      "joint_reaction", "hub_reaction",  "momentum",     "blade_momentum",
-      "kinetic_energy", "loop_reaction", "loop_opening"};
+  constexpr std::array<std::string_view, 13> names{
+      "displacement", "velocity",        "acceleration",   "section_force",  "joint_reaction",
+      "hub_reaction", "momentum",        "blade_momentum", "kinetic_energy", "loop_reaction",
+      "loop_opening", "interface_force", "von_mises"};
   return names[static_cast<std::size_t>(quantity)];
 }
 

@@ -30,6 +30,10 @@ enum class SensorQuantity {
   /// How far a loop is open along the directions that it locks: displacement and small rotation of
   /// `from` from where the closure wants it [m, rad]. Rigid directions are closed to round-off.
   loop_opening,
+  /// Force and moment that joints, loops and loads exert on a solid at an interface, about its
+  /// point [N, N m].
+  interface_force,
+  von_mises,  ///< largest von Mises stress of a solid, or that at a place of it [Pa]
 };
 
 /// The frame in which a motion is observed, and in which vectors are resolved.
@@ -75,6 +79,11 @@ struct Sensor {
   /// The body of the subsystem, for quantities at a position or of a joint, which is the one that
   /// carries the body.
   std::string body{};
+  /// Interface of a solid; required for interface_force. For motions, empty without `node`: the
+  /// only one that does not carry its frame.
+  std::string interface {};
+  /// Node of a solid, by its number in the file of its mesh.
+  std::optional<int> node = std::nullopt;
   /// Name of the loop, of the blade or the subsystem; required for loop_reaction and loop_opening.
   std::string loop{};
 };
@@ -89,6 +98,8 @@ SPOKE_EXPORT bool is_of_blade(SensorQuantity quantity);
 SPOKE_EXPORT bool is_motion(SensorQuantity quantity);
 /// Returns whether the quantity is one of a closed loop.
 SPOKE_EXPORT bool is_of_loop(SensorQuantity quantity);
+/// Returns whether the quantity is one of solids alone.
+SPOKE_EXPORT bool is_of_solid(SensorQuantity quantity);
 /// Returns whether the quantity is measured at a position along a blade.
 SPOKE_EXPORT bool has_position(SensorQuantity quantity);
 

@@ -19,6 +19,7 @@
 #include "models/loop.h"
 #include "models/mount_motion.h"
 #include "models/rotor.h"
+#include "models/solid_body.h"
 #include "spoke/export.h"
 
 /// Models in space, as data. A rotor in the plane is a spoke::Rotor.
@@ -148,8 +149,8 @@ struct MotionTable {
   Curve value;  ///< coordinate over time
 };
 
-/// The coordinate is mean + cosine cos(psi) + sine sin(psi), with psi the azimuth: the hub's angle,
-/// for a blade's joints plus the blade's azimuth. It describes collective and cyclic pitch.
+/// The coordinate is mean + cosine cos(psi) + sine sin(psi), with psi the azimuth: the hub's angle
+/// plus the azimuth of the blade or subsystem. It describes collective and cyclic pitch.
 struct AzimuthMotion {
   double mean = 0.0;    ///< [rad, m]
   double cosine = 0.0;  ///< [rad, m]
@@ -182,8 +183,9 @@ struct JointCoordinate {
 /// A joint, which joins a body, the child, to a place on another one, the parent, or on the hub.
 ///
 /// The joint's frame is the parent's frame (on a beam: its axes at the place on the undeformed
-/// beam, which move with the section there), moved by `offset` and turned by `orientation`. The
-/// child's frame is the joint's where all coordinates are zero.
+/// beam, which move with the section there; on a solid: the axes of its mesh at the point of the
+/// interface, which move with it), moved by `offset` and turned by `orientation`. The child's frame
+/// is the joint's where all coordinates are zero.
 struct Joint {
   std::string name{};                   ///< name in sensors and messages; may be empty
   JointKind kind = JointKind::fixed;    ///< kind of motion that it allows
@@ -214,17 +216,20 @@ struct Blade {
 
 /// A body of a subsystem.
 struct Body {
-  std::string name{};                     ///< name, unlike that of any other body of the subsystem
-  std::variant<Beam, RigidBody> shape{};  ///< a beam or a rigid body
+  std::string name{};  ///< name, unlike that of any other body of the subsystem
+  std::variant<Beam, RigidBody, SolidBody> shape{};  ///< a beam, a rigid body or a solid
 };
 
 /// A joint of a subsystem. Every body is the child of one joint.
 struct SubsystemJoint {
   std::string parent = "hub";  ///< name of a body, or "hub"
-  std::string child{};         ///< name of a body; joined at its root
+  std::string child{};  ///< name of a body; joined at its root, a solid at its first interface
   /// Station on a parent that is a beam [m]; none: its tip.
   std::optional<double> station = std::nullopt;
   Joint joint{};  ///< the joint at that place
+  /// Name of an interface of a parent that is a solid; empty: the only one that does not carry its
+  /// frame.
+  std::string interface {};
 };
 
 /// A subsystem that is no blade: a tree of named bodies on the hub.
@@ -233,6 +238,9 @@ struct Subsystem {
   std::vector<Body> bodies{};            ///< one or more
   std::vector<SubsystemJoint> joints{};  ///< joints, one for each body
   std::vector<Loop> loops{};             ///< closures of loops that the joints leave open
+  /// Angle about the hub's axis by which its joints on the hub and what its loops have on the hub,
+  /// the mount and anchors are turned; added to the hub's angle for AzimuthMotion [rad].
+  double azimuth = 0.0;
 };
 
 /// The hub, to which blades and subsystems are fixed. Its frame is the inertial one at t = 0, but
@@ -257,7 +265,7 @@ enum class LoadFrame {
   inertial,  ///< keeps its direction in space
   hub,       ///< turns with the hub
   body,      ///< turns with the frame of the body
-  section,   ///< follows the loaded cross section of a beam
+  section,   ///< follows the loaded cross section of a beam, or the loaded place of a solid
 };
 
 /// The place of a load: on blades, or on a body of a subsystem.
@@ -267,7 +275,8 @@ struct LoadPlace {
   std::string body{};                      ///< name of the body of the subsystem
 };
 
-/// A force and a moment at a point of a beam or of a rigid body, scaled by a function of time.
+/// A force and a moment at a point of a beam or of a rigid body, or at a place of a solid, scaled
+/// by a function of time.
 struct PointLoad {
   LoadPlace place{};  ///< place where it acts
   /// Distance from the root of a beam [m]; none: the tip of each beam.
@@ -279,6 +288,12 @@ struct PointLoad {
   /// Duration of the smooth rise from 0, calc_rise() [s]; 0: at once.
   double ramp = 0.0;
   Curve factor{1.0};  ///< dimensionless function of time
+  /// Interface of a solid; empty, and no `nodes`: the only one that does not carry its frame.
+  std::string interface {};
+  /// Nodes of a solid over which the load is spread, by area, in place of an interface.
+  std::optional<NodeChoice> nodes = std::nullopt;
+  /// Force per area, in place of `force`, on nodes or an interface that have faces [Pa].
+  std::optional<Vector> traction = std::nullopt;
 };
 
 /// A force and a moment per length of a beam, between two stations.

@@ -69,7 +69,8 @@ if(TARGET spoke_python)
 endif()
 file(GLOB scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/models/*.toml)
 install(FILES ${scenarios} DESTINATION ${models_folder} COMPONENT program)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/models/studies DESTINATION ${models_folder}
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/models/studies ${PROJECT_SOURCE_DIR}/models/meshes
+  DESTINATION ${models_folder}
   COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE
   ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md

@@ -17,7 +17,7 @@
 #include "engine/support/machine.h"
 #include "models/count_text.h"
 #include "models/error.h"
-#include "models/reader/text_file.h"
+#include "models/text_file.h"
 #include "program/cli/interruption.h"
 #include "program/cli/progress.h"
 #include "program/cli/report.h"

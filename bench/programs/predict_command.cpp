@@ -19,7 +19,7 @@
 #include "engine/step/sharing.h"
 #include "models/count_text.h"
 #include "models/error.h"
-#include "models/reader/text_file.h"
+#include "models/text_file.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/interruption.h"
 #include "program/cli/progress.h"

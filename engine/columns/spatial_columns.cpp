@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
+#include <memory>
 #include <utility>
 #include <variant>
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/marker_motion.h"
+#include "models/solid_body.h"
 #include "models/space/beam_element.h"
 #include "models/system/spatial_loads.h"
 #include "models/tree/sensor_place.h"
@@ -40,6 +43,10 @@ std::vector<int> path_to(int body, const Subsystem<Space>& subsystem) {
   return path;
 }
 
+/// The maps of a sensor's nodes, by solid.
+using Recoveries =
+    std::map<const space::SolidConstants*, std::shared_ptr<const space::NodeRecovery>>;
+
 int body_of(const Sensor& sensor, const SensorPlace& place, const Tree& tree) {
   if (sensor.joint) return place.bodies[static_cast<std::size_t>(sensor.joint->body())];
   const int first = place.bodies.front();
@@ -48,6 +55,42 @@ int body_of(const Sensor& sensor, const SensorPlace& place, const Tree& tree) {
       std::get_if<spatial::FlexibleBody>(&tree.bodies[static_cast<std::size_t>(first)].shape);
   if (!part) return first;
   return place.body_at(tree, sensor.position.value_or(tree.beams[part->beam].length));
+}
+
+/// Returns the index of the node of a solid that a sensor names.
+int node_of(const Sensor& sensor, const spatial::SolidPart& part) {
+  return find_node(*part.geometry().mesh, *sensor.node).value();
+}
+
+/// Returns the place on a solid that a sensor names, or its node.
+space::Section find_solid_section(const Sensor& sensor, const spatial::SolidPart& part,
+                                  const space::Solid& solid) {
+  if (sensor.node) return make_node_section(solid, node_of(sensor, part));
+  return make_solid_section(
+      solid, static_cast<int>(find_interface(part.body(), sensor.interface).value()));
+}
+
+/// Makes the maps of the nodes of which a sensor shows the largest stress.
+std::shared_ptr<const space::NodeRecovery> make_recovery(const Sensor& sensor,
+                                                         const spatial::SolidPart& part,
+                                                         const space::SolidConstants& solid) {
+  if (sensor.node)
+    return std::make_shared<space::NodeRecovery>(solid, std::vector{node_of(sensor, part)});
+  if (sensor.interface.empty()) return std::make_shared<space::NodeRecovery>(solid);
+  const std::size_t interface = find_interface(part.body(), sensor.interface).value();
+  return std::make_shared<space::NodeRecovery>(solid, part.geometry().interfaces[interface].nodes);
+}
+
+/// Sets what a reading on a solid needs. `before`: readings of the same sensor on other subsystems.
+void place_on_solid(const Sensor& sensor, const spatial::SolidPart& part, const space::Solid& solid,
+                    Recoveries& before, Reading<Space>& reading) {
+  if (sensor.quantity != SensorQuantity::von_mises) {
+    reading.section = find_solid_section(sensor, part, solid);
+    return;
+  }
+  auto& recovery = before[solid.constants.get()];
+  if (!recovery) recovery = make_recovery(sensor, part, *solid.constants);
+  reading.recovery = recovery;
 }
 
 /// Sets the section of a reading at a station of the beam of a flexible body; without a station,
@@ -82,7 +125,8 @@ void find_outboard(const TreeBody<Space>& model, Reading<Space>& reading) {
 }
 
 Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, const Tree& tree,
-                            const Subsystem<Space>& subsystem, std::size_t first) {
+                            const Subsystem<Space>& subsystem, std::size_t first,
+                            Recoveries& before) {
   Reading<Space> reading;
   reading.quantity = sensor.quantity;
   reading.frame = frame_of(sensor);
@@ -93,9 +137,16 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
     body = subsystem.loops[reading.loop].from.body;
   }
   reading.path = path_to(body, subsystem);
-  if (!has_position(sensor.quantity)) return reading;
   const TreeBody<Space>& model = subsystem.bodies[static_cast<std::size_t>(body)];
-  place_section(sensor.position, *model.body, reading);
+  const bool has_place = has_position(sensor.quantity);
+  if (const space::Solid* solid = model.body->solid();
+      solid && (has_place || is_of_solid(sensor.quantity)))
+    place_on_solid(sensor,
+                   std::get<spatial::SolidPart>(tree.bodies[static_cast<std::size_t>(body)].shape),
+                   *solid, before, reading);
+  else if (has_place)
+    place_section(sensor.position, *model.body, reading);
+  if (!has_place) return reading;
   const space::Pose rest = calc_rest_pose(subsystem, body);
   reading.rest = {rest.p + rest.R * reading.section.s0, rest.R * reading.section.axes};
   if (sensor.quantity == SensorQuantity::section_force) find_outboard(model, reading);
@@ -141,11 +192,12 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, std::si
   std::vector<SensorColumn> columns;
   for (const Sensor& sensor : sensors) {
     std::vector<std::size_t> places;
+    Recoveries recoveries;
     for (const SensorPlace& place : find_reading_places(sensor, blades, trees)) {
       SubsystemData<Space>& subsystem = data.subsystems[place.tree];
       subsystem.readings.push_back(make_reading(sensor, place, trees[place.tree],
                                                 system.subsystems[place.tree],
-                                                subsystem.reading_count));
+                                                subsystem.reading_count, recoveries));
       places.push_back(
           std::exchange(subsystem.reading_count, subsystem.reading_count + space::kTwist));
     }
@@ -174,6 +226,7 @@ std::size_t count_reading_bytes(const StepData<Space>& data) {
   for (const SubsystemData<Space>& subsystem : data.subsystems)
     for (const Reading<Space>& reading : subsystem.readings) {
       bytes += sizeof reading;
+      if (reading.recovery) bytes += reading.recovery->bytes();
       for (const OutboardLoad& load : reading.loads)
         bytes += load.sections.size() * (sizeof(space::Section) + sizeof(BodyLoad<Space>::Point));
     }

@@ -63,6 +63,16 @@ Memory memory_of_scratch(BodyData<Space>& body);
 inline Memory memory_of_tension(BodyData<Plane>&) { return {}; }
 Memory memory_of_tension(BodyData<Space>& body);
 
+/// Memory of a solid in nodal coordinates, by slice; empty for other bodies.
+struct SliceMemory {
+  std::vector<Memory> tiles;   ///< rows and sums of its terms
+  std::vector<Memory> halves;  ///< half solutions (structured)
+  /// Accelerations (structured), and last those between slices.
+  std::vector<Memory> solution;
+};
+inline SliceMemory memory_of_slices(BodyData<Plane>&) { return {}; }
+SliceMemory memory_of_slices(BodyData<Space>& body);
+
 /// Lists the memory of the formulation `structured` for a body besides the elimination of its
 /// joint: its response, the workspace of that, and its multi-port if that is no part of the
 /// response.

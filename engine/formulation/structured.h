@@ -77,4 +77,14 @@ void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const Bo
 void recover_body(const SubsystemData<Space>& subsystem, std::size_t j, const BodyWork<Space>& work,
                   bool implicit, BodyData<Space>& data, double* a) noexcept;
 
+// Of a solid in several slices condense_body() and recover_body() do what is between slices alone,
+// and these the rest: condense_slice() before it, recover_slice() behind it.
+
+/// Calculates the half solutions of slice p.
+void condense_slice(BodyData<Space>& body, int p, bool implicit) noexcept;
+/// Calculates the accelerations of slice p.
+void recover_slice(BodyData<Space>& body, int p, bool implicit) noexcept;
+/// Copies the accelerations of all into the flex vector `a`.
+void take_slices(const BodyData<Space>& body, double* a) noexcept;
+
 }  // namespace spoke::structured

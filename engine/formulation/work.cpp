@@ -2,6 +2,7 @@
 
 #include "engine/formulation/work.h"
 
+#include <cmath>
 #include <set>
 
 #include "engine/formulation/tree_joints.h"
@@ -10,11 +11,22 @@
 namespace spoke {
 namespace {
 
-plane::ElasticBlock make_block(const plane::FlexibleBody& body, double mass_factor,
-                               double stiffness_factor) {
-  return make_elastic_block(body, mass_factor, stiffness_factor);
+plane::ElasticBlock make_block(const plane::FlexibleBody& body, const ElasticShares& shares) {
+  return make_elastic_block(body, shares.mass_factor, shares.stiffness_factor);
 }
-using space::make_block;
+space::Block make_block(const space::Body& body, const ElasticShares& shares) {
+  return space::make_block(body,
+                           {shares.mass_factor, shares.stiffness_factor, shares.damping_factor});
+}
+
+/// Returns the dense Mhat of a body.
+Eigen::MatrixXd make_dense_block(const plane::FlexibleBody& body, const ElasticShares& shares) {
+  return make_dense_elastic_block(body, shares.mass_factor, shares.stiffness_factor);
+}
+Eigen::MatrixXd make_dense_block(const space::Body& body, const ElasticShares& shares) {
+  return make_dense_elastic_block(
+      body, {shares.mass_factor, shares.stiffness_factor, shares.damping_factor});
+}
 
 template <class World>
 using BodyKey = const typename World::Body*;
@@ -32,9 +44,8 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepDat
       const typename World::Body& body = *member.model->body;
       subsystem::DenseBlocks& pair = made[&body];
       if (!pair[0]) {
-        pair[0] = std::make_shared<Eigen::MatrixXd>(make_dense_elastic_block(body, 1.0, 0.0));
-        pair[1] = std::make_shared<Eigen::MatrixXd>(
-            make_dense_elastic_block(body, implicit.mass_factor, implicit.stiffness_factor));
+        pair[0] = std::make_shared<Eigen::MatrixXd>(make_dense_block(body, ElasticShares{}));
+        pair[1] = std::make_shared<Eigen::MatrixXd>(make_dense_block(body, implicit));
       }
       blocks.back().push_back(pair);
     }
@@ -42,11 +53,47 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepDat
   return blocks;
 }
 
+/// Hands a solid the matrices of its stiffening: in its tree, or by its own rotation.
+void add_solid_tension(const space::Solid& solid, BodyData<Space>& member,
+                       FormulationWork<Space>& work) {
+  const space::SolidConstants& constants = *solid.constants;
+  const auto& place = member.model->stiffening;
+  const bool is_own = constants.frame == spatial::SolidFrame::mean_axis;
+  if (!constants.is_stiffened || !(place || is_own)) return;
+  const space::SolidTension* in_tree = place ? place->solid.get() : nullptr;
+  const void* key = &constants;
+  if (in_tree) key = in_tree;
+  const auto at = work.solid_tensions.find(key);
+  member.solid_tension =
+      at != work.solid_tensions.end()
+          ? &at->second
+          : &work.solid_tensions.emplace(key, make_tension_columns(constants, in_tree))
+                 .first->second;
+}
+
+/// Hands a solid in nodal coordinates its tiles, and memory for its kernels.
+void add_tiles(const space::Solid& solid, BodyData<Space>& member, FormulationWork<Space>& work) {
+  const auto& place = member.model->stiffening;
+  const space::SolidTension* tension = member.solid_tension && place ? place->solid.get() : nullptr;
+  const space::SolidConstants& constants = *solid.constants;
+  const auto [at, is_new] = work.tiles.try_emplace({&constants, tension});
+  if (is_new) at->second = space::make_nodal_tiles(constants, tension);
+  member.tiles = &at->second;
+  work.nodal_memory.push_back(std::make_unique<space::NodalMemory>());
+  space::place_nodal_work(solid, *member.tiles, *member.blocks[0]->solid, *member.blocks[1]->solid,
+                          *work.nodal_memory.back(), member.work);
+}
+
 // The tension of implicit steps; the plane has none.
 
 void add_tension(const ElasticShares&, BodyData<Plane>&, FormulationWork<Plane>&) {}
 void add_tension(const ElasticShares& implicit, BodyData<Space>& member,
                  FormulationWork<Space>& work) {
+  if (const space::Solid* solid = member.model->body->solid()) {
+    add_solid_tension(*solid, member, work);
+    if (solid->constants->nodal()) add_tiles(*solid, member, work);
+    return;
+  }
   const space::FlexibleBody* flexible = member.model->body->flexible();
   if (implicit.tension_factor == 0.0 || !flexible || !member.model->stiffening) return;
   work.tensions.push_back(std::make_unique<space::ImplicitTension>(space::make_implicit_tension(
@@ -63,8 +110,8 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
       const typename World::Body& body = *member.model->body;
       const auto [at, is_new] = work.blocks.try_emplace(&body);
       if (is_new) {
-        at->second[0] = make_block(body, 1.0, 0.0);
-        at->second[1] = make_block(body, implicit.mass_factor, implicit.stiffness_factor);
+        at->second[0] = make_block(body, ElasticShares{});
+        at->second[1] = make_block(body, implicit);
       }
       member.blocks = {&at->second[0], &at->second[1]};
       add_tension(implicit, member, work);
@@ -91,8 +138,30 @@ double estimate_factors(const space::FlexibleBody& body) {
     if (node >= body.first_node()) numbers += kBlock * (body.node_count() - node);
   return sizeof(double) * numbers;
 }
+/// Counts the matrices of a solid, with those that kernels read, and its half solutions.
+double estimate_constants(const space::Solid& solid) {
+  const double n = solid.coordinates();
+  const auto places = static_cast<double>(solid.constants->places.size());
+  const double rows =
+      2.0 * n * (space::kSolidRow + space::kHandleRow * static_cast<double>(solid.handles.size()));
+  if (const space::ReducedSolid* reduced = solid.constants->reduced())
+    return sizeof(double) * (rows + static_cast<double>(reduced->shapes.size()) +
+                             2.0 * n * n * (9.0 + 9.0 + 6.0 * places));
+  const space::NodalSolid& nodal = *solid.constants->nodal();
+  constexpr double kEntry = sizeof(double) + sizeof(int);
+  // The factor of a slender body of 20,000 coordinates has 13 n^(4/3) entries, that of a block
+  // more.
+  const double factors = 2.0 * 20.0 * std::pow(n, 4.0 / 3.0);
+  // Tiles have K and Mff by four rows where three have the same columns, and m with its forms.
+  const double tiles = (8.0 / 3.0 + 0.2) * static_cast<double>(nodal.K.nonZeros()) +
+                       11.0 * static_cast<double>(nodal.m.nonZeros());
+  return sizeof(double) * (rows + factors + tiles) +
+         kEntry * static_cast<double>(nodal.K.nonZeros() + nodal.Xi.nonZeros()) +
+         static_cast<double>(nodal.m.nonZeros()) * (kEntry + sizeof(double) * (9.0 + 6.0 * places));
+}
 /// Counts elements, the matrices M, K and D, slots, and the factors of both constant blocks.
 double estimate_constants(const space::Body& body) {
+  if (const space::Solid* solid = body.solid()) return estimate_constants(*solid);
   const space::FlexibleBody* flexible = body.flexible();
   if (flexible == nullptr) return sizeof(space::Body);
   constexpr double kBlock = Space::kTwist * Space::kTwist;
@@ -120,8 +189,12 @@ double estimate_table(const TreeBody<Space>& member) {
   // The state from which a failure can be repeated is a copy of these numbers.
   // A body under tension has the factors of its own implicit block (see estimate_constants).
   const space::FlexibleBody* flexible = member.body->flexible();
-  const double tension = member.stiffening ? estimate_tension(*flexible) : 0.0;
-  return tension +
+  const double tension = flexible && member.stiffening ? estimate_tension(*flexible) : 0.0;
+  // Rows, half solutions and motions of a solid in nodal coordinates (engine/space/nodal_memory.h).
+  const space::Solid* solid = member.body->solid();
+  const double nodal =
+      solid && solid->constants->nodal() ? 16.0 * sizeof(double) * solid->coordinates() : 0.0;
+  return tension + nodal +
          static_cast<double>(2 * sizeof(double) * numbers + sizeof(BodyData<Space>) +
                              sizeof(structured::BodyWork<Space>) + sizeof(space::JointMotion) +
                              sizeof(space::Pose) + 3 * sizeof(space::Twist));

@@ -9,6 +9,7 @@
 #include "engine/formulation/formulation.h"
 #include "engine/formulation/structured.h"
 #include "engine/formulation/subsystem.h"
+#include "engine/space/nodal_memory.h"
 
 namespace spoke {
 
@@ -16,6 +17,7 @@ namespace spoke {
 struct ElasticShares {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;
+  double damping_factor = 0.0;  ///< of the damping by modes of solids
   double tension_factor = 0.0;  ///< beta' h^2 [s^2]; 0: see engine/space/implicit_tension.h
 };
 
@@ -30,6 +32,11 @@ struct FormulationWork {
   std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
   /// Tension in implicit steps of spatial bodies that rotation stiffens.
   std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
+  /// Stiffening of solids in their trees, by what it is made of: bodies of one kind share it.
+  std::map<const void*, space::SolidTensionColumns> solid_tensions;
+  /// Tiles of solids in nodal coordinates, by their constants and tension, and memory by body.
+  std::map<std::pair<const void*, const void*>, space::NodalTiles> tiles;
+  std::vector<std::unique_ptr<space::NodalMemory>> nodal_memory;
 };
 
 /// Makes the constants and allocates the work of one formulation for `data`.

@@ -14,8 +14,9 @@ namespace spoke {
 /// Returns the dense Mhat = mass_factor Mff + stiffness_factor K (nf x nf); empty for a rigid body.
 Eigen::MatrixXd make_dense_elastic_block(const plane::FlexibleBody& body, double mass_factor,
                                          double stiffness_factor);
-Eigen::MatrixXd make_dense_elastic_block(const space::Body& body, double mass_factor,
-                                         double stiffness_factor);
+/// In space with the damping of sections and modes as well.
+Eigen::MatrixXd make_dense_elastic_block(const space::Body& body,
+                                         const space::BlockFactors& factors);
 
 /// Unknowns of a body: its frame's twist and its deformation.
 inline int dense_size(const plane::FlexibleBody& body) { return kTwist + body.coordinates(); }

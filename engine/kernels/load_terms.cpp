@@ -104,6 +104,8 @@ space::Section place_section(const std::string& whose, const Marker& marker,
     const double from = flexible->stations.front(), to = flexible->stations.back();
     return make_section(*model.beam, *flexible, from + marker.station * (to - from));
   }
+  if (const space::Solid* solid = model.solid())
+    return make_solid_section(*solid, std::max(0, solid->constants->tip_number));
   if (marker.station != 0.0)
     throw InputError(whose + ": its station belongs to beams, expected a point on a rigid body");
   if (!marker.point.allFinite()) throw InputError(whose + ": its point is not finite");

@@ -4,6 +4,7 @@
 
 #include <cassert>
 
+#include "engine/space/solid_output.h"
 #include "models/space/beam_element.h"
 #include "models/space/rotation_vector.h"
 
@@ -39,6 +40,27 @@ Placement Deformed::at(const Place& place) const {
   const Placement& group = frame_.groups[static_cast<std::size_t>(scene_.nodes[k].group)];
   const Tensor R = space::exponential(rotation).axes * group.rotation;
   return {axis + R * (place.p - scene_.nodes[k].p - place.xi * chord), R};
+}
+
+Vector place_of(const Scene& scene, const Frame& frame, const Deformed& deformed, std::size_t m,
+                std::size_t k) {
+  const MeshBody& mesh = scene.meshes[m];
+  const Surface& surface = scene.surfaces[static_cast<std::size_t>(mesh.surface)];
+  Vector x = surface.places[k];
+  if (surface.recovery && m < frame.solids.size() && !frame.solids[m].empty())
+    x += surface.recovery->displacement(static_cast<int>(k), frame.solids[m].data());
+  const Placement& at = deformed.node(mesh.node);
+  return at.position + at.rotation * scene.nodes[static_cast<std::size_t>(mesh.node)].axes * x;
+}
+
+Vector displacement_of(const Scene& scene, const Frame& frame, const Deformed& deformed,
+                       std::size_t m, std::size_t k) {
+  const MeshBody& mesh = scene.meshes[m];
+  const Node& node = scene.nodes[static_cast<std::size_t>(mesh.node)];
+  const Placement& group = frame.groups[static_cast<std::size_t>(node.group)];
+  const Vector& x = scene.surfaces[static_cast<std::size_t>(mesh.surface)].places[k];
+  return place_of(scene, frame, deformed, m, k) -
+         (group.position + group.rotation * (node.p + node.axes * x));
 }
 
 }  // namespace spoke::scene

@@ -25,4 +25,11 @@ class Deformed {
   std::vector<spatial::Placement> nodes_;
 };
 
+/// Returns the place of a drawn node of a solid in the frame of the hub; `m`: index of the solid.
+Vector place_of(const Scene& scene, const Frame& frame, const Deformed& deformed, std::size_t m,
+                std::size_t k);
+/// Returns its displacement from where it is with all bodies undeformed and joints as they are.
+Vector displacement_of(const Scene& scene, const Frame& frame, const Deformed& deformed,
+                       std::size_t m, std::size_t k);
+
 }  // namespace spoke::scene

@@ -18,6 +18,7 @@ void clear(const Scene& scene, Frame& frame) {
   frame.groups.assign(static_cast<std::size_t>(scene.groups), Placement{});
   frame.displacements.clear();
   frame.rotations.clear();
+  frame.solids.clear();
   frame.axial_forces.clear();
   frame.bending_moments.clear();
 }
@@ -72,6 +73,9 @@ void FrameReader::read_space(const Simulation& simulation, Frame& frame) {
     group.rotation = now * drawn.axes.transpose();
     group.position = node.p - node.displacement - group.rotation * drawn.p;
   }
+  for (const MeshBody& mesh : scene_.meshes)
+    frame.solids.push_back(
+        body_of(scene_.sources[static_cast<std::size_t>(mesh.node)]).coordinates);
 }
 
 void FrameReader::read_carriers(const Simulation& simulation, Frame& frame) const {

@@ -16,12 +16,13 @@ namespace spoke::scene {
 /// leave the motion of joints as it is.
 struct Frame {
   HubPose hub;
-  double hub_angle = 0.0;                  ///< about the axle, not reduced to one turn [rad]
-  std::vector<spatial::Placement> groups;  ///< motions, in the hub's frame
-  std::vector<Vector> displacements;       ///< by node [m]
-  std::vector<Vector> rotations;           ///< by node, rotation vectors [rad]
-  std::vector<double> axial_forces;        ///< by element, in tension positive [N]
-  std::vector<double> bending_moments;     ///< by element, magnitudes [N m]
+  double hub_angle = 0.0;                   ///< about the axle, not reduced to one turn [rad]
+  std::vector<spatial::Placement> groups;   ///< motions, in the hub's frame
+  std::vector<Vector> displacements;        ///< by node [m]
+  std::vector<Vector> rotations;            ///< by node, rotation vectors [rad]
+  std::vector<std::vector<double>> solids;  ///< deformation coordinates, by solid of the scene
+  std::vector<double> axial_forces;         ///< by element, in tension positive [N]
+  std::vector<double> bending_moments;      ///< by element, magnitudes [N m]
 
   /// Returns the place of a node in the frame of the hub [m].
   Vector place(const Scene& scene, std::size_t node) const;

@@ -2,20 +2,30 @@
 
 // Makes the scene of a scenario.
 
+#include <memory>
 #include <vector>
 
 #include "engine/scene/scene.h"
+#include "engine/simulation.h"
+#include "models/space/solid.h"
 
 namespace spoke::scene {
 
+/// The constants of solids, by subsystem and body; null for other bodies.
+using SolidsInTrees = std::vector<std::vector<std::shared_ptr<const space::SolidConstants>>>;
+
 /// Makes the scene of a scenario that check_scenario() accepts. If bodies have many elements, only
 /// every few nodes are shown, so that there are about `most_nodes` in all, but at least two for
-/// each body.
-Scene make_scene(const Scenario& scenario, std::size_t most_nodes);
+/// each body. `solids`: constants of the solids, without which they are drawn at rest.
+Scene make_scene(const Scenario& scenario, std::size_t most_nodes,
+                 const SolidsInTrees& solids = {});
+/// Makes the scene of a simulation, whose solids deform.
+Scene make_scene(const Simulation& simulation, std::size_t most_nodes);
 
 /// Make the scene in one world.
 Scene make_planar_scene(const Scenario& scenario, std::size_t most_nodes);
-Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes);
+Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes,
+                         const SolidsInTrees& solids = {});
 
 /// Returns the numbers of the nodes of a body that are shown: every `stride`-th one, and the last.
 std::vector<int> shown_nodes(int elements, std::size_t stride);

@@ -17,6 +17,11 @@ double Scene::radius() const {
   for (const Node& node : nodes) radius = std::max(radius, node.p.norm());
   for (const Solid& solid : solids)
     for (const Vector& vertex : solid.vertices) radius = std::max(radius, vertex.norm());
+  for (const MeshBody& mesh : meshes) {
+    const Node& frame = nodes[static_cast<std::size_t>(mesh.node)];
+    for (const Vector& p : surfaces[static_cast<std::size_t>(mesh.surface)].places)
+      radius = std::max(radius, (frame.p + frame.axes * p).norm());
+  }
   return radius;
 }
 

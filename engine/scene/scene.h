@@ -3,11 +3,17 @@
 // The parts of a model that are drawn, fixed to nodes that frames move. A scene is made of a
 // scenario alone, before anything is simulated. Plane and space look alike here.
 
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "models/scenario.h"
+
+namespace spoke::space {
+class NodeRecovery;
+}
 
 namespace spoke::scene {
 
@@ -71,6 +77,36 @@ struct Solid {
   std::vector<std::vector<int>> faces;  ///< corners, counterclockwise as seen from outside
 };
 
+/// The surface of a solid's mesh, as far as it is drawn. Equal solids share it.
+struct Surface {
+  std::vector<int> nodes;                     ///< nodes of the mesh that are drawn, ascending
+  std::vector<Vector> places;                 ///< their places at rest in the frame of the body [m]
+  std::vector<std::array<int, 3>> triangles;  ///< of drawn nodes, counterclockwise from outside
+  std::vector<std::array<int, 2>> edges;      ///< sharp ones
+  /// Displacements and stresses of the drawn nodes; null where only the mesh is known.
+  std::shared_ptr<const space::NodeRecovery> recovery;
+
+  /// Returns the number of coordinates that a frame of a page holds for a solid of it: those of a
+  /// reduced one; displacement and von Mises stress of each node of a nodal one.
+  std::size_t frame_numbers() const;
+};
+
+/// An interface of a solid.
+struct InterfaceMark {
+  std::string name;
+  int node = 0;
+};
+
+/// A solid, whose nodes of the scene are its frame, its interfaces, and sets that loads act on.
+struct MeshBody {
+  std::string name;  ///< "arm / bracket"
+  int subsystem = 0;
+  int body = 0;     ///< in the subsystem
+  int node = 0;     ///< that of its frame
+  int surface = 0;  ///< index of its surface
+  std::vector<InterfaceMark> interfaces;
+};
+
 /// A rigid connection within a rigid body.
 struct Link {
   int subsystem = 0;
@@ -126,6 +162,8 @@ struct Scene {
   std::vector<NodeSource> sources;  ///< by node
   std::vector<Strip> strips;
   std::vector<Solid> solids;
+  std::vector<Surface> surfaces;
+  std::vector<MeshBody> meshes;
   std::vector<Link> links;
   std::vector<JointMark> joints;
   std::vector<LoopMark> loops;

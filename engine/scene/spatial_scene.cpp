@@ -1,13 +1,16 @@
 // Makes the scene of a model in space.
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "engine/scene/carriers.h"
 #include "engine/scene/make_scene.h"
+#include "engine/scene/mesh_surface.h"
 #include "engine/scene/section_size.h"
 #include "engine/scene/solids.h"
+#include "models/solid/solid.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 
@@ -15,15 +18,23 @@ namespace spoke::scene {
 namespace {
 
 using spatial::Placement;
+using spatial::SolidPart;
 using spatial::Tree;
 using spatial::TreeBody;
+
+/// Returns the number of nodes of the scene for a solid: its frame, its interfaces, and the sets
+/// that loads act on.
+std::size_t count_solid_nodes(const SolidPart& part) {
+  return 1 + part.body().interfaces.size() + part.sets.size();
+}
 
 std::size_t count_nodes(const std::vector<Tree>& trees) {
   std::size_t nodes = 0;
   for (const Tree& tree : trees)
     for (const TreeBody& body : tree.bodies) {
       const auto* beam = std::get_if<spatial::FlexibleBody>(&body.shape);
-      nodes += beam ? beam->nodes.size() : 1;
+      const auto* solid = std::get_if<SolidPart>(&body.shape);
+      nodes += beam ? beam->nodes.size() : solid ? count_solid_nodes(*solid) : 1;
     }
   return nodes;
 }
@@ -46,17 +57,49 @@ struct LoadedPlace {
   spatial::Tensor body, section;
 };
 
+/// The surfaces of a scene's solids; equal solids share one.
+class Surfaces {
+ public:
+  Surfaces(const SolidsInTrees& solids, std::size_t most_nodes, Scene& scene)
+      : solids_(solids), most_nodes_(most_nodes), scene_(scene) {
+    for (const auto& tree : solids)
+      for (const auto& solid : tree)
+        if (solid && solid->nodal()) ++nodal_;
+  }
+
+  /// Returns the index of the surface of a body, which it adds if it is new.
+  int find_or_add(int tree, std::size_t body, const SolidPart& part) {
+    const auto i = static_cast<std::size_t>(tree);
+    SolidView view{part.geometry().mesh, part.geometry().interfaces.front().point, nullptr};
+    if (i < solids_.size() && body < solids_[i].size()) view.constants = solids_[i][body];
+    const void* key = view.constants ? static_cast<const void*>(view.constants.get())
+                                     : static_cast<const void*>(part.kept.get());
+    const auto [found, is_new] = made_.try_emplace(key, static_cast<int>(scene_.surfaces.size()));
+    if (is_new)
+      scene_.surfaces.push_back(
+          make_surface(view, count_drawn_nodes(view.constants.get(), nodal_, most_nodes_)));
+    return found->second;
+  }
+
+ private:
+  const SolidsInTrees& solids_;
+  std::size_t most_nodes_, nodal_ = 0;
+  std::map<const void*, int> made_;  ///< by constants, or by description
+  Scene& scene_;
+};
+
 /// Adds one subsystem to a scene.
 class SubsystemScene {
  public:
   SubsystemScene(const Tree& tree, int number, bool is_blade, std::size_t stride, int per_element,
-                 Scene& scene)
+                 Surfaces& surfaces, Scene& scene)
       : tree_(tree),
         number_(number),
         is_blade_(is_blade),
         stride_(stride),
         per_element_(per_element),
         placements_(calc_placements(tree)),
+        surfaces_(surfaces),
         scene_(scene) {
     for (const spatial::Beam& beam : tree.beams) beams_.push_back(make_space_beam(beam, 0.0));
   }
@@ -68,14 +111,29 @@ class SubsystemScene {
       add_group(j);
       if (std::holds_alternative<spatial::FlexibleBody>(tree_.bodies[j].shape))
         add_beam(j);
+      else if (const auto* part = std::get_if<SolidPart>(&tree_.bodies[j].shape))
+        add_solid(j, *part);
       else
         add_rigid(j);
       add_joint(j);
     }
-    scene_.tips.push_back(static_cast<int>(scene_.nodes.size()) - 1);
+    scene_.tips.push_back(find_tip());
     for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
   }
 
+  /// Returns the place on a solid where a load acts on this subsystem; none if it acts on no solid
+  /// of it.
+  std::optional<LoadedPlace> find_solid_place(const spatial::PointLoad& load) const {
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
+      if (const auto* part = std::get_if<SolidPart>(&tree_.bodies[j].shape))
+        if (is_on(load.place, j)) {
+          const int node = first_[j] + 1 + static_cast<int>(find_loaded_place(load, *part));
+          return LoadedPlace{{node, 0.0, scene_.nodes[static_cast<std::size_t>(node)].p},
+                             placements_[j].rotation,
+                             placements_[j].rotation};
+        }
+    return std::nullopt;
+  }
   /// Returns the place where a load acts on this subsystem; none if it acts elsewhere. `position`:
   /// station; none: the tip.
   std::optional<LoadedPlace> find_place(const spatial::LoadPlace& place,
@@ -186,6 +244,41 @@ class SubsystemScene {
     return {node, (x - a) / (b - a), place_of(j, part, x).position};
   }
 
+  void add_solid(std::size_t j, const SolidPart& part) {
+    MeshBody mesh{name_of(j),
+                  number_,
+                  static_cast<int>(j),
+                  first_[j],
+                  surfaces_.find_or_add(number_, j, part),
+                  {}};
+    const Placement& at = placements_[j];
+    add_node(j, 0, at.position);
+    const auto add_place = [&](const Vector& p) {
+      const auto node = static_cast<int>(scene_.nodes.size()) - first_[j];
+      add_node(j, node, at.position + at.rotation * p);
+      const bool is_seen =
+          !scene_.surfaces[static_cast<std::size_t>(mesh.surface)].triangles.empty();
+      if (!is_seen && !p.isZero(1e-12))
+        scene_.links.push_back({number_, first_[j], at.position, scene_.nodes.back().p});
+    };
+    for (std::size_t i = 0; i < part.body().interfaces.size(); ++i) {
+      add_place(part.place_of(i));
+      mesh.interfaces.push_back(
+          {part.body().interfaces[i].name, static_cast<int>(scene_.nodes.size()) - 1});
+    }
+    const Vector& origin = part.geometry().interfaces.front().point;
+    for (const spatial::NodeChoice& set : part.sets)
+      add_place(solid::choose_nodes(*part.geometry().mesh, set).point - origin);
+    scene_.meshes.push_back(std::move(mesh));
+  }
+
+  /// Returns the last node of the subsystem, of a solid that of its last interface.
+  int find_tip() const {
+    if (const auto* part = std::get_if<SolidPart>(&tree_.bodies.back().shape))
+      return first_.back() + static_cast<int>(part->body().interfaces.size());
+    return static_cast<int>(scene_.nodes.size()) - 1;
+  }
+
   void add_rigid(std::size_t j) {
     const auto& body = std::get<spatial::RigidBody>(tree_.bodies[j].shape);
     const int node = first_[j];
@@ -224,7 +317,10 @@ class SubsystemScene {
     const auto* part = std::get_if<spatial::FlexibleBody>(&tree_.bodies[j].shape);
     Place at{first_[j], 0.0, body.position};
     int node = first_[j];
-    if (part) {
+    if (std::holds_alternative<SolidPart>(tree_.bodies[j].shape)) {
+      node += 1 + static_cast<int>(place.node);
+      at = {node, 0.0, scene_.nodes[static_cast<std::size_t>(node)].p};
+    } else if (part) {
       const double x = part->nodes[place.node];
       if (place.node > 0) at = place_on(j, *part, x);
       node = node_before(j, *part, x);
@@ -255,7 +351,9 @@ class SubsystemScene {
     JointMark mark;
     mark.name = tree_.name + " / " + (joint.name.empty() ? tree_.bodies[j].name : joint.name);
     mark.kind = spatial::name_of(joint.kind);
-    mark.node = first_[j];
+    // A solid is joined at its first interface, which need not be its frame.
+    const bool is_solid = std::holds_alternative<SolidPart>(tree_.bodies[j].shape);
+    mark.node = first_[j] + (is_solid ? 1 : 0);
     for (int i = 0; i < count_axes(joint.kind); ++i)
       mark.axes.emplace_back(placements_[j].rotation *
                              joint.axes[static_cast<std::size_t>(i)].normalized());
@@ -273,6 +371,7 @@ class SubsystemScene {
   std::vector<space::Beam> beams_;
   std::vector<int> first_;   ///< first node, by body
   std::vector<int> groups_;  ///< by body
+  Surfaces& surfaces_;
   Scene& scene_;
 };
 
@@ -294,9 +393,14 @@ class LoadMarks {
       : subsystems_(subsystems), scene_(scene) {}
 
   void add(const spatial::PointLoad& load) {
-    for (const SubsystemScene& subsystem : subsystems_)
+    for (const SubsystemScene& subsystem : subsystems_) {
+      if (const std::optional<LoadedPlace> place = subsystem.find_solid_place(load)) {
+        add(place, load.frame, load.traction.value_or(load.force), load.moment, false);
+        continue;
+      }
       add(subsystem.find_place(load.place, load.position, load.point), load.frame, load.force,
           load.moment, false);
+    }
   }
   void add(const spatial::DistributedLoad& load) {
     constexpr int kArrows = 9;
@@ -334,7 +438,8 @@ class LoadMarks {
 
 }  // namespace
 
-Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes) {
+Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes,
+                         const SolidsInTrees& solids) {
   const std::vector<Tree> trees = build_trees(model);
   const std::size_t nodes = count_nodes(trees);
   const std::size_t stride = std::max<std::size_t>(1, (nodes + most_nodes - 1) / most_nodes);
@@ -342,10 +447,11 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes) {
   scene.axis = model.hub.axis.normalized();
   scene.gravity = model.gravity;
   add_carriers(model.anchors, find_loops(trees), scene);
+  Surfaces surfaces(solids, most_nodes, scene);
   std::vector<SubsystemScene> made;
   for (std::size_t i = 0; i < trees.size(); ++i) {
     made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(), stride,
-                      rings_per_element(nodes / stride), scene);
+                      rings_per_element(nodes / stride), surfaces, scene);
     made.back().add();
   }
   add_hub(model.hub, scene);

@@ -8,7 +8,7 @@
 
 #include "engine/kernels/anchor_motion.h"
 #include "models/error.h"
-#include "models/reader/nearest_name.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {

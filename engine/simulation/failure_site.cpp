@@ -10,6 +10,8 @@
 #include "engine/plane/body_energies.h"
 #include "engine/space/body_energies.h"
 #include "engine/space/deformation_limits.h"
+#include "engine/space/solid_limits.h"
+#include "engine/space/solid_terms.h"
 #include "engine/step/stages.h"
 
 namespace spoke {
@@ -49,6 +51,11 @@ Violation find_violation(const BodyData<Plane>& body) {
   return {name_coordinate(*body.model->body, found.coordinate), found.value, found.limit};
 }
 Violation find_violation(const BodyData<Space>& body) {
+  if (const space::Solid* solid = body.model->body->solid()) {
+    const space::ModeViolation found = find_limit_violation(*solid, body.coordinates.q);
+    if (found.coordinate < 0) return {};
+    return {name_coordinate(*solid->constants, found.coordinate), found.value, found.limit};
+  }
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return {};
   const space::LimitViolation found = space::find_limit_violation(*flexible, body.coordinates.q);
@@ -64,6 +71,9 @@ std::string find_lost(const BodyData<Plane>& body) {
   return {};
 }
 std::string find_lost(const BodyData<Space>& body) {
+  if (const space::Solid* solid = body.model->body->solid())
+    for (int k = 0; k < solid->coordinates(); ++k)
+      if (!std::isfinite(body.a_found[k])) return name_coordinate(*solid->constants, k);
   const space::FlexibleBody* flexible = body.model->body->flexible();
   for (int node = 0; flexible && node < flexible->node_count(); ++node)
     for (int c = 0; c < space::kTwist; ++c)
@@ -84,6 +94,8 @@ std::string name_load(const BodyLoad<Space>&) { return "a load on it"; }
 
 double strain_energy_of(const BodyData<Plane>& body) { return calc_strain_energy(body); }
 double strain_energy_of(const BodyData<Space>& body) {
+  if (const space::Solid* solid = body.model->body->solid())
+    return space::calc_strain_energy(*solid, body.coordinates.q);
   const space::FlexibleBody* flexible = body.model->body->flexible();
   return flexible ? space::calc_strain_energy(*flexible, body.coordinates.q, body.work) : 0.0;
 }

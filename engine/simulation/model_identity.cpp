@@ -6,8 +6,10 @@
 #include <cctype>
 #include <optional>
 #include <sstream>
+#include <variant>
 
 #include "models/reader/scenario_json.h"
+#include "models/solid/kept_geometry.h"
 
 namespace spoke {
 namespace {
@@ -34,11 +36,33 @@ std::string text_of(const std::string& value) {
   return value.size() > most ? value.substr(0, most) + "..." : value;
 }
 
+/// Puts the contents of a solid's files in the place of their names.
+void identify_solid(const spatial::SolidBody& body, const std::string& path, Json& json) {
+  std::ostringstream contents;
+  contents << "contents " << std::hex << solid::find_geometry(body)->content;
+  if (!body.matrices) {
+    json.set_at(path + "/mesh", contents.str());
+    return;
+  }
+  for (const char* key : {"/mass", "/stiffness", "/nodes"}) json.set_at(path + key, contents.str());
+  if (!body.matrices->own.front().empty())
+    json.set_at(path + "/geometric_stiffness", contents.str());
+}
+
+void identify_solids(const spatial::Model& model, Json& json) {
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < model.subsystems[i].bodies.size(); ++j)
+      if (const auto* body = std::get_if<spatial::SolidBody>(&model.subsystems[i].bodies[j].shape))
+        identify_solid(*body, "/subsystem/" + std::to_string(i) + "/body/" + std::to_string(j),
+                       json);
+}
+
 }  // namespace
 
 std::string make_identity(const Scenario& scenario, Formulation formulation, double step_size) {
   // The way in which it starts is left out: its effect on drive and ramps is in the model.
   Json json = model_to_json(scenario);
+  if (scenario.space) identify_solids(*scenario.space, json);
   Json integration = integration_to_json(scenario);
   integration.erase("duration");
   integration.set("step", step_size);

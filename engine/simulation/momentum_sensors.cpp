@@ -14,9 +14,7 @@ namespace spoke {
 namespace {
 
 double mass_of_body(const TreeBody<Plane>& body) { return body.body->mass; }
-double mass_of_body(const TreeBody<Space>& body) {
-  return body.body->flexible() ? body.body->flexible()->mass : body.body->rigid()->mass;
-}
+double mass_of_body(const TreeBody<Space>& body) { return body.body->mass(); }
 
 template <class World>
 double linear_size(const std::array<double, World::kTwist>& P) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "engine/plane/suggested_bodies.h"
+#include "engine/steady/deflection_words.h"
 #include "models/plane/beam_properties.h"
 
 namespace spoke {
@@ -21,21 +22,26 @@ std::string name_body(const Observations::Deflection& seen) {
 }
 
 /// Warns of the deflection of a body in space.
-Warning warn_of_spatial_deflection(double limit, double step_size, const Observations& seen) {
+Warning warn_of_spatial_deflection(const Scenario& scenario, double step_size,
+                                   const Observations& seen) {
   const Observations::Deflection &first = seen.first_deflection, &largest = seen.largest_deflection;
-  const double time = first.step * step_size;
+  const double limit = scenario.limits.deflection, time = first.step * step_size;
+  const auto words_of = [&](const Observations::Deflection& at) {
+    return steady::word_deflection(*scenario.space, static_cast<std::size_t>(at.subsystem),
+                                   static_cast<std::size_t>(at.body));
+  };
+  const steady::DeflectionWords of_first = words_of(first), of_largest = words_of(largest);
   std::ostringstream text;
-  text << name_body(first) << " bends by " << 100.0 * first.ratio
-       << " % of its length at t = " << time << " s, more than " << 100.0 * limit
+  text << of_first.name << ' ' << of_first.verb << ' ' << 100.0 * first.ratio << " %"
+       << of_first.measure << " at t = " << time << " s, more than " << 100.0 * limit
        << " %, up to which its linear elasticity holds; at most by " << 100.0 * largest.ratio
-       << " % (" << name_body(largest) << ", t = " << largest.step * step_size
-       << " s): cut the beam into more bodies";
+       << " % (" << of_largest.name << ", t = " << largest.step * step_size
+       << " s): " << of_largest.advice;
   return {WarningKind::linear_range, time, text.str()};
 }
 
 Warning warn_of_deflection(const Scenario& scenario, double step_size, const Observations& seen) {
-  if (scenario.space)
-    return warn_of_spatial_deflection(scenario.limits.deflection, step_size, seen);
+  if (scenario.space) return warn_of_spatial_deflection(scenario, step_size, seen);
   const double limit = scenario.limits.deflection;
   const auto blade_of = [&](const Observations::Deflection& at) -> const Blade& {
     return scenario.rotor.blades.at(static_cast<std::size_t>(at.subsystem));

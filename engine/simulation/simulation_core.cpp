@@ -17,6 +17,7 @@
 #include "models/count_text.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
+#include "models/reader/spatial/model_check.h"
 #include "models/start.h"
 
 namespace spoke {
@@ -46,7 +47,9 @@ void require_finite(const SavedState& state) {
     throw InputError("the work of the saved state is not finite");
 }
 
-const Scenario& checked(const Scenario& scenario) {
+/// Returns the scenario with the meshes of its solids, which are read once.
+Scenario checked(Scenario scenario) {
+  if (scenario.space) spatial::read_meshes(*scenario.space);
   check_scenario(scenario);
   return scenario;
 }

@@ -10,7 +10,7 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/simulation/require_range.h"
 #include "models/error.h"
-#include "models/reader/nearest_name.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {

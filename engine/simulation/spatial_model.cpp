@@ -11,6 +11,7 @@
 #include "engine/kernels/samples.h"
 #include "engine/simulation/views.h"
 #include "engine/space/joint_values.h"
+#include "engine/support/memory.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
 
@@ -35,7 +36,7 @@ SpatialModel::SpatialModel(const Scenario& scenario, SystemContext<Space>& conte
       context_(context),
       trees_(build_trees(*scenario.space)),
       joints_(trees_, context) {
-  context.system = make_system(*scenario.space, trees_);
+  context.system = make_system(*scenario.space, trees_, {{}, available_memory()});
   require_azimuth_motion(context);
 }
 
@@ -91,6 +92,8 @@ double SpatialModel::energy_resolution() const {
     for (const TreeBody<Space>& body : subsystem.bodies)
       if (const space::FlexibleBody* flexible = body.body->flexible())
         for (const space::TwistMatrix& block : flexible->K.diagonal) stiffness += block.trace();
+      else if (const space::Solid* solid = body.body->solid())
+        stiffness += calc_stiffness_trace(*solid->constants);
   return 0.5 * stiffness * tolerance * tolerance;
 }
 

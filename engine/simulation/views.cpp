@@ -14,7 +14,7 @@
 #include "engine/plane/section.h"
 #include "engine/space/relative_motion.h"
 #include "models/error.h"
-#include "models/reader/nearest_name.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {
@@ -143,7 +143,9 @@ Wrench calc_section_force(const SystemContext<Space>& context, const Marker& mar
                                     .bodies[static_cast<std::size_t>(marker.body)];
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible)
-    throw InputError("section_force(): the marker is on a rigid body, expected one on a beam");
+    throw InputError("section_force(): the marker is on a " +
+                     std::string(body.model->body->rigid() ? "rigid body" : "solid") +
+                     ", expected one on a beam");
   const auto resultants = [&](const double* flex) {
     return calc_section_load(*flexible, placed.section, flex).resultants;
   };

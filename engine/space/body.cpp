@@ -7,6 +7,9 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <variant>
+
+#include "engine/space/solid_limits.h"
 
 namespace spoke::space {
 namespace {
@@ -58,36 +61,40 @@ void set_extent(const Layout& layout, CoordinateBlock& block) { block.size = lay
 
 // Returns the bound as a planar body does (engine/plane/body.cpp), for both directions together.
 double calc_surely_linear(const Body& body, double range) {
-  if (!body.flexible()) return std::numeric_limits<double>::infinity();
   assert(range >= 0.0);
+  if (const Solid* solid = body.solid()) return calc_surely_linear(*solid, range);
+  if (!body.flexible()) return std::numeric_limits<double>::infinity();
   const double l = body.flexible()->length() / body.flexible()->elements;
   return range * range / std::max(1.0, 0.5 + l * l / 32.0);
 }
 
-Block make_block(const Body& body, double mass_factor, double stiffness_factor) {
+Block make_block(const Body& body, const BlockFactors& factors) {
   Block block;
   if (const FlexibleBody* flexible = body.flexible())
-    block.elastic = make_elastic_block(*flexible, {mass_factor, stiffness_factor, 0.0});
+    block.elastic = make_elastic_block(*flexible, {factors.mass, factors.stiffness, 0.0});
+  else if (const RigidBody* rigid = body.rigid())
+    block.rigid.emplace(*rigid);
   else
-    block.rigid.emplace(*body.rigid());
+    block.solid = make_solid_block(*body.solid(), factors);
+  if (body.solid() && body.solid()->constants->reduced())
+    block.products.emplace(*body.solid()->constants->reduced());
   return block;
 }
 
 std::size_t count_fields(const Body& body, const Joint& joint, int history) {
   const std::size_t work =
-      body.flexible() ? count_work(*body.flexible()) : count_work(*body.rigid());
+      std::visit([](const auto& shape) { return count_work(shape); }, body.shape);
   return even(work) + count_joint(joint, history);
 }
 
 void place_fields(const Body& body, const Joint& joint, int history, double* memory,
                   BodyFields& fields) {
-  if (const FlexibleBody* flexible = body.flexible()) {
-    fields.work = place_work(*flexible, memory);
-    memory += even(count_work(*flexible));
-  } else {
-    fields.work = place_work(*body.rigid(), memory);
-    memory += even(count_work(*body.rigid()));
-  }
+  std::visit(
+      [&](const auto& shape) {
+        fields.work = place_work(shape, memory);
+        memory += even(count_work(shape));
+      },
+      body.shape);
   place_joint(joint, history, memory, fields.joint);
 }
 

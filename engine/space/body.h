@@ -9,9 +9,12 @@
 #include "engine/space/hub_motion.h"
 #include "engine/space/implicit_tension.h"
 #include "engine/space/joint_terms.h"
+#include "engine/space/reduced_products.h"
 #include "engine/space/rigid_body_terms.h"
 #include "engine/space/rotation_block.h"
 #include "engine/space/section.h"
+#include "engine/space/solid_block.h"
+#include "engine/space/solid_tension.h"
 #include "models/space/body.h"
 #include "models/space/hub.h"
 #include "models/space/tree_joint.h"
@@ -45,9 +48,12 @@ double calc_surely_linear(const Body& body, double range);
 struct Block {
   std::optional<ElasticBlock> elastic;
   std::optional<RigidPort> rigid;
+  std::optional<SolidBlock> solid;
+  std::optional<ReducedProducts> products;  ///< of a reduced solid, in its explicit block
 };
 
-Block make_block(const Body& body, double mass_factor, double stiffness_factor);
+/// Factors are of Mff, K and, of solids, the damping by modes. The explicit block has (1, 0, 0).
+Block make_block(const Body& body, const BlockFactors& factors);
 
 /// Data of the joint that carries a body. Its arrays lie in the body's storage.
 struct JointData {
@@ -69,7 +75,9 @@ struct SlideState {
 /// Fields of a spatial body in the table.
 struct BodyFields {
   BodyWork work;
-  ImplicitTension* tension = nullptr;  ///< tension in implicit steps; null: none
+  ImplicitTension* tension = nullptr;                  ///< tension in implicit steps; null: none
+  const SolidTensionColumns* solid_tension = nullptr;  ///< stiffening of a solid; null: none
+  const NodalTiles* tiles = nullptr;  ///< of a solid in nodal coordinates; else null
   /// Angular acceleration of the frame, in it, about which tension is taken; set only in subsystems
   /// with such tension [rad/s^2].
   Angular alpha = Angular::Zero();

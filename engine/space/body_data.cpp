@@ -69,6 +69,18 @@ BodyWork place(const FlexibleBody& body, Places& places) {
   return work;
 }
 
+BodyWork place(const Solid& body, Places& places) {
+  const bool is_nodal = body.constants->nodal();
+  const auto n = static_cast<std::size_t>(is_nodal ? 0 : body.coordinates());
+  BodyWork work;
+  work.rows = places.take(4 * n);
+  work.half = places.take(4 * n);
+  place_port(body.handles.size(), places, work);
+  work.condensed.X = places.take_objects<TwistMatrix>(body.handles.size());
+  work.slots = places.take(count_scratch(body));
+  return work;
+}
+
 /// Calls `visit(place by node, place in the flex vector, count)` for stretches of coordinates that
 /// are neighbours in both.
 template <class Visit>
@@ -105,6 +117,24 @@ std::size_t count_work(const RigidBody& body) {
 }
 
 BodyWork place_work(const RigidBody& body, double* memory) {
+  assert(memory && is_aligned(memory));
+  Places places(memory);
+  return place(body, places);
+}
+
+std::size_t count_scratch(const Solid& body) {
+  if (body.constants->nodal()) return 0;
+  const auto stride = static_cast<std::size_t>((body.coordinates() + 3) / 4 * 4);
+  return kSolidVectors * stride;
+}
+
+std::size_t count_work(const Solid& body) {
+  Places places(nullptr);
+  place(body, places);
+  return places.used();
+}
+
+BodyWork place_work(const Solid& body, double* memory) {
   assert(memory && is_aligned(memory));
   Places places(memory);
   return place(body, places);

@@ -8,7 +8,9 @@
 
 #include "engine/space/elastic_block.h"
 #include "engine/space/handle_motion.h"
+#include "engine/space/nodal_tiles.h"
 #include "models/space/rigid_body.h"
+#include "models/space/solid.h"
 #include "models/space/space.h"
 #include "models/space/tension_place.h"
 
@@ -126,6 +128,12 @@ struct BodyWork {
   double* force = nullptr;    ///< forces by node
   std::array<double*, 4> nodal{};  ///< flex vectors by node
   double* lanes = nullptr;  ///< kLaneRows rows of lane_stride() values, for bodies with directions
+
+  // Of solids in nodal coordinates (nodal_memory.h).
+  NodalWork tiles;             ///< memory of the terms, with `rows`
+  NodalWork observed;          ///< the same for what sensors show; without rows
+  double* products = nullptr;  ///< products of half solutions, by slice and of what is between
+  double* solution = nullptr;  ///< accelerations of the deformation coordinates
 };
 
 /// Count the doubles of a body's work, and place the work in so much memory, aligned to 16 bytes.
@@ -135,6 +143,15 @@ BodyWork place_work(const FlexibleBody& body, double* memory);
 /// Count and place the work of a rigid body, which has handles and a multi-port only.
 std::size_t count_work(const RigidBody& body);
 BodyWork place_work(const RigidBody& body, double* memory);
+
+/// Count and place the work of a solid: rows of four by coordinate, handles and a multi-port. Of a
+/// reduced one `slots` is memory for kSolidVectors vectors, padded as in reduced_products.h. Of one
+/// in nodal coordinates rows and all that depends on tiles have memory of their own
+/// (nodal_memory.h).
+inline constexpr int kSolidVectors = 24;
+std::size_t count_scratch(const Solid& body);  ///< doubles of `slots`
+std::size_t count_work(const Solid& body);
+BodyWork place_work(const Solid& body, double* memory);
 
 /// Copy a flex vector to values by node, six each, with zeros where the frame fixes coordinates;
 /// and back.

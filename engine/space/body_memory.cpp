@@ -2,9 +2,27 @@
 
 #include "engine/formulation/body_memory.h"
 
+#include "engine/space/nodal_memory.h"
+#include "engine/space/nodal_terms.h"
+
 namespace spoke {
 
 using graph::bytes_of;
+
+namespace {
+
+void append(const std::vector<std::span<double>>& values, Memory& memory) {
+  for (const std::span<double> part : values)
+    if (!part.empty()) memory.push_back(bytes_of(part[0], part.size()));
+}
+
+/// Returns the factor of a solid in nodal coordinates, by whose structure its memory is laid out:
+/// it is that of both blocks.
+const space::SparseFactor& factor_of(const BodyData<Space>& body) {
+  return *body.blocks[0]->solid->factor;
+}
+
+}  // namespace
 
 void add_joint_coordinates(BodyData<Space>& body, Memory& coordinates, Memory& history,
                            Memory& accelerations) {
@@ -58,10 +76,25 @@ Memory memory_of_terms(BodyData<Space>& body) {
   if (const space::FlexibleBody* flexible = body.model->body->flexible())
     memory.push_back(memory_of(
         body.work.rows, static_cast<std::size_t>(space::kNodeRows * flexible->node_count())));
+  if (body.tiles) {
+    append({rows_between(*body.tiles, body.work.rows),
+            memory_of_total_forms(*body.tiles, body.work.tiles)},
+           memory);
+    return memory;
+  }
+  if (const space::Solid* solid = body.model->body->solid())
+    memory.push_back(memory_of(body.work.rows,
+                               static_cast<std::size_t>(space::kSolidRow * solid->coordinates())));
   return memory;
 }
 
 Memory memory_of_scratch(BodyData<Space>& body) {
+  if (const space::Solid* solid = body.model->body->solid()) {
+    if (!body.tiles) return {memory_of(body.work.slots, count_scratch(*solid))};
+    Memory memory;
+    append(memory_of_observed(*solid, *body.tiles, body.work), memory);
+    return memory;
+  }
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return {};
   const auto nodes = static_cast<std::size_t>(flexible->node_count());
@@ -97,13 +130,46 @@ Memory memory_of_tension(BodyData<Space>& body) {
 
 Memory memory_of_inverse(BodyData<Space>& body, BodyTypes<Space>::Condensed&) {
   const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return {};
+  const space::Solid* solid = body.model->body->solid();
+  if (!flexible && !solid) return {};
   Memory memory{bytes_of(body.work.condensed.S_inverse), bytes_of(body.work.condensed.p)};
+  if (solid && body.tiles) {
+    append(memory_of_between(*solid, factor_of(body), body.work), memory);
+    memory.push_back(memory_of(body.work.condensed.X, solid->handles.size()));
+    return memory;
+  }
+  if (solid) {
+    memory.push_back(memory_of(body.work.half,
+                               static_cast<std::size_t>(space::kSolidRow * solid->coordinates())));
+    memory.push_back(memory_of(body.work.condensed.X, solid->handles.size()));
+    return memory;
+  }
   const int first = flexible->first_node();
   memory.push_back(
       memory_of(body.work.half + space::kNodeRows * first,
                 static_cast<std::size_t>(space::kNodeRows * (flexible->node_count() - first))));
   memory.push_back(memory_of(body.work.condensed.X, flexible->handles.size()));
+  return memory;
+}
+
+SliceMemory memory_of_slices(BodyData<Space>& body) {
+  SliceMemory memory;
+  if (!body.tiles) return memory;
+  const space::Solid& solid = *body.model->body->solid();
+  const space::SparseFactor& factor = factor_of(body);
+  const auto take_solution = [&](const space::FactorSlice& slice) {
+    Memory& solution = memory.solution.emplace_back();
+    append({{body.work.solution + slice.first, body.work.solution + slice.end}}, solution);
+  };
+  for (int p = 0; p < body.tiles->count(); ++p) {
+    Memory& tile = memory.tiles.emplace_back();
+    append(rows_of_tile(*body.tiles, p, body.work.rows), tile);
+    append(memory_of_tile(*body.tiles, p, body.work.tiles), tile);
+    const auto slice = static_cast<std::size_t>(p);
+    append(memory_of_slice(solid, factor, slice, body.work), memory.halves.emplace_back());
+    take_solution(factor.slices[slice]);
+  }
+  take_solution(factor.between);
   return memory;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/kernels/deformation_limits.h"
+#include "engine/space/solid_limits.h"
 
 namespace spoke {
 namespace space {
@@ -58,11 +59,17 @@ LimitViolation find_limit_violation(const FlexibleBody& body, const double* q) n
 }  // namespace space
 
 bool has_left_limits(const BodyData<Space>& body) noexcept {
+  if (const space::Solid* solid = body.model->body->solid())
+    return space::find_limit_violation(*solid, body.coordinates.q).coordinate >= 0;
   const space::FlexibleBody* flexible = body.model->body->flexible();
   return flexible && space::find_limit_violation(*flexible, body.coordinates.q).node >= 0;
 }
 
 double find_large_deflection(const BodyData<Space>& body) noexcept {
+  if (const space::Solid* solid = body.model->body->solid()) {
+    const double found = space::find_largest_deflection(*solid, body.coordinates.q);
+    return found * solid->constants->extent > body.linear_range ? found : 0.0;
+  }
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return 0.0;
   const double largest = space::find_largest_deflection(*flexible, body.coordinates.q);

@@ -7,6 +7,7 @@
 
 #include "engine/kernels/dense_body.h"
 #include "engine/space/table_terms.h"
+#include "models/space/nodal_mass.h"
 
 namespace spoke {
 namespace space {
@@ -20,6 +21,14 @@ void visit_rows(const FlexibleBody& body, const BodyWork& work, Visit&& visit) {
       const int coordinate = body.coordinate(k, c);
       if (coordinate >= 0) visit(coordinate, k, c, work.rows + kNodeRows * k + 4 * c);
     }
+}
+
+/// Sets M_RR.
+void set_frame_mass(double mass, const BodyTerms& terms, Eigen::Ref<Eigen::MatrixXd> all) {
+  all.topLeftCorner<3, 3>() = mass * Matrix3::Identity();
+  all.block<3, 3>(kRotation, 0) = skew(terms.S);
+  all.block<3, 3>(0, kRotation) = skew(terms.S).transpose();
+  all.block<3, 3>(kRotation, kRotation) = terms.Theta;
 }
 
 }  // namespace
@@ -57,10 +66,7 @@ void calc_dense_mass(const FlexibleBody& body, const BodyTerms& terms, const Bod
                      const Eigen::MatrixXd& elastic, Eigen::Ref<Eigen::MatrixXd> mass) {
   assert(mass.rows() == kTwist + body.coordinates() && mass.cols() == mass.rows());
   assert(elastic.rows() == body.coordinates() && elastic.cols() == body.coordinates());
-  mass.topLeftCorner<3, 3>() = body.mass * Matrix3::Identity();
-  mass.block<3, 3>(kRotation, 0) = skew(terms.S);
-  mass.block<3, 3>(0, kRotation) = skew(terms.S).transpose();
-  mass.block<3, 3>(kRotation, kRotation) = terms.Theta;
+  set_frame_mass(body.mass, terms, mass);
   visit_rows(body, work, [&](int coordinate, int node, int c, const double* row) {
     const int at = kTwist + coordinate;
     mass.block<1, 3>(at, 0) = body.C_t[static_cast<std::size_t>(node)].row(c);
@@ -97,20 +103,71 @@ void calc_handle_jacobian(const FlexibleBody& body, int handle, const BodyWork& 
   }
 }
 
+Eigen::MatrixXd make_dense_elastic_block(const Solid& body, const BlockFactors& factors) {
+  if (const ReducedSolid* reduced = body.constants->reduced())
+    return (factors.mass * Eigen::VectorXd::Ones(body.coordinates()) +
+            factors.stiffness * reduced->stiffness + factors.damping * reduced->damping)
+        .asDiagonal();
+  const NodalSolid& nodal = *body.constants->nodal();
+  return factors.mass * Eigen::MatrixXd(calc_flexible_mass(nodal)) +
+         factors.stiffness * Eigen::MatrixXd(nodal.K);
+}
+
+void calc_dense_mass(const Solid& body, const BodyTerms& terms, const BodyWork& work,
+                     const Eigen::MatrixXd& elastic, Eigen::Ref<Eigen::MatrixXd> mass) {
+  const int n = body.coordinates();
+  assert(mass.rows() == kTwist + n && mass.cols() == mass.rows() && elastic.rows() == n);
+  set_frame_mass(body.constants->mass, terms, mass);
+  for (int k = 0; k < n; ++k) {
+    const double* row = work.rows + kSolidRow * k;
+    mass.block<1, 3>(kTwist + k, 0) = body.constants->C_t().row(k);
+    mass.block<1, 3>(kTwist + k, kRotation) << row[0], row[1], row[2];
+    mass.block<kTwist, 1>(0, kTwist + k) = mass.block<1, kTwist>(kTwist + k, 0).transpose();
+  }
+  mass.bottomRightCorner(n, n) = elastic;
+}
+
+void calc_dense_force(const Solid& body, const BodyTerms& terms, const BodyWork& work,
+                      Eigen::Ref<Eigen::VectorXd> force) {
+  assert(force.size() == kTwist + body.coordinates());
+  force.head<kTwist>() = terms.Q;
+  for (int k = 0; k < body.coordinates(); ++k) force[kTwist + k] = work.rows[kSolidRow * k + 3];
+}
+
+void calc_handle_jacobian(const Solid& body, int handle, const BodyWork& work,
+                          Eigen::Ref<Eigen::MatrixXd> J) {
+  assert(J.rows() == kTwist && J.cols() == kTwist + body.coordinates());
+  const HandleMotion& motion = work.handles[handle];
+  const SolidPlace& place = body.handle(static_cast<std::size_t>(handle));
+  J.setZero();
+  J.leftCols<kTwist>().setIdentity();
+  J.block<3, 3>(0, kRotation) = -skew(motion.s);
+  for (std::size_t i = 0; i < place.at.size(); ++i) {
+    const Twist& column = place.columns[i];
+    J.block<3, 1>(0, kTwist + place.at[i]) = linear(column);
+    J.block<3, 1>(kRotation, kTwist + place.at[i]) =
+        motion.turn.H.lazyProduct(Angular(angular(column)));
+  }
+}
+
 }  // namespace space
 
 // The functions for a body of the table, flexible or rigid.
 
-Eigen::MatrixXd make_dense_elastic_block(const space::Body& body, double mass_factor,
-                                         double stiffness_factor) {
+Eigen::MatrixXd make_dense_elastic_block(const space::Body& body,
+                                         const space::BlockFactors& factors) {
   if (const space::FlexibleBody* flexible = body.flexible())
-    return space::make_dense_elastic_block(*flexible, {mass_factor, stiffness_factor, 0.0});
+    return space::make_dense_elastic_block(*flexible, factors);
+  if (const space::Solid* solid = body.solid())
+    return space::make_dense_elastic_block(*solid, factors);
   return {};
 }
 
 void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic, bool implicit,
                      Eigen::Ref<Eigen::MatrixXd> mass) {
   assert(mass.rows() == dense_size(*data.model->body) && mass.cols() == mass.rows());
+  if (const space::Solid* solid = data.model->body->solid())
+    return space::calc_dense_mass(*solid, data.terms, data.work, elastic, mass);
   const space::FlexibleBody* flexible = data.model->body->flexible();
   if (!flexible) {
     mass = rigid_mass_of(data).matrix();
@@ -125,6 +182,8 @@ void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic
 void calc_dense_force(const BodyData<Space>& data, Eigen::Ref<Eigen::VectorXd> force) {
   if (const space::FlexibleBody* flexible = data.model->body->flexible())
     space::calc_dense_force(*flexible, data.terms, data.work, force);
+  else if (const space::Solid* solid = data.model->body->solid())
+    space::calc_dense_force(*solid, data.terms, data.work, force);
   else
     force = data.terms.Q;
 }
@@ -133,6 +192,8 @@ void calc_handle_jacobian(const BodyData<Space>& data, int handle, Eigen::Ref<Ei
   assert(handle >= 0 && handle < data.work.port.handles);
   if (const space::FlexibleBody* flexible = data.model->body->flexible())
     return space::calc_handle_jacobian(*flexible, handle, data.work, J);
+  if (const space::Solid* solid = data.model->body->solid())
+    return space::calc_handle_jacobian(*solid, handle, data.work, J);
   J.setIdentity();
   J.topRightCorner<3, 3>() = -space::skew(data.work.handles[handle].s);
 }

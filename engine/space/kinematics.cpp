@@ -9,6 +9,7 @@
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/space/hub_motion.h"
+#include "engine/space/solid_places.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {
@@ -102,6 +103,9 @@ Angular calc_section_acceleration(const BodyData<Space>& body, std::size_t handl
   assert(std::cmp_less(handle, body.work.port.handles));
   const HandleMotion& motion = body.work.handles[handle];
   Angular sum = angular(motion.bias(w));
+  if (const space::Solid* solid = body.model->body->solid())
+    return sum + Angular(angular(
+                     calc_place_deformation(solid->handle(handle), motion, body.coordinates.a)));
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return sum;
   for (int c = 0; c < 3; ++c)
@@ -147,6 +151,8 @@ void calc_rotations(const Subsystem<Space>& subsystem, SubsystemData<Space>& dat
     const space::Body& model = *subsystem.bodies[j].body;
     if (const space::FlexibleBody* flexible = model.flexible())
       calc_handles(*flexible, body.coordinates.q, body.coordinates.v, body.work.handles);
+    else if (const space::Solid* solid = model.solid())
+      calc_handles(*solid, body.coordinates.q, body.coordinates.v, body.work.handles);
     else
       place_rigid_handles(*model.rigid(), body.work.handles);
   }
@@ -162,6 +168,11 @@ void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& da
     const space::FlexibleBody* flexible = model.body->flexible();
     if (flexible && flexible->reference_frame == ReferenceFrame::chord)
       leave_section(data.bodies[j].work.handles[0].turn, data.joints[j], data.twists[j]);
+    if (model.body->moves_inboard()) {
+      const HandleMotion& handle = data.bodies[j].work.handles[0];
+      leave_section(handle.turn, data.joints[j], data.twists[j]);
+      linear(data.twists[j]) -= cross(angular(data.twists[j]), handle.s) + handle.velocity;
+    }
   }
 }
 
@@ -199,11 +210,12 @@ void calc_poses(const Subsystem<Space>& subsystem, const SubsystemData<Space>& d
     const space::JointMotion& joint = data.joints[j];
     if (model.parent < 0) {
       poses[j] = {joint.p, joint.R};
-      continue;
+    } else {
+      const auto p = static_cast<std::size_t>(model.parent);
+      const space::Position s = data.bodies[p].work.handles[model.handle].s;
+      poses[j] = {poses[p].p + poses[p].R * space::Position(s + joint.p), poses[p].R * joint.R};
     }
-    const auto p = static_cast<std::size_t>(model.parent);
-    const space::Position s = data.bodies[p].work.handles[model.handle].s;
-    poses[j] = {poses[p].p + poses[p].R * space::Position(s + joint.p), poses[p].R * joint.R};
+    if (model.body->moves_inboard()) poses[j].p -= poses[j].R * data.bodies[j].work.handles[0].s;
   }
 }
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
-#include "engine/space/applied_tension.h"
 #include "engine/space/body_energies.h"
+#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {
@@ -21,18 +21,15 @@ space::Pose after(const space::Pose& outer, const space::Pose& inner) {
 /// Returns the pose of a body's frame in its parent's.
 space::Pose calc_pose_in_parent(const TreeBody<Space>& body, const space::JointMotion& joint,
                                 const SubsystemData<Space>& data) {
-  if (body.parent < 0) return {joint.p, joint.R};
-  const BodyData<Space>& parent = data.bodies[static_cast<std::size_t>(body.parent)];
-  return {parent.work.handles[body.handle].s + joint.p, joint.R};
-}
-
-/// Returns the place at which a body's child hangs, undeformed.
-space::Position handle_at_rest(const space::Body& body, int handle) {
-  assert(handle > 0 && handle < body.handle_count());
-  const auto h = static_cast<std::size_t>(handle);
-  if (const space::FlexibleBody* flexible = body.flexible())
-    return flexible->nodes[static_cast<std::size_t>(flexible->handles[h])];
-  return body.rigid()->outboard[h - 1];
+  space::Position place = joint.p;
+  if (body.parent >= 0)
+    place =
+        data.bodies[static_cast<std::size_t>(body.parent)].work.handles[body.handle].s + joint.p;
+  if (body.body->moves_inboard()) {
+    const auto own = static_cast<std::size_t>(&joint - data.joints.data());
+    place -= joint.R * data.bodies[own].work.handles[0].s;
+  }
+  return {place, joint.R};
 }
 
 space::Position place_in_hub(const space::Pose& X_HB, const space::HandleMotion& motion) {
@@ -59,8 +56,8 @@ space::Pose calc_rest_pose(const Subsystem<Space>& subsystem, int body) noexcept
     const TreeBody<Space>& member = subsystem.bodies[static_cast<std::size_t>(j)];
     pose = after(member.joint.joint.offset, pose);
     if (member.parent >= 0)
-      pose.p += handle_at_rest(*subsystem.bodies[static_cast<std::size_t>(member.parent)].body,
-                               member.handle);
+      pose.p += subsystem.bodies[static_cast<std::size_t>(member.parent)].body->handle_at_rest(
+          static_cast<std::size_t>(member.handle));
   }
   return pose;
 }
@@ -91,13 +88,10 @@ MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const Subsystem
   for (int j = marker.body; j >= 0;) {
     const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
     const TreeBody<Space>& model = *body.model;
-    const space::FlexibleBody* flexible = model.body->flexible();
-    if (flexible && model.stiffening) {
+    if (model.stiffening) {
       const double *q = body.coordinates.q, *v = body.coordinates.v;
-      const space::DrawnInward drawn =
-          handle < 0 ? calc_drawn_inward(*flexible, marker.section, q, v)
-                     : calc_drawn_inward(*flexible,
-                                         flexible->handles[static_cast<std::size_t>(handle)], q, v);
+      const space::DrawnInward drawn = handle < 0 ? calc_section_drawn(body, marker.section, q, v)
+                                                  : calc_handle_drawn(body, handle, q, v);
       place += pass * (model.stiffening->R_HB * drawn.place);
       rate += pass * (model.stiffening->R_HB * drawn.rate);
     }
@@ -120,10 +114,8 @@ space::Twist calc_marker_acceleration(const space::Position& gravity,
   const BodyData<Space>& body = data.bodies[j];
   const space::HandleMotion motion = motion_at(body, marker.section);
   const space::Angular w = angular(data.twists[j]);
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  const space::Twist local = flexible ? calc_section_acceleration(*flexible, marker.section, motion,
-                                                                  body.X, w, body.a_found)
-                                      : space::Twist(motion.carry(body.X) + motion.bias(w));
+  const space::Twist local =
+      calc_section_acceleration(body, marker.section, motion, body.X, w, body.a_found);
   space::Twist acceleration =
       data.hub->R * calc_rotation_to_hub(subsystem, data, marker.body) * local;
   linear(acceleration) += gravity;
@@ -134,15 +126,25 @@ space::Position calc_marker_foreshortening(const Subsystem<Space>& subsystem,
                                            const SubsystemData<Space>& data,
                                            const PlacedMarker<Space>& marker) noexcept {
   space::Position sum = space::Position::Zero();
+  int handle = 0;
   for (int j = marker.body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
     const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
+    const int of_child =
+        std::exchange(handle, subsystem.bodies[static_cast<std::size_t>(j)].handle);
     if (!body.model->stiffening) continue;
+    const space::Rotation R = calc_rotation_to_hub(subsystem, data, j);
+    const double *q = body.coordinates.q, *v = body.coordinates.v;
+    if (const space::Solid* solid = body.model->body->solid()) {
+      const int place = j == marker.body ? marker.section.place_number
+                                         : solid->handles[static_cast<std::size_t>(of_child)];
+      sum -= R * calc_solid_drawn(body, place, q, v, nullptr).place;
+      continue;
+    }
     const space::BodyModel model = body_model_of(body);
-    const double* q = body.coordinates.q;
     const double shortened =
         j == marker.body ? calc_foreshortening(model, marker.section, q, q, q, body.work).length
                          : calc_foreshortening(model, q, body.work);
-    sum += calc_rotation_to_hub(subsystem, data, j) * space::Position(shortened, 0.0, 0.0);
+    sum += R * space::Position(shortened, 0.0, 0.0);
   }
   return sum;
 }

@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "engine/kernels/loop_readings.h"
+#include "engine/space/interface_force.h"
 #include "engine/space/relative_motion.h"
 #include "engine/space/section_balance.h"
 #include "engine/space/table_terms.h"
@@ -14,7 +15,6 @@ namespace spoke {
 namespace {
 
 using space::Angular;
-using space::Position;
 using space::Rotation;
 
 /// Returns the rotation from the hub's frame to the frame asked for, other than a section's.
@@ -28,15 +28,16 @@ Rotation from_hub(SensorFrame frame, const Subsystem<Space>& subsystem,
 /// is 0.
 space::Twist calc_inertial(SensorQuantity quantity, const SpatialMotion& m, const space::Pose& rest,
                            const Rotation& R_start, const HubState<Space>& hub,
-                           const space::Twist& hub_acceleration, const Position& gravity) {
+                           const space::Twist& hub_acceleration, const space::Position& gravity) {
   const Angular w = angular(hub.twist);
   switch (quantity) {
     case SensorQuantity::velocity:
-      return hub.R * space::make_twist(Position(linear(hub.twist)) + m.v + cross(w, m.p), w + m.w);
+      return hub.R *
+             space::make_twist(space::Position(linear(hub.twist)) + m.v + cross(w, m.p), w + m.w);
     case SensorQuantity::acceleration: {
       const Angular alpha = angular(hub_acceleration);
-      const Position a = Position(linear(hub_acceleration)) + m.a + 2.0 * cross(w, m.v) +
-                         cross(alpha, m.p) + centripetal(w, m.p);
+      const space::Position a = space::Position(linear(hub_acceleration)) + m.a +
+                                2.0 * cross(w, m.v) + cross(alpha, m.p) + centripetal(w, m.p);
       return space::make_twist(gravity + hub.R * a,
                                hub.R * Angular(alpha + m.alpha + cross(w, m.w)));
     }
@@ -100,6 +101,15 @@ space::Twist calc_reading(const System<Space>& system, std::size_t i, const Step
       const auto j = static_cast<std::size_t>(asked.body());
       return from_hub(asked.frame, system.subsystems[i], *own.hub) *
              (own.poses[j].R * own.joint_loads[j]);
+    }
+    case SensorQuantity::interface_force: {
+      const auto j = static_cast<std::size_t>(asked.body());
+      return from_hub(asked.frame, system.subsystems[i], *own.hub) *
+             (own.poses[j].R * calc_interface_force(system, i, t, asked, data));
+    }
+    case SensorQuantity::von_mises: {
+      const double* q = own.bodies[static_cast<std::size_t>(asked.body())].coordinates.q;
+      return space::Twist::Unit(0) * asked.recovery->largest_von_mises(q).value;
     }
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:

@@ -6,6 +6,8 @@
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/space/body_energies.h"
+#include "engine/space/solid_places.h"
+#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {
@@ -20,6 +22,9 @@ using space::Rotation;
 space::Twist deform(const BodyData<Space>& body, int handle) {
   assert(handle >= 0 && handle < body.work.port.handles);
   space::Twist acceleration = space::Twist::Zero();
+  if (const space::Solid* solid = body.model->body->solid())
+    return calc_place_deformation(solid->handle(static_cast<std::size_t>(handle)),
+                                  body.work.handles[handle], body.coordinates.a);
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return acceleration;
   const int node = flexible->handles[static_cast<std::size_t>(handle)];
@@ -78,11 +83,8 @@ struct InBody {
 InBody section_in_body(const BodyData<Space>& body, const space::Section& section,
                        const space::Twist& twist, const space::Twist& X) {
   const HandleMotion motion = motion_at(body, section);
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  const Angular w = angular(twist);
   return {motion.s, motion.turn.R * section.axes, motion.carry(twist) + motion.twist(),
-          flexible ? calc_section_acceleration(*flexible, section, motion, X, w, body.coordinates.a)
-                   : space::Twist(motion.carry(X) + motion.bias(w))};
+          calc_section_acceleration(body, section, motion, X, angular(twist), body.coordinates.a)};
 }
 
 SpatialMotion observe(const Observer& hub, const space::Pose& X_HB, const InBody& in_body) {
@@ -99,6 +101,19 @@ space::Section tip_of(const space::FlexibleBody& body) {
   tip.element = body.elements - 1;
   tip.s0 = body.nodes.back();
   return tip;
+}
+
+/// Adds what the stiffening draws a place of a solid by to `shown`; its frame moves by `frame`.
+void draw(const BodyData<Space>& body, int place, const SpatialMotion& frame,
+          SpatialMotion& shown) {
+  const CoordinateBlock& c = body.coordinates;
+  const space::PlaceDrawn drawn = calc_solid_drawn(body, place, c.q, c.v, c.a);
+  const Position r = frame.R * drawn.place, rate = frame.R * drawn.rate;
+  const Position turned = cross(frame.w, r);
+  shown.p += r;
+  shown.v += turned + rate;
+  shown.a += cross(frame.alpha, r) + cross(frame.w, turned) + 2.0 * cross(frame.w, rate) +
+             frame.R * drawn.acceleration;
 }
 
 /// Takes the foreshortening by bending off `shown`, for a body whose frame moves by `frame`, along
@@ -167,8 +182,10 @@ SpatialMotion calc_shown_motion(const Subsystem<Space>& subsystem, const Subsyst
   const Observer hub{data.hub->twist, hub_acceleration};
   SpatialMotion shown;
   SpatialMotion short_of;  // foreshortening, with the other sign
+  std::size_t passed = 0;
   walk(subsystem, data, hub_acceleration, reading.path, [&](std::size_t j, const space::Twist& X) {
     const BodyData<Space>& body = data.bodies[j];
+    const std::size_t next = ++passed;
     const bool is_last = static_cast<int>(j) == reading.body();
     if (is_last)
       shown =
@@ -176,6 +193,13 @@ SpatialMotion calc_shown_motion(const Subsystem<Space>& subsystem, const Subsyst
     if (!body.model->stiffening) return;
     const SpatialMotion frame =
         observe(hub, data.poses[j], {space::Position::Zero(), {}, data.twists[j], X});
+    if (const space::Solid* solid = body.model->body->solid()) {
+      const int place =
+          is_last ? reading.section.place_number
+                  : solid->handles[static_cast<std::size_t>(
+                        subsystem.bodies[static_cast<std::size_t>(reading.path[next])].handle)];
+      return draw(body, place, frame, short_of);
+    }
     shorten(body, is_last ? reading.section : tip_of(*body.model->body->flexible()), frame,
             short_of);
   });

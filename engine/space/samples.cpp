@@ -7,6 +7,8 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/loop_motion.h"
 #include "engine/space/body_energies.h"
+#include "engine/space/solid_places.h"
+#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {
@@ -15,6 +17,8 @@ namespace {
 /// Returns the place of the outermost point of a body in its frame, deformed, less the
 /// foreshortening [m].
 space::Position find_tip(const BodyData<Space>& body) {
+  if (const space::Solid* solid = body.model->body->solid())
+    return calc_place_motion(solid->constants->tip, body.coordinates.q, body.coordinates.v).s;
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return body.model->body->rigid()->centre;
   space::Position tip = flexible->nodes.back();
@@ -25,9 +29,17 @@ space::Position find_tip(const BodyData<Space>& body) {
   return tip;
 }
 
-double shorten(const BodyData<Space>& body) {
-  if (!body.model->body->flexible()) return 0.0;
-  return calc_foreshortening(body_model_of(body), body.coordinates.q, body.work);
+/// Returns by how much the stiffening moves the place at which a body carries the next one, or its
+/// tip, in its frame. `handle` 0: the tip.
+space::Position draw(const BodyData<Space>& body, int handle) {
+  const double *q = body.coordinates.q, *v = body.coordinates.v;
+  if (const space::Solid* solid = body.model->body->solid()) {
+    const int place = handle > 0 ? solid->handles[static_cast<std::size_t>(handle)]
+                                 : solid->constants->tip_number;
+    return calc_solid_drawn(body, place, q, v, nullptr).place;
+  }
+  if (!body.model->body->flexible()) return space::Position::Zero();
+  return {-calc_foreshortening(body_model_of(body), q, body.work), 0.0, 0.0};
 }
 
 /// Returns the displacement of the tip from its undeformed place, hub frame [m].
@@ -37,9 +49,11 @@ space::Position calc_tip(const Subsystem<Space>& subsystem, const SubsystemData<
   space::Position tip =
       data.poses[last].p + data.poses[last].R * find_tip(data.bodies[last]) - subsystem.tip;
   // In bodies with geometric stiffening the energies account for this, not the coordinates.
+  int handle = 0;
   for (int j = static_cast<int>(last); j >= 0; j = subsystem.bodies[j].parent) {
     const auto k = static_cast<std::size_t>(j);
-    tip -= data.poses[k].R * space::Position(shorten(data.bodies[k]), 0.0, 0.0);
+    tip += data.poses[k].R * draw(data.bodies[k], handle);
+    handle = subsystem.bodies[j].handle;
   }
   return tip;
 }
@@ -57,6 +71,8 @@ space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemDa
   const space::Position gravity =
       is_potential ? system.gravity : space::Position(space::Position::Zero());
   const space::BodyMotion motion{angular(twist), angular(hub.twist), hub.R.inverse() * gravity};
+  if (body.model->body->solid())
+    return calc_solid_energies(solid_model_of(body), body_state_of(body), twist, motion, body.work);
   return calc_body_energies(body_model_of(body), body_state_of(body), twist, motion, body.work);
 }
 
@@ -66,10 +82,6 @@ double calc_springs(const SubsystemData<Space>& data, std::size_t j) {
   const space::TreeJoint& joint = body.model->joint;
   if (!joint.slide) return calc_spring_energy(joint.joint, joint_state_of(body));
   return calc_spring_energy(joint.joint, ShiftedJoint(body, calc_slide_shift(data, j)).state);
-}
-
-double mass_of(const space::Body& body) {
-  return body.flexible() ? body.flexible()->mass : body.rigid()->mass;
 }
 
 }  // namespace
@@ -90,7 +102,7 @@ SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
     sample.kinetic += energies.kinetic;
     sample.strain += energies.strain + energies.tension + calc_springs(data, j);
     if (system.gravity_ramp > 0.0) continue;
-    const double mass = mass_of(*body.model->body);
+    const double mass = body.model->body->mass();
     const space::Position moment = mass * data.poses[j].p + data.poses[j].R * energies.S;
     sample.gravity += system.gravity.dot(mass * hub.p + hub.R * moment);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "engine/space/element_products.h"
 #include "models/space/rotation_vector.h"
@@ -101,6 +102,24 @@ double place_in_element(const FlexibleBody& body, const Section& section) noexce
 Section make_rigid_section(const Position& place) {
   Section section;
   section.s0 = place;
+  return section;
+}
+
+Section make_solid_section(const Solid& body, int place) {
+  assert(place >= 0 && std::cmp_less(place, body.constants->places.size()));
+  Section section;
+  const auto& places = body.constants->places;
+  // The constants are kept alive with the place.
+  section.place = {body.constants, &places[static_cast<std::size_t>(place)]};
+  section.place_number = place;
+  section.s0 = section.place->p;
+  return section;
+}
+
+Section make_node_section(const Solid& body, int node) {
+  Section section;
+  section.place = std::make_shared<const SolidPlace>(make_node_place(*body.constants, node));
+  section.s0 = section.place->p;
   return section;
 }
 

@@ -3,8 +3,10 @@
 // A cross section anywhere on a spatial body: its motion, loads on it, and its stress resultants.
 
 #include <array>
+#include <memory>
 
 #include "engine/space/body_data.h"
+#include "models/space/solid.h"
 
 namespace spoke::space {
 
@@ -24,6 +26,10 @@ struct Section {
   /// Integrals int N'^T N' ds of the element up to the section, for the rise of the outer node
   /// above the inner and the slopes of both: entries 11, 12, 13, 22, 23, 33.
   std::array<double, 6> slopes{};
+  /// On a solid: the place that is the section, and its number among those of the solid's
+  /// constants; -1: it is none of these, and its tension is not known.
+  std::shared_ptr<const SolidPlace> place;
+  int place_number = -1;
 };
 
 /// Makes the section of a body at a station of its beam [m]. Between two elements, it is that of
@@ -35,6 +41,11 @@ double place_in_element(const FlexibleBody& body, const Section& section) noexce
 
 /// Makes a section at a place in the frame of a rigid body [m], which moves with it.
 Section make_rigid_section(const Position& place);
+
+/// Makes the section at a place of a solid, by its number among those of its constants, and at a
+/// node of its mesh.
+Section make_solid_section(const Solid& body, int place);
+Section make_node_section(const Solid& body, int node);
 
 /// Returns the motion of a section at the flex vectors q and v, against B: place s0 + N q, rotation
 /// exp((N_th q)~).

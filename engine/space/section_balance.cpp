@@ -9,6 +9,7 @@
 
 #include "engine/kernels/kinematics.h"
 #include "engine/space/body_stiffening.h"
+#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {
@@ -142,6 +143,7 @@ space::Twist calc_carried(const TreeBody<Space>& model, const SubsystemData<Spac
 /// Returns the momentum of a body, and its moment about B's origin, in B.
 space::Twist calc_momentum(const BodyData<Space>& body, const space::Twist& twist) {
   if (body.model->body->rigid()) return rigid_mass_of(body) * twist;
+  if (body.model->body->solid()) return calc_solid_momentum(body, twist);
   const FlexibleBody& flexible = *body.model->body->flexible();
   space::Twist sum = space::Twist::Zero();
   for (std::size_t e = 0; e < flexible.beam.size(); ++e) {
@@ -156,6 +158,7 @@ space::Twist calc_momentum(const BodyData<Space>& body, const space::Twist& twis
 /// in H.
 Angular calc_stiffening_momentum(const BodyData<Space>& body, const Angular& hub_w) {
   if (!body.model->stiffening) return Angular::Zero();
+  if (body.model->body->solid()) return calc_solid_stiffening_momentum(body, hub_w);
   const FlexibleBody& flexible = *body.model->body->flexible();
   const space::BodyWork& work = body.work;
   space::expand(flexible, body.coordinates.q, work.nodal[0]);

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
-#include "engine/space/applied_tension.h"
 #include "engine/space/body_terms.h"
+#include "engine/space/nodal_body.h"
+#include "engine/space/solid_places.h"
+#include "engine/space/solid_table_terms.h"
 #include "models/space/mount.h"
 
 namespace spoke {
@@ -51,26 +53,12 @@ void add_joint_forces(double t, const space::ImplicitShares& shares, BodyData<Sp
   body.terms.dissipation += calc_dissipation(model.joint, ShiftedJoint(body, slide).state);
 }
 
-/// Returns the rotation from the frame in which a load is resolved to B.
-space::Rotation resolve(spatial::LoadFrame frame, const space::Rotation& R_HB,
-                        const space::Rotation& R_0, const space::Rotation& section) {
-  switch (frame) {
-    case spatial::LoadFrame::inertial:
-      return (R_0 * R_HB).inverse();
-    case spatial::LoadFrame::hub:
-      return R_HB.inverse();
-    case spatial::LoadFrame::body:
-      return {};
-    case spatial::LoadFrame::section:
-      break;
-  }
-  return section;
-}
-
 /// Adds a wrench in B, and its power.
 void add_wrench(const space::Section& section, const space::HandleMotion& motion,
                 const space::Twist& wrench, const space::Twist& twist, BodyData<Space>& body) {
-  if (body.model->body->flexible())
+  if (body.model->body->solid())
+    add_place_wrench(*section.place, motion, wrench, body.terms, body.work);
+  else if (body.model->body->flexible())
     add_section_wrench(section, motion, wrench, body.terms, body.work);
   else
     body.terms.Q += translate(motion.s, wrench);
@@ -93,7 +81,7 @@ space::LoadInstant find_instant(const BodyLoad<Space>& load, double t, const spa
   const space::Twist wrench = make_wrench(load.force, load.moment);
   const double size = load.course->value(t);
   if (load.frame == spatial::LoadFrame::section) return {true, size * wrench};
-  return {false, size * (resolve(load.frame, R_HB, R_0, {}) * wrench)};
+  return {false, size * (resolve_load(load.frame, R_HB, R_0, {}) * wrench)};
 }
 
 /// Adds the loads of the scenario.
@@ -101,7 +89,7 @@ void add_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0
                const space::Twist& twist, space::AppliedTension* tension,
                const space::Rotation& turn, BodyData<Space>& body) {
   const space::FlexibleBody* flexible = body.model->body->flexible();
-  for (const auto& [load, sections] : body.loads) {
+  for (const auto& [load, sections, places] : body.loads) {
     if (flexible) {
       add_load(*flexible, sections, find_instant(*load, t, R_HB, R_0), body_state_of(body), twist,
                tension, turn, body.terms, body.work);
@@ -130,6 +118,7 @@ bool is_resolved(const BodyData<Space>& body) {
 void add_applied(double t, const space::Rotation& R_HB, std::size_t j, SubsystemData<Space>& data) {
   BodyData<Space>& body = data.bodies[j];
   const TreeBody<Space>& model = *body.model;
+  if (model.body->solid()) return add_applied_to_solid(t, R_HB, j, data);
   const space::Twist& twist = data.twists[j];
   std::optional<space::AppliedTension> tension;
   space::Rotation to_undeformed;
@@ -175,24 +164,13 @@ void add_gravity_power(const space::Position& gravity_H, const space::Position& 
     return;
   }
   const space::BodyTerms& terms = body.terms;
-  const space::Position momentum = body.model->body->flexible()->mass * linear(twist) +
-                                   cross(angular(twist), terms.S) + terms.S_rate;
+  const space::Position momentum =
+      body.model->body->mass() * linear(twist) + cross(angular(twist), terms.S) + terms.S_rate;
   body.terms.load_power +=
       gravity.dot(momentum) + calc_tension_power(terms.tension, angular(hub.twist), tension_H);
 }
 
 }  // namespace
-
-space::BodyModel body_model_of(const BodyData<Space>& body) {
-  assert(body.model->body->flexible() && body.blocks[0] && body.blocks[0]->elastic);
-  assert(body.tension || (body.blocks[1] && body.blocks[1]->elastic));
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  const auto& tension = body.model->stiffening;
-  return {
-      flexible,
-      {&*body.blocks[0]->elastic, body.tension ? &body.tension->block : &*body.blocks[1]->elastic},
-      tension ? &*tension : nullptr};
-}
 
 void follow_hub_speed(const HubState<Space>& hub, BodyData<Space>& body) noexcept {
   if (body.tension)
@@ -202,40 +180,6 @@ void follow_hub_speed(const HubState<Space>& hub, BodyData<Space>& body) noexcep
 
 bool has_implicit_tension(const BodyData<Space>& body) noexcept {
   return body.tension && body.tension->is_on();
-}
-
-space::BodyState body_state_of(const BodyData<Space>& body) {
-  return {body.coordinates.q, body.coordinates.v, body.q_elastic, body.v_elastic};
-}
-
-const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
-  assert(body.model->body->rigid() && body.blocks[0] && body.blocks[0]->rigid);
-  return body.blocks[0]->rigid->mass;
-}
-
-space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double t,
-                              const space::Rotation& R_HB, const space::Rotation& R_0,
-                              const space::Rotation& section) noexcept {
-  assert(k < load.points.size() && load.course);
-  const double size = load.course->value(t) * load.points[k].weight;
-  const space::Rotation R = resolve(load.frame, R_HB, R_0, section);
-  return size * (R * make_wrench(load.force, load.moment));
-}
-
-space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
-  return space::make_fixed_handle(section.s0);
-}
-
-space::Position calc_tension_field(const System<Space>& system, double t,
-                                   const SubsystemData<Space>& data) noexcept {
-  if (system.hub.support == HubSupport::free)
-    return data.flight_acceleration ? space::Position(-*data.flight_acceleration)
-                                    : space::Position::Zero();
-  space::Position field = system.gravity_at(t);
-  if (system.hub.mount) field -= calc_axle_motion(system.hub, t).a;
-  return data.hub->R.inverse() * field;
 }
 
 bool depend_on_pose(const BodyData<Space>& body) noexcept {
@@ -256,14 +200,17 @@ space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
   space::Rotation R_HB;
   if (depend_on_pose(body)) R_HB = calc_rotation_to_hub(subsystem, data, static_cast<int>(j));
   const space::FlexibleBody* flexible = body.model->body->flexible();
-  for (const auto& [load, sections] : body.loads) {
+  for (const auto& [load, sections, places] : body.loads) {
     if (flexible) {
       sum += sum_load_forces(*flexible, sections, find_instant(*load, t, R_HB, data.hub->R),
                              body.coordinates.q);
       continue;
     }
-    for (std::size_t k = 0; k < load->points.size(); ++k)
-      sum += linear(calc_load_wrench(*load, k, t, R_HB, data.hub->R, {}));
+    for (std::size_t k = 0; k < load->points.size(); ++k) {
+      space::Rotation section;
+      if (!places.empty()) section = motion_at(body, places[k]).turn.R;
+      sum += linear(calc_load_wrench(*load, k, t, R_HB, data.hub->R, section));
+    }
   }
   for (const auto& [section, wrench] : body.applied) sum += wrench->force;
   return R_HB * sum;
@@ -278,6 +225,36 @@ std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& join
   return motor;
 }
 
+space::DrawnInward calc_handle_drawn(const BodyData<Space>& body, int handle, const double* q,
+                                     const double* v) noexcept {
+  const auto h = static_cast<std::size_t>(handle);
+  if (const space::Solid* solid = body.model->body->solid()) {
+    const space::PlaceDrawn drawn = calc_solid_drawn(body, solid->handles[h], q, v, nullptr);
+    return {drawn.place, drawn.rate};
+  }
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  return flexible ? calc_drawn_inward(*flexible, flexible->handles[h], q, v) : space::DrawnInward{};
+}
+
+space::DrawnInward calc_section_drawn(const BodyData<Space>& body, const space::Section& section,
+                                      const double* q, const double* v) noexcept {
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    return calc_drawn_inward(*flexible, section, q, v);
+  if (!body.model->body->solid()) return {};
+  const space::PlaceDrawn drawn = calc_solid_drawn(body, section.place_number, q, v, nullptr);
+  return {drawn.place, drawn.rate};
+}
+
+space::Twist calc_section_acceleration(const BodyData<Space>& body, const space::Section& section,
+                                       const space::HandleMotion& motion, const space::Twist& X,
+                                       const space::Angular& w, const double* a) noexcept {
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    return calc_section_acceleration(*flexible, section, motion, X, w, a);
+  space::Twist acceleration = motion.carry(X) + motion.bias(w);
+  if (body.model->body->solid()) acceleration += calc_place_deformation(*section.place, motion, a);
+  return acceleration;
+}
+
 space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t j) noexcept {
   assert(j < data.bodies.size() && data.bodies[j].model->joint.slide);
   space::SlideState slide;
@@ -285,11 +262,9 @@ space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t
   const space::Position& axis = outer->joint.slide->axis;
   while (outer->parent >= 0) {
     const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(outer->parent)];
-    const space::FlexibleBody* flexible = body.model->body->flexible();
-    if (flexible && body.model->stiffening) {
-      const int node = flexible->handles[static_cast<std::size_t>(outer->handle)];
+    if (body.model->stiffening) {
       const space::DrawnInward drawn =
-          calc_drawn_inward(*flexible, node, body.coordinates.q, body.coordinates.v);
+          calc_handle_drawn(body, outer->handle, body.coordinates.q, body.coordinates.v);
       const space::Rotation& R_HB = body.model->stiffening->R_HB;
       slide.shift -= axis.dot(R_HB * drawn.place);
       slide.rate -= axis.dot(R_HB * drawn.rate);
@@ -312,11 +287,6 @@ ShiftedJoint::ShiftedJoint(const BodyData<Space>& body, const space::SlideState&
   state.v = v.data();
 }
 
-space::JointState joint_state_of(const BodyData<Space>& body) {
-  return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
-          body.joint.driven};
-}
-
 void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, double t,
                 const space::ImplicitShares& shares, int j, SubsystemData<Space>& data) noexcept {
   assert(j >= 0 && std::cmp_less(j, data.bodies.size()));
@@ -330,8 +300,14 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
     const HubState<Space>& hub = *data.hub;
     const space::BodyMotion motion{angular(twist), angular(hub.twist),
                                    calc_tension_field(system, t, data)};
-    body.terms = calc_body_terms(body_model_of(body), body_state_of(body), motion, system.damping,
-                                 body.work);
+    if (body.tiles && body.tiles->count() > 1)
+      body.terms = sum_nodal_terms(solid_model_of(body), motion, body.work);
+    else if (body.model->body->solid())
+      body.terms = calc_solid_terms(solid_model_of(body), body_state_of(body), motion,
+                                    system.damping, body.work);
+    else
+      body.terms = calc_body_terms(body_model_of(body), body_state_of(body), motion, system.damping,
+                                   body.work);
     if (shares.stiffness != 0.0 && has_implicit_tension(body))
       add_implicit_tension(*body.model->body->flexible(), *body.tension, body.coordinates.a,
                            body.alpha, body.work, body.terms);

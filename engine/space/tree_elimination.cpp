@@ -3,19 +3,32 @@
 
 #include "engine/formulation/structured/tree_elimination.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include "engine/space/condense_body.h"
+#include "engine/space/condense_solid.h"
 #include "engine/space/table_terms.h"
 #include "engine/support/wide_kernels.h"
 
 namespace spoke::structured {
+namespace {
+
+bool is_in_slices(const BodyData<Space>& body) { return body.tiles && body.tiles->count() > 1; }
+const space::Solid& solid_of(const BodyData<Space>& body) { return *body.model->body->solid(); }
+
+}  // namespace
 
 void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
                    BodyWork<Space>&) noexcept {
   if (data.model->body->flexible())
     space::condense_body(body_model_of(data), data.terms, angular(twist), implicit, data.work);
+  else if (is_in_slices(data))
+    condense_between(solid_of(data), *data.blocks[implicit]->solid, data.terms, angular(twist),
+                     data.work);
+  else if (const space::Solid* solid = data.model->body->solid())
+    condense_solid(*solid, *data.blocks[implicit]->solid, data.terms, angular(twist), data.work);
   else
     space::condense(*data.blocks[0]->rigid, twist, data.terms.Q, data.work.port);
 }
@@ -62,10 +75,27 @@ void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space
   const space::Twist* wrenches = data.work.wrenches;
   if (data.model->body->flexible()) {
     data.X = space::recover_body(body_model_of(data), wrenches, implicit, data.work, a);
+  } else if (is_in_slices(data)) {
+    data.X = recover_between(solid_of(data), *data.blocks[implicit]->solid, wrenches, data.work);
+  } else if (const space::Solid* solid = data.model->body->solid()) {
+    data.X = recover_solid(*solid, *data.blocks[implicit]->solid, wrenches, data.work, a);
   } else {
     const auto count = static_cast<std::size_t>(data.work.port.handles);
     data.X = space::recover_frame(*data.blocks[0]->rigid, data.terms.Q, {wrenches, count});
   }
+}
+
+void condense_slice(BodyData<Space>& body, int p, bool implicit) noexcept {
+  space::condense_slice(solid_of(body), *body.blocks[implicit]->solid, p, body.work);
+}
+
+void recover_slice(BodyData<Space>& body, int p, bool implicit) noexcept {
+  space::recover_slice(solid_of(body), *body.blocks[implicit]->solid, p, body.X, body.work.wrenches,
+                       body.work);
+}
+
+void take_slices(const BodyData<Space>& body, double* a) noexcept {
+  std::copy_n(body.work.solution, solid_of(body).coordinates(), a);
 }
 
 }  // namespace spoke::structured

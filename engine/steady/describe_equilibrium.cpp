@@ -36,6 +36,12 @@ BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& fo
     described.undeformed.push_back(place.p);
     described.undeformed_axes.push_back(place.axes);
   }
+  described.solids = model.solids(subsystem);
+  for (SolidDeformation& solid : described.solids)
+    for (Eigen::Index k = 0; k < q.size(); ++k) {
+      const SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+      if (coordinate.body == solid.body && coordinate.node >= 0) solid.coordinates.push_back(q[k]);
+    }
   evaluate(subsystem, q, model);
   for (const NodePlace& place : model.places(subsystem)) {
     const Eigen::Matrix3d& before = described.undeformed_axes[described.nodes.size()];

@@ -5,6 +5,7 @@
 #include "engine/steady/steady_system.h"
 #include "engine/step/loop_start.h"
 #include "engine/step/model_memory.h"
+#include "engine/support/memory.h"
 #include "models/system/spatial_system.h"
 #include "models/tree/tree.h"
 
@@ -30,7 +31,7 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Steady
   const spatial::Model& model = *scenario.space;
   const std::vector<spatial::Tree> trees = build_trees(model);
   const auto fill = [&](System<Space>& system) {
-    system = make_system(model, trees);
+    system = make_system(model, trees, {{}, available_memory()});
     hold_mount(system.hub, options.instant);
     require_memory(system, Formulation::structured);
   };

@@ -130,6 +130,8 @@ class SteadyModel {
   virtual std::size_t subsystems() const = 0;
   virtual const std::string& name_of(std::size_t subsystem) const = 0;
   virtual const std::vector<SubsystemCoordinate>& coordinates(std::size_t subsystem) const = 0;
+  /// Returns the solids of a subsystem, undeformed.
+  virtual std::vector<SolidDeformation> solids(std::size_t subsystem) const = 0;
   /// Returns the direction of a subsystem about the hub's axis [rad].
   virtual double azimuth(std::size_t subsystem) const = 0;
   /// Returns the azimuths of all subsystems [rad].

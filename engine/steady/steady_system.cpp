@@ -37,12 +37,13 @@ constexpr double kLate = std::numeric_limits<double>::max();
 /// Whether nodes of this stage lead to the terms of bodies.
 bool makes_terms(const std::string& stage) {
   return stage == stages::kPosition || stage == stages::kVelocity || stage == stages::kLoad ||
-         stage == stages::kAppliedForces || stage == stages::kMass;
+         stage == stages::kAppliedForces || stage == stages::kMassTile || stage == stages::kMass;
 }
 /// Whether nodes of this stage lead from the terms to the accelerations.
 bool solves(const std::string& stage) {
   return stage == stages::kInverse || stage == stages::kEffective ||
-         stage == stages::kMultipliers || stage == stages::kRecovery ||
+         stage == stages::kMultipliers || stage == stages::kRecovery || stage == stages::kForward ||
+         stage == stages::kBackward || stage == stages::kCompletion ||
          stage == stages::kLoopMotion || stage == stages::kLoopColumns ||
          stage == stages::kLoopFactor || stage == stages::kLoopForces;
 }
@@ -141,7 +142,8 @@ void SteadySystem<World>::set_undeformed() {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(std::ssize(list));
     SubsystemResponse response;
     evaluate(i, {zero, zero, zero, zero}, no_offset(), response);
-    tip_axes_.push_back(places(i).back().axes);
+    calc_poses(context_.system.subsystems[i], data(i), data(i).poses);
+    tip_axes_.push_back(outer_axes(data(i)));
     stiffness_.push_back(assemble_stiffness(i));
   }
 }
@@ -440,6 +442,16 @@ Eigen::MatrixXd SteadySystem<World>::hub_mass() const {
 }
 
 template <class World>
+std::vector<SolidDeformation> SteadySystem<World>::solids(std::size_t subsystem) const {
+  std::vector<SolidDeformation> solids;
+  const SubsystemData<World>& own = data(subsystem);
+  for (std::size_t j = 0; j < own.bodies.size(); ++j)
+    if (auto solid = solid_of(own.bodies[j]))
+      solids.push_back({static_cast<int>(j), std::move(solid), {}});
+  return solids;
+}
+
+template <class World>
 std::vector<NodePlace> SteadySystem<World>::places(std::size_t subsystem) {
   assert(subsystem < subsystems());
   SubsystemData<World>& own = data(subsystem);
@@ -451,7 +463,9 @@ std::vector<NodePlace> SteadySystem<World>::places(std::size_t subsystem) {
 
 template <class World>
 TipMotion SteadySystem<World>::tip(std::size_t subsystem) {
-  const Eigen::Matrix3d turned = places(subsystem).back().axes * tip_axes_[subsystem].transpose();
+  SubsystemData<World>& own = data(subsystem);
+  calc_poses(context_.system.subsystems[subsystem], own, own.poses);
+  const Eigen::Matrix3d turned = outer_axes(own) * tip_axes_[subsystem].transpose();
   const SubsystemSample<World> sample = calc_sample(context_.system, subsystem, data(subsystem));
   return {in_space(sample.tip), space::logarithm(space::Rotation{turned})};
 }

@@ -39,6 +39,7 @@ class SteadySystem final : public SteadyModel {
   const std::vector<SubsystemCoordinate>& coordinates(std::size_t subsystem) const override {
     return coordinates_[subsystem];
   }
+  std::vector<SolidDeformation> solids(std::size_t subsystem) const override;
   double azimuth(std::size_t subsystem) const override { return names_[subsystem].azimuth; }
   Eigen::Matrix3d root_axes(std::size_t subsystem, int body) const override;
   bool is_spatial() const override { return World::kTwist > kTwist; }

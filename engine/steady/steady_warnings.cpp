@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "engine/plane/suggested_bodies.h"
+#include "engine/steady/deflection_words.h"
 
 namespace spoke::steady {
 
@@ -31,16 +32,17 @@ void add_warnings(const Scenario& scenario, EquilibriumResult& result) {
   const LargestBending largest = find_largest_bending(result);
   if (limit <= 0.0 || largest.ratio <= limit) return;
   std::ostringstream text;
-  text << name_body(result, largest) << " bends by ";
   if (scenario.space) {
-    text << 100.0 * largest.ratio << " % of its length, more than " << 100.0 * limit
-         << " %, up to which its linear elasticity holds: cut the beam into more bodies";
+    const DeflectionWords words = word_deflection(*scenario.space, largest.subsystem, largest.body);
+    text << words.name << ' ' << words.verb << ' ' << 100.0 * largest.ratio << " %" << words.measure
+         << ", more than " << 100.0 * limit
+         << " %, up to which its linear elasticity holds: " << words.advice;
   } else {
     const Blade& blade = scenario.rotor.blades.at(largest.subsystem);
     const double length = blade.length / blade.bodies;
-    text << largest.ratio * length << " m, " << 100.0 * largest.ratio << " %, more than "
-         << 100.0 * limit << " % of its length of " << length
-         << " m, up to which its linear elasticity holds: cut the blade into about "
+    text << name_body(result, largest) << " bends by " << largest.ratio * length << " m, "
+         << 100.0 * largest.ratio << " %, more than " << 100.0 * limit << " % of its length of "
+         << length << " m, up to which its linear elasticity holds: cut the blade into about "
          << plane::suggest_bodies(blade.bodies, largest.ratio, limit) << " bodies instead of "
          << blade.bodies;
   }

@@ -11,6 +11,7 @@
 #include "engine/plane/handle_motion.h"
 #include "engine/space/dense_body.h"
 #include "engine/space/put_joint.h"
+#include "engine/space/solid_places.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke::steady {
@@ -108,7 +109,7 @@ std::vector<SubsystemCoordinate> name_coordinates(const TreeBody<Space>& model, 
   std::vector<SubsystemCoordinate> list;
   const space::Joint& joint = model.joint.joint;
   const space::FlexibleBody* flexible = model.body->flexible();
-  const double extent = flexible ? flexible->length() : 1.0;
+  const double extent = model.body->rigid() ? 1.0 : model.body->extent();
   int number = 0;
   for (const space::JointPrimitive& primitive : joint.sequence()) {
     if (primitive.is_driven) continue;
@@ -118,6 +119,17 @@ std::vector<SubsystemCoordinate> name_coordinates(const TreeBody<Space>& model, 
       if (joint.coordinates > 1) numbered.append(" ").append(std::to_string(++number));
       list.push_back({numbered, name, index, -1, turns, turns ? 1.0 : extent});
     }
+  }
+  if (const space::Solid* solid = model.body->solid()) {
+    const space::SolidConstants& constants = *solid->constants;
+    for (int k = 0; k < solid->coordinates(); ++k)
+      list.push_back({body + (body.empty() ? "" : " / ") + name_coordinate(constants, k),
+                      {},
+                      index,
+                      0,
+                      false,
+                      constants.limits[static_cast<std::size_t>(k)]});
+    return list;
   }
   if (!flexible) return list;
   const std::size_t first = list.size();
@@ -140,11 +152,10 @@ Eigen::MatrixXd calc_body_mass(const BodyData<Plane>& body) {
   return mass;
 }
 Eigen::MatrixXd calc_body_mass(const BodyData<Space>& body) {
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return rigid_mass_of(body).matrix();
-  Eigen::MatrixXd mass(space::dense_size(*flexible), space::dense_size(*flexible));
-  space::calc_dense_mass(*flexible, body.terms, body.work,
-                         space::make_dense_elastic_block(*flexible, {1.0, 0.0, 0.0}), mass);
+  const space::Body& model = *body.model->body;
+  if (model.rigid()) return rigid_mass_of(body).matrix();
+  Eigen::MatrixXd mass(dense_size(model), dense_size(model));
+  calc_dense_mass(body, make_dense_elastic_block(model, {1.0, 0.0, 0.0}), false, mass);
   return mass;
 }
 
@@ -152,18 +163,15 @@ Eigen::MatrixXd calc_body_stiffness(const BodyData<Plane>& body) {
   return make_dense_elastic_block(*body.model->body, 0.0, 1.0);
 }
 Eigen::MatrixXd calc_body_stiffness(const BodyData<Space>& body) {
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  return flexible ? space::make_dense_elastic_block(*flexible, {0.0, 1.0, 0.0}) : Eigen::MatrixXd();
+  return make_dense_elastic_block(*body.model->body, {0.0, 1.0, 0.0});
 }
 
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Plane>& body) {
   return make_dense_elastic_block(*body.model->body, damping.mass_factor, damping.stiffness_factor);
 }
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Space>& body) {
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return {};
-  return space::make_dense_elastic_block(*flexible,
-                                         {damping.mass_factor, damping.stiffness_factor, 1.0});
+  return make_dense_elastic_block(*body.model->body,
+                                  {damping.mass_factor, damping.stiffness_factor, 1.0});
 }
 
 void add_places(const SubsystemData<Plane>& data, int j, std::vector<NodePlace>& places) {
@@ -189,11 +197,39 @@ void add_places(const SubsystemData<Plane>& data, int j, std::vector<NodePlace>&
   }
 }
 
+namespace {
+
+/// Adds the frame of a solid and its places, which have no mass, then some nodes, at most kMost
+/// evenly from its list, each with an equal share of its mass.
+void add_solid_places(const space::Solid& solid, const space::Pose& pose, const double* q, int j,
+                      std::vector<NodePlace>& places) {
+  constexpr std::size_t kMost = 200;
+  const space::SolidConstants& constants = *solid.constants;
+  const std::size_t count = constants.nodes.size(), stride = (count + kMost - 1) / kMost;
+  const double share = constants.mass / static_cast<double>((count + stride - 1) / stride);
+  places.push_back({pose.p, pose.R.axes, pose.p, 0.0, 0.0, j});
+  for (const space::SolidPlace& place : constants.places) {
+    const space::HandleMotion motion = calc_place_motion(place, q, q);
+    const space::Position p = pose.p + pose.R * motion.s;
+    places.push_back({p, (pose.R * motion.turn.R).axes, p, 0.0, 0.0, j});
+  }
+  const Eigen::VectorXd u = calc_displacements(constants, q);
+  for (std::size_t i = 0; i < count; i += stride) {
+    const space::Position moved = u.segment<3>(static_cast<Eigen::Index>(3 * i));
+    const space::Position p = pose.p + pose.R * space::Position(constants.nodes[i] + moved);
+    places.push_back({p, pose.R.axes, p, share, 0.0, j});
+  }
+}
+
+}  // namespace
+
 void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>& places) {
   assert(j >= 0 && std::cmp_less(j, data.poses.size()));
   const BodyData<Space>& body = data.bodies[j];
   const space::Pose& pose = data.poses[j];
   const space::FlexibleBody* flexible = body.model->body->flexible();
+  if (const space::Solid* solid = body.model->body->solid())
+    return add_solid_places(*solid, pose, body.coordinates.q, j, places);
   if (!flexible) {
     const space::RigidBody& rigid = *body.model->body->rigid();
     places.push_back(
@@ -218,6 +254,30 @@ void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>&
   }
 }
 
+Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data) {
+  std::vector<NodePlace> places;
+  add_places(data, static_cast<int>(data.bodies.size()) - 1, places);
+  return places.back().axes;
+}
+Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data) {
+  const BodyData<Space>& body = data.bodies[data.bodies.size() - 1];
+  if (const space::Solid* solid = body.model->body->solid())
+    return (data.poses[data.poses.size() - 1].R *
+            calc_place_motion(solid->constants->tip, body.coordinates.q, body.coordinates.v).turn.R)
+        .axes;
+  std::vector<NodePlace> places;
+  add_places(data, static_cast<int>(data.bodies.size()) - 1, places);
+  return places.back().axes;
+}
+
+std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Plane>& /*body*/) {
+  return nullptr;
+}
+std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Space>& body) {
+  const space::Solid* solid = body.model->body->solid();
+  return solid ? solid->constants : nullptr;
+}
+
 Eigen::Vector3d force_of(const Twist& wrench) { return {wrench[0], wrench[1], 0.0}; }
 Eigen::Vector3d force_of(const space::Twist& wrench) { return wrench.head<3>(); }
 Eigen::Vector3d moment_of(const Twist& wrench) { return {0.0, 0.0, wrench[2]}; }
@@ -229,6 +289,8 @@ Eigen::Matrix3d inboard_axes(const BodyData<Plane>& body) {
       plane::Rotation::from_angle(at < 0 ? 0.0 : body.coordinates.q[body.layout.offset(at)]));
 }
 Eigen::Matrix3d inboard_axes(const BodyData<Space>& body) {
+  if (const space::Solid* solid = body.model->body->solid())
+    return calc_place_motion(solid->handle(0), body.coordinates.q, body.coordinates.v).turn.R.axes;
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible) return Eigen::Matrix3d::Identity();
   const space::Section section =

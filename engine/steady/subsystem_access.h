@@ -3,6 +3,7 @@
 // The state of a subsystem's bodies as one vector, set and read by world.
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,14 @@ Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Space>&
 /// Adds the nodes of body `j`. Precondition: the poses in the table are those of the state.
 void add_places(const SubsystemData<Plane>& data, int j, std::vector<NodePlace>& places);
 void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>& places);
+
+/// Returns the axes of the outer end of the last body. Precondition: as of add_places().
+Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data);
+Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data);
+
+/// Returns the constants of a solid; null for other bodies.
+std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Plane>& body);
+std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Space>& body);
 
 /// Returns the force or moment of a wrench of either world as a vector in space.
 Eigen::Vector3d force_of(const Twist& wrench);

@@ -21,7 +21,7 @@ ElasticShares implicit_shares(const Method& method, const Damping& damping) {
   if (!alpha) return {};
   return {1.0 + alpha->velocity_gain * damping.mass_factor,
           alpha->position_gain + alpha->velocity_gain * damping.stiffness_factor,
-          alpha->position_gain};
+          alpha->velocity_gain, alpha->position_gain};
 }
 
 }  // namespace

@@ -21,11 +21,25 @@ double count_loop_nodes(const System<World>& system) {
   return nodes;
 }
 
+/// Counts the nodes that solids in slices have besides.
+double count_slice_nodes(const System<Plane>&) { return 0.0; }
+double count_slice_nodes(const System<Space>& system) {
+  double nodes = 0.0;
+  for (const Subsystem<Space>& subsystem : system.subsystems)
+    for (const TreeBody<Space>& member : subsystem.bodies) {
+      const space::Solid* solid = member.body->solid();
+      const space::NodalSolid* nodal = solid ? solid->constants->nodal() : nullptr;
+      if (nodal) nodes += 1.0 + 3.0 * static_cast<double>(nodal->slices.size());
+    }
+  return nodes;
+}
+
 /// Returns the memory of the step graph of one pass, while it is built [bytes].
 template <class World>
 double estimate_graph_memory(const System<World>& system) {
   const double nodes = 3.0 + 8.0 * static_cast<double>(system.subsystems.size()) +
-                       3.0 * static_cast<double>(system.body_count()) + count_loop_nodes(system);
+                       3.0 * static_cast<double>(system.body_count()) + count_loop_nodes(system) +
+                       count_slice_nodes(system);
   return 1200.0 * nodes;
 }
 

@@ -29,14 +29,14 @@ double sum_squares(const CoordinateBlock& coordinates) {
   return total(sum);
 }
 
-/// Returns the length by which deformations are limited [m].
-double extent_of(const plane::FlexibleBody& body) { return body.length; }
-double extent_of(const space::Body& body) { return body.extent(); }
+/// Returns a value that all coordinates of a body may have [m, rad].
+double limit_of(const plane::FlexibleBody& body) { return std::min(body.length, std::numbers::pi); }
+double limit_of(const space::Body& body) { return body.coordinate_limit(); }
 
 /// Whether a body surely is within its limits: one comparison, which NaN and infinity fail as well.
 template <class World>
 bool is_small(double squares, const BodyData<World>& body) {
-  const double limit = std::min(extent_of(*body.model->body), std::numbers::pi);
+  const double limit = limit_of(*body.model->body);
   return squares <= limit * limit;
 }
 

@@ -7,6 +7,8 @@
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/step/pass_integration.h"
+#include "engine/step/recovery_end.h"
+#include "engine/step/tile_nodes.h"
 
 namespace spoke {
 namespace {
@@ -77,43 +79,23 @@ PartList found_with_multipliers(const Assembly<World>& g, int i) {
   return list;
 }
 
-/// Parts that a recovery reads and writes.
-struct RecoveryAccess {
-  PartList inputs;
-  PartList outputs;
-};
+/// Adds the node of the frame's acceleration of a body in slices, and of its accelerations between
+/// these.
 template <class World>
-RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
+void add_recovery_between(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& own = g.subsystem(i);
   const BodyParts& body = own.bodies[j];
-  PartList inputs{own.progress, body.coordinates};  // checked, and corrected by generalized_alpha
-  PartList outputs{body.accelerations, body.report};
-  if (g.c.formulation == Formulation::augmented) {
-    inputs.push_back(g.parts.augmented_solution);
-  } else {
-    inputs.push_back(own.wrenches);
-    inputs.push_back(body.inverse);
-  }
-  if constexpr (tree::kHasJointCoordinates<World>) {
-    const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];
-    if (g.c.formulation == Formulation::structured) {
-      for (const PartId part : {own.rotations, body.terms, body.scratch}) inputs.push_back(part);
-      inputs.insert(inputs.end(), body.tension.begin(), body.tension.end());
-      outputs.push_back(body.scratch);
-    }
-    if (has_coordinates(model))
-      inputs.push_back(own.wrenches);  // its accelerations are found with them
-    if (model.joint.joint.driven > 0)
-      for (const PartId part : {own.rotations, own.wrenches}) inputs.push_back(part);
-    if (std::holds_alternative<Rk4>(g.c.integrator.method) && has_coordinates(model))
-      inputs.push_back(body.accelerations);
-  }
-  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
-    inputs.push_back(body.history);
-    inputs.push_back(body.accelerations);
-    outputs.push_back(body.coordinates);
-  }
-  return {inputs, outputs};
+  SubsystemData<World>& data = g.c.data.subsystems[i];
+  auto& work = g.c.work.structured[i].bodies[j];
+  g.builder.add_node(
+      g.label(stages::kRecovery, i, j),
+      reads(own.progress, own.wrenches, own.rotations, body.inverse, body.accelerations),
+      writes(body.accelerations, body.solution.back()),
+      unless_halted(*data.progress, [&data, j, &work]() noexcept {
+        BodyData<World>& member = data.bodies[j];
+        structured::recover_body(data, static_cast<std::size_t>(j), work,
+                                 data.progress->control.is_implicit, member, member.a_found);
+      }));
 }
 
 }  // namespace
@@ -128,6 +110,11 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
     inputs.push_back(own.rotations);  // for its handles
   inputs.insert(inputs.end(), parts.tension.begin(), parts.tension.end());
   SubsystemData<World>& data = g.c.data.subsystems[i];
+  // Of a solid in one slice all is done here.
+  const bool is_by_slices = is_tiled(data.bodies[j]) && !parts.halves.empty();
+  const PartList& solved = is_by_slices ? parts.halves : parts.tiles;
+  inputs.insert(inputs.end(), solved.begin(), solved.end());
+  if (!is_by_slices) outputs.insert(outputs.end(), parts.halves.begin(), parts.halves.end());
   const auto add = [&](auto invert, auto& work) {
     g.builder.add_node(g.label(stages::kInverse, i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
@@ -193,6 +180,9 @@ template <class World>
 void add_augmented_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
+  PartList tiles;
+  for (const SubsystemParts& own : parts.subsystems)
+    for (const PartId tile : own.tiles()) tiles.push_back(tile);
   PartList outboard_joints;  // Jacobians depend on the deformation; inboard nodes stand fixed
   PartList tensions;
   for (const SubsystemParts& own : parts.subsystems) {
@@ -208,7 +198,7 @@ void add_augmented_solve(const Assembly<World>& g) {
     for (const BodyParts& body : own.bodies) loops.push_back(body.coordinates);
   }
   g.builder.add_node(g.label(stages::kSolve),
-                     reads(loops, parts.all(&BodyParts::terms), outboard_joints, tensions,
+                     reads(loops, parts.all(&BodyParts::terms), tiles, outboard_joints, tensions,
                            parts.all(&SubsystemParts::rotations),
                            parts.all(&SubsystemParts::twists), hub_inputs(g)),
                      writes(parts.augmented_solution, hub_outputs(g)),
@@ -267,14 +257,13 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
     const auto [inputs, outputs] = recovery_access(g, i, j);
     g.builder.add_node(g.label(stages::kRecovery, i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, &method, j, recover]() noexcept {
-                         BodyData<World>& body = data.bodies[j];
-                         recover(body);
-                         report_drives(static_cast<std::size_t>(j), data);
-                         complete_body(method, data.progress->control, body);
+                         recover(data.bodies[j]);
+                         complete_recovery(method, j, data);
                        }));
   };
   switch (c.formulation) {
     case Formulation::structured:
+      if (is_tiled(data.bodies[j])) return add_recovery_between(g, i, j);
       return add(
           [&data, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
             structured::recover_body(data, static_cast<std::size_t>(j), work,

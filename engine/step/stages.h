@@ -25,6 +25,11 @@ inline constexpr const char* kMultipliers = "multipliers";
 inline constexpr const char* kRecovery = "recovery";
 inline constexpr const char* kFinish = "finish";
 inline constexpr const char* kSensors = "sensors";
+// Stages of the slices of a large solid, and the last of such a body.
+inline constexpr const char* kMassTile = "mass tile";
+inline constexpr const char* kForward = "forward";
+inline constexpr const char* kBackward = "backward";
+inline constexpr const char* kCompletion = "completion";
 // Stages where subsystems are shared out over processes.
 inline constexpr const char* kShareForces = "share forces";
 inline constexpr const char* kShareInertias = "share inertias";

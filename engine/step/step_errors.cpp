@@ -32,8 +32,13 @@ double calc_error(const GeneralizedAlpha& method, const double* found, int c,
 double length_of(const TreeBody<Plane>& body) { return body.body->length; }
 /// Returns 0 for a rigid body.
 double length_of(const TreeBody<Space>& body) {
-  const space::FlexibleBody* flexible = body.body->flexible();
-  return flexible ? flexible->length() : 0.0;
+  return body.body->rigid() ? 0.0 : body.body->extent();
+}
+/// Returns the size of a body's deformation coordinates: of a solid that of its modes.
+double size_of_coordinates(const TreeBody<Plane>& body) { return length_of(body); }
+double size_of_coordinates(const TreeBody<Space>& body) {
+  const space::Solid* solid = body.body->solid();
+  return solid ? solid->constants->least_limit : length_of(body);
 }
 
 double reach_of(const TreeBody<Plane>&) { return 0.0; }
@@ -111,7 +116,7 @@ void set_lengths(StepData<World>& data) {
   data.length = longest > 0.0 ? longest : farthest;
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (BodyData<World>& body : subsystem.bodies) {
-      const double own = length_of(*body.model);
+      const double own = size_of_coordinates(*body.model);
       body.length = own > 0.0 ? own : data.length;
     }
 }

@@ -14,6 +14,7 @@
 #include "engine/step/loop_nodes.h"
 #include "engine/step/motion_nodes.h"
 #include "engine/step/solution_nodes.h"
+#include "engine/step/tile_nodes.h"
 
 // One pass of one subsystem of two bodies (structured and subsystem formulations), where the whole
 // motion of the hub is prescribed:
@@ -41,6 +42,10 @@
 // "hub solve" stands between "effective" and "multipliers", and "hub motion" and "finish" are nodes
 // of the system. The same declarations then leave one pass after the other. The augmented
 // formulation has one node, "solve", in place of those from "inverse" to "hub solve".
+//
+// Of a solid in slices (engine/step/tile_nodes.h) "mass" waits for a node "mass tile" for each
+// slice, "inverse" for its nodes "forward", and behind "recovery" come its nodes "backward" and one
+// "completion".
 //
 // The bodies of a subsystem meet in its position and velocity analysis, its effective inertia, its
 // multipliers and its finish: the two layers of parallelism, and the window as the third, are what
@@ -121,6 +126,10 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   const BodyParts& parts = g.subsystem(i).bodies[j];
   PartList outputs{parts.terms};
   PartList inputs = terms_inputs(g, i, j);
+  add_mass_tiles(g, i, j, inputs);
+  // Loads add to the rows of tiles.
+  if (is_tiled(data.bodies[j])) inputs.insert(inputs.end(), parts.tiles.begin(), parts.tiles.end());
+  outputs.insert(outputs.end(), parts.tiles.begin(), parts.tiles.end());
   for (const PartId tension : parts.tension) {
     inputs.push_back(tension);  // it stays while the speed does
     outputs.push_back(tension);
@@ -162,7 +171,10 @@ void add_condensation(const Assembly<World>& g, int i) {
   const int bodies = static_cast<int>(g.subsystem(i).bodies.size());
   for (int j = 0; j < bodies; ++j) add_mass(g, i, j);
   if (g.c.formulation == Formulation::augmented) return;
-  for (int j = 0; j < bodies; ++j) add_inverse(g, i, j);
+  for (int j = 0; j < bodies; ++j) {
+    add_forward(g, i, j);
+    add_inverse(g, i, j);
+  }
   add_effective(g, i);
   add_loop_factor(g, i);
 }
@@ -172,7 +184,10 @@ void add_recoveries(const Assembly<World>& g, int i) {
   const int bodies = static_cast<int>(g.subsystem(i).bodies.size());
   add_loop_forces(g, i);
   add_multipliers(g, i);
-  for (int j = 0; j < bodies; ++j) add_recovery(g, i, j);
+  for (int j = 0; j < bodies; ++j) {
+    add_recovery(g, i, j);
+    add_backward(g, i, j);
+  }
 }
 
 /// Subsystems whose nodes a graph has, and the way in which they let other processes know; null:

@@ -48,6 +48,24 @@ void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::s
   }
 }
 
+/// Adds the parts of the slices of a solid.
+template <class World>
+void add_slice_parts(SystemContext<World>& context, BodyData<World>& body, const std::string& name,
+                     StepGraphBuilder& builder, BodyParts& parts) {
+  const auto add = [&](const std::vector<Memory>& slices, const char* what) {
+    std::vector<PartId> list;
+    for (const Memory& memory : slices)
+      list.push_back(builder.add_part(
+          name + "slice " + std::to_string(list.size() + 1) + " / " + what, memory));
+    return list;
+  };
+  const SliceMemory slices = memory_of_slices(body);
+  parts.tiles = add(slices.tiles, "terms");
+  if (context.formulation != Formulation::structured) return;
+  parts.halves = add(slices.halves, "half solutions");
+  parts.solution = add(slices.solution, "accelerations");
+}
+
 template <class World>
 BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphBuilder& builder) {
   BodyData<World>& data = context.data.subsystems[i].bodies[j];
@@ -77,6 +95,7 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
   if (Memory memory = memory_of_tension(data); !memory.empty())
     parts.tension.push_back(builder.add_part(name + "tension", memory));
   add_inverse_parts(context, i, j, name, builder, parts);
+  add_slice_parts(context, data, name, builder, parts);
   return parts;
 }
 
@@ -234,6 +253,13 @@ void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, St
 std::vector<PartId> SubsystemParts::all(PartId BodyParts::*member) const {
   std::vector<PartId> list;
   for (const BodyParts& body : bodies) list.push_back(body.*member);
+  return list;
+}
+
+std::vector<PartId> SubsystemParts::tiles() const {
+  std::vector<PartId> list;
+  for (const BodyParts& body : bodies)
+    list.insert(list.end(), body.tiles.begin(), body.tiles.end());
   return list;
 }
 

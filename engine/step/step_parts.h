@@ -24,6 +24,9 @@ struct BodyParts {
   graph::PartId port;     ///< multi-port, which the effective inertia changes (structured, space)
   graph::PartId report;
   std::vector<graph::PartId> tension;  ///< tension in implicit steps, if the body has any (space)
+  // Of a solid in nodal coordinates, by slice: rows and sums of its terms; half solutions and
+  // accelerations (structured). Of these the last part is what is between slices.
+  std::vector<graph::PartId> tiles, halves, solution;
 };
 
 /// Parts of a subsystem's closed loops.
@@ -51,6 +54,8 @@ struct SubsystemParts {
 
   /// Returns one member of all bodies, parents before children.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
+  /// Returns the tiles of all bodies.
+  std::vector<graph::PartId> tiles() const;
   /// Returns the parts of the joints between the bodies.
   std::vector<graph::PartId> joints() const;
 };

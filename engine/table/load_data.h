@@ -63,11 +63,13 @@ struct PlacedLoad {
   std::vector<typename BodyTypes<World>::Section> sections;
 };
 
-/// A load on a spatial body; on a rigid one it acts at the places of its points.
+/// A load on a spatial body; on a rigid one it acts at the places of its points, on a solid at
+/// `places`.
 template <>
 struct PlacedLoad<Space, BodyLoad<Space>> {
   const BodyLoad<Space>* load = nullptr;
   std::vector<space::LoadedSections> sections;
+  std::vector<space::Section> places;
 };
 
 }  // namespace spoke

@@ -9,6 +9,7 @@
 #include "engine/body/body_types.h"
 #include "engine/plane/section.h"
 #include "engine/space/body.h"
+#include "engine/space/solid_output.h"
 #include "models/sensor.h"
 #include "models/system/blade_loads.h"
 
@@ -61,6 +62,8 @@ struct Reading<Space> {
   double along = 0.0;  ///< where it is on its body, in elements from the inboard end
   space::SlotMatrix mass = space::SlotMatrix::Zero();  ///< mass of its element's part outboard
   std::vector<OutboardLoad> loads;
+  /// Of a von Mises stress: the nodes of which it is the largest; bodies that are alike share them.
+  std::shared_ptr<const space::NodeRecovery> recovery;
 
   int body() const { return path.back(); }
   /// Whether it shows the load of the first joint on the subsystem.

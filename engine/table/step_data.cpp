@@ -37,9 +37,7 @@ space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& p
 }
 
 double mass_of(const plane::FlexibleBody& body) { return body.mass; }
-double mass_of(const space::Body& body) {
-  return body.flexible() ? body.flexible()->mass : body.rigid()->mass;
-}
+double mass_of(const space::Body& body) { return body.mass(); }
 
 /// Returns the length by which deformations are measured [m].
 double extent_of(const plane::FlexibleBody& body) { return body.length; }
@@ -107,14 +105,20 @@ PlacedLoad<World, Load> place(const Load& load, const BodyData<World>& data) {
 
 PlacedLoad<Space, BodyLoad<Space>> place(const BodyLoad<Space>& load, const BodyData<Space>& data) {
   const space::Body& body = *data.model->body;
-  if (!body.flexible()) return {&load, {}};
+  if (const space::Solid* solid = body.solid()) {
+    PlacedLoad<Space, BodyLoad<Space>> placed{&load, {}, {}};
+    for (const BodyLoad<Space>::Point& point : load.points)
+      placed.places.push_back(make_solid_section(*solid, point.element));
+    return placed;
+  }
+  if (!body.flexible()) return {&load, {}, {}};
   std::vector<space::Section> sections;
   std::vector<double> weights;
   for (const BodyLoad<Space>::Point& point : load.points) {
     sections.push_back(space::make_section(body, point.element, point.s));
     weights.push_back(point.weight);
   }
-  return {&load, make_loaded_sections(*body.flexible(), sections, weights)};
+  return {&load, make_loaded_sections(*body.flexible(), sections, weights), {}};
 }
 
 template <class World, class Load>

@@ -94,6 +94,15 @@ SubsystemShape calc_subsystem_shape(std::size_t subsystem, const VectorXd& q, co
       shape.motions[c][at] = std::sqrt(places[k].mass) * centre[static_cast<Eigen::Index>(c)];
     shape.motions[3][at] = std::sqrt(places[k].inertia) * twist;
   }
+  const auto& coordinates = model.coordinates(subsystem);
+  for (const SolidDeformation& solid : model.solids(subsystem)) {
+    std::vector<std::complex<double>> own;
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const steady::SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+      if (coordinate.body == solid.body && coordinate.node >= 0) own.push_back(x[k]);
+    }
+    shape.solids.emplace_back(Eigen::Map<const VectorXcd>(own.data(), std::ssize(own)));
+  }
   for (std::size_t c = 0; c < 4; ++c) shape.energies[c] = shape.motions[c].squaredNorm();
   return shape;
 }

@@ -80,6 +80,8 @@ void normalise(Mode& mode) {
   for (auto* field : {&mode.shape, &mode.rotations})
     for (auto& nodes : *field)
       for (Eigen::Vector3cd& v : nodes) v /= largest;
+  for (auto& solids : mode.solids)
+    for (Eigen::VectorXcd& q : solids) q /= largest;
   mode.hub_displacement /= largest;
   mode.hub_rotation /= largest;
 }
@@ -143,6 +145,8 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
     mode.rotations.resize(all.model.subsystems());
     mode.shape[i] = shape.nodes;
     mode.rotations[i] = shape.rotations;
+    mode.solids.resize(all.model.subsystems());
+    mode.solids[i] = shape.solids;
     normalise(mode);
     mode.kind = kinds.name(independent, root.x, all.linear.subsystem(i).M, shape);
     numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
@@ -167,6 +171,7 @@ void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& 
   const std::vector<steady::NodePlace> places = model.places(subsystem);
   auto& nodes = mode.shape.emplace_back(shape.nodes);
   auto& rotations = mode.rotations.emplace_back(shape.rotations);
+  mode.solids.push_back(shape.solids);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Eigen::Vector3cd p = places[k].p.cast<std::complex<double>>();
     nodes[k] += mode.hub_displacement + mode.hub_rotation.cross(p);

@@ -27,11 +27,18 @@ std::string file_name(std::size_t number) {
   std::snprintf(text.data(), text.size(), "blades_%06zu.vtp", number);
   return text.data();
 }
+std::string solid_file_name(std::size_t number) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "solids_%06zu.vtu", number);
+  return text.data();
+}
 
-/// Whether file_name() makes such a name.
+/// Whether file_name() or solid_file_name() makes such a name.
 bool is_of_series(std::string_view name) {
   if (name == kIndex) return true;
-  if (name.size() < 17 || !name.starts_with("blades_") || !name.ends_with(".vtp")) return false;
+  const bool is_solid = name.starts_with("solids_") && name.ends_with(".vtu");
+  const bool is_file = name.starts_with("blades_") && name.ends_with(".vtp");
+  if (name.size() < 17 || !(is_solid || is_file)) return false;
   const std::string_view number = name.substr(7, name.size() - 11);
   return std::all_of(number.begin(), number.end(),
                      [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -159,7 +166,11 @@ void remove_vtk_series(const fs::path& folder) {
 }
 
 VtkSeries::VtkSeries(const Simulation& simulation, fs::path folder) : folder_(std::move(folder)) {
-  if (simulation.scenario().space) spatial_.emplace(simulation.scenario());
+  if (simulation.scenario().space) {
+    spatial_.emplace(simulation.scenario());
+    solids_.emplace(simulation);
+    if (!solids_->are_there()) solids_.reset();
+  }
   remove_vtk_series(folder_);
   std::error_code error;
   fs::create_directories(folder_, error);
@@ -169,6 +180,7 @@ VtkSeries::VtkSeries(const Simulation& simulation, fs::path folder) : folder_(st
 void VtkSeries::write(const Simulation& simulation) {
   write_file(folder_ / file_name(times_.size()),
              spatial_ ? spatial_->make(simulation) : make_planar_vtk(simulation, shapes_));
+  if (solids_) write_file(folder_ / solid_file_name(times_.size()), solids_->make(simulation));
   times_.push_back(simulation.time());
 }
 
@@ -180,8 +192,12 @@ void VtkSeries::close() {
   for (std::size_t k = 0; k < times_.size(); ++k) {
     std::array<char, 32> time;
     const auto end = std::to_chars(time.data(), time.data() + time.size(), times_[k]).ptr;
-    file.line("<DataSet timestep=\"" + std::string(time.data(), end) + "\" part=\"0\" file=\"" +
-              file_name(k) + "\"/>");
+    const auto add = [&](const char* part, const std::string& name) {
+      file.line("<DataSet timestep=\"" + std::string(time.data(), end) + "\" part=\"" + part +
+                "\" file=\"" + name + "\"/>");
+    };
+    add("0", file_name(k));
+    if (solids_) add("1", solid_file_name(k));
   }
   file.line("</Collection>\n</VTKFile>");
   write_file(folder_ / kIndex, file.take());

@@ -1,7 +1,8 @@
 #pragma once
 
 // The deformed model over time for ParaView and other programs that read VTK's files: a .vtp file
-// for each output time and blades.pvd, which lists them. docs/results.md documents them.
+// for each output time, a .vtu file beside it for the meshes of solids, and blades.pvd, which lists
+// them. docs/results.md documents them.
 
 #include <filesystem>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/simulation.h"
+#include "engine/vtk/solid_vtk.h"
 #include "engine/vtk/spatial_vtk.h"
 
 namespace spoke {
@@ -31,6 +33,7 @@ class VtkSeries {
   std::vector<double> times_;
   std::vector<BladeShape> shapes_;     ///< by subsystem, in the plane
   std::optional<SpatialVtk> spatial_;  ///< only for a model in space
+  std::optional<SolidVtk> solids_;     ///< only for one that has solids
 };
 
 /// Removes the files of a series, and the folder if nothing else is in it. Throws InputError if

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <utility>
 
 namespace spoke::graph {
 namespace {
@@ -32,11 +34,15 @@ class SubsystemLoopBuilder {
   }
 
  private:
+  // A body, or an item of it: a slice of a large one.
+  using BodyKey = std::pair<int, std::string>;
+  static BodyKey key_of(const NodeLabel& label) { return {label.body, label.item}; }
+
   // A subsystem's share of the loop. Bodies are in ascending order, so that equal loops are shared
   // out equally.
   struct OpenBodyLoop {
     NodeChain alone;
-    std::map<int, NodeChain> bodies;
+    std::map<BodyKey, NodeChain> bodies;
   };
   using OpenSubsystem = std::vector<OpenBodyLoop>;
 
@@ -56,24 +62,25 @@ class SubsystemLoopBuilder {
     });
   }
 
-  // Whether the node waits for one of another body in the given loop over bodies.
+  // Whether the node waits for one of another body or item in the given loop over bodies.
   bool waits_for_another_body(NodeId node, std::ptrdiff_t body_loop) {
     const NodeLabel& label = graph_.node(node).label;
     const auto before = graph_.predecessors(node);
     return std::any_of(before.begin(), before.end(), [&](NodeId other) {
       const NodeLabel& its = graph_.node(other).label;
-      return its.subsystem == label.subsystem && its.body >= 0 && its.body != label.body &&
+      return its.subsystem == label.subsystem && its.body >= 0 && key_of(its) != key_of(label) &&
              place_of(other).loop == loops_.size() && place_of(other).body_loop == body_loop;
     });
   }
 
   void add_to(OpenSubsystem& subsystem, NodeId node) {
-    const int body = graph_.node(node).label.body;
+    const NodeLabel& label = graph_.node(node).label;
+    const int body = label.body;
     const auto last = static_cast<std::ptrdiff_t>(subsystem.size()) - 1;
     const bool fits = last >= 0 && (body >= 0 ? !waits_for_another_body(node, last)
                                               : subsystem.back().bodies.empty());
     if (!fits) subsystem.emplace_back();
-    NodeChain& chain = body >= 0 ? subsystem.back().bodies[body] : subsystem.back().alone;
+    NodeChain& chain = body >= 0 ? subsystem.back().bodies[key_of(label)] : subsystem.back().alone;
     chain.push_back(node);
     place_of(node) = {loops_.size(), static_cast<std::ptrdiff_t>(subsystem.size()) - 1};
   }

@@ -13,7 +13,7 @@ namespace spoke::graph {
 using NodeChain = std::vector<NodeId>;
 
 /// A stretch of one subsystem: nodes that the first thread of its team runs alone, then a loop over
-/// bodies, whose chains are independent of each other.
+/// bodies and items of bodies (NodeLabel::item), whose chains are independent of each other.
 struct BodyLoop {
   NodeChain alone;
   std::vector<NodeChain> bodies;

@@ -125,6 +125,9 @@ void look_at_blades(const std::vector<spatial::Blade>& blades, Hints& hints) {
 
 void look_at_subsystem(const spatial::Subsystem& subsystem, Hints& hints) {
   const std::string of = " of subsystem \"" + subsystem.name + '"';
+  // The last of several copies is nearly a turn beyond the first.
+  if (std::abs(subsystem.azimuth) > 2.0 * kTurn.angle)
+    hints.look("azimuth", of.substr(sizeof(" of ") - 1), subsystem.azimuth, kTurn);
   for (const spatial::Body& body : subsystem.bodies)
     if (const auto* beam = std::get_if<spatial::Beam>(&body.shape))
       look_at_twist("body \"" + body.name + '"' + of, *beam, hints);

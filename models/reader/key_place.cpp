@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "models/reader/text_file.h"
 #include "models/reader/toml_document.h"
+#include "models/text_file.h"
 
 namespace spoke {
 namespace {

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "models/reader/nearest_name.h"
+#include "models/reader/spatial/solid_faults.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {
@@ -75,8 +76,13 @@ Fault find_end_fault(double station, const LoopBody& beam) {
 }
 
 Fault find_fault_of_station(const LoopPlace& place, const LoopSurroundings& around) {
-  if (!place.station) return {};
   const LoopBody* body = place.carrier == LoopPlace::Carrier::body ? around.find(place) : nullptr;
+  if (body != nullptr && body->solid != nullptr) {
+    if (place.station) return {"station", "belongs to beams, expected interface on a solid"};
+    return spatial::find_interface_fault(place.interface, *body->solid);
+  }
+  if (!place.interface.empty()) return {"interface", "would be ignored, expected only on a solid"};
+  if (!place.station) return {};
   if (body == nullptr || !body->length)
     return {"station", "would be ignored, expected only on a beam: give point"};
   const FirstFault first;
@@ -112,6 +118,12 @@ Fault find_same_fault(const Loop& loop, const LoopSurroundings& around) {
   using Carrier = LoopPlace::Carrier;
   if (loop.to.carrier != Carrier::body || loop.to.name != loop.from.name) return {};
   const LoopBody& body = *around.find(loop.to);
+  if (body.solid) {
+    if (find_interface(*body.solid, loop.to.interface) !=
+        find_interface(*body.solid, loop.from.interface))
+      return {};
+    return {"to", "is at the same interface of the same solid as from, expected another place"};
+  }
   if (!body.length)
     return {"to", "is on the same rigid body as from, expected a place that moves against it"};
   const double length = *body.length;
@@ -219,7 +231,8 @@ LoopSurroundings surroundings_of(const spatial::Subsystem& subsystem, const spat
   LoopSurroundings around{false, model.hub.support == HubSupport::axle, &model.anchors};
   for (const spatial::Body& body : subsystem.bodies) {
     const auto* beam = std::get_if<spatial::Beam>(&body.shape);
-    around.bodies.push_back({body.name, beam ? std::optional(beam->length) : std::nullopt});
+    around.bodies.push_back({body.name, beam ? std::optional(beam->length) : std::nullopt, 1,
+                             std::get_if<spatial::SolidBody>(&body.shape)});
   }
   return around;
 }

@@ -20,6 +20,7 @@ struct LoopBody {
   std::string_view name{};                      ///< empty: the blade
   std::optional<double> length = std::nullopt;  ///< of a beam [m]; none: it is rigid
   int parts = 1;                                ///< in the plane, bodies that the beam is cut into
+  const spatial::SolidBody* solid = nullptr;    ///< null: it is none
 };
 
 /// What the loops of a blade or a subsystem may be fixed to. Valid as long as what it was made of.

@@ -31,6 +31,7 @@ Json to_json(const LoopPlace& place, const LoopSurroundings& around) {
       break;
   }
   if (station) json.set("station", *station);
+  if (!place.interface.empty()) json.set("interface", place.interface);
   if (!place.point.isZero(0.0))
     json.set("point", spatial::to_json(place.point, place_shape(around.in_plane)));
   if (place.orientation)

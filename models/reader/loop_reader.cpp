@@ -84,6 +84,12 @@ void read_point(const TomlSection& table, const LoopSurroundings& around, LoopPl
     table.fail_at("point.1", fault.text);
 }
 
+TomlSection::Keys place_keys(bool in_plane) {
+  TomlSection::Keys keys{"body", "anchor", "station", "point", "orientation"};
+  if (!in_plane) keys.push_back("interface");
+  return keys;
+}
+
 LoopPlace read_place(const TomlSection& section, std::string_view key,
                      const LoopSurroundings& around) {
   const std::string expected = around.is_blade()
@@ -98,9 +104,9 @@ LoopPlace read_place(const TomlSection& section, std::string_view key,
     return place;
   }
   if (!section.is_table(key)) section.fail_expected(key, expected);
-  const TomlSection table =
-      section.section(key, {"body", "anchor", "station", "point", "orientation"});
+  const TomlSection table = section.section(key, place_keys(around.in_plane));
   read_carrier(table, place);
+  place.interface = table.text("interface", "");
   read_point(table, around, place);
   if (table.has("orientation"))
     place.orientation = spatial::read_vector(table, "orientation", spatial::kAngle,

@@ -8,10 +8,10 @@
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_reader.h"
 #include "models/reader/spatial/sensor_reader.h"
-#include "models/reader/text_file.h"
 #include "models/reader/toml_document.h"
 #include "models/scenario.h"
 #include "models/start.h"
+#include "models/text_file.h"
 
 namespace spoke {
 namespace {
@@ -58,8 +58,36 @@ Initial read_initial(const TomlSection& root, const Scenario& read) {
   return initial;
 }
 
-/// Reads the model, in the plane or in space.
-void read_world(const TomlSection& root, Scenario& scenario) {
+/// Returns the elements of an array of tables, if a table has one of this name.
+std::vector<const TomlTable*> find_tables(const TomlTable& table, std::string_view key) {
+  std::vector<const TomlTable*> tables;
+  const TomlValue* value = table.find(key);
+  if (value && value->as_array())
+    for (const TomlValue& element : *value->as_array())
+      if (element.as_table()) tables.push_back(element.as_table());
+  return tables;
+}
+
+/// Returns the key of the first body that is a solid, whatever else the scenario says; empty if
+/// there is none.
+std::string find_solid(const TomlTable& root) {
+  std::size_t number = 0;
+  for (const TomlTable* subsystem : find_tables(root, "subsystem")) {
+    ++number;
+    std::size_t body = 0;
+    for (const TomlTable* table : find_tables(*subsystem, "body")) {
+      ++body;
+      const TomlValue* kind = table->find("kind");
+      if (kind && kind->as_text() && *kind->as_text() == "solid")
+        return "subsystem." + std::to_string(number) + ".body." + std::to_string(body) + ".kind";
+    }
+  }
+  return {};
+}
+
+/// Reads the model, in the plane or in space. Files that it names are relative to `folder`.
+void read_world(const TomlDocument& document, const TomlSection& root, const std::string& folder,
+                Scenario& scenario) {
   const bool is_spatial = root.has("world") && root.choice("world", {"plane", "space"}) == 1;
   const auto refuse = [&](std::string_view key, const char* expected) {
     if (root.has(key))
@@ -67,8 +95,10 @@ void read_world(const TomlSection& root, Scenario& scenario) {
   };
   if (is_spatial) {
     refuse("drag", "\"plane\"");
-    scenario.space = spatial::read_model(root);
+    scenario.space = spatial::read_model(root, folder);
   } else {
+    if (const std::string path = find_solid(document.root()); !path.empty())
+      root.fail_at(path, "is \"solid\", and solids belong to world = \"space\"");
     refuse("subsystem", "\"space\"");
     scenario.rotor = read_rotor(root);
   }
@@ -94,7 +124,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   Scenario scenario;
   scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
-  read_world(root, scenario);
+  read_world(document, root, std::filesystem::path(name).parent_path().string(), scenario);
   scenario.initial = read_initial(root, scenario);
   scenario.integration = read_integration(root, scenario);
   scenario.limits = read_limits(root);

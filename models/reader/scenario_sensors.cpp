@@ -57,9 +57,9 @@ std::vector<const std::vector<Loop>*> loops_of(const Sensor& sensor,
 
 Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades) {
   Sensor sensor;
-  sensor.quantity = read_quantity(section);
+  sensor.quantity = read_quantity(section, true);
   const SensorQuantity quantity = sensor.quantity;
-  require_fitting_keys(section, quantity);
+  require_fitting_keys(section, quantity, true);
   sensor.name = section.text("name", std::string(name_of(quantity)));
   if (!is_name(sensor.name)) section.fail_expected("name", kNameExpected);
   if (is_of_blade(quantity) && blades.empty()) section.fail("", kNoBlades);
@@ -81,6 +81,9 @@ Sensor read_sensor(const TomlSection& section, const std::vector<Blade>& blades)
 }
 
 void check_sensor(const std::string& path, const Sensor& sensor, const std::vector<Blade>& blades) {
+  if (is_of_solid(sensor.quantity))
+    refuse_sensor(path + ".quantity", "is \"" + std::string(name_of(sensor.quantity)) +
+                                          "\", which belongs to solids, in world = \"space\"");
   if (is_of_blade(sensor.quantity) && blades.empty()) refuse_sensor(path, kNoBlades);
   const auto last = static_cast<int>(blades.size());
   const int number = sensor.blade.number();

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "models/reader/nearest_name.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {
@@ -16,33 +16,44 @@ constexpr std::initializer_list<SensorQuantity> kQuantities{
     SensorQuantity::displacement,  SensorQuantity::velocity,       SensorQuantity::acceleration,
     SensorQuantity::section_force, SensorQuantity::joint_reaction, SensorQuantity::hub_reaction,
     SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy,
-    SensorQuantity::loop_reaction, SensorQuantity::loop_opening};
+    SensorQuantity::loop_reaction, SensorQuantity::loop_opening,   SensorQuantity::interface_force,
+    SensorQuantity::von_mises};
 
 /// Whether a sensor of this quantity has a use for a key.
 bool takes(SensorQuantity quantity, std::string_view key) {
   if (key == "position") return has_position(quantity);
   if (key == "joint") return quantity == SensorQuantity::joint_reaction;
   if (key == "loop") return is_of_loop(quantity);
+  if (key == "interface") return is_motion(quantity) || is_of_solid(quantity);
+  if (key == "node") return is_motion(quantity) || quantity == SensorQuantity::von_mises;
   if (key == "frame") return frames_of(quantity).size() > 1;
-  return is_of_blade(quantity);
+  return is_of_blade(quantity) && !is_of_solid(quantity);
 }
 
 /// Refuses a key that would be ignored.
-void require_fitting(const TomlSection& section, std::string_view key, SensorQuantity quantity) {
+void require_fitting(const TomlSection& section, std::string_view key, SensorQuantity quantity,
+                     bool in_plane) {
   if (takes(quantity, key) || !section.has(key)) return;
   TomlSection::Keys fitting;
   for (const SensorQuantity other : kQuantities)
-    if (takes(other, key)) fitting.push_back(name_of(other));
+    if (takes(other, key) && !(in_plane && is_of_solid(other))) fitting.push_back(name_of(other));
   section.fail(key, "does not belong to quantity \"" + std::string(name_of(quantity)) +
                         "\", expected only with quantity " + join_names(fitting));
 }
 
 }  // namespace
 
-SensorQuantity read_quantity(const TomlSection& section) {
+SensorQuantity read_quantity(const TomlSection& section, bool in_plane) {
   if (!section.has("quantity"))
     section.fail("quantity", "is missing, expected what is measured, as quantity = \"velocity\"");
-  return section.choice("quantity", kQuantities, SensorQuantity::displacement);
+  TomlSection::Keys names;
+  std::vector<SensorQuantity> quantities;
+  for (const SensorQuantity quantity : kQuantities) {
+    if (in_plane && is_of_solid(quantity)) continue;
+    names.push_back(name_of(quantity));
+    quantities.push_back(quantity);
+  }
+  return quantities[section.choice("quantity", names)];
 }
 
 SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantity) {
@@ -53,9 +64,10 @@ SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantit
   return frames[section.choice("frame", names)];
 }
 
-void require_fitting_keys(const TomlSection& section, SensorQuantity quantity) {
-  for (const std::string_view key : {"blade", "position", "joint", "loop", "frame"})
-    require_fitting(section, key, quantity);
+void require_fitting_keys(const TomlSection& section, SensorQuantity quantity, bool in_plane) {
+  for (const std::string_view key :
+       {"blade", "position", "joint", "loop", "interface", "node", "frame"})
+    require_fitting(section, key, quantity, in_plane);
 }
 
 std::string find_frame_fault(const Sensor& sensor) {

@@ -14,13 +14,13 @@
 
 namespace spoke {
 
-/// Reads the key `quantity`, which is required.
-SensorQuantity read_quantity(const TomlSection& section);
+/// Reads the key `quantity`, which is required; those of solids are none of the plane.
+SensorQuantity read_quantity(const TomlSection& section, bool in_plane);
 /// Reads the key `frame` of a sensor, which must be a frame of its quantity.
 SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantity);
-/// Refuses the keys `blade`, `position`, `joint`, `loop` and `frame` where a sensor's quantity has
-/// no use for them.
-void require_fitting_keys(const TomlSection& section, SensorQuantity quantity);
+/// Refuses the keys `blade`, `position`, `joint`, `loop`, `interface`, `node` and `frame` where a
+/// sensor's quantity has no use for them.
+void require_fitting_keys(const TomlSection& section, SensorQuantity quantity, bool in_plane);
 /// Returns what is wrong with a sensor's frame; empty if nothing is.
 std::string find_frame_fault(const Sensor& sensor);
 

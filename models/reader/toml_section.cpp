@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "models/reader/nearest_name.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {

@@ -120,6 +120,10 @@ void Json::set(std::string_view key, Json value) {
 
 void Json::update(Json members) { value_->json.update(members.value_->json); }
 
+void Json::set_at(const std::string& path, Json value) {
+  value_->json[ordered_json::json_pointer(path)] = std::move(value.value_->json);
+}
+
 void Json::append(std::string_view key, Json element) {
   value_->json[std::string(key)].push_back(std::move(element.value_->json));
 }

@@ -58,6 +58,9 @@ class Json {
   /// Adds a member to an object, or gives an existing one another value.
   void set(std::string_view key, Json value);
   void update(Json members);
+  /// Gives the part at a path, such as "/blades/0/length", another value. Precondition: what it is
+  /// in exists.
+  void set_at(const std::string& path, Json value);
   /// Adds an element to the array under a key of an object, and makes the array if there is none.
   void append(std::string_view key, Json element);
   /// Removes a member of an object if it is there.

@@ -49,7 +49,7 @@ struct BodyLoad {
 template <>
 struct BodyLoad<Space> {
   /// A point where the load acts, as LoadPoint; on a rigid body it is `place` in the body's frame
-  /// [m].
+  /// [m], on a solid the place of that number (`element`).
   struct Point {
     int element = 0;
     double s = 0.0;

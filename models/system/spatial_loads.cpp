@@ -68,10 +68,26 @@ bool carries(const FlexibleBody& body, double station) {
          (station > body.nodes.front() || (is_first && station == 0.0));
 }
 
+/// Returns a load on a solid. Traction becomes the force that it makes.
+BodyLoad<Space> make_solid_load(const spatial::PointLoad& load, const spatial::SolidPart& part) {
+  BodyLoad<Space> made{{}, load.frame, load.force, load.moment, course_of(load.ramp, load.factor)};
+  if (load.traction)
+    made.force =
+        *load.traction *
+        solid::choose_nodes(*part.geometry().mesh, *find_loaded_set(load, part.body())).area;
+  Point& point = made.points.emplace_back();
+  point.element = static_cast<int>(find_loaded_place(load, part));
+  return made;
+}
+
 void add_point_load(const spatial::PointLoad& load, const spatial::Tree& tree, const Target& target,
                     LoadsByBody& loads) {
   for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
     if (!target.holds(tree.bodies[j])) continue;
+    if (const auto* solid = std::get_if<spatial::SolidPart>(&tree.bodies[j].shape)) {
+      loads[j].push_back(make_solid_load(load, *solid));
+      continue;
+    }
     BodyLoad<Space> made{
         {}, load.frame, load.force, load.moment, course_of(load.ramp, load.factor)};
     if (const auto* body = std::get_if<FlexibleBody>(&tree.bodies[j].shape)) {

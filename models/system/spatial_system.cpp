@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <cassert>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "models/error.h"
+#include "models/system/shared_bodies.h"
+#include "models/system/solid_tension.h"
 #include "models/system/spatial_loads.h"
 #include "models/tree/mass_properties.h"
-#include "models/tree/space_beam.h"
 #include "models/tree/space_joint.h"
 #include "models/tree/tree.h"
 
@@ -61,45 +60,12 @@ space::HubLoad make_hub_load(const spatial::HubLoad& load, const space::Rotation
           load.factor};
 }
 
-/// Beams and their flexible bodies, each made once: equal blades share their constants.
-class Beams {
- public:
-  using Pointer = std::shared_ptr<const space::Beam>;
-
-  /// Finds or makes a beam. `beam` must outlive this.
-  Pointer find_or_make(const spatial::Beam& beam) {
-    const auto at = std::find_if(beams_.begin(), beams_.end(),
-                                 [&beam](const auto& made) { return *made.first == beam; });
-    if (at != beams_.end()) return at->second;
-    auto made = std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0));
-    return beams_.emplace_back(&beam, std::move(made)).second;
-  }
-  /// Returns the body between the first and the last of its nodes, which are stations of the beam.
-  std::shared_ptr<const space::Body> find_or_make_body(const Pointer& beam,
-                                                       const std::vector<double>& nodes,
-                                                       ReferenceFrame frame,
-                                                       const std::vector<int>& handles) {
-    std::shared_ptr<const space::Body>& body = bodies_[{beam.get(), nodes, handles}];
-    if (!body)
-      body = std::make_shared<const space::Body>(
-          space::Body{make_beam_body(*beam, nodes, frame, handles), beam});
-    return body;
-  }
-
- private:
-  /// A beam has one reference frame, which the key therefore lacks.
-  using Key = std::tuple<const space::Beam*, std::vector<double>, std::vector<int>>;
-
-  std::vector<std::pair<const spatial::Beam*, Pointer>> beams_;
-  std::map<Key, std::shared_ptr<const space::Body>> bodies_;
-};
-
 /// Makes the subsystem of one tree. `centre`: the point in H about which the undeformed model turns
 /// freely.
 class SubsystemMaker {
  public:
   SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis,
-                 const space::Position& centre, Beams& made)
+                 const space::Position& centre, SharedBodies& made)
       : tree_(tree),
         to_axis_(to_axis),
         centre_(centre),
@@ -129,6 +95,9 @@ class SubsystemMaker {
   const spatial::FlexibleBody* flexible(std::size_t j) const {
     return std::get_if<spatial::FlexibleBody>(&body(j).shape);
   }
+  const spatial::SolidPart* solid(std::size_t j) const {
+    return std::get_if<spatial::SolidPart>(&body(j).shape);
+  }
 
   /// Returns a body's frame B in the body's frame of the description.
   space::Rotation frame_of(std::size_t j) const {
@@ -147,6 +116,7 @@ class SubsystemMaker {
   }
   space::Position tip_of(std::size_t j) const {
     const space::Body& made = *made_.bodies[j].body;
+    if (made.solid()) return made.solid()->constants->tip.p;
     return made.flexible() ? made.flexible()->nodes.back() : made.rigid()->centre;
   }
 
@@ -190,7 +160,8 @@ class SubsystemMaker {
         static_cast<int>(std::find(places.begin(), places.end(), &place) - places.begin());
     const space::Rotation back = frame_of(j).inverse();
     // The handle of a rigid body is where the place is.
-    made.offset = {flexible(j) ? back * made.offset.p : space::Position(space::Position::Zero()),
+    const bool is_rigid = made_.bodies[j].body->rigid() != nullptr;
+    made.offset = {is_rigid ? space::Position(space::Position::Zero()) : back * made.offset.p,
                    back * made.offset.R};
     return made;
   }
@@ -203,16 +174,25 @@ class SubsystemMaker {
     made.to = make_place(loop.to);
   }
 
+  /// Returns the nodes or interfaces of a body's handles.
+  std::vector<int> handles_of(std::size_t j) const {
+    std::vector<int> handles{0};
+    for (const int c : made_.bodies[j].children)
+      handles.push_back(static_cast<int>(body(static_cast<std::size_t>(c)).parent_node));
+    for (const spatial::TreePlace* place : places_on(j))
+      handles.push_back(static_cast<int>(place->node));
+    return handles;
+  }
+
   void add_body(std::size_t j) {
     TreeBody<Space>& made = made_.bodies[j];
     if (const spatial::FlexibleBody* part = flexible(j)) {
-      std::vector<int> handles{0};
-      for (const int c : made.children)
-        handles.push_back(static_cast<int>(body(static_cast<std::size_t>(c)).parent_node));
-      for (const spatial::TreePlace* place : places_on(j))
-        handles.push_back(static_cast<int>(place->node));
       made.body = shared_.find_or_make_body(beams_[part->beam], part->nodes,
-                                            tree_.beams[part->beam].reference_frame, handles);
+                                            tree_.beams[part->beam].reference_frame, handles_of(j));
+      return;
+    }
+    if (const spatial::SolidPart* part = solid(j)) {
+      made.body = shared_.find_or_make_solid(*part, handles_of(j));
       return;
     }
     const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
@@ -267,6 +247,10 @@ class SubsystemMaker {
   }
 
   bool is_stiffened(std::size_t j) const {
+    // With mean axes a solid is stiffened by its own rotation.
+    if (const space::Solid* solid = made_.bodies[j].body->solid())
+      return solid->constants->is_stiffened &&
+             solid->constants->frame == spatial::SolidFrame::clamped;
     const spatial::FlexibleBody* part = flexible(j);
     return part && tree_.beams[part->beam].geometric_stiffening;
   }
@@ -294,8 +278,8 @@ class SubsystemMaker {
     return slide;
   }
 
-  /// Finds whether the joint that carries a body slides along bodies inboard, none of which may be
-  /// at an angle to it, or bent.
+  /// Finds whether the joint that carries a body slides along bodies inboard, which must be beams,
+  /// none of them at an angle to it, or bent.
   std::optional<space::JointSlide> find_slide(std::size_t j) const {
     const TreeBody<Space>& body = made_.bodies[j];
     if (body.parent < 0) return {};
@@ -306,6 +290,7 @@ class SubsystemMaker {
     for (int i = body.parent; i >= 0; i = made_.bodies[static_cast<std::size_t>(i)].parent) {
       const auto k = static_cast<std::size_t>(i);
       if (!is_stiffened(k)) continue;
+      if (!flexible(k)) return {};
       const double along = std::abs(place_of(k).pose.R.axes.col(0).dot(slide->axis));
       if (!made_.bodies[k].body->flexible()->is_straight || (along > 1e-9 && along < 1.0 - 1e-9))
         return {};
@@ -370,6 +355,21 @@ class SubsystemMaker {
     return carried;
   }
 
+  /// Finds the geometric stiffness of a solid by all that hangs at its places.
+  std::shared_ptr<const space::SolidTension> find_solid_tension(
+      std::size_t j, const space::Pose& pose,
+      const std::vector<spatial::MassProperties>& branches) const {
+    std::vector<OutboardMass> outboard;
+    for (const int c : made_.bodies[j].children) {
+      const auto child = static_cast<std::size_t>(c);
+      outboard.push_back(make_outboard_mass(body(child).parent_node, branches[child], to_axis_,
+                                            centre_, pose.R.inverse()));
+      set_handed_on(made_.bodies[child].joint.joint, outboard.back());
+    }
+    return make_solid_tension(*made_.bodies[j].body->solid()->constants,
+                              pose.R.inverse() * space::Position(pose.p - centre_), outboard);
+  }
+
   void add_tension() {
     const std::vector<spatial::MassProperties> masses = calc_masses();
     const std::vector<spatial::MassProperties> branches = sum_branches(masses);
@@ -380,12 +380,16 @@ class SubsystemMaker {
       if (!is_stiffened(j)) continue;
       const space::Pose pose = place_of(j).pose;
       const space::Rotation to_body = pose.R.inverse();
-      std::vector<spatial::MassProperties> along;  // used only where something slides
-      for (std::size_t c = 0; slides && c < branches.size(); ++c)
-        along.push_back(calc_branch_along(c, pose.R.axes.col(0), masses));
-      made_.bodies[j].stiffening =
-          space::TensionPlace{pose.R, to_body * space::Position(pose.p - centre_),
-                              find_carried(j, to_body, slides ? along : branches)};
+      space::TensionPlace tension{pose.R, to_body * space::Position(pose.p - centre_), {}, {}};
+      if (solid(j)) {
+        tension.solid = find_solid_tension(j, pose, branches);
+      } else {
+        std::vector<spatial::MassProperties> along;  // used only where something slides
+        for (std::size_t c = 0; slides && c < branches.size(); ++c)
+          along.push_back(calc_branch_along(c, pose.R.axes.col(0), masses));
+        tension.carried = find_carried(j, to_body, slides ? along : branches);
+      }
+      made_.bodies[j].stiffening = std::move(tension);
     }
   }
 
@@ -406,8 +410,8 @@ class SubsystemMaker {
   space::Position centre_;
   /// Placements of bodies in the frame of the description's hub.
   std::vector<Placement> placements_;
-  Beams& shared_;
-  std::vector<Beams::Pointer> beams_;  ///< beams of the tree
+  SharedBodies& shared_;
+  std::vector<std::shared_ptr<const space::Beam>> beams_;  ///< beams of the tree
   Subsystem<Space> made_;
 };
 
@@ -445,7 +449,8 @@ void require_azimuth(const System<Space>& system) {
 
 }  // namespace
 
-System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees) {
+System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
+                          const solid::Control& control) {
   assert(trees.size() == model.blades.size() + model.subsystems.size());
   assert(std::all_of(trees.begin(), trees.end(), [](const spatial::Tree& tree) {
     return !tree.bodies.empty() && tree.bodies.front().parent < 0;
@@ -460,10 +465,10 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
     system.hub_loads.push_back(make_hub_load(load, to_axis));
   space::Position centre = space::Position::Zero();
   if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
-  Beams beams;
+  SharedBodies bodies(control);
   for (std::size_t i = 0; i < trees.size(); ++i)
-    system.subsystems.push_back(
-        SubsystemMaker(trees[i], to_axis, centre, beams).make(make_body_loads(model, trees[i], i)));
+    system.subsystems.push_back(SubsystemMaker(trees[i], to_axis, centre, bodies)
+                                    .make(make_body_loads(model, trees[i], i)));
   for (const Anchor& anchor : model.anchors) system.anchors.push_back(make_anchor(anchor, to_axis));
   require_azimuth(system);
   return system;

@@ -16,7 +16,9 @@ namespace spoke {
 /// Builds the constants of a model; equal beams share them, and the trees are those of
 /// build_trees(). Preconditions: check_model() accepts it; each subsystem has one body on the hub.
 /// Throws InputError where a joint follows the azimuth of a hub that is free in space.
-System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees);
+/// `control`: of solids, whose constants may take seconds.
+System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
+                          const solid::Control& control = {});
 System<Space> make_system(const spatial::Model& model);
 
 }  // namespace spoke

@@ -18,7 +18,7 @@ Tensor rotation_of(const Vector& rotation_vector) {
   return space::exponential(rotation_vector).axes;
 }
 
-/// A place to which a body is joined: on the hub, on a rigid body, or at a node.
+/// A place to which a body is joined: on the hub, on a rigid body, at a node, or at an interface.
 struct Handle {
   int body = -1;
   std::size_t node = 0;
@@ -32,8 +32,8 @@ std::optional<std::size_t> find_node(const FlexibleBody& body, double station, d
 }
 
 /// Adds a body on a handle. The joint's offset and orientation become the placement.
-int add_body(Tree& tree, std::string name, std::variant<FlexibleBody, RigidBody> shape,
-             const Handle& parent, Placement placement, Joint joint) {
+int add_body(Tree& tree, std::string name, decltype(TreeBody::shape) shape, const Handle& parent,
+             Placement placement, Joint joint) {
   placement = placement * Placement{joint.offset, rotation_of(joint.orientation)};
   joint.offset = joint.orientation = Vector::Zero();
   tree.bodies.push_back(
@@ -121,6 +121,8 @@ class LoopBuilder {
                  TreePlace& found) const {
     for (std::size_t i = bodies.second + 1; i-- > bodies.first;) {
       found.body = static_cast<int>(i);
+      if (const auto* solid = std::get_if<SolidPart>(&tree_.bodies[i].shape))
+        found.node = find_interface(solid->body(), place.interface).value();
       const auto* part = std::get_if<FlexibleBody>(&tree_.bodies[i].shape);
       if (part == nullptr) return;
       const Beam& beam = tree_.beams[part->beam];
@@ -160,9 +162,13 @@ Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
 /// Adds the bodies of a subsystem, each after its parent.
 class SubsystemBuilder {
  public:
-  SubsystemBuilder(const Subsystem& subsystem, const std::vector<Anchor>& anchors)
-      : subsystem_(subsystem), anchors_(anchors) {
+  SubsystemBuilder(const Subsystem& subsystem, const Model& model, const SolidParts& solids)
+      : subsystem_(subsystem),
+        anchors_(model.anchors),
+        solids_(solids),
+        turn_(rotation_of(subsystem.azimuth * model.hub.axis.normalized())) {
     tree_.name = subsystem.name;
+    tree_.azimuth = subsystem.azimuth;
     for (const SubsystemJoint& joint : subsystem.joints) children_.emplace(joint.parent, &joint);
   }
 
@@ -177,7 +183,7 @@ class SubsystemBuilder {
       const auto further = children_of(joint.child);
       next.insert(next.end(), further.rbegin(), further.rend());
     }
-    LoopBuilder builder(anchors_, Tensor::Identity(), tree_);
+    LoopBuilder builder(anchors_, turn_, tree_);
     for (const Loop& loop : subsystem_.loops)
       builder.add(loop, [this](const std::string& name) {
         const Added& added = added_.at(name);
@@ -208,6 +214,8 @@ class SubsystemBuilder {
   Handle handle_of(const SubsystemJoint& joint) const {
     if (joint.parent == "hub") return {};
     const Added& parent = added_.at(joint.parent);
+    if (const auto* solid = std::get_if<SolidBody>(&body(joint.parent).shape))
+      return {static_cast<int>(parent.first), find_interface(*solid, joint.interface).value()};
     const auto* beam = std::get_if<Beam>(&body(joint.parent).shape);
     if (beam == nullptr) return {static_cast<int>(parent.first), 0};
     for (std::size_t i = parent.first; i <= parent.last; ++i) {
@@ -222,22 +230,28 @@ class SubsystemBuilder {
   void add(const SubsystemJoint& joint) {
     const Body& child = body(joint.child);
     const std::size_t first = tree_.bodies.size();
+    const Handle parent = handle_of(joint);
+    // On the hub the azimuth turns it.
+    const Placement placement = parent.body < 0 ? Placement{Vector::Zero(), turn_} : Placement{};
     if (const auto* beam = std::get_if<Beam>(&child.shape)) {
       std::vector<double> places;
       for (const SubsystemJoint* further : children_of(child.name))
         places.push_back(further->station.value_or(beam->length));
       for (const double station : loop_stations(subsystem_.loops, child.name, *beam))
         places.push_back(station);
-      add_beam(tree_, *beam, child.name, {handle_of(joint), {}, joint.joint}, {}, places);
+      add_beam(tree_, *beam, child.name, {parent, placement, joint.joint}, {}, places);
+    } else if (const auto* solid = std::get_if<SolidBody>(&child.shape)) {
+      add_body(tree_, child.name, solids_.of(*solid), parent, placement, joint.joint);
     } else {
-      add_body(tree_, child.name, std::get<RigidBody>(child.shape), handle_of(joint), {},
-               joint.joint);
+      add_body(tree_, child.name, std::get<RigidBody>(child.shape), parent, placement, joint.joint);
     }
     added_[child.name] = {first, tree_.bodies.size() - 1};
   }
 
   const Subsystem& subsystem_;
   const std::vector<Anchor>& anchors_;
+  const SolidParts& solids_;
+  Tensor turn_;  ///< turns by the azimuth, in the hub's frame
   /// Joints by the name of their parent.
   std::multimap<std::string, const SubsystemJoint*> children_;
   std::map<std::string, Added> added_;
@@ -257,8 +271,9 @@ std::vector<Tree> build_trees(const Model& model) {
   std::vector<Tree> trees;
   for (std::size_t i = 0; i < model.blades.size(); ++i)
     trees.push_back(build_tree(model.blades[i], model, i + 1));
+  const SolidParts solids(model);
   for (const Subsystem& subsystem : model.subsystems)
-    trees.push_back(SubsystemBuilder(subsystem, model.anchors).build());
+    trees.push_back(SubsystemBuilder(subsystem, model, solids).build());
   for (std::size_t i = 0; i < trees.size(); ++i) {
     const bool is_blade = i < model.blades.size();
     trees[i].key = is_blade ? "blades." + std::to_string(i + 1)

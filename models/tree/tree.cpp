@@ -9,8 +9,10 @@
 namespace spoke::spatial {
 namespace {
 
-/// Returns where a node's frame is in the frame of its body.
+/// Returns where the frame of a node or an interface is in the frame of its body.
 Placement placement_of(const Tree& tree, const TreeBody& body, std::size_t node) {
+  if (const auto* solid = std::get_if<SolidPart>(&body.shape))
+    return {solid->place_of(node), Tensor::Identity()};
   const auto* flexible = std::get_if<FlexibleBody>(&body.shape);
   if (flexible == nullptr) return {};
   const space::ReferenceCurve axis = make_space_beam(tree.beams[flexible->beam], 0.0).curve;
@@ -25,6 +27,8 @@ std::int64_t count_coordinates(const Tree& tree) {
     count += count_coordinates(body.joint.kind);
     if (const auto* beam = std::get_if<FlexibleBody>(&body.shape))
       count += 6 * (std::ssize(beam->nodes) - 1);
+    else if (const auto* solid = std::get_if<SolidPart>(&body.shape))
+      count += count_coordinates(*solid);
   }
   return count;
 }
@@ -47,6 +51,11 @@ std::vector<Placement> calc_placements(const Tree& tree) {
 MassProperties calc_mass_properties(const Tree& tree, const TreeBody& body) {
   if (const auto* rigid = std::get_if<RigidBody>(&body.shape))
     return make_mass_properties(rigid->mass, rigid->center, rigid->inertia);
+  if (const auto* solid = std::get_if<SolidPart>(&body.shape)) {
+    const solid::SolidGeometry& at_rest = solid->geometry();
+    const Tensor& second = at_rest.second_moment;
+    return {at_rest.mass, at_rest.first_moment, second.trace() * Tensor::Identity() - second};
+  }
   const auto& flexible = std::get<FlexibleBody>(body.shape);
   const space::Beam beam = make_space_beam(tree.beams[flexible.beam], 0.0);
   const double from = flexible.nodes.front(), to = flexible.nodes.back();

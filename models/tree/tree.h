@@ -10,6 +10,7 @@
 
 #include "models/spatial_model.h"
 #include "models/tree/mass_properties.h"
+#include "models/tree/solid_part.h"
 
 namespace spoke::spatial {
 
@@ -24,13 +25,15 @@ struct FlexibleBody {
 
 /// A body of a tree, and the joint that carries it.
 struct TreeBody {
-  std::string name{};                             ///< name for people
-  std::variant<FlexibleBody, RigidBody> shape{};  ///< a flexible or rigid body
+  std::string name{};                                        ///< name for people
+  std::variant<FlexibleBody, RigidBody, SolidPart> shape{};  ///< part of a beam, rigid, or a solid
   /// Index of the body that carries it; -1: the hub.
   int parent = -1;
-  /// Node of a flexible parent that carries it; 0 on other parents.
+  /// Node of a part of a beam, or index of an interface of a solid, that carries it; 0 on other
+  /// parents.
   std::size_t parent_node = 0;
-  /// The body's frame at joint coordinates of zero: in the parent's frame, or that of its node.
+  /// The body's frame at joint coordinates of zero: in the parent's frame, or that of its node or
+  /// interface.
   Placement placement{};
   Joint joint{};  ///< its axes are in the body's frame; offset and orientation are in `placement`
 };
@@ -39,10 +42,10 @@ struct TreeBody {
 struct TreePlace {
   LoopPlace::Carrier carrier = LoopPlace::Carrier::body;
   int body = -1;           ///< index of the body that carries it, if one does
-  std::size_t node = 0;    ///< its node, if it is flexible
+  std::size_t node = 0;    ///< its node, or interface of a solid
   std::size_t anchor = 0;  ///< index of the anchor that carries it, if one does
-  /// The place's frame in that of its body or its node, of the hub, the mount or the anchor. In
-  /// these it stands where the azimuth of the blade has turned it about the hub's axis.
+  /// The place's frame in that of its body, its node or its interface, of the hub, the mount or the
+  /// anchor. In these it stands where the azimuth of the blade has turned it about the hub's axis.
   Placement placement{};
 };
 
@@ -56,15 +59,15 @@ struct TreeLoop {
 struct Tree {
   std::string name{};  ///< "blade 1", or the name of the subsystem
   std::string key{};   ///< in a scenario: "blades.1", "subsystem.2"
-  /// Azimuth of a blade, added to the hub's angle for AzimuthMotion [rad].
+  /// Azimuth of a blade or subsystem, added to the hub's angle for AzimuthMotion [rad].
   double azimuth = 0.0;
   std::vector<Beam> beams{};       ///< beams whose parts are the flexible bodies
   std::vector<TreeBody> bodies{};  ///< one or more
   std::vector<TreeLoop> loops{};   ///< closures between bodies, and of bodies on what carries them
 };
 
-/// Returns the number of coordinates of a tree: those of its joints, free or prescribed, and of its
-/// beams' nodes.
+/// Returns the number of coordinates of a tree: those of its joints, free or prescribed, of its
+/// beams' nodes and of its solids.
 std::int64_t count_coordinates(const Tree& tree);
 
 /// Makes one tree for each blade, then one for each subsystem. Precondition: check_model() accepts

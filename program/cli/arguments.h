@@ -21,6 +21,7 @@ struct Arguments {
   std::string out;     ///< folder of the results; empty: named after the scenario
   std::string resume;  ///< run: checkpoint to resume from; empty: start at t = 0
   std::string html;    ///< check: file for the model's page; empty: none
+  bool anew = false;   ///< reduce: makes all anew
   std::optional<double> checkpoint_every;  ///< run: wall time between checkpoints [s]
   std::optional<IntegrationMethod> integrator;
   SimulationOptions options;

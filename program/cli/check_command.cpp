@@ -109,7 +109,7 @@ int check(const Arguments& arguments) {
   options.executor = ExecutorKind::serial;
   const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
   require_place(arguments);
-  warn_of_degrees(arguments.scenario, scenario);
+  warn_of_oddities(arguments.scenario, scenario);
   const Simulation simulation = build_simulation(arguments.scenario, scenario, options);
   if (scenario.space) {
     print_title(scenario.title);

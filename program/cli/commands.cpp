@@ -68,6 +68,12 @@ void add_check(CLI::App& check, Arguments& arguments) {
   check.footer(std::string(kCheckText) + '\n' + kStatusText);
 }
 
+void add_reduce(CLI::App& command, Arguments& arguments) {
+  add_common(command, arguments);
+  command.add_flag("--force", arguments.anew, "Make all anew, even if it is in the cache");
+  command.footer(std::string(kReduceText) + '\n' + kStatusText);
+}
+
 void add_static(CLI::App& command, Arguments& arguments) {
   add_common(command, arguments);
   add_out(command, arguments, "results/<name of the scenario>/static");
@@ -131,6 +137,11 @@ std::vector<Command> make_commands() {
        .summary = "Validate a scenario and print its model",
        .add_options = add_check,
        .execute = check,
+       .prints_result = true},
+      {.name = "reduce",
+       .summary = "Reduce bodies from finite-element meshes to modes",
+       .add_options = add_reduce,
+       .execute = reduce_solids,
        .prints_result = true},
       {.name = "static",
        .summary = "Find where a model stands in steady rotation, or at rest",

@@ -16,6 +16,9 @@ int run(const Arguments& arguments);
 /// Prints what a scenario's model is and how it vibrates. Throws InputError.
 int check(const Arguments& arguments);
 
+/// Reduces the solids of a scenario to modes, and prints these. Throws InputError.
+int reduce_solids(const Arguments& arguments);
+
 /// Finds the equilibrium of a scenario's model, prints it and writes its files. Throws InputError
 /// and DivergenceError.
 int find_static(const Arguments& arguments);

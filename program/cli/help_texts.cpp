@@ -61,6 +61,21 @@ Example:
   spoke check models/nrel_5mw_rotor.toml --html model.html
 )";
 
+const char* const kReduceText =
+    R"(Reduces every body of kind "solid" as all commands do, and prints its mesh, mass and interfaces; the
+frequencies of its vibration modes with all interfaces held, and of the modes that its deformation is
+made of: these and the static shapes of its interfaces, made orthonormal; damping, time and memory.
+Warns on stderr of meshes of linear elements, which are too stiff. See docs/scenario.md.
+
+What is made is kept in files of a folder and read from there by every command, with the same bits:
+$SPOKE_CACHE, else $XDG_CACHE_HOME/spoke, else $HOME/.cache/spoke; SPOKE_CACHE=none keeps nothing.
+Such a file may be removed at any time. Writes no other files.
+
+Examples:
+  spoke reduce models/solid_bracket.toml
+  spoke reduce models/solid_bracket.toml --set subsystem.1.body.1.modes=40 --force
+)";
+
 const char* const kStaticText =
     R"(Newton's method with a line search, and load steps where it needs them. Loads, motors and prescribed
 joints have the values that their curves end with, pitch by the azimuth its mean. Where the hub turns,
@@ -132,6 +147,7 @@ Example:
 const char* const kProgramText = R"(Examples:
   spoke run models/wu_haug_rotor.toml
   spoke check models/wu_haug_rotor.toml
+  spoke reduce models/solid_bracket.toml
   spoke static models/articulated_rotor.toml
   spoke modes models/nrel_5mw_rotor.toml
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1

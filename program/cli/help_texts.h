@@ -11,6 +11,7 @@ extern const char* const kStatusText;
 extern const char* const kMeasuringStatusText;
 extern const char* const kRunText;
 extern const char* const kCheckText;
+extern const char* const kReduceText;
 extern const char* const kStaticText;
 extern const char* const kModesText;
 extern const char* const kCampbellText;

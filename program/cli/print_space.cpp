@@ -4,8 +4,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,12 +69,45 @@ std::string describe(const Joint& joint) {
 struct Part {
   std::size_t bodies;
   std::string text;
+  std::vector<std::string> further{};  ///< lines behind that of the joint
 };
+
+std::string describe_modes(const spatial::SolidBody& body) {
+  if (body.coordinates == spatial::SolidCoordinates::nodal) return "nodal";
+  if (body.up_to) return fmt::format("reduced, modes up to {} Hz", number(*body.up_to));
+  return body.modes ? "reduced, " + counted(*body.modes, "mode") : "reduced";
+}
+
+/// Describes a solid by its mesh, and its interfaces by where they are.
+Part describe_solid(const std::string& name, const spatial::SolidPart& solid) {
+  const spatial::SolidBody& body = solid.body();
+  const solid::SolidGeometry& at_rest = solid.geometry();
+  const std::string source = body.matrices ? body.matrices->stiffness : body.file;
+  const std::string file =
+      source.empty() ? "" : " " + std::filesystem::path(source).filename().string();
+  Part part{1, fmt::format("{} (solid{}, {}, {}, {} kg, {})", name, file,
+                           counted(std::ssize(at_rest.mesh->nodes), "node"),
+                           counted(std::ssize(at_rest.mesh->elements), "element"),
+                           number(at_rest.mass), describe_modes(body))};
+  double size = 0.0;
+  for (const solid::ChosenNodes& chosen : at_rest.interfaces)
+    size = std::max(size, chosen.point.norm());
+  for (std::size_t i = 0; i < body.interfaces.size(); ++i) {
+    const solid::ChosenNodes& chosen = at_rest.interfaces[i];
+    const std::string area = chosen.area > 0.0 ? fmt::format(", {} m^2", number(chosen.area)) : "";
+    part.further.push_back(fmt::format(
+        "interface {}: {}, {} at {} m{}", body.interfaces[i].name, name_of(body.interfaces[i].kind),
+        counted(std::ssize(chosen.nodes), "node"), vector(chosen.point, size), area));
+  }
+  return part;
+}
 
 Part describe_part(const Tree& tree, std::size_t first) {
   const TreeBody& body = tree.bodies[first];
   if (const auto* rigid = std::get_if<spatial::RigidBody>(&body.shape))
     return {1, fmt::format("{} (rigid, {} kg)", body.name, number(rigid->mass))};
+  if (const auto* solid = std::get_if<spatial::SolidPart>(&body.shape))
+    return describe_solid(body.name, *solid);
   const auto& innermost = std::get<spatial::FlexibleBody>(body.shape);
   std::size_t end = first + 1, elements = innermost.nodes.size() - 1;
   double tip = innermost.nodes.back();
@@ -93,6 +128,8 @@ Part describe_part(const Tree& tree, std::size_t first) {
 std::string describe_parent(const Tree& tree, const TreeBody& body) {
   if (body.parent < 0) return "the hub";
   const TreeBody& parent = tree.bodies[static_cast<std::size_t>(body.parent)];
+  if (const auto* solid = std::get_if<spatial::SolidPart>(&parent.shape))
+    return parent.name + " at " + solid->body().interfaces[body.parent_node].name;
   const auto* beam = std::get_if<spatial::FlexibleBody>(&parent.shape);
   if (beam == nullptr) return parent.name;
   return fmt::format("{} at {} m", parent.name, number(beam->nodes[body.parent_node]));
@@ -110,6 +147,8 @@ std::vector<std::string> describe(const Tree& tree) {
     for (std::size_t k = 1; k < part.bodies; ++k) depths[i + k] = depths[i];
     lines.push_back(fmt::format("{}{}, on {}: {}", std::string(2 * depths[i], ' '), part.text,
                                 describe_parent(tree, body), describe(body.joint)));
+    for (const std::string& line : part.further)
+      lines.push_back(std::string(2 * depths[i] + 4, ' ') + line);
     i += part.bodies;
   }
   return lines;
@@ -138,12 +177,16 @@ MassProperties seen_from_root(const Tree& tree) {
 
 void print_sizes(const std::vector<Tree>& trees) {
   std::int64_t bodies = 0, coordinates = 0;
+  bool are_most = false;
   for (const Tree& tree : trees) {
     bodies += std::ssize(tree.bodies);
     coordinates += count_coordinates(tree);
+    for (const TreeBody& body : tree.bodies)
+      are_most |= std::holds_alternative<spatial::SolidPart>(body.shape);
   }
   print_line("model", "in space, " + counted(std::ssize(trees), "tree") + ", " +
-                          counted(bodies, "body") + ", " + counted(coordinates, "coordinate"));
+                          counted(bodies, "body") + (are_most ? ", at most " : ", ") +
+                          counted(coordinates, "coordinate"));
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ void print_model(const Simulation& simulation);
 /// Prints the model, and how its steps are solved on each of so many processes.
 void print_plan(const Simulation& simulation, int processes);
 
-/// Warns on stderr of angles that look as if they were given in degrees, a line for each kind of
-/// angle. `file`: the scenario's.
-void warn_of_degrees(const std::string& file, const Scenario& scenario);
+/// Warns on stderr of what is valid but looks wrong, a line each: kinds of angles that seem to be
+/// given in degrees, solids that are too stiff. `file`: the scenario's.
+void warn_of_oddities(const std::string& file, const Scenario& scenario);
 
 /// Returns the heads of the columns of sensors.csv behind the time's, as cells (csv_cell.h).
 std::vector<std::string> column_heads(const Simulation& simulation);

@@ -380,7 +380,7 @@ int complete(Prepared& run, const Arguments& arguments, ranks::Launch& launch) {
     print_line("resumed", fmt::format("{} at t = {:.6g} s, step {}", one_line(arguments.resume),
                                       simulation.time(), simulation.steps()));
   if (run.resumed) warn_of_version(arguments.resume, *run.resumed);
-  warn_of_degrees(arguments.scenario, run.scenario);
+  warn_of_oddities(arguments.scenario, run.scenario);
   const Interruption interruption;
   const RunOutcome outcome = integrate(simulation, *run.recording, checkpoints,
                                        !trace_folder.empty(), !arguments.quiet, launch);

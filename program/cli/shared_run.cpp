@@ -62,7 +62,7 @@ Scenario read_run(const Arguments& arguments) {
 Simulation build_run(const Arguments& arguments, const Scenario& scenario, Exchange* exchange) {
   SimulationOptions options = arguments.options;
   options.exchange = exchange;
-  return build_simulation(arguments.scenario, scenario, options);
+  return build_simulation(arguments.scenario, scenario, options, !arguments.quiet);
 }
 
 void require_same(const Arguments& arguments, const Simulation& simulation, ranks::Launch& launch) {

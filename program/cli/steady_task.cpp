@@ -16,7 +16,7 @@ SteadyTask::SteadyTask(const Arguments& arguments, const std::string& command)
       folder_(arguments.out.empty() ? std::filesystem::path("results") / scenario_.name / command
                                     : std::filesystem::path(arguments.out)) {
   require_folder(folder_);
-  warn_of_degrees(file_, scenario_);
+  warn_of_oddities(file_, scenario_);
 }
 
 const std::string& SteadyTask::title() const {

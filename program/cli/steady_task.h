@@ -8,6 +8,7 @@
 #include "engine/equilibrium.h"
 #include "models/error.h"
 #include "program/cli/arguments.h"
+#include "program/cli/prepare_solids.h"
 
 namespace spoke::cli {
 
@@ -23,10 +24,11 @@ class SteadyTask {
   /// Returns the path of a file in the folder, such as "results/NAME/static/static.html".
   std::string path(const std::string& file) const { return (folder_ / file).string(); }
 
-  /// Returns solve(scenario); its InputErrors name the file.
+  /// Returns solve(scenario), when solids are made; its InputErrors name the file.
   template <class Solve>
   auto solve(const Solve& solve) const {
     try {
+      prepare_solids(scenario_);
       return solve(scenario_);
     } catch (const InputError& error) {
       if (!error.place().key.empty()) throw;  // the program finds its place

@@ -4,6 +4,7 @@
 /** The sphere in which a state is. */
 function boundsOfState(scene, state) {
   const places = placesOf(scene, state, 1).map((p, k) => ({ p, reach: scene.reachOf(k) }));
+  placesOfMeshes(scene, state).forEach((p) => places.push({ p, reach: 0 }));
   places.push({ p: [0, 0, 0], reach: scene.reachOf(-1) });
   const bound = (pick, sign) => [0, 1, 2].map((c) => pick(...places.map(({ p, reach }) => p[c] + sign * reach)));
   return boundsOf(places, bound(Math.min, -1), bound(Math.max, 1), [[0, 0, 0]]);
@@ -23,6 +24,7 @@ function fit(scene, state, camera, bounds, canvas) {
     }
   };
   placesOf(scene, state, 1).forEach((p, k) => include(p, scene.reachOf(k)));
+  placesOfMeshes(scene, state).forEach((p) => include(p, 0));
   include([0, 0, 0], scene.reachOf(-1));
   const spans = [canvas.clientWidth, canvas.clientHeight].map((length, c) => (length - 120) / (high[c] - low[c]));
   const pixels = Math.min(...spans.filter((span) => span > 0), 4 * (half / bounds.radius));

@@ -2,7 +2,8 @@
 // scene.js.
 
 /** data: {times; hub: by frame (place, angle about the axis) or a pose; groups: poses by frame and
- *  group but the first; displacements, rotations: by frame and node, as shares of units; forces}. */
+ *  group but the first; displacements, rotations: by frame and node, as shares of units; forces; solids:
+   *  numbers of frames; largest: what solids show at most, and when they are displaced most}. */
 class ModelAnimation {
   constructor(scene, data) {
     this.scene = scene;
@@ -13,6 +14,9 @@ class ModelAnimation {
     this.rotations = decode(data.rotations, Int16Array);
     this.units = data.units;
     this.forces = { axial: decode(data.axial, Int16Array), bending: decode(data.bending, Int16Array) };
+    this.solids = data.solids.map(({ numbers, shares, units }) =>
+      numbers === undefined ? { shares: decode(shares, Int16Array), units } : { shares: decode(numbers, Float32Array), units: [1, 1] });
+    this.ofSolids = data.largest;
     this.hubSize = this.hub.length / this.times.length;
     this.nodeSize = this.displacements.length / (this.times.length * scene.nodeCount);
     this.turnSize = this.rotations.length / (this.times.length * scene.nodeCount);
@@ -35,10 +39,14 @@ class ModelAnimation {
       for (let c = 0; c < nodeSize; ++c) sum += d[k + c] * d[k + c];
       if (sum > square) [square, frame] = [sum, Math.floor(k / (nodeSize * this.scene.nodeCount))];
     }
-    return { size: Math.sqrt(square) * this.units.displacement, time: this.times[frame] };
+    const ofNodes = { size: Math.sqrt(square) * this.units.displacement, time: this.times[frame] };
+    const { displacement, time } = this.ofSolids;
+    return displacement > ofNodes.size ? { size: displacement, time } : ofNodes;
   }
-  /** The largest force of a kind: in size [N, N m]. */
-  largestForce(kind) {
+  /** The largest value of a kind of colours: in size, in SI units. */
+  largestOf(kind) {
+    if (kind === 'displacement') return this.scene.meshes.length > 0 ? this.largest.size : 0;
+    if (kind === 'von_mises') return this.ofSolids.vonMises;
     return this.forces[kind].reduce((most, value) => Math.max(most, Math.abs(value)), 0) * this.units[kind];
   }
 
@@ -74,6 +82,19 @@ class ModelAnimation {
       }
     return made;
   }
+  /** Numbers of each solid; those of a nodal one are displacements, and behind them stresses. */
+  solidsAt({ before, after, share }) {
+    return this.solids.map(({ shares, units }, m) => {
+      const surface = this.scene.surfaces[this.scene.meshes[m].surface];
+      const { frameSize } = surface;
+      if (shares.length === 0) return [];
+      const stresses = surface.shapes ? frameSize : 3 * surface.nodeCount;
+      return Float64Array.from({ length: frameSize }, (_, i) => {
+        const [a, b] = [shares[frameSize * before + i], shares[frameSize * after + i]];
+        return units[i < stresses ? 0 : 1] * (a + share * (b - a));
+      });
+    });
+  }
   forcesAt(kind, { before, after, share }) {
     const { elementCount } = this.scene;
     const numbers = this.forces[kind];
@@ -92,6 +113,7 @@ class ModelAnimation {
       groups: Array.from({ length: this.scene.groups }, (_, g) => this.groupAt(g, place)),
       displacements: this.spread(this.displacements, this.units.displacement, this.nodeSize, place),
       rotations: this.spread(this.rotations, this.units.rotation, this.turnSize, place),
+      solids: this.scene.solidsOf(this.solidsAt(place)),
       forces: (kind) => this.forcesAt(kind, place),
     };
   }
@@ -125,6 +147,7 @@ class ModelAnimation {
       places.push({ p, reach: this.scene.reachOf(-1) });
       placesOf(this.scene, state, 1).forEach((v, k) =>
         places.push({ p: add(p, turn(R, v)), reach: reaches[k] }));
+      for (const v of placesOfMeshes(this.scene, state)) places.push({ p: add(p, turn(R, v)), reach: 0 });
     }
     for (const { p, reach } of places)
       for (let c = 0; c < 3; ++c) {

@@ -57,7 +57,7 @@ class Player {
     this.camera = makeCamera(scene);
     this.views = ['hub', 'inertial'].map((name, k) => {
       const canvas = document.getElementById(`animation-${name}`);
-      const colors = (state) => this.colorsOf(state);
+      const colors = (state) => new SceneColors(scene, state, this.settings.color, this.most[this.settings.color]);
       return new SceneView(canvas, scene, this.camera, this.settings, { isInertial: k === 1, bounds: animation.bounds[k], colors });
     });
     if (this.views[1].follows)
@@ -97,10 +97,10 @@ class Player {
       });
     }
   }
-  /** Offers the forces that there are. */
+  /** Offers what there is. */
   prepareColors() {
     const { color } = this.controls;
-    this.most = { axial: this.animation.largestForce('axial'), bending: this.animation.largestForce('bending') };
+    this.most = Object.fromEntries(Object.keys(kColorings).map((kind) => [kind, this.animation.largestOf(kind)]));
     for (const option of [...color.options])
       if (option.value !== 'tree' && !(this.most[option.value] > 0)) option.remove();
     color.parentElement.hidden = color.options.length < 2;
@@ -110,15 +110,6 @@ class Player {
       this.redraw();
     });
   }
-  colorsOf(state) {
-    const { color } = this.settings;
-    if (color === 'tree') return null;
-    const forces = state.forces(color);
-    const most = this.most[color];
-    const share = color === 'axial' ? (f) => 0.5 + (0.5 * f) / most : (f) => f / most;
-    return (element) => colorAt(kScales[color], share(forces[element]));
-  }
-
   seek(time) {
     this.time = Math.min(Math.max(time, this.animation.begin), this.animation.end);
     this.axis.marker = this.time;

@@ -1,6 +1,7 @@
 // A drawn model: nodes that states move, and the parts fixed to them. Places and directions of a
 // scene are those of the undeformed model in the hub's frame. A state holds where groups of bodies
-// are, and how nodes are displaced and turned from there. Uses page_tools.js and space_math.js.
+// are, and how nodes are displaced and turned from there. Uses page_tools.js, space_math.js and
+// solid_surfaces.js.
 
 const kRing = 13; // numbers of a ring: node, xi, place, y axis, z axis, two semi-axes
 
@@ -20,6 +21,7 @@ class Scene {
     this.elementCount = element;
     this.strips.forEach((strip, k) => this.findEnds(strip, this.strips[k - 1]));
     this.solids = data.solids.map((solid) => ({ ...solid, vertices: decode(solid.vertices, Float32Array) }));
+    this.surfaces = data.surfaces.map((surface) => new SolidSurface(surface));
   }
 
   /** Beams that go on have no ends to be seen where their bodies meet. */
@@ -44,7 +46,12 @@ class Scene {
       groups: Array.from({ length: this.groups }, (_, g) => groups[g] ?? { p: [0, 0, 0], R: kUnit }),
       displacements: none,
       rotations: none,
+      solids: this.solidsOf([]),
     };
+  }
+  /** States of solids by the numbers of a frame for each; at rest where there are none. */
+  solidsOf(numbers) {
+    return this.meshes.map(({ surface }, m) => this.surfaces[surface].stateOf(numbers[m] ?? []));
   }
 
   /** How far from a node what is fixed to it reaches; of node -1: from the hub's origin, or of an anchor
@@ -70,6 +77,19 @@ function placesOf(scene, { groups, displacements: u }, scale) {
     const d = [scale * u[3 * k], scale * u[3 * k + 1], scale * u[3 * k + 2]];
     places.push(add(add(group.p, turn(group.R, scene.nodePlace(k))), d));
   }
+  return places;
+}
+
+/** Where nodes of solids are in the hub's frame, some of them where there are very many. */
+function placesOfMeshes(scene, state) {
+  const count = scene.meshes.reduce((sum, { surface }) => sum + scene.surfaces[surface].nodeCount, 0);
+  const step = 3 * Math.ceil(count / 20000 || 1);
+  const deformed = new Deformed(scene, state, 1);
+  const places = [];
+  scene.meshes.forEach((_, m) => {
+    const own = deformed.meshPlaces(m);
+    for (let k = 0; k < own.length; k += step) places.push([own[k], own[k + 1], own[k + 2]]);
+  });
   return places;
 }
 
@@ -106,6 +126,20 @@ class Deformed {
     const mix = (c) => th[3 * node + c] + xi * (th[3 * node + 3 + c] - th[3 * node + c]);
     const R = product(this.ownTurn(mix(0), mix(1), mix(2)), this.state.groups[scene.nodeGroups[node]].R);
     return { p: add(axis, turn(R, sub(p, add(a, times(xi, chord))))), R };
+  }
+
+  /** Where the drawn nodes of a solid are, three numbers each. */
+  meshPlaces(m) {
+    const { node, surface, axes } = this.scene.meshes[m];
+    const { places } = this.scene.surfaces[surface];
+    const { u } = this.state.solids[m];
+    const [origin, R, { scale }] = [this.places[node], product(this.turns[node], axes), this];
+    const made = new Float64Array(places.length);
+    for (let k = 0; k < made.length; k += 3) {
+      const [x, y, z] = [places[k] + scale * u[k], places[k + 1] + scale * u[k + 1], places[k + 2] + scale * u[k + 2]];
+      for (let c = 0; c < 3; ++c) made[k + c] = origin[c] + R[3 * c] * x + R[3 * c + 1] * y + R[3 * c + 2] * z;
+    }
+    return made;
   }
 
   /** Centre and axes of the rings of a strip, the axes as long as the section's semi-axes. */

@@ -50,6 +50,9 @@ function drawMarks(view) {
   drawBodyEnds(view);
   if (view.settings.axes) drawSectionAxes(view);
   drawHubAxis(view);
+  if (view.settings.joints || view.settings.names)
+    for (const { interfaces } of view.scene.meshes)
+      for (const { node } of interfaces) drawInterface(view, node);
   if (view.settings.joints) {
     for (const joint of view.scene.joints) drawJoint(view, joint);
     for (const loop of view.scene.loops) drawLoop(view, loop);
@@ -235,6 +238,23 @@ function drawLoads(view) {
   }
 }
 
+/** A ring with a dot in it at the point of an interface. */
+function drawInterface(view, node) {
+  const { context, at } = view.frame;
+  const [x, y] = at(view.deformed.places[node]);
+  context.fillStyle = colorOf('--paper');
+  context.strokeStyle = colorOf('--ink');
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.arc(x, y, 4, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  context.fillStyle = colorOf('--ink');
+  context.beginPath();
+  context.arc(x, y, 1.25, 0, 2 * Math.PI);
+  context.fill();
+}
+
 function drawSensor(view, sensor) {
   const { context, at } = view.frame;
   const [x, y] = at(view.deformed.at(sensor).p);
@@ -269,6 +289,13 @@ function drawNames(view) {
   for (const { name, node, group, vertices } of scene.solids)
     if (node >= 0 || group > 0)
       write(short(name), at(deformed.at({ node, group, xi: 0, p: vertices.subarray(0, 3) }).p), colorOf('--soft'));
+  for (const { interfaces } of scene.meshes)
+    for (const { name, node } of interfaces) {
+      const [x, y] = at(deformed.places[node]);
+      write(name, [x, y + 20], colorOf('--ink')); // below, as a joint may stand there
+    }
+  for (const { name, node, surface, axes } of scene.meshes)
+    write(short(name), at(deformed.at({ node, xi: 0, p: add(scene.nodePlace(node), turn(axes, scene.surfaces[surface].middle)) }).p), colorOf('--soft'));
   for (const sensor of scene.sensors) write(sensor.name, at(deformed.at(sensor).p), colorOf('--s3'));
 }
 

@@ -1,10 +1,12 @@
 // Draws a scene on a canvas: faces from back to front, shaded, then lines and marks on top. Takes any
 // state of the scene, from an animation or made otherwise. Uses page_tools.js, space_math.js, scene.js,
-// camera.js and scene_marks.js.
+// scene_colors.js, camera.js and scene_marks.js.
 
 // Direction from which light comes, in axes of the picture.
 const kLight = unitOf([-0.35, 0.55, 0.75]);
 const kThinnest = 1.4; // half the width of a thin beam [pixels]
+const kLine = 2.5; // width of links and rods [pixels]
+const kEven = 0.04; // shares of a scale that look alike
 
 /** "#rrggbb" as three numbers. */
 function rgbOf(text) {
@@ -12,29 +14,10 @@ function rgbOf(text) {
   return [number >> 16, (number >> 8) & 255, number & 255];
 }
 
-const kScales = {
-  axial: [[49, 104, 184], [150, 184, 224], [200, 200, 200], [240, 160, 120], [196, 50, 40]],
-  bending: [[72, 33, 115], [49, 104, 142], [33, 145, 140], [94, 201, 98], [253, 231, 37]],
-};
-
-/** The colour of a share of a scale, 0 to 1. */
-function colorAt(scale, share) {
-  const at = Math.min(Math.max(share, 0), 1) * (scale.length - 1);
-  const k = Math.min(Math.floor(at), scale.length - 2);
-  return scale[k].map((c, i) => c + (at - k) * (scale[k + 1][i] - c));
-}
-
-/** The legend of a scale of colours; none for those of trees. */
-function showScale(host, kind, most) {
-  host.hidden = kind === 'tree';
-  if (host.hidden) return;
-  const stops = kScales[kind].map((rgb) => `rgb(${rgb.map(Math.round).join(' ')})`).join(', ');
-  const bar = make('span', { className: 'bar' });
-  bar.style.background = `linear-gradient(to right, ${stops})`;
-  const unit = kind === 'axial' ? 'N' : 'N m';
-  const low = kind === 'axial' ? -most : 0;
-  const what = kind === 'axial' ? 'Axial force, tension positive' : 'Bending moment';
-  host.replaceChildren(`${what}: ${numberText(low)} ${unit}`, bar, `${numberText(most)} ${unit}`);
+/** A colour [r, g, b] in some light. */
+function litColor(rgb, lit) {
+  const channel = (value) => Math.min(255, Math.round(value * lit));
+  return `rgb(${channel(rgb[0])},${channel(rgb[1])},${channel(rgb[2])})`;
 }
 
 /** Points from a to b in the picture, to and fro in between. */
@@ -51,8 +34,8 @@ function coilPoints(a, b) {
 
 class SceneView {
   /** bounds: {centre, radius, travel}; settings: {scale, color, outline, joints, loads, axes, names},
-   *  shared by views. `colors(state)`: the colour of an element, or null for that of its tree. */
-  constructor(canvas, scene, camera, settings, { isInertial, bounds, colors = () => null }) {
+   *  shared by views. `colors(state)`: as a SceneColors; by default those of trees. */
+  constructor(canvas, scene, camera, settings, { isInertial, bounds, colors = (state) => new SceneColors(scene, state, 'tree', 0) }) {
     Object.assign(this, { canvas, scene, camera, settings, isInertial, bounds, colors });
     // A hub that goes far takes the view with it.
     this.follows = isInertial && bounds.travel > bounds.radius;
@@ -99,14 +82,14 @@ class SceneView {
     drawMarks(this);
   }
   isAtRest(state) {
-    return state.displacements.every((u) => u === 0);
+    return state.displacements.every((u) => u === 0) && state.solids.every(({ u }) => u.every((c) => c === 0));
   }
 
   treeColor(tree) {
     return tree < 0 ? colorOf('--soft') : seriesColor(tree);
   }
 
-  /** Undeformed axes, dashed. */
+  /** Undeformed axes and edges of solids, dashed. */
   drawOutline() {
     const { context, at } = this.frame;
     const rest = placesOf(this.scene, this.state, 0);
@@ -118,7 +101,20 @@ class SceneView {
       for (let k = first; k < first + nodes; ++k) context.lineTo(...at(rest[k]));
       context.stroke();
     }
+    this.scene.meshes.forEach((mesh, m) => this.drawMeshOutline(mesh, m));
     context.setLineDash([]);
+  }
+  drawMeshOutline({ surface }, m) {
+    const { context, at } = this.frame;
+    const { edges } = this.scene.surfaces[surface];
+    const places = new Deformed(this.scene, this.state, 0).meshPlaces(m);
+    context.lineWidth = 1;
+    context.beginPath();
+    for (let k = 0; k < edges.length; k += 2) {
+      context.moveTo(...at(places.subarray(3 * edges[k], 3 * edges[k] + 3)));
+      context.lineTo(...at(places.subarray(3 * edges[k + 1], 3 * edges[k + 1] + 3)));
+    }
+    context.stroke();
   }
   drawTrail({ tree, points }) {
     const { context, inertialAt } = this.frame;
@@ -136,17 +132,18 @@ class SceneView {
 
   drawFaces() {
     this.faces = [];
-    const element = this.colors(this.state);
-    this.scene.strips.forEach((strip) => this.addStrip(strip, element));
+    const colors = this.colors(this.state);
+    this.scene.strips.forEach((strip) => this.addStrip(strip, colors));
+    this.scene.meshes.forEach((mesh, m) => this.addMesh(mesh, m, colors.ofMesh(m)));
     for (const solid of this.scene.solids) this.addSolid(solid);
     for (const link of this.scene.links) this.addLink(link);
     for (const loop of this.scene.loops) if (loop.kind === 'distance') this.addRod(loop);
     this.faces.sort((a, b) => a.depth - b.depth);
     const { context } = this.frame;
     context.lineJoin = 'round';
-    for (const { points, color } of this.faces) {
+    for (const { points, color, width } of this.faces) {
       context.fillStyle = context.strokeStyle = color;
-      context.lineWidth = points.length === 2 ? 2.5 : 0.8; // also hides the seam between faces
+      context.lineWidth = width; // of a face it hides the seam to the next one
       context.beginPath();
       for (const [x, y] of points) context.lineTo(x, y);
       context.closePath();
@@ -154,18 +151,47 @@ class SceneView {
       context.stroke();
     }
   }
-  /** A face, unless it is seen from behind. points: counterclockwise from outside. */
-  addFace(points, rgb, isOpen = false) {
+  /** How bright a face is; 0 if it is seen from behind. points: counterclockwise from outside. */
+  litOf(points, isOpen = false) {
     const { pixels } = this.frame;
     const edge = (a, b) => [(b[0] - a[0]) / pixels, (a[1] - b[1]) / pixels, b[2] - a[2]];
     const [a, b, c] = points;
     let normal = cross(edge(a, b), edge(a, c));
     if (points.length > 3 && size(normal) < 1e-12) normal = cross(edge(a, c), edge(a, points[3]));
-    if (normal[2] <= 0 && !isOpen) return;
-    const lit = 0.62 + 0.42 * Math.max(0, dot(unitOf(normal), kLight));
+    if (normal[2] <= 0 && !isOpen) return 0;
+    return 0.62 + 0.42 * Math.max(0, dot(unitOf(normal), kLight));
+  }
+  pushFace(points, color) {
     const depth = points.reduce((sum, p) => sum + p[2], 0) / points.length;
-    const channel = (value) => Math.min(255, Math.round(value * lit));
-    this.faces.push({ points, depth, color: `rgb(${channel(rgb[0])},${channel(rgb[1])},${channel(rgb[2])})` });
+    this.faces.push({ points, depth, color, width: 0.8 });
+  }
+  /** A face, unless it is seen from behind; whether it is there. */
+  addFace(points, rgb, isOpen = false) {
+    const lit = this.litOf(points, isOpen);
+    if (lit > 0) this.pushFace(points, litColor(rgb, lit));
+    return lit > 0;
+  }
+  /** A triangle whose corners have shares of a scale: colours change evenly across it. */
+  addShadedTriangle(points, shares, scale) {
+    const lit = this.litOf(points);
+    if (lit === 0) return false;
+    const [low, high] = [Math.min(...shares), Math.max(...shares)];
+    const [[ax, ay], [bx, by], [cx, cy]] = points;
+    const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    if (high - low < kEven || Math.abs(area) < 1e-3) {
+      this.pushFace(points, litColor(colorAt(scale, (shares[0] + shares[1] + shares[2]) / 3), lit));
+      return true;
+    }
+    // The gradient of the share in the picture.
+    const [b, c] = [shares[1] - shares[0], shares[2] - shares[0]];
+    const [gx, gy] = [(b * (cy - ay) - c * (by - ay)) / area, (c * (bx - ax) - b * (cx - ax)) / area];
+    const length = (high - low) / (gx * gx + gy * gy);
+    const [x, y] = points[shares.indexOf(low)];
+    const color = this.frame.context.createLinearGradient(x, y, x + length * gx, y + length * gy);
+    const stops = [low, ...scale.map((_, k) => k / (scale.length - 1)).filter((s) => s > low && s < high), high];
+    for (const s of stops) color.addColorStop((s - low) / (high - low), litColor(colorAt(scale, s), lit));
+    this.pushFace(points, color);
+    return true;
   }
 
   /** The outline of a ring in the picture. Thin ones are drawn as thick as can be seen. */
@@ -184,14 +210,14 @@ class SceneView {
       ];
     });
   }
-  addStrip(strip, elementColor) {
+  addStrip(strip, colors) {
     const sides = this.scene.elementCount > 600 ? 6 : 12;
     const plain = rgbOf(this.treeColor(strip.tree));
     const rings = this.deformed.ringsOf(strip);
     const outlines = rings.map((ring) => this.outlineOf(ring, sides));
     for (let k = 0; k + 1 < rings.length; ++k) {
       const element = strip.firstElement + rings[k].node - strip.first;
-      const rgb = elementColor ? elementColor(element) : plain;
+      const rgb = colors.ofElement(element, rings[k].node) ?? plain;
       const [inner, outer] = [outlines[k], outlines[k + 1]];
       for (let i = 0; i < sides; ++i) {
         const j = (i + 1) % sides;
@@ -208,12 +234,34 @@ class SceneView {
       points.push(this.frame.at(this.deformed.at({ node, group, xi: 0, p: vertices.subarray(k, k + 3) }).p));
     for (const face of faces) this.addFace(face.map((k) => points[k]), rgb);
   }
+  /** A solid: its triangles, and on top of them its sharp edges. */
+  addMesh({ tree, surface }, m, shading) {
+    const { triangles, edges, sides, nodeCount } = this.scene.surfaces[surface];
+    const plain = rgbOf(this.treeColor(tree));
+    const places = this.deformed.meshPlaces(m);
+    const points = Array.from({ length: nodeCount }, (_, k) => this.frame.at(places.subarray(3 * k, 3 * k + 3)));
+    const isSeen = new Uint8Array(triangles.length / 3);
+    for (let t = 0; t < isSeen.length; ++t) {
+      const corners = [triangles[3 * t], triangles[3 * t + 1], triangles[3 * t + 2]];
+      const own = corners.map((k) => points[k]);
+      isSeen[t] = shading?.shares
+        ? this.addShadedTriangle(own, corners.map((k) => shading.shares[k]), shading.scale)
+        : this.addFace(own, shading?.plain ?? plain);
+    }
+    const [r, g, b] = plain.map((c) => Math.round((shading ? 0.2 : 0.45) * c));
+    const nearer = 2e-3 * this.bounds.radius;
+    sides.forEach((both, k) => {
+      if (!both.some((t) => isSeen[t])) return;
+      const [from, to] = [points[edges[2 * k]], points[edges[2 * k + 1]]];
+      this.addLine(from, to, `rgb(${r},${g},${b})`, 1, nearer);
+    });
+  }
   addLink({ tree, node, from, to }) {
     const [a, b] = [from, to].map((p) => this.frame.at(this.deformed.at({ node, xi: 0, p }).p));
     this.addLine(a, b, this.treeColor(tree));
   }
-  addLine(a, b, color) {
-    this.faces.push({ points: [a, b], depth: (a[2] + b[2]) / 2, color });
+  addLine(a, b, color, width = kLine, nearer = 0) {
+    this.faces.push({ points: [a, b], depth: (a[2] + b[2]) / 2 + nearer, color, width });
   }
   /** The rod of a loop; as a coil if it gives. */
   addRod({ from, to, isSprung }) {

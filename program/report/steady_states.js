@@ -13,7 +13,12 @@ class SteadyStates {
       groups: this.decodeGroups(decode(state.groups, Float32Array)),
       displacements: decode(state.displacements, Float32Array),
       rotations: decode(state.rotations, Float32Array),
-      modes: (state.modes ?? []).map((mode) => ({ ...mode, shape: decode(mode.shape, Int16Array) })),
+      solids: state.solids.map((numbers) => decode(numbers, Float32Array)),
+      modes: (state.modes ?? []).map((mode) => ({
+        ...mode,
+        shape: decode(mode.shape, Int16Array),
+        solids: mode.solids.map(({ unit, shares }) => ({ unit, shares: decode(shares, Int16Array) })),
+      })),
     }));
     this.bounds = this.findBounds();
   }
@@ -29,8 +34,8 @@ class SteadyStates {
 
   /** Where the model stands at speed `k`. */
   at(k) {
-    const { groups, displacements, rotations } = this.states[k];
-    return { hub: { p: [0, 0, 0], R: kUnit }, groups, displacements, rotations };
+    const { groups, displacements, rotations, solids } = this.states[k];
+    return { hub: { p: [0, 0, 0], R: kUnit }, groups, displacements, rotations, solids: this.scene.solidsOf(solids) };
   }
   /** That, moved along a mode: by `amplitude` times the real part of shape times exp(i phase). */
   moved(k, mode, amplitude, phase) {
@@ -46,7 +51,16 @@ class SteadyStates {
       }
     }
     const hub = Array.from({ length: 6 }, (_, i) => c * mode.hub.real[i] - s * mode.hub.imag[i]);
-    return { ...still, displacements, rotations, hub: { p: hub.slice(0, 3), R: rotationOf(hub.slice(3)) } };
+    const solids = this.scene.solidsOf(mode.solids.map((motion, m) => this.moveSolid(this.states[k].solids[m], motion, c, s)));
+    return { ...still, displacements, rotations, solids, hub: { p: hub.slice(0, 3), R: rotationOf(hub.slice(3)) } };
+  }
+  /** Numbers of a solid, moved by its motion: real parts of all, then imaginary ones, those of stresses left out. */
+  moveSolid(still, { unit, shares }, c, s) {
+    if (shares.length === 0) return still;
+    const count = shares.length / 2;
+    const moved = Float64Array.from({ length: count }, (_, i) => unit * (c * shares[i] - s * shares[count + i]));
+    still.subarray(0, count).forEach((value, i) => (moved[i] += value));
+    return moved;
   }
   /** The amplitude by which a mode moves a node by `share` of the model's radius, or turns it by `share`
    *  times five, at most: a mode of torsion turns, and hardly moves. */

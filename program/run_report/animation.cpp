@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "engine/scene/deformed.h"
 #include "engine/scene/make_scene.h"
+#include "engine/space/solid_output.h"
 #include "program/run_report/scene_data.h"
 
 namespace spoke::run_report {
@@ -16,26 +18,33 @@ namespace {
 /// which has none.
 std::size_t count_numbers(const scene::Scene& scene) {
   const std::size_t per_node = scene.is_planar ? 3 : 6;
-  const std::size_t count = per_node * scene.nodes.size() + 2 * scene.element_count() +
-                            14 * static_cast<std::size_t>(scene.groups - 1);
+  std::size_t count = per_node * scene.nodes.size() + 2 * scene.element_count() +
+                      14 * static_cast<std::size_t>(scene.groups - 1);
+  for (const scene::MeshBody& mesh : scene.meshes) {
+    const scene::Surface& surface = scene.surfaces[static_cast<std::size_t>(mesh.surface)];
+    const bool is_reduced = surface.recovery && surface.recovery->is_reduced();
+    count += (is_reduced ? 2 : 1) * surface.frame_numbers();
+  }
   return std::max<std::size_t>(count, 1);
 }
 
 }  // namespace
 
 Animation::Animation(const Simulation& simulation)
-    : scene_(scene::make_scene(simulation.scenario(), kMostNodes)),
+    : scene_(scene::make_scene(simulation, kMostNodes)),
       reader_(scene_),
       is_free_in_space_(simulation.scenario().space &&
                         simulation.scenario().space->hub.support == HubSupport::free),
-      most_frames_(std::clamp(kMostNumbers / count_numbers(scene_), kFewestFrames, kMostFrames)) {}
+      most_frames_(std::clamp(kMostNumbers / count_numbers(scene_), kFewestFrames, kMostFrames)),
+      solids_(scene_.meshes.size()) {}
 
 void Animation::add(const Simulation& simulation) {
   if (!times_.empty() && times_.back() == simulation.time()) return;
   reader_.read(simulation, frame_);
-  const std::array<std::vector<float>*, 6> all = {&hub_,       &groups_,       &displacements_,
-                                                  &rotations_, &axial_forces_, &bending_moments_};
-  std::array<std::size_t, 6> before{};
+  std::vector<std::vector<float>*> all = {&hub_,       &groups_,       &displacements_,
+                                          &rotations_, &axial_forces_, &bending_moments_};
+  for (std::vector<float>& solid : solids_) all.push_back(&solid);
+  std::vector<std::size_t> before(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) before[i] = all[i]->size();
   append();
   bool is_finite = true;
@@ -44,6 +53,7 @@ void Animation::add(const Simulation& simulation) {
                                          all[i]->end(), [](float x) { return std::isfinite(x); });
   if (is_finite) {
     times_.push_back(simulation.time());
+    observe_solids();
   } else {
     for (std::size_t i = 0; i < all.size(); ++i) all[i]->resize(before[i]);
   }
@@ -63,9 +73,37 @@ void Animation::append() {
   for (const scene::Vector& rotation : frame_.rotations)
     for (int c = scene_.is_planar ? 2 : 0; c < 3; ++c)
       rotations_.push_back(static_cast<float>(rotation[c]));
+  append_solids();
   for (const double force : frame_.axial_forces) axial_forces_.push_back(static_cast<float>(force));
   for (const double moment : frame_.bending_moments)
     bending_moments_.push_back(static_cast<float>(moment));
+}
+
+void Animation::append_solids() {
+  for (std::size_t m = 0; m < solids_.size(); ++m)
+    append_numbers(scene_.surfaces[static_cast<std::size_t>(scene_.meshes[m].surface)],
+                   frame_.solids[m], solids_[m]);
+}
+
+/// Takes the extremes of the last frame.
+void Animation::observe_solids() {
+  if (solids_.empty()) return;
+  const scene::Deformed deformed(scene_, frame_);
+  for (std::size_t m = 0; m < solids_.size(); ++m) {
+    const scene::MeshBody& mesh = scene_.meshes[m];
+    const scene::Surface& surface = scene_.surfaces[static_cast<std::size_t>(mesh.surface)];
+    if (!surface.recovery) continue;
+    for (std::size_t k = 0; k < surface.nodes.size(); ++k) {
+      const double u = scene::displacement_of(scene_, frame_, deformed, m, k).norm();
+      if (u > extremes_.displacement) {
+        extremes_.displacement = u;
+        extremes_.time = times_.back();
+      }
+    }
+    if (surface.recovery->has_stress())
+      extremes_.von_mises = std::max(
+          extremes_.von_mises, surface.recovery->largest_von_mises(frame_.solids[m].data()).value);
+  }
 }
 
 }  // namespace spoke::run_report

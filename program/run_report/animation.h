@@ -40,11 +40,23 @@ class Animation {
   const std::vector<float>& displacements() const { return displacements_; }
   /// Returns rotation vectors by frame and node; angles for a planar model [rad].
   const std::vector<float>& rotations() const { return rotations_; }
+  /// Returns by solid of the scene and by frame its numbers: modal coordinates; of a nodal one the
+  /// displacements of its drawn nodes in its frame [m] and their von Mises stresses [Pa].
+  const std::vector<std::vector<float>>& solids() const { return solids_; }
+  /// The largest values of the drawn nodes of solids.
+  struct SolidExtremes {
+    double displacement = 0.0;  ///< from the undeformed place [m]
+    double time = 0.0;          ///< of it [s]
+    double von_mises = 0.0;     ///< [Pa]
+  };
+  const SolidExtremes& solid_extremes() const { return extremes_; }
   const std::vector<float>& axial_forces() const { return axial_forces_; }  ///< by element [N]
   const std::vector<float>& bending_moments() const { return bending_moments_; }  ///< [N m]
 
  private:
   void append();
+  void append_solids();
+  void observe_solids();
 
   scene::Scene scene_;
   scene::FrameReader reader_;
@@ -52,6 +64,8 @@ class Animation {
   bool is_free_in_space_;
   std::size_t most_frames_ = 0;
   std::vector<double> times_;
+  std::vector<std::vector<float>> solids_;
+  SolidExtremes extremes_;
   std::vector<float> hub_, groups_, displacements_, rotations_, axial_forces_, bending_moments_;
 };
 

@@ -36,7 +36,7 @@ std::string make_animation_markup() {
 <label><span>Deflections</span><input type="range" id="animation-scale" min="0" max="200" value="0"><output id="animation-times"></output></label>
 </div>
 <div class="controls">
-<label><span>Colour</span><select id="animation-color"><option value="tree">by blade or subsystem</option><option value="axial">axial force</option><option value="bending">bending moment</option></select></label>
+<label><span>Colour</span><select id="animation-color"><option value="tree">by blade or subsystem</option><option value="axial">axial force</option><option value="bending">bending moment</option><option value="displacement">displacement</option><option value="von_mises">von Mises stress</option></select></label>
 <label><input type="checkbox" id="animation-outline"> undeformed</label>
 <label><input type="checkbox" id="animation-trails"> trails</label>
 <label><input type="checkbox" id="animation-joints"> joints</label>

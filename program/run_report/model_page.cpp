@@ -150,7 +150,7 @@ std::string make_data(const Simulation& simulation, const scene::Scene& scene) {
 
 std::string make_model_page(const Simulation& simulation) {
   const Scenario& scenario = simulation.scenario();
-  const scene::Scene scene = scene::make_scene(scenario, Animation::kMostNodes);
+  const scene::Scene scene = scene::make_scene(simulation, Animation::kMostNodes);
   report::Page page(scenario.title.empty() ? scenario.name : scenario.title,
                     std::string("The model at t = 0, before it is simulated: ") +
                         counted(std::ssize(scene.subsystems), "tree") + ", " +

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/space/solid_output.h"
 #include "models/support/json.h"
 #include "program/run_report/base64.h"
 #include "program/run_report/scene_data.h"
@@ -44,6 +45,18 @@ Json describe_plots(const Recorder& recorder) {
   return plots;
 }
 
+/// Returns the unit by which the largest of numbers becomes the largest 16-bit one; 1 without any.
+float find_unit(const std::vector<float>& numbers) {
+  constexpr float kMost = 32767.0F;
+  float largest = 0.0F;
+  for (const float number : numbers) largest = std::max(largest, std::abs(number));
+  return largest > 0.0F ? largest / kMost : 1.0F;
+}
+/// Rounds to the nearest number; std::lround is a call for each.
+std::int16_t round_share(float share) {
+  return static_cast<std::int16_t>(share < 0.0F ? share - 0.5F : share + 0.5F);
+}
+
 /// Numbers as 16-bit fractions of the largest one, and the unit of these fractions.
 struct Shares {
   float unit = 1.0F;
@@ -51,19 +64,37 @@ struct Shares {
 };
 
 Shares encode_shares(const std::vector<float>& numbers) {
-  constexpr float kMost = 32767.0F;
-  float largest = 0.0F;
-  for (const float number : numbers) largest = std::max(largest, std::abs(number));
   Shares shares;
-  if (largest > 0.0F) shares.unit = largest / kMost;
+  shares.unit = find_unit(numbers);
   std::vector<std::int16_t> rounded;
   rounded.reserve(numbers.size());
-  for (const float number : numbers) {  // nearest; std::lround is a call for each
-    const float share = number / shares.unit;
-    rounded.push_back(static_cast<std::int16_t>(share < 0.0F ? share - 0.5F : share + 0.5F));
-  }
+  for (const float number : numbers) rounded.push_back(round_share(number / shares.unit));
   shares.text = encode(rounded);
   return shares;
+}
+
+/// Describes the numbers of a solid over all frames: those of a nodal one by shares, of
+/// displacements and of stresses.
+Json describe_solid(const scene::Surface& surface, const std::vector<float>& numbers) {
+  if (!surface.recovery || surface.recovery->is_reduced()) return {{"numbers", encode(numbers)}};
+  const std::size_t per_frame = surface.frame_numbers(), moved = 3 * surface.nodes.size();
+  std::vector<float> displacements, stresses;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    (i % per_frame < moved ? displacements : stresses).push_back(numbers[i]);
+  const float units[] = {find_unit(displacements), find_unit(stresses)};
+  std::vector<std::int16_t> shares;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    shares.push_back(round_share(numbers[i] / units[i % per_frame < moved ? 0 : 1]));
+  return {{"shares", encode(shares)}, {"units", std::vector<double>{units[0], units[1]}}};
+}
+
+Json describe_solids(const Animation& animation) {
+  Json solids = Json::array();
+  const scene::Scene& scene = animation.scene();
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+    solids.push_back(describe_solid(
+        scene.surfaces[static_cast<std::size_t>(scene.meshes[m].surface)], animation.solids()[m]));
+  return solids;
 }
 
 /// Describes an animation for program/report/model_animation.js.
@@ -79,6 +110,10 @@ Json describe_animation(const Animation& animation) {
           {"rotations", rotations.text},
           {"axial", axial.text},
           {"bending", bending.text},
+          {"solids", describe_solids(animation)},
+          {"largest", Json{{"displacement", animation.solid_extremes().displacement},
+                           {"time", animation.solid_extremes().time},
+                           {"vonMises", animation.solid_extremes().von_mises}}},
           {"units", Json{{"displacement", displacements.unit},
                          {"rotation", rotations.unit},
                          {"axial", axial.unit},

@@ -3,7 +3,10 @@
 #include "program/run_report/scene_data.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
+#include "engine/space/solid_output.h"
 #include "program/run_report/base64.h"
 
 namespace spoke::run_report {
@@ -13,6 +16,14 @@ using scene::Vector;
 
 void append(const Vector& v, std::vector<float>& numbers) {
   for (const double x : v) numbers.push_back(static_cast<float>(x));
+}
+
+constexpr double kMostShare = 32767.0;
+
+/// Returns the nearest number of units.
+std::int16_t share_of(double value, float unit) {
+  return static_cast<std::int16_t>(
+      std::clamp(std::round(value / static_cast<double>(unit)), -kMostShare, kMostShare));
 }
 
 Json json_of(const Vector& v) { return std::vector<double>{v.x(), v.y(), v.z()}; }
@@ -51,6 +62,51 @@ Json describe(const scene::Solid& solid) {
   for (const std::vector<int>& face : solid.faces) faces.push_back(face);
   return {{"name", solid.name},   {"tree", solid.subsystem},      {"node", solid.node},
           {"group", solid.group}, {"vertices", encode(vertices)}, {"faces", faces}};
+}
+
+/// Describes a map from coordinates by 16-bit shares of the largest number of each column.
+Json describe(const space::NodeRecovery::Dense& map) {
+  std::vector<float> units;
+  for (Eigen::Index c = 0; c < map.cols(); ++c) {
+    const double largest = map.rows() > 0 ? map.col(c).cwiseAbs().maxCoeff() : 0.0;
+    units.push_back(static_cast<float>(largest > 0.0 ? largest / kMostShare : 1.0));
+  }
+  std::vector<std::int16_t> shares;
+  for (Eigen::Index row = 0; row < map.rows(); ++row)
+    for (Eigen::Index c = 0; c < map.cols(); ++c)
+      shares.push_back(share_of(map(row, c), units[static_cast<std::size_t>(c)]));
+  return {{"units", encode(units)}, {"shares", encode(shares)}};
+}
+
+Json describe(const scene::Surface& surface) {
+  std::vector<float> places;
+  for (const Vector& p : surface.places) append(p, places);
+  std::vector<std::int16_t> triangles, edges;
+  for (const auto& triangle : surface.triangles)
+    for (const int corner : triangle) triangles.push_back(static_cast<std::int16_t>(corner));
+  for (const auto& edge : surface.edges)
+    for (const int end : edge) edges.push_back(static_cast<std::int16_t>(end));
+  const space::NodeRecovery* recovery = surface.recovery.get();
+  Json described = {{"places", encode(places)},
+                    {"triangles", encode(triangles)},
+                    {"edges", encode(edges)},
+                    {"hasStress", recovery && recovery->has_stress()}};
+  if (recovery && recovery->is_reduced()) {
+    described.set("shapes", describe(recovery->shapes()));
+    if (recovery->has_stress()) described.set("stresses", describe(recovery->stresses()));
+  }
+  return described;
+}
+
+/// Describes a solid; `frame`: the node of its frame.
+Json describe(const scene::MeshBody& mesh, const scene::Node& frame) {
+  Json interfaces = Json::array(), axes = Json::array();
+  for (const scene::InterfaceMark& mark : mesh.interfaces)
+    interfaces.push_back({{"name", mark.name}, {"node", mark.node}});
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) axes.push_back(frame.axes(row, column));
+  return {{"name", mesh.name},       {"tree", mesh.subsystem}, {"node", mesh.node},
+          {"surface", mesh.surface}, {"axes", axes},           {"interfaces", interfaces}};
 }
 
 Json describe(const scene::Link& link) {
@@ -109,6 +165,9 @@ Json describe_scene(const scene::Scene& scene) {
     append(node.p, nodes);
     groups.push_back(static_cast<std::int16_t>(node.group));
   }
+  Json meshes = Json::array();
+  for (const scene::MeshBody& mesh : scene.meshes)
+    meshes.push_back(describe(mesh, scene.nodes[static_cast<std::size_t>(mesh.node)]));
   return {{"isPlanar", scene.is_planar},
           {"axis", json_of(scene.axis)},
           {"gravity", json_of(scene.gravity)},
@@ -119,11 +178,27 @@ Json describe_scene(const scene::Scene& scene) {
           {"nodeGroups", encode(groups)},
           {"strips", describe_all(scene.strips)},
           {"solids", describe_all(scene.solids)},
+          {"surfaces", describe_all(scene.surfaces)},
+          {"meshes", meshes},
           {"links", describe_all(scene.links)},
           {"joints", describe_all(scene.joints)},
           {"loops", describe_all(scene.loops)},
           {"loads", describe_all(scene.loads)},
           {"sensors", describe_all(scene.sensors)}};
+}
+
+void append_numbers(const scene::Surface& surface, const std::vector<double>& coordinates,
+                    std::vector<float>& numbers) {
+  if (!surface.recovery) return;
+  const space::NodeRecovery& recovery = *surface.recovery;
+  const double* q = coordinates.data();
+  if (recovery.is_reduced()) {
+    for (const double value : coordinates) numbers.push_back(static_cast<float>(value));
+    return;
+  }
+  for (int k = 0; k < recovery.size(); ++k) append(recovery.displacement(k, q), numbers);
+  for (int k = 0; k < recovery.size(); ++k)
+    numbers.push_back(recovery.has_stress() ? static_cast<float>(recovery.von_mises(k, q)) : 0.0F);
 }
 
 void append_pose(const spatial::Placement& pose, std::vector<float>& numbers) {

@@ -12,6 +12,7 @@
 #include "engine/steady/steady_warnings.h"
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
+#include "models/space/solid.h"
 #include "models/support/json.h"
 #include "program/report/chart.h"
 #include "program/report/scene_markup.h"
@@ -29,8 +30,10 @@ std::string make_markup() {
 <figure class="whole">)" +
          report::scene_canvas("steady", "view", "The model in equilibrium") + R"(</figure>
 </div>
+<div id="steady-colors" class="colors" hidden></div>
 <div class="controls">
 <label><span>Deflections</span><input type="range" id="steady-scale" min="0" max="200" value="0"><output id="steady-times"></output></label>
+<label><span>Colour</span><select id="steady-color"><option value="tree">by blade or subsystem</option><option value="displacement">displacement</option><option value="von_mises">von Mises stress</option></select></label>
 <label><input type="checkbox" id="steady-outline"> undeformed</label>
 <label><input type="checkbox" id="steady-joints"> joints</label>
 <label><input type="checkbox" id="steady-loads"> loads</label>
@@ -126,12 +129,23 @@ enum class Direction { lag, flap };
 
 /// Plots the deflections of a blade's nodes along the axis of rotation, or in the plane across the
 /// blade.
+/// Whether a node of a blade is one of a beam or a rigid body, or the frame or a place of a solid;
+/// others of a solid are in no row. `first`: that of its body.
+bool is_in_row(const BladeEquilibrium& blade, std::size_t node, std::size_t first) {
+  for (const SolidDeformation& solid : blade.solids)
+    if (solid.body == blade.bodies[node]) return node - first <= solid.solid->places.size();
+  return true;
+}
+
 report::LineSeries deflection_line(const BladeEquilibrium& blade, Direction direction) {
   report::LineSeries line{.name = blade.name};
   const Vector3d along = (blade.undeformed.back() - blade.undeformed.front()).normalized();
   const Vector3d axis =
       direction == Direction::flap ? Vector3d::UnitZ() : Vector3d(Vector3d::UnitZ().cross(along));
+  std::size_t first = 0;
   for (std::size_t k = 0; k < blade.nodes.size(); ++k) {
+    if (blade.bodies[k] != blade.bodies[first]) first = k;
+    if (!is_in_row(blade, k, first)) continue;
     const Vector3d& from = blade.undeformed[k];
     line.points.push_back({from.norm(), axis.dot(blade.nodes[k] - from)});
   }

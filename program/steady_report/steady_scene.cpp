@@ -9,6 +9,7 @@
 
 #include "engine/scene/carriers.h"
 #include "engine/scene/make_scene.h"
+#include "engine/space/solid_output.h"
 #include "program/run_report/base64.h"
 #include "program/run_report/scene_data.h"
 #include "program/steady_report/mode_files.h"
@@ -52,11 +53,65 @@ struct NodeShape {
   Vector3cd displacement, rotation;
 };
 
+/// Returns the constants of the solids of an equilibrium.
+scene::SolidsInTrees solids_of(const EquilibriumResult& result) {
+  scene::SolidsInTrees all;
+  for (const BladeEquilibrium& blade : result.blades) {
+    auto& own = all.emplace_back();
+    for (const SolidDeformation& solid : blade.solids) {
+      own.resize(std::max(own.size(), static_cast<std::size_t>(solid.body) + 1));
+      own[static_cast<std::size_t>(solid.body)] = solid.solid;
+    }
+  }
+  return all;
+}
+
+/// Returns the place of a body among the solids of a blade.
+std::size_t place_of(const scene::MeshBody& mesh, const BladeEquilibrium& blade) {
+  const auto found =
+      std::find_if(blade.solids.begin(), blade.solids.end(),
+                   [&mesh](const SolidDeformation& solid) { return solid.body == mesh.body; });
+  return static_cast<std::size_t>(found - blade.solids.begin());
+}
+
+/// The motion of a solid's numbers in a mode: real parts, then imaginary ones.
+struct SolidMotion {
+  std::vector<double> numbers;
+  double largest = 0.0;  ///< displacement of a drawn node, relative to its frame [m]
+};
+
+SolidMotion calc_motion(const scene::Surface& surface, const Eigen::VectorXcd& q) {
+  SolidMotion motion;
+  if (!surface.recovery || q.size() == 0) return motion;
+  const space::NodeRecovery& recovery = *surface.recovery;
+  for (const Eigen::VectorXd& part : {Eigen::VectorXd(q.real()), Eigen::VectorXd(q.imag())}) {
+    if (recovery.is_reduced())
+      motion.numbers.insert(motion.numbers.end(), part.begin(), part.end());
+    for (int k = 0; k < recovery.size(); ++k) {
+      const Vector3d u = recovery.displacement(k, part.data());
+      motion.largest = std::max(motion.largest, u.norm());
+      if (!recovery.is_reduced()) motion.numbers.insert(motion.numbers.end(), u.begin(), u.end());
+    }
+  }
+  return motion;
+}
+
+Json describe_motion(const SolidMotion& motion) {
+  constexpr double kMost = std::numeric_limits<std::int16_t>::max();
+  double largest = 0.0;
+  for (const double number : motion.numbers) largest = std::max(largest, std::abs(number));
+  const double unit = largest > 0.0 ? largest / kMost : 1.0;
+  std::vector<std::int16_t> shares;
+  for (const double number : motion.numbers)
+    shares.push_back(static_cast<std::int16_t>(std::lround(number / unit)));
+  return {{"unit", unit}, {"shares", run_report::encode(shares)}};
+}
+
 }  // namespace
 
 SteadyScene::SteadyScene(const Scenario& scenario, const EquilibriumResult& result,
                          std::size_t most_nodes)
-    : scene_(scene::make_scene(scenario, most_nodes)),
+    : scene_(scene::make_scene(scenario, most_nodes, solids_of(result))),
       first_(make_first_frame(scenario, scene_).groups) {
   for (const scene::NodeSource& source : scene_.sources) {
     const std::vector<int>& bodies =
@@ -109,16 +164,27 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
     }
   }
   for (std::size_t g = 1; g < motions.size(); ++g) run_report::append_pose(motions[g], groups);
+  Json solids = Json::array();
+  for (const scene::MeshBody& mesh : scene_.meshes) {
+    std::vector<float> numbers;
+    if (!result.blades.empty()) {
+      const BladeEquilibrium& blade = result.blades[static_cast<std::size_t>(mesh.subsystem)];
+      run_report::append_numbers(scene_.surfaces[static_cast<std::size_t>(mesh.surface)],
+                                 blade.solids[place_of(mesh, blade)].coordinates, numbers);
+    }
+    solids.push_back(run_report::encode(numbers));
+  }
   return {{"speed", result.speed},
           {"groups", run_report::encode(groups)},
           {"displacements", run_report::encode(displacements)},
-          {"rotations", run_report::encode(rotations)}};
+          {"rotations", run_report::encode(rotations)},
+          {"solids", solids}};
 }
 
 Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) const {
   std::vector<NodeShape> shapes;
   std::size_t first = 0;
-  double displacement = 0.0, rotation = 0.0;
+  double displacement = 0.0, rotation = 0.0, solid_displacement = 0.0;
   for (std::size_t k = 0; k < scene_.nodes.size(); ++k) {
     const auto tree = static_cast<std::size_t>(scene_.sources[k].subsystem);
     if (mode.shape[tree].empty()) continue;
@@ -131,24 +197,36 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
     displacement = larger(displacement, shapes.back().displacement);
     rotation = larger(rotation, shapes.back().rotation);
   }
+  Json solids = Json::array();
+  for (const scene::MeshBody& mesh : scene_.meshes) {
+    const auto tree = static_cast<std::size_t>(mesh.subsystem);
+    const bool moves = tree < mode.solids.size() && !mode.solids[tree].empty();
+    const SolidMotion motion = calc_motion(
+        scene_.surfaces[static_cast<std::size_t>(mesh.surface)],
+        moves ? mode.solids[tree][place_of(mesh, result.blades[tree])] : Eigen::VectorXcd());
+    solids.push_back(describe_motion(motion));
+    solid_displacement = std::max(solid_displacement, motion.largest);
+  }
   constexpr double kMost = std::numeric_limits<std::int16_t>::max();
   std::vector<std::int16_t> numbers;
   for (const NodeShape& shape : shapes) {
     append(shape.displacement, displacement / kMost, numbers);
     append(shape.rotation, rotation / kMost, numbers);
   }
-  return {{"name", mode.name},
-          {"of", mode.of},
-          {"frequency", hertz(mode.frequency)},
-          {"damping", damping_of(mode)},
-          {"grows", mode.grows()},
-          {"hub", hub_json(mode)},
-          {"first", first},
-          {"shape", run_report::encode(numbers)},
-          {"units", {{"displacement", displacement / kMost}, {"rotation", rotation / kMost}}},
-          {"largest",
-           {{"displacement", larger(displacement, mode.hub_displacement)},
-            {"rotation", larger(rotation, mode.hub_rotation)}}}};
+  return {
+      {"name", mode.name},
+      {"of", mode.of},
+      {"frequency", hertz(mode.frequency)},
+      {"damping", damping_of(mode)},
+      {"grows", mode.grows()},
+      {"hub", hub_json(mode)},
+      {"solids", solids},
+      {"first", first},
+      {"shape", run_report::encode(numbers)},
+      {"units", {{"displacement", displacement / kMost}, {"rotation", rotation / kMost}}},
+      {"largest",
+       {{"displacement", larger(std::max(displacement, solid_displacement), mode.hub_displacement)},
+        {"rotation", larger(rotation, mode.hub_rotation)}}}};
 }
 
 }  // namespace spoke::steady_report

@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "models/reader/nearest_name.h"
+#include "models/support/nearest_name.h"
 #include "program/study/portable_math.h"
 
 namespace spoke::study {

@@ -14,7 +14,7 @@
 #include "engine/simulation.h"
 #include "engine/simulation/simulation_core.h"
 #include "models/error.h"
-#include "models/reader/nearest_name.h"
+#include "models/support/nearest_name.h"
 #include "models/support/quantity.h"
 
 namespace spoke::study {

@@ -8,7 +8,7 @@
 
 #include "models/count_text.h"
 #include "models/error.h"
-#include "models/reader/text_file.h"
+#include "models/text_file.h"
 #include "program/study/parameter_reader.h"
 #include "program/study/response_reader.h"
 #include "program/study/sobol_sequence.h"

@@ -20,6 +20,8 @@ void bind_simulation(pybind11::module_& module);
 void bind_recording(pybind11::module_& module);
 /// Binds Trace: which thread ran which node when.
 void bind_trace(pybind11::module_& module);
+/// Binds solids reduced to modes.
+void bind_reduce(pybind11::module_& module);
 /// Binds equilibria, modes and Campbell diagrams.
 void bind_steady(pybind11::module_& module);
 

@@ -12,5 +12,6 @@ PYBIND11_MODULE(_spoke, module) {
   spoke::python::bind_simulation(module);
   spoke::python::bind_recording(module);
   spoke::python::bind_trace(module);
+  spoke::python::bind_reduce(module);
   spoke::python::bind_steady(module);
 }

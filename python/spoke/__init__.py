@@ -11,6 +11,7 @@ of sensors, messages, and keys of scenarios count from 1, as scenario files do.
 """
 
 from . import model
+from ._reduce import reduce
 from ._result import Result
 from ._simulation import Simulation, read_scenario
 from ._spoke import (
@@ -42,6 +43,7 @@ from ._spoke import (
     SavedState,
     Scenario,
     SectionLoad,
+    SolidReduction,
     SpeedTable,
     SpinUp,
     SpinUpHoldSpinDown,
@@ -61,9 +63,9 @@ __all__ = [
     "InputError", "InternalError", "JointPosition", "Load", "LoadError", "LoopLoad", "Marker",
     "MarkerMotion",
     "MarkerMotions", "MarkerState", "Mode", "Modes", "Result", "SavedState", "Scenario",
-    "SectionLoad", "Simulation", "SpeedTable", "SpinUp", "SpinUpHoldSpinDown", "StateError",
+    "SectionLoad", "Simulation", "SolidReduction", "SpeedTable", "SpinUp", "SpinUpHoldSpinDown", "StateError",
     "TorqueBySpeed", "TorqueDrive", "Trace", "Wrench", "__version__", "campbell", "equilibrium",
-    "markers_at", "model", "modes", "read_scenario",
+    "markers_at", "model", "modes", "read_scenario", "reduce",
 ]
 
 

@@ -276,13 +276,14 @@ def output(*, interval):
     return _given(locals())
 
 
-def sensor(*, quantity, name=None, blade=None, position=None, joint=None, loop=None, frame=None,
-           **more):
-    """What is measured besides the sensors that every simulation has.
+def sensor(*, quantity, name=None, blade=None, position=None, joint=None, loop=None,
+           frame=None, **more):
+    """What is measured besides the sensors that every simulation has. In space: subsystem and body
+    by name; on a solid interface, by name, or node, by its number in the mesh's file.
 
     quantity: "displacement", "velocity", "acceleration", "section_force", "joint_reaction",
-        "hub_reaction", "momentum", "blade_momentum", "kinetic_energy", "loop_reaction" or
-        "loop_opening".
+        "hub_reaction", "momentum", "blade_momentum", "kinetic_energy", "loop_reaction",
+        "loop_opening", or of a solid "interface_force" or "von_mises".
     name: in the names of the result's arrays.
     blade: number from 1, or "all".
     position: distance from the root [m]; None: the tip.

@@ -12,13 +12,16 @@
 #include <string>
 #include <vector>
 
+#include "engine/run/time_stepper.h"
 #include "engine/simulation.h"
 #include "engine/space/body_energies.h"
 #include "engine/space/joint_terms.h"
 #include "engine/space/section.h"
+#include "engine/step/step_graph_builder.h"
 #include "engine/tree/joint_recovery.h"
 #include "tests/engine/loop_models.h"
 #include "tests/engine/rotors.h"
+#include "tests/engine/solids/solid_models.h"
 #include "tests/engine/space/bodies.h"
 #include "tests/engine/space/hub_table.h"
 #include "tests/engine/space/random_joint.h"
@@ -177,6 +180,28 @@ TEST_CASE("a step that makes the tension of rotation anew allocates nothing") {
   for (int n = 0; n < 300; ++n) simulation.step();
   CHECK(allocations.load() == before);
   CHECK(simulation.sensor("hub.speed") > 36.0);
+}
+
+TEST_CASE("a step of solids allocates nothing, in slices neither") {
+  for (const auto coordinates :
+       {spatial::SolidCoordinates::reduced, spatial::SolidCoordinates::nodal})
+    for (const int slices : {1, 2}) {
+      CAPTURE(slices);
+      SystemContext<Space> context;
+      context.system =
+          cut_solids(make_system(make_solid_trees(HubSupport::free, coordinates)), slices);
+      context.integrator = {make_generalized_alpha(0.8, 5e-4), {1e-12, 0, 50}};
+      allocate(context);
+      const graph::StepGraph graph = build_step_graph(context, 1);
+      const auto executor = graph::make_executor(graph, graph::ExecutorKind::serial);
+      TimeStepper stepper(context, graph);
+      REQUIRE(stepper.start() == StepOutcome::done);
+      REQUIRE(stepper.advance(2, *executor, true) == StepOutcome::done);
+      const long before = allocations.load();
+      const StepOutcome outcome = stepper.advance(8, *executor, true);
+      CHECK(allocations.load() == before);
+      CHECK(outcome == StepOutcome::done);
+    }
 }
 
 TEST_CASE("measuring the sensors allocates nothing") {

@@ -8,7 +8,7 @@ mkdir -p "$work"
 "$cmake" --install "$build" --prefix "$work/first" >"$work/install.log"
 mv "$work/first" "$work/moved"
 for file in bin/spoke include/spoke/spoke.h share/spoke/models/wu_haug_rotor.toml \
-  share/spoke/models/studies/blade_stiffness.toml \
+  share/spoke/models/studies/blade_stiffness.toml share/spoke/models/meshes/bracket.msh \
   share/doc/spoke/LICENSE share/doc/spoke/docs/embedding.md share/doc/spoke/examples/first_rotor.cpp; do
   [ -s "$work/moved/$file" ] || { echo "not installed: $file"; exit 1; }
 done
@@ -21,6 +21,12 @@ if found=$(grep -rlE "$work/first|$build" "$work/moved" --include='*.cmake' --in
   printf 'files that know where they were built or first installed:\n%s\n' "$found"
   exit 1
 fi
+# Scenarios find the meshes that they name.
+for scenario in "$work"/moved/share/spoke/models/*.toml; do
+  for mesh in $(sed -nE 's/^ *mesh *= *"([^"]+)".*/\1/p' "$scenario"); do
+    [ -s "$(dirname "$scenario")/$mesh" ] || { echo "$scenario names $mesh, which is not installed"; exit 1; }
+  done
+done
 # What the documents for users link to is installed with them.
 for page in "$work"/moved/share/doc/spoke/{README.md,docs/*.md}; do
   links=$(grep -oE '[[:alnum:]/`]\]\([^)#]+' "$page" | cut -c4- | grep -vE '^(https?|mailto):' || true)
@@ -29,3 +35,4 @@ for page in "$work"/moved/share/doc/spoke/{README.md,docs/*.md}; do
   done
 done
 "$work/moved/bin/spoke" check "$work/moved/share/spoke/models/wu_haug_rotor.toml"
+SPOKE_CACHE=none "$work/moved/bin/spoke" reduce "$work/moved/share/spoke/models/solid_bracket.toml" >/dev/null

@@ -2,6 +2,7 @@
 
 // Reads blades and subsystems.
 
+#include <string>
 #include <vector>
 
 #include "models/reader/toml_section.h"
@@ -13,7 +14,13 @@ namespace spoke::spatial {
 /// hub and its anchors, on which loops may close.
 std::vector<Blade> read_blades(const TomlSection& root, const Model& model);
 
-/// Reads [[subsystem]] from a scenario's root. The model has its hub and its anchors.
-std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model);
+/// Reads [[subsystem]] from a scenario's root. The model has its hub and its anchors; meshes are
+/// relative to `folder`. One with a count N makes N subsystems, named NAME1 to NAMEN.
+std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model,
+                                       const std::string& folder);
+
+/// Returns the names of the subsystems that a name stands for: of those that a count has made, or
+/// the name itself.
+std::vector<std::string> find_copies(const TomlSection& root, const std::string& name);
 
 }  // namespace spoke::spatial

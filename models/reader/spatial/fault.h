@@ -62,6 +62,8 @@ Fault find_name_fault(const std::string& name);
 Fault find_fault(const Sections& sections, double length);
 Fault find_fault(const Beam& beam);
 Fault find_fault(const RigidBody& body);
+/// Finds a fault of a solid; its mesh is read, unless it has one.
+Fault find_fault(const SolidBody& body);
 Fault find_fault(const Joint& joint);
 Fault find_fault(const Blade& blade);
 Fault find_fault(const Subsystem& subsystem);

@@ -7,6 +7,8 @@
 
 #include "models/reader/loop_faults.h"
 #include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/solid_faults.h"
+#include "models/solid/kept_geometry.h"
 #include "spoke/error.h"
 
 namespace spoke::spatial {
@@ -25,6 +27,23 @@ void check_each(const std::string& key, const Items& items, const Find& find) {
 }
 
 }  // namespace
+
+void read_meshes(Model& model) {
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < model.subsystems[i].bodies.size(); ++j) {
+      auto* solid = std::get_if<SolidBody>(&model.subsystems[i].bodies[j].shape);
+      if (!solid) continue;
+      const std::string key =
+          "subsystem." + std::to_string(i + 1) + ".body." + std::to_string(j + 1);
+      require(find_description_fault(*solid).within(key));
+      try {
+        solid::keep_geometry(*solid);
+      } catch (const InputError& error) {
+        if (solid::is_of_mesh(error)) throw;
+        require(Fault{error.place().key, error.what()}.within(key));
+      }
+    }
+}
 
 void check_model(const Model& model) {
   require(find_fault(model.hub).within("hub"));

@@ -6,6 +6,10 @@
 
 namespace spoke::spatial {
 
+/// Gives solids that have none their meshes and geometries, so that these are read and made once.
+/// Throws InputError as check_model() does.
+void read_meshes(Model& model);
+
 /// Throws InputError unless the model could stand in a file: "KEY: what is wrong, what is
 /// expected", the key as Scenario::to_json() has it, blades and loads counted from 1. check_drive()
 /// checks the hub's drive.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "models/reader/nearest_name.h"
 #include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/solid_faults.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke::spatial {
 namespace {
@@ -70,6 +71,14 @@ Fault find_fault(const LoadPlace& place, const Model& model) {
   return {"body", describe_unknown(place.body, names_of(bodies))};
 }
 
+/// Returns the body of a subsystem at a valid place; null on a blade.
+const Body* find_body(const LoadPlace& place, const Model& model) {
+  if (place.subsystem.empty()) return nullptr;
+  for (const Body& body : find_subsystem(model, place.subsystem)->bodies)
+    if (body.name == place.body) return &body;
+  return nullptr;
+}
+
 /// Returns the length of the shortest beam at a valid place; 0 if the body there is a rigid body.
 double length_at(const LoadPlace& place, const Model& model) {
   if (place.subsystem.empty()) {
@@ -79,10 +88,17 @@ double length_at(const LoadPlace& place, const Model& model) {
         least = model.blades[i].beam.length;
     return least;
   }
-  for (const Body& body : find_subsystem(model, place.subsystem)->bodies)
-    if (body.name == place.body)
-      if (const auto* beam = std::get_if<Beam>(&body.shape)) return beam->length;
-  return 0.0;
+  const auto* beam = std::get_if<Beam>(&find_body(place, model)->shape);
+  return beam ? beam->length : 0.0;
+}
+
+/// Finds keys of loads on solids where the body is none.
+Fault find_solid_keys(const PointLoad& load, const std::string& instead) {
+  const std::string text = "belongs to solids, expected " + instead;
+  if (!load.interface.empty()) return {"interface", text};
+  if (load.nodes) return {"nodes", text};
+  if (load.traction) return {"traction", "belongs to solids, expected force"};
+  return {};
 }
 
 template <class Load>
@@ -147,8 +163,14 @@ Fault find_fault(const PointLoad& load, const Model& model) {
   first.add(find_common_fault(load, model));
   if (first.found()) return first.found();
   first("point", load.point, kLength, Presence::optional);
+  const Body* body = find_body(load.place, model);
+  if (const auto* solid = body ? std::get_if<SolidBody>(&body->shape) : nullptr) {
+    first.add(find_load_fault(load, *solid));
+    return first.found();
+  }
   const double length = length_at(load.place, model);
   const bool is_rigid = length == 0.0;
+  first.add(find_solid_keys(load, is_rigid ? "point on a rigid body" : "position on a beam"));
   if (is_rigid && load.position)
     first.add({"position", "belongs to beams, expected point on a rigid body"});
   if (is_rigid && load.frame == LoadFrame::section)
@@ -165,6 +187,9 @@ Fault find_fault(const DistributedLoad& load, const Model& model) {
   const FirstFault first;
   first.add(find_common_fault(load, model));
   if (first.found()) return first.found();
+  const Body* body = find_body(load.place, model);
+  if (body && std::holds_alternative<SolidBody>(body->shape))
+    return {"body", "is a solid, expected a beam; [[load]] has nodes and traction for solids"};
   const double length = length_at(load.place, model);
   if (length == 0.0) return {"body", "is rigid, expected a beam"};
   first("from", load.from, {"m, from root to tip", 0.0, length});

@@ -7,28 +7,14 @@
 #include "models/reader/drive_json.h"
 #include "models/reader/loop_json.h"
 #include "models/reader/spatial/course_json.h"
+#include "models/reader/spatial/field_writer.h"
 #include "models/reader/spatial/joint_json.h"
+#include "models/reader/spatial/solid_json.h"
 #include "models/reader/spatial/spatial_fields.h"
 #include "models/scenario.h"
 
 namespace spoke::spatial {
 namespace {
-
-/// Writes the numbers of a structure, for visit_fields().
-struct FieldWriter {
-  Json& json;
-
-  template <class Range>
-  void operator()(std::string_view key, double value, const Range&, Presence) const {
-    json.set(key, value);
-  }
-  void operator()(std::string_view key, int value, const Count&, Presence) const {
-    json.set(key, value);
-  }
-  void operator()(std::string_view key, const Vector& value, const Quantity&, Presence) const {
-    json.set(key, Json::array({value.x(), value.y(), value.z()}));
-  }
-};
 
 Json inertia_to_json(const Tensor& t) {
   return Json::array({t(0, 0), t(1, 1), t(2, 2), t(0, 1), t(0, 2), t(1, 2)});
@@ -110,6 +96,11 @@ Json to_json(const Body& body) {
     add_beam(*beam, json);
     return json;
   }
+  if (const auto* solid = std::get_if<SolidBody>(&body.shape)) {
+    json.set("kind", "solid");
+    add_solid(*solid, json);
+    return json;
+  }
   const auto& rigid = std::get<RigidBody>(body.shape);
   json.set("kind", "rigid");
   visit_fields(rigid, FieldWriter{json});
@@ -119,10 +110,12 @@ Json to_json(const Body& body) {
 
 Json to_json(const Subsystem& subsystem, const Model& model) {
   Json json = {{"name", subsystem.name}};
+  visit_fields(subsystem, FieldWriter{json});
   for (const Body& body : subsystem.bodies) json.append("body", to_json(body));
   for (const SubsystemJoint& joint : subsystem.joints) {
     Json table = {{"parent", joint.parent}, {"child", joint.child}};
     if (joint.station) table.set("station", *joint.station);
+    if (!joint.interface.empty()) table.set("interface", joint.interface);
     add_joint(joint.joint, table);
     json.append("joint", table);
   }
@@ -152,6 +145,9 @@ Json to_json(const PointLoad& load) {
   add_place(load.place, json);
   if (load.position) json.set("position", *load.position);
   if (!load.point.isZero(0.0)) json.set("point", spatial::to_json(load.point));
+  if (!load.interface.empty()) json.set("interface", load.interface);
+  if (load.nodes) json.set("nodes", choice_to_json(*load.nodes));
+  if (load.traction) json.set("traction", spatial::to_json(*load.traction));
   add_course(load, json);
   return json;
 }

@@ -7,6 +7,7 @@
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/solid_reader.h"
 #include "models/reader/spatial/vector_reader.h"
 #include "models/scenario.h"
 
@@ -65,18 +66,33 @@ void finish_load(const TomlSection& section, const Model& model, Load& load) {
   if (const Fault fault = find_fault(load, model)) section.fail_at(fault.path, fault.text);
 }
 
+/// Adds a load to all subsystems that its place stands for.
+template <class Load>
+void add_load(const TomlSection& root, const TomlSection& section, const Model& model, Load load,
+              std::vector<Load>& loads) {
+  const std::vector<std::string> names = find_copies(root, load.place.subsystem);
+  load.place.subsystem = names.front();
+  finish_load(section, model, load);
+  for (const std::string& name : names) {
+    load.place.subsystem = name;
+    loads.push_back(load);
+  }
+}
+
 void read_point_loads(const TomlSection& root, Model& model) {
-  for (const TomlSection& section :
-       root.sections("load", {"blade", "subsystem", "body", "position", "point", "frame", "force",
-                              "moment", "ramp", "time", "factor"})) {
+  for (const TomlSection& section : root.sections(
+           "load", {"blade", "subsystem", "body", "position", "point", "interface", "nodes",
+                    "frame", "force", "moment", "traction", "ramp", "time", "factor"})) {
     PointLoad load;
-    require_one(section, "force", "moment");
+    if (!section.has("traction")) require_one(section, "force", "moment");
     load.place = read_place(section, model);
     if (section.has("position")) load.position = section.number("position", kStation);
     if (section.has("point")) load.point = read_vector(section, "point", kLength);
+    load.interface = section.text("interface", "");
+    if (section.has("nodes")) load.nodes = read_choice(section, "nodes");
+    if (section.has("traction")) load.traction = read_vector(section, "traction", kTraction);
     load.frame = read_frame(section, load.frame);
-    finish_load(section, model, load);
-    model.loads.push_back(std::move(load));
+    add_load(root, section, model, std::move(load), model.loads);
   }
 }
 
@@ -91,8 +107,7 @@ void read_distributed_loads(const TomlSection& root, Model& model) {
     load.from = section.number("from", kStation, 0.0);
     if (section.has("to")) load.to = section.number("to", kStation);
     load.frame = read_frame(section, load.frame);
-    finish_load(section, model, load);
-    model.distributed_loads.push_back(std::move(load));
+    add_load(root, section, model, std::move(load), model.distributed_loads);
   }
 }
 
@@ -111,12 +126,12 @@ void read_hub_loads(const TomlSection& root, Model& model) {
 
 }  // namespace
 
-Model read_model(const TomlSection& root) {
+Model read_model(const TomlSection& root, const std::string& folder) {
   Model model;
   model.hub = read_hub(root);
   model.anchors = read_anchors(root, model.hub.support, false);
   model.blades = read_blades(root, model);
-  model.subsystems = read_subsystems(root, model);
+  model.subsystems = read_subsystems(root, model, folder);
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);

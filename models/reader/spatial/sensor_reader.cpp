@@ -3,15 +3,19 @@
 #include "models/reader/spatial/sensor_reader.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <variant>
 
+#include "models/count_text.h"
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/names.h"
-#include "models/reader/nearest_name.h"
 #include "models/reader/sensor_keys.h"
+#include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/solid_faults.h"
+#include "models/support/nearest_name.h"
 #include "models/tree/sensor_place.h"
 #include "spoke/error.h"
 
@@ -20,11 +24,14 @@ namespace {
 
 /// Whether a sensor is on a body, or at a joint.
 bool needs_body(const Sensor& sensor) {
-  return has_position(sensor.quantity) || sensor.quantity == SensorQuantity::joint_reaction;
+  return has_position(sensor.quantity) || sensor.quantity == SensorQuantity::joint_reaction ||
+         is_of_solid(sensor.quantity);
 }
 
 Fault find_blade_fault(const Sensor& sensor, const Model& model) {
   if (!sensor.body.empty()) return {"body", "would be ignored, expected only along with subsystem"};
+  if (is_of_solid(sensor.quantity))
+    return {"", "is on blades, of which none is a solid; expected subsystem and body"};
   const auto last = static_cast<int>(model.blades.size());
   if (is_of_blade(sensor.quantity) && last == 0)
     return {"", "is on blades, of which there are none; expected subsystem and body"};
@@ -71,6 +78,51 @@ double length_at(const std::vector<SensorPlace>& places, const std::vector<Tree>
     least = std::min(least, part ? tree.beams[part->beam].length : 0.0);
   }
   return least;
+}
+
+/// Returns the solid that a sensor is on; null if it is on none.
+const SolidPart* find_solid(const std::vector<SensorPlace>& places,
+                            const std::vector<Tree>& trees) {
+  if (places.empty()) return nullptr;
+  const SensorPlace& first = places.front();
+  const std::size_t body = static_cast<std::size_t>(first.bodies.front());
+  return std::get_if<SolidPart>(&trees[first.tree].bodies[body].shape);
+}
+
+/// Finds what belongs to solids on other bodies.
+Fault find_solid_keys(const Sensor& sensor) {
+  const std::string quantity(name_of(sensor.quantity));
+  if (is_of_solid(sensor.quantity))
+    return {"body", "is no solid, which quantity \"" + quantity + "\" belongs to"};
+  const std::string expected = "belongs to solids, expected position on a beam";
+  if (!sensor.interface.empty()) return {"interface", expected};
+  if (sensor.node) return {"node", expected};
+  return {};
+}
+
+/// Finds a fault of the place on a solid.
+Fault find_solid_fault(const Sensor& sensor, const SolidPart& solid) {
+  const SensorQuantity quantity = sensor.quantity;
+  if (quantity == SensorQuantity::section_force)
+    return {"body", "is a solid, expected a beam; \"interface_force\" is the force on a solid"};
+  if (sensor.position)
+    return {"position", "belongs to beams, expected interface or node on a solid"};
+  if (sensor.node && !sensor.interface.empty())
+    return {"node", "given along with interface, expected only one of them"};
+  if (sensor.node && quantity == SensorQuantity::interface_force)
+    return {"node", "does not belong to quantity \"interface_force\", expected interface"};
+  if (sensor.node && !find_node(*solid.geometry().mesh, *sensor.node))
+    return {"node", "is " + std::to_string(*sensor.node) + ", expected the number of one of the " +
+                        counted(std::ssize(solid.geometry().mesh->nodes), "node") + " of the mesh"};
+  if (quantity == SensorQuantity::von_mises) {
+    if (solid.body().matrices)
+      return {"quantity", "is \"von_mises\", but matrices do not tell the stresses"};
+    if (sensor.interface.empty()) return {};
+  }
+  if (sensor.node) return {};
+  if (sensor.interface.empty() && quantity == SensorQuantity::interface_force)
+    return {"interface", "is missing, expected the name of an interface"};
+  return find_interface_fault(sensor.interface, solid.body());
 }
 
 Fault find_position_fault(const Sensor& sensor, double length) {
@@ -121,6 +173,11 @@ Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tre
     return {"loop", fault};
   if (!needs_body(sensor)) return {};
   const auto places = find_places(sensor, model.blades.size(), trees);
+  if (const SolidPart* solid = find_solid(places, trees)) {
+    if (sensor.quantity != SensorQuantity::joint_reaction) return find_solid_fault(sensor, *solid);
+  } else if (const Fault fault = find_solid_keys(sensor)) {
+    return fault;
+  }
   if (has_position(sensor.quantity)) return find_position_fault(sensor, length_at(places, trees));
   return find_joint_fault(sensor, places);
 }
@@ -170,10 +227,12 @@ class SensorRules {
   ColumnNames columns_;
 };
 
+constexpr Count kNodes{1, std::numeric_limits<int>::max()};
+
 Sensor read_sensor(const TomlSection& section, const Model& model) {
   Sensor sensor;
-  sensor.quantity = read_quantity(section);
-  require_fitting_keys(section, sensor.quantity);
+  sensor.quantity = read_quantity(section, false);
+  require_fitting_keys(section, sensor.quantity, false);
   sensor.name = section.text("name", std::string(name_of(sensor.quantity)));
   sensor.frame = read_sensor_frame(section, sensor.quantity);
   sensor.subsystem = section.text("subsystem", "");
@@ -186,6 +245,8 @@ Sensor read_sensor(const TomlSection& section, const Model& model) {
         JointChoice::number(section.integer("joint", {1, std::numeric_limits<int>::max()}));
   sensor.loop = section.text("loop", "");
   if (section.has("position")) sensor.position = section.number("position", kStation);
+  sensor.interface = section.text("interface", "");
+  if (section.has("node")) sensor.node = section.integer("node", kNodes);
   return sensor;
 }
 
@@ -193,14 +254,19 @@ Sensor read_sensor(const TomlSection& section, const Model& model) {
 
 std::vector<Sensor> read_sensors(const TomlSection& root, const Model& model) {
   std::vector<Sensor> sensors;
-  const auto sections = root.sections("sensor", {"name", "quantity", "blade", "subsystem", "body",
-                                                 "position", "joint", "loop", "frame"});
+  const auto sections =
+      root.sections("sensor", {"name", "quantity", "blade", "subsystem", "body", "position",
+                               "joint", "loop", "interface", "node", "frame"});
   if (sections.empty()) return sensors;
   SensorRules rules(model);
   for (const TomlSection& section : sections) {
-    sensors.push_back(read_sensor(section, model));
-    if (const Fault fault = rules.find_next_fault(sensors.back()))
-      section.fail_at(fault.path == "name" && !section.has("name") ? "" : fault.path, fault.text);
+    Sensor sensor = read_sensor(section, model);
+    for (const std::string& name : find_copies(root, sensor.subsystem)) {
+      sensor.subsystem = name;
+      if (const Fault fault = rules.find_next_fault(sensor))
+        section.fail_at(fault.path == "name" && !section.has("name") ? "" : fault.path, fault.text);
+      sensors.push_back(sensor);
+    }
   }
   return sensors;
 }

@@ -70,6 +70,11 @@ void visit_fields(B& blade, const Visit& visit) {
   visit("precone", blade.precone, kAngle, Presence::optional);
 }
 
+template <PerhapsConst<Subsystem> S, class Visit>
+void visit_fields(S& subsystem, const Visit& visit) {
+  visit("azimuth", subsystem.azimuth, kAngle, Presence::optional);
+}
+
 template <PerhapsConst<PointMass> P, class Visit>
 void visit_fields(P& point, const Visit& visit) {
   visit("position", point.position, kStation, Presence::required);
@@ -81,6 +86,38 @@ template <PerhapsConst<RigidBody> R, class Visit>
 void visit_fields(R& body, const Visit& visit) {
   visit("mass", body.mass, Quantity::positive("kg"), Presence::required);
   visit("center", body.center, kLength, Presence::optional);
+}
+
+inline constexpr Quantity kTraction = Quantity::any("Pa");
+inline constexpr Quantity kFrequency = Quantity::positive("Hz");
+inline constexpr Quantity kDampingRatio = Quantity::not_negative("");
+inline constexpr Quantity kLengthScale = Quantity::positive("");
+inline constexpr Count kModes{0, 10'000};
+
+template <PerhapsConst<SolidMaterial> M, class Visit>
+void visit_fields(M& material, const Visit& visit) {
+  visit("youngs_modulus", material.youngs_modulus, Quantity::positive("Pa"), Presence::required);
+  visit("poissons_ratio", material.poissons_ratio, Quantity::inside(-1.0, 0.5), Presence::required);
+  visit("density", material.density, Quantity::positive("kg/m^3"), Presence::required);
+}
+
+template <PerhapsConst<PlaneNodes> N, class Visit>
+void visit_fields(N& plane, const Visit& visit) {
+  visit("point", plane.point, kLength, Presence::required);
+  visit("normal", plane.normal, kDirection, Presence::required);
+  visit("tolerance", plane.tolerance, Quantity::positive("m"), Presence::optional);
+}
+template <PerhapsConst<CylinderNodes> N, class Visit>
+void visit_fields(N& cylinder, const Visit& visit) {
+  visit("point", cylinder.point, kLength, Presence::required);
+  visit("axis", cylinder.axis, kDirection, Presence::required);
+  visit("radius", cylinder.radius, Quantity::positive("m"), Presence::required);
+  visit("tolerance", cylinder.tolerance, Quantity::positive("m"), Presence::optional);
+}
+template <PerhapsConst<BoxNodes> N, class Visit>
+void visit_fields(N& box, const Visit& visit) {
+  visit("from", box.from, kLength, Presence::required);
+  visit("to", box.to, kLength, Presence::required);
 }
 
 /// Visits the arrays of sections that hold a number for each station. visit(key, values, quantity);

@@ -1,10 +1,15 @@
 // Reads subsystems: bodies by name, and the joints between them.
 
+#include <algorithm>
+#include <numbers>
+#include <set>
+
 #include "models/reader/loop_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
 #include "models/reader/spatial/section_reader.h"
+#include "models/reader/spatial/solid_reader.h"
 #include "models/reader/spatial/vector_reader.h"
 
 namespace spoke::spatial {
@@ -15,15 +20,18 @@ std::string read_name(const TomlSection& section, std::string_view key) {
   return section.text(key, "");
 }
 
-/// Refuses keys of the other kind of body, which would be ignored.
-void check_kind_keys(const TomlSection& section, const TomlSection::Keys& others,
-                     const char* kind) {
-  for (const std::string_view key : others)
-    if (section.has(key)) section.fail(key, "does not belong to kind \"" + std::string(kind) + '"');
+TomlSection::Keys rigid_keys() { return {"mass", "center", "inertia"}; }
+
+/// Refuses keys of the other kinds of bodies, which would be ignored.
+void check_kind_keys(const TomlSection& section, const TomlSection::Keys& own, const char* kind) {
+  for (const TomlSection::Keys& keys : {rigid_keys(), beam_keys(), solid_keys()})
+    for (const std::string_view key : keys)
+      if (section.has(key) && std::find(own.begin(), own.end(), key) == own.end())
+        section.fail(key, "does not belong to kind \"" + std::string(kind) + '"');
 }
 
 Beam read_beam(const TomlSection& section) {
-  check_kind_keys(section, {"mass", "center", "inertia"}, "beam");
+  check_kind_keys(section, beam_keys(), "beam");
   Beam beam;
   visit_fields(beam, FieldReader{section});
   beam.sections = read_sections(section, beam.length);
@@ -35,20 +43,30 @@ Beam read_beam(const TomlSection& section) {
 }
 
 RigidBody read_rigid_body(const TomlSection& section) {
-  check_kind_keys(section, beam_keys(), "rigid");
+  check_kind_keys(section, rigid_keys(), "rigid");
   RigidBody body;
   visit_fields(body, VectorReader{section});
   body.inertia = read_inertia(section, "inertia", MayBeZero::no);
   return body;
 }
 
-Body read_body(const TomlSection& section) {
+/// What bodies are read with.
+struct Around {
+  const std::string& folder;             ///< of the scenario
+  const std::vector<Subsystem>& before;  ///< subsystems that are read already
+};
+
+Body read_body(const TomlSection& section, const Around& around, const Subsystem& own) {
   Body body;
   body.name = read_name(section, "name");
-  if (section.choice("kind", {"beam", "rigid"}) == 0) {
+  const std::size_t kind = section.choice("kind", {"beam", "rigid", "solid"});
+  if (kind == 0) {
     body.shape = read_beam(section);
-  } else {
+  } else if (kind == 1) {
     body.shape = read_rigid_body(section);
+  } else {
+    check_kind_keys(section, solid_keys(), "solid");
+    body.shape = read_solid(section, around.folder, around.before, own);
   }
   return body;
 }
@@ -74,19 +92,23 @@ SubsystemJoint read_subsystem_joint(const TomlSection& section, const Subsystem&
   joint.parent = read_name(section, "parent");
   joint.child = read_name(section, "child");
   joint.station = read_station(section, subsystem, joint.parent);
+  joint.interface = section.text("interface", "");
   joint.joint = read_joint(section);
   return joint;
 }
 
-Subsystem read_subsystem(const TomlSection& section, const Model& model) {
+Subsystem read_subsystem(const TomlSection& section, const Model& model, const Around& around) {
   TomlSection::Keys body_keys = beam_keys();
-  body_keys.insert(body_keys.end(), {"name", "kind", "mass", "center", "inertia"});
+  body_keys.insert(body_keys.end(), {"name", "kind"});
+  for (const TomlSection::Keys& others : {rigid_keys(), solid_keys()})
+    body_keys.insert(body_keys.end(), others.begin(), others.end());
   TomlSection::Keys keys = joint_keys();
-  keys.insert(keys.end(), {"parent", "child", "station", "node"});
+  keys.insert(keys.end(), {"parent", "child", "station", "node", "interface"});
   Subsystem subsystem;
   subsystem.name = read_name(section, "name");
+  visit_fields(subsystem, FieldReader{section});
   for (const TomlSection& table : section.sections("body", body_keys))
-    subsystem.bodies.push_back(read_body(table));
+    subsystem.bodies.push_back(read_body(table, around, subsystem));
   for (const TomlSection& table : section.sections("joint", keys))
     subsystem.joints.push_back(read_subsystem_joint(table, subsystem));
   if (const Fault fault = find_fault(subsystem)) section.fail_at(fault.path, fault.text);
@@ -94,18 +116,54 @@ Subsystem read_subsystem(const TomlSection& section, const Model& model) {
   return subsystem;
 }
 
+constexpr Count kCopies{1, kMostOfAKind};
+
+/// Returns the subsystems that a table describes, as many as its count, evenly spaced.
+std::vector<Subsystem> copy(const TomlSection& section, const Subsystem& subsystem) {
+  if (!section.has("count")) return {subsystem};
+  const int count = section.integer("count", kCopies);
+  std::vector<Subsystem> copies(static_cast<std::size_t>(count), subsystem);
+  for (int i = 0; i < count; ++i) {
+    Subsystem& made = copies[static_cast<std::size_t>(i)];
+    made.name += std::to_string(i + 1);
+    made.azimuth += 2.0 * std::numbers::pi * i / count;
+    if (const Fault fault = find_name_fault(made.name)) section.fail_at(fault.path, fault.text);
+  }
+  return copies;
+}
+
+/// Returns the tables of subsystems.
+std::vector<TomlSection> find_tables(const TomlSection& root) {
+  return root.sections("subsystem", {"name", "azimuth", "count", "body", "joint", "loop"});
+}
+
 }  // namespace
 
-std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model) {
+std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model,
+                                       const std::string& folder) {
   std::vector<Subsystem> subsystems;
-  for (const TomlSection& section : root.sections("subsystem", {"name", "body", "joint", "loop"})) {
-    subsystems.push_back(read_subsystem(section, model));
-    for (std::size_t i = 0; i + 1 < subsystems.size(); ++i)
-      if (subsystems[i].name == subsystems.back().name)
-        section.fail("name", "is \"" + subsystems[i].name +
+  std::set<std::string> names;
+  for (const TomlSection& section : find_tables(root)) {
+    const Subsystem read = read_subsystem(section, model, {folder, subsystems});
+    for (Subsystem& subsystem : copy(section, read)) {
+      if (!names.insert(subsystem.name).second)
+        section.fail("name", "is \"" + subsystem.name +
                                  "\" as another subsystem's, expected a name of its own");
+      subsystems.push_back(std::move(subsystem));
+    }
   }
   return subsystems;
+}
+
+std::vector<std::string> find_copies(const TomlSection& root, const std::string& name) {
+  for (const TomlSection& section : find_tables(root)) {
+    if (!section.has("count") || section.text("name", "") != name) continue;
+    std::vector<std::string> names;
+    const int count = section.integer("count", kCopies);
+    for (int i = 1; i <= count; ++i) names.push_back(name + std::to_string(i));
+    return names;
+  }
+  return {name};
 }
 
 }  // namespace spoke::spatial

@@ -5,8 +5,9 @@
 #include <set>
 #include <string_view>
 
-#include "models/reader/nearest_name.h"
 #include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/solid_faults.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke::spatial {
 namespace {
@@ -42,10 +43,15 @@ std::vector<std::string_view> list(const Names& names, bool with_hub) {
 /// Finds a fault of the place on the parent that a joint names.
 Fault find_place_fault(const SubsystemJoint& joint, const Subsystem& subsystem,
                        const Names& names) {
+  const Body* parent = joint.parent == kHub ? nullptr : &subsystem.bodies[names.at(joint.parent)];
+  const auto* solid = parent ? std::get_if<SolidBody>(&parent->shape) : nullptr;
+  if (solid && joint.station)
+    return {"station", "belongs to beams, expected interface on a parent that is a solid"};
+  if (solid) return find_interface_fault(joint.interface, *solid);
+  if (!joint.interface.empty())
+    return {"interface", "would be ignored, expected only on a parent that is a solid"};
   if (!joint.station) return {};
-  const Beam* beam = joint.parent == kHub
-                         ? nullptr
-                         : std::get_if<Beam>(&subsystem.bodies[names.at(joint.parent)].shape);
+  const auto* beam = parent ? std::get_if<Beam>(&parent->shape) : nullptr;
   if (beam == nullptr)
     return {"station", "would be ignored, expected only on a parent that is a beam: give offset"};
   const FirstFault first;
@@ -100,6 +106,7 @@ Fault find_shape_fault(const Subsystem& subsystem, const Names& names) {
 Fault find_fault(const Subsystem& subsystem) {
   const FirstFault first;
   first.add(find_name_fault(subsystem.name));
+  visit_fields(subsystem, first);
   if (subsystem.bodies.empty())
     first.add({"body", "is missing, expected tables headed [[subsystem.body]]"});
   Names names;

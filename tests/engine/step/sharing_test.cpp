@@ -11,6 +11,8 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "engine/simulation.h"
@@ -18,6 +20,7 @@
 #include "graph/declaration_check.h"
 #include "models/error.h"
 #include "tests/engine/loop_models.h"
+#include "tests/engine/solids/solid_models.h"
 #include "tests/engine/space/system/models.h"
 
 using namespace spoke;
@@ -196,6 +199,30 @@ Scenario make_linked(const std::string& hub) {
   return scenario;
 }
 
+/// Trees of solids on a hub that turns as prescribed or by itself.
+Scenario make_solids(bool is_driven, spatial::SolidCoordinates coordinates) {
+  Scenario scenario;
+  scenario.space = test::make_solid_trees(HubSupport::axle, coordinates);
+  for (spatial::Subsystem& subsystem : scenario.space->subsystems)
+    for (spatial::Body& body : subsystem.bodies)
+      if (auto* solid = std::get_if<spatial::SolidBody>(&body.shape))
+        if (solid->coordinates == spatial::SolidCoordinates::nodal) solid->modes.reset();
+  if (is_driven) scenario.space->hub.drive = ConstantSpeed{2.0};
+  const auto add = [&](SensorQuantity quantity, const char* interface) {
+    Sensor& sensor = scenario.sensors.emplace_back();
+    sensor.quantity = quantity;
+    sensor.subsystem = "pair";
+    sensor.body = "arm";
+    sensor.interface = interface;
+  };
+  add(SensorQuantity::displacement, "tip");
+  add(SensorQuantity::interface_force, "root");
+  add(SensorQuantity::von_mises, "");
+  scenario.integration.step = 5e-4;
+  scenario.integration.duration = kSteps * scenario.integration.step;
+  return scenario;
+}
+
 /// Takes steps beyond the stability limit of the method.
 Scenario make_diverging(Scenario scenario) {
   scenario.integration.method = IntegrationMethod::rk4;
@@ -247,6 +274,21 @@ TEST_CASE("processes that share a model all have the bits of one alone") {
           for (const Shown& shown : run_shared(scenario, options, count)) CHECK(shown == expected);
         }
       }
+}
+
+TEST_CASE("processes that share a model with solids all have the bits of one alone") {
+  for (const bool is_driven : {true, false})
+    for (const auto& [coordinates, formulation] :
+         {std::pair(spatial::SolidCoordinates::reduced, Formulation::structured),
+          std::pair(spatial::SolidCoordinates::reduced, Formulation::subsystem),
+          std::pair(spatial::SolidCoordinates::nodal, Formulation::structured)}) {
+      const Scenario scenario = make_solids(is_driven, coordinates);
+      const SimulationOptions options{formulation, ExecutorKind::serial, 1};
+      const Shown expected = run(scenario, options);
+      CHECK(expected.error == "");
+      CHECK(expected.steps == kSteps);
+      for (const Shown& shown : run_shared(scenario, options, 2)) CHECK(shown == expected);
+    }
 }
 
 TEST_CASE("processes that share a model with loops all have the bits of one alone") {

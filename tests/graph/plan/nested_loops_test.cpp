@@ -77,6 +77,23 @@ TEST_CASE("an edge between bodies begins a new loop over bodies") {
   CHECK(work[1].bodies == std::vector<NodeChain>{{NodeId{3}}, {NodeId{2}}});  // by body
 }
 
+TEST_CASE("items of a body are chains of their own in the loop over bodies") {
+  StepGraphBuilder builder;
+  const PartId x = builder.add_part("x", {}), y = builder.add_part("y", {});
+  builder.add_node({"tile", 0, 0, -1, "slice 1"}, reads(), writes(x), nothing);
+  builder.add_node({"tile", 0, 0, -1, "slice 2"}, reads(), writes(y), nothing);
+  builder.add_node({"sum", 0, 0}, reads(x, y), writes(x, y), nothing);
+  builder.add_node({"next", 0, 0, -1, "slice 1"}, reads(x), writes(x), nothing);
+  builder.add_node({"next", 0, 0, -1, "slice 2"}, reads(y), writes(y), nothing);
+  const auto loops = derive_nested_loops(builder.build());
+  REQUIRE(loops.size() == 1);
+  const SubsystemWork& work = loops[0].subsystems[0];
+  REQUIRE(work.size() == 3);
+  CHECK(work[0].bodies == std::vector<NodeChain>{{NodeId{0}}, {NodeId{1}}});
+  CHECK(work[1].bodies == std::vector<NodeChain>{{NodeId{2}}});
+  CHECK(work[2].bodies == std::vector<NodeChain>{{NodeId{3}}, {NodeId{4}}});
+}
+
 TEST_CASE("nodes without coordinates are run alone, in the order of insertion") {
   GraphPlan plan = make_random_plan(5, 30, 10, 2);
   const auto loops = derive_nested_loops(build_graph(plan));

@@ -169,8 +169,9 @@ TEST_CASE("trees that are none are refused") {
            "f.toml:21:8: subsystem.1.body.2.mass: is 0, expected a number greater than 0 (kg)"},
           {"mass = 5.0", "length = 5.0",
            "f.toml:21:10: subsystem.1.body.2.length: does not belong to kind \"rigid\""},
-          {"kind = \"rigid\"", "kind = \"solid\"",
-           "f.toml:20:8: subsystem.1.body.2.kind: is \"solid\", expected \"beam\" or \"rigid\""},
+          {"kind = \"rigid\"", "kind = \"shell\"",
+           "f.toml:20:8: subsystem.1.body.2.kind: is \"shell\", expected \"beam\", \"rigid\" or "
+           "\"solid\""},
           {"stiffness = 4.0", "stiffness = [4.0, 4.0, 4.0]",
            "f.toml:31:13: subsystem.1.joint.2.stiffness: is an array (3), expected a number of 0 "
            "or more (N m/rad)"},

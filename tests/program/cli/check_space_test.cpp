@@ -45,6 +45,19 @@ TEST_CASE("check tells at which speed rk4's limit is, and leaves out large trees
         std::string::npos);
 }
 
+TEST_CASE("check prints solids with their interfaces") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"check", shipped("solid_bracket")}, folder);
+  CHECK(ended.status == 0);
+  for (const char* part :
+       {"bracket (solid bracket.msh, 1009 nodes, ", " kg, reduced, 20 modes), on the hub: ",
+        "interface root: rigid, ", " at [0.02, 0.05, 0.4] m, 0.004 m^2\n", "interface tip: rigid, ",
+        " at [0.4, 0.05, 0.02] m, 0.004 m^2\n", "rotor (rigid, 2 kg), on bracket at tip: "}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+}
+
 TEST_CASE("check prints branches behind the body that they are on") {
   const WorkFolder folder;
   const Ended ended = run_spoke({"check", shipped("tree_of_bodies")}, folder);

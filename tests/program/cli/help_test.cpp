@@ -30,8 +30,16 @@ TEST_CASE("--help names commands and exit statuses and examples") {
   const Ended ended = run_spoke({"--help"}, folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  check_contains(ended.out, {"run", "check", "compare", "predict", "trace", "reproduce",
+  check_contains(ended.out, {"run", "check", "reduce", "compare", "predict", "trace", "reproduce",
                              "--version", "Exit status:", "spoke run models/"});
+}
+
+TEST_CASE("reduce --help names every option, and where results are kept") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"reduce", "--help"}, folder);
+  CHECK(ended.status == 0);
+  check_contains(ended.out, {"SCENARIO", "--set", "--force", "-v", "$SPOKE_CACHE", "XDG_CACHE_HOME",
+                             "SPOKE_CACHE=none", "spoke reduce models/", "Exit status:"});
 }
 
 TEST_CASE("run --help names every option and what is written") {

@@ -26,8 +26,9 @@ std::string read_scripts(std::initializer_list<const char*> names) {
 }  // namespace
 
 TEST_CASE("the embedded scripts are their sources, letter by letter") {
-  const std::string scene = read_scripts({"page_tools.js", "space_math.js", "scene.js", "camera.js",
-                                          "scene_marks.js", "scene_view.js"});
+  const std::string scene =
+      read_scripts({"page_tools.js", "space_math.js", "solid_surfaces.js", "scene.js",
+                    "scene_colors.js", "camera.js", "scene_marks.js", "scene_view.js"});
   CHECK(scene.size() > 10000);
   CHECK(spoke::report::run_script() == scene + read_scripts({"model_animation.js", "time_plots.js",
                                                              "play_clock.js", "run_page.js"}));

@@ -1,0 +1,36 @@
+#pragma once
+
+// The table's data for the kernels of solids.
+
+#include "engine/space/solid_terms.h"
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// Returns the constants that the kernels of a solid read. Precondition: the body is a solid.
+space::SolidModel solid_model_of(const BodyData<Space>& body);
+
+/// Calculates the terms of tile p of solid `j`, which is in nodal coordinates, at time t [s].
+void calc_tile_terms(const System<Space>& system, double t, int j, int p,
+                     SubsystemData<Space>& data) noexcept;
+
+/// Adds all that is applied to solid `j`, loads of the user's, then those of the scenario, and the
+/// tension of these and of the forces beyond the body. R_HB: only if a load is resolved in other
+/// frames.
+void add_applied_to_solid(double t, const space::Rotation& R_HB, std::size_t j,
+                          SubsystemData<Space>& data) noexcept;
+
+/// Returns by how much the stiffening moves the place of a section or of a handle, along the axes
+/// of B, and its derivatives; zero where that is not known. `a` may be null.
+space::PlaceDrawn calc_solid_drawn(const BodyData<Space>& body, int place_number, const double* q,
+                                   const double* v, const double* a) noexcept;
+
+/// Returns Lambda w0 of the stiffening, in H: the loss of angular momentum about the hub's origin,
+/// or of one that stiffens by its own rotation Lambda w, in B.
+space::Angular calc_solid_stiffening_momentum(const BodyData<Space>& body,
+                                              const space::Angular& w) noexcept;
+
+/// Returns the momentum of a solid and its moment about B's origin, in B.
+space::Twist calc_solid_momentum(const BodyData<Space>& body, const space::Twist& twist) noexcept;
+
+}  // namespace spoke

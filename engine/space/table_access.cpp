@@ -1,0 +1,79 @@
+// Picks what kernels read from the table.
+
+#include "engine/space/table_access.h"
+
+#include <cassert>
+
+#include "engine/space/solid_places.h"
+#include "models/space/mount.h"
+
+namespace spoke {
+
+space::BodyModel body_model_of(const BodyData<Space>& body) {
+  assert(body.model->body->flexible() && body.blocks[0] && body.blocks[0]->elastic);
+  assert(body.tension || (body.blocks[1] && body.blocks[1]->elastic));
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  const auto& tension = body.model->stiffening;
+  return {
+      flexible,
+      {&*body.blocks[0]->elastic, body.tension ? &body.tension->block : &*body.blocks[1]->elastic},
+      tension ? &*tension : nullptr};
+}
+
+space::BodyState body_state_of(const BodyData<Space>& body) {
+  return {body.coordinates.q, body.coordinates.v, body.q_elastic, body.v_elastic};
+}
+
+const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
+  assert(body.model->body->rigid() && body.blocks[0] && body.blocks[0]->rigid);
+  return body.blocks[0]->rigid->mass;
+}
+
+space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double t,
+                              const space::Rotation& R_HB, const space::Rotation& R_0,
+                              const space::Rotation& section) noexcept {
+  assert(k < load.points.size() && load.course);
+  const double size = load.course->value(t) * load.points[k].weight;
+  const space::Rotation R = resolve_load(load.frame, R_HB, R_0, section);
+  return size * (R * make_wrench(load.force, load.moment));
+}
+
+space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept {
+  if (const space::FlexibleBody* flexible = body.model->body->flexible())
+    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
+  if (body.model->body->solid())
+    return calc_place_motion(*section.place, body.coordinates.q, body.coordinates.v);
+  return space::make_fixed_handle(section.s0);
+}
+
+space::JointState joint_state_of(const BodyData<Space>& body) {
+  return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
+          body.joint.driven};
+}
+
+space::Rotation resolve_load(spatial::LoadFrame frame, const space::Rotation& R_HB,
+                             const space::Rotation& R_0, const space::Rotation& section) noexcept {
+  switch (frame) {
+    case spatial::LoadFrame::inertial:
+      return (R_0 * R_HB).inverse();
+    case spatial::LoadFrame::hub:
+      return R_HB.inverse();
+    case spatial::LoadFrame::body:
+      return {};
+    case spatial::LoadFrame::section:
+      break;
+  }
+  return section;
+}
+
+space::Position calc_tension_field(const System<Space>& system, double t,
+                                   const SubsystemData<Space>& data) noexcept {
+  if (system.hub.support == HubSupport::free)
+    return data.flight_acceleration ? space::Position(-*data.flight_acceleration)
+                                    : space::Position::Zero();
+  space::Position field = system.gravity_at(t);
+  if (system.hub.mount) field -= calc_axle_motion(system.hub, t).a;
+  return data.hub->R.inverse() * field;
+}
+
+}  // namespace spoke

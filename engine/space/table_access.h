@@ -1,0 +1,33 @@
+#pragma once
+
+// A spatial body's data in the table, as kernels read them.
+
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// Returns the constants that the kernels of a flexible body read (engine/space/body_data.h).
+/// Precondition: the body is flexible.
+space::BodyModel body_model_of(const BodyData<Space>& body);
+space::BodyState body_state_of(const BodyData<Space>& body);
+/// Returns M_RR about the origin of its frame. Precondition: the body is rigid.
+const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
+/// Returns the motion of a section against the frame of its body at the state in the table.
+space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept;
+/// Returns force and moment of a load of the scenario at its point `k`, in the frame of its body B;
+/// R_HB and R_0: of B in H and of H in the inertial frame, `section`: of the loaded section in B.
+space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double t,
+                              const space::Rotation& R_HB, const space::Rotation& R_0,
+                              const space::Rotation& section) noexcept;
+space::JointState joint_state_of(const BodyData<Space>& body);
+
+/// Returns the field that the masses of a subsystem feel, in H [m/s^2], as calc_tension_field() of
+/// the plane does; on an axle whose mount moves, gravity less its acceleration.
+space::Position calc_tension_field(const System<Space>& system, double t,
+                                   const SubsystemData<Space>& data) noexcept;
+
+/// Returns the rotation from the frame in which a load is resolved to B.
+space::Rotation resolve_load(spatial::LoadFrame frame, const space::Rotation& R_HB,
+                             const space::Rotation& R_0, const space::Rotation& section) noexcept;
+
+}  // namespace spoke

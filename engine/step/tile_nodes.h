@@ -1,0 +1,25 @@
+#pragma once
+
+// The nodes of the slices of a solid in nodal coordinates, where it has several: its terms and its
+// solution are several nodes of one body.
+
+#include "engine/step/assembly.h"
+
+namespace spoke {
+
+/// Whether slices of a body are nodes of their own.
+inline bool is_tiled(const BodyData<Plane>&) { return false; }
+inline bool is_tiled(const BodyData<Space>& body) { return body.tiles && body.tiles->count() > 1; }
+
+/// Adds the nodes of the terms of each slice, which read `inputs`.
+template <class World>
+void add_mass_tiles(const Assembly<World>& g, int i, int j, const PartList& inputs);
+/// Adds the nodes of the half solutions of each slice.
+template <class World>
+void add_forward(const Assembly<World>& g, int i, int j);
+/// Adds the nodes of the accelerations of each slice, and the node that the integrator takes all
+/// from.
+template <class World>
+void add_backward(const Assembly<World>& g, int i, int j);
+
+}  // namespace spoke

@@ -1,0 +1,48 @@
+// Finds what has been made already.
+
+#include "models/system/shared_bodies.h"
+
+#include <algorithm>
+
+#include "models/tree/space_beam.h"
+
+namespace spoke {
+
+std::shared_ptr<const space::Beam> SharedBodies::find_or_make(const spatial::Beam& beam) {
+  const auto at = std::find_if(beams_.begin(), beams_.end(),
+                               [&beam](const auto& made) { return *made.first == beam; });
+  if (at != beams_.end()) return at->second;
+  auto made = std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0));
+  return beams_.emplace_back(&beam, std::move(made)).second;
+}
+
+SharedBodies::Pointer SharedBodies::find_or_make_body(
+    const std::shared_ptr<const space::Beam>& beam, const std::vector<double>& nodes,
+    ReferenceFrame frame, const std::vector<int>& handles) {
+  Pointer& body = bodies_[{beam.get(), nodes, handles}];
+  if (!body)
+    body = std::make_shared<const space::Body>(
+        space::Body{make_beam_body(*beam, nodes, frame, handles), beam});
+  return body;
+}
+
+const SharedBodies::Constants& SharedBodies::find_or_make_constants(
+    const spatial::SolidPart& part) {
+  const auto at = std::find_if(constants_.begin(), constants_.end(), [&part](const auto& made) {
+    return is_same_solid(made.first->body(), part.body()) && made.first->sets == part.sets;
+  });
+  if (at != constants_.end()) return at->second;
+  return constants_.emplace_back(&part, find_constants(part, control_).constants).second;
+}
+
+SharedBodies::Pointer SharedBodies::find_or_make_solid(const spatial::SolidPart& part,
+                                                       const std::vector<int>& handles) {
+  const Constants& constants = find_or_make_constants(part);
+  Pointer& body = solids_[{constants.get(), handles}];
+  if (!body)
+    body =
+        std::make_shared<const space::Body>(space::Body{space::Solid{constants, handles}, nullptr});
+  return body;
+}
+
+}  // namespace spoke
