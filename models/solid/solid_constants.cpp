@@ -25,7 +25,7 @@ SolidInput read_input(const SolidBody& body, const LoadedSets& sets) {
   if (body.frame == spatial::SolidFrame::mean_axis &&
       body.coordinates == spatial::SolidCoordinates::nodal)
     throw InputError("is \"mean_axis\", expected \"clamped\" with the coordinates \"nodal\"",
-                     {.key = "frame"});
+                     {.key = "reference_frame"});
   SolidInput input{body, {}, {}, {}};
   if (body.matrices) {
     input.imported = read_matrices(*body.matrices, body.length_scale);

@@ -133,24 +133,30 @@ std::shared_ptr<Load> make_python_load(std::string name, std::vector<Marker> mar
 }
 
 void bind_marker(py::module_& module) {
-  py::class_<Marker>(module, "Marker",
-                     "A point on the axis of a flexible body; in space also one of a rigid body.")
-      .def(py::init([](int blade, int body, double station, const Eigen::Vector3d& point) {
-             return Marker{blade, body, station, point};
+  py::class_<Marker>(
+      module, "Marker",
+      "A point on the axis of a flexible body; in space also one of a rigid body, or an "
+      "interface of a solid.")
+      .def(py::init([](int blade, int body, double station, const Eigen::Vector3d& point,
+                       std::string interface) {
+             return Marker{blade, body, station, point, std::move(interface)};
            }),
            "blade"_a, "body"_a, "station"_a = 0.0, "point"_a = Eigen::Vector3d::Zero().eval(),
+           "interface"_a = "",
            "On body `body` of blade `blade`, both from 0 (in space the subsystems follow behind "
            "the blades), at `station`: 0 at the body's inboard end, 1 at its outboard end. On a "
-           "rigid body at `point` in its frame, (3,) [m].")
+           "rigid body at `point` in its frame, (3,) [m]. On a solid at `interface`, by its name; "
+           "without one, the only one that does not carry its frame.")
       .def_readonly("blade", &Marker::blade, "From 0.")
       .def_readonly("body", &Marker::body, "From 0, at the root.")
       .def_readonly("station", &Marker::station, "0 to 1 along the body.")
       .def_readonly("point", &Marker::point, "On a rigid body, in its frame, (3,) [m].")
+      .def_readonly("interface", &Marker::interface, "Of a solid, by name; else empty.")
       .def("__eq__", [](const Marker& a, const Marker& b) { return a == b; })
       .def("__hash__",
            [](const Marker& m) {
-             return py::hash(
-                 py::make_tuple(m.blade, m.body, m.station, m.point.x(), m.point.y(), m.point.z()));
+             return py::hash(py::make_tuple(m.blade, m.body, m.station, m.point.x(), m.point.y(),
+                                            m.point.z(), m.interface));
            })
       .def("__repr__", [](const Marker& marker) {
         return py::str("Marker(blade={}, body={}, station={})")
