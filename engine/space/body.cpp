@@ -61,9 +61,9 @@ void set_extent(const Layout& layout, CoordinateBlock& block) { block.size = lay
 
 // Returns the bound as a planar body does (engine/plane/body.cpp), for both directions together.
 double calc_surely_linear(const Body& body, double range) {
+  if (body.rigid()) return std::numeric_limits<double>::infinity();
   assert(range >= 0.0);
   if (const Solid* solid = body.solid()) return calc_surely_linear(*solid, range);
-  if (!body.flexible()) return std::numeric_limits<double>::infinity();
   const double l = body.flexible()->length() / body.flexible()->elements;
   return range * range / std::max(1.0, 0.5 + l * l / 32.0);
 }
