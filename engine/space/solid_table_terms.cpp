@@ -34,7 +34,8 @@ class AppliedToSolid {
   }
   /// Adds the tension of a force on a place, along the axes of the undeformed tree.
   void add_tension(int place, const space::Position& force) {
-    if (!body_.solid_tension || !body_.forces || place < 0) return;
+    const bool is_stiffened = body_.solid_tension && body_.model->stiffening;
+    if (!is_stiffened || !body_.forces || place < 0) return;
     const space::BodyState state = body_state_of(body_);
     const space::NodalSolid* nodal = body_.solid_tension->nodal;
     if (nodal) {
@@ -88,7 +89,7 @@ void add_applied_to_solid(double t, const space::Rotation& R_HB, std::size_t j,
   space::Rotation to_undeformed;
   if (model.stiffening) to_undeformed = model.stiffening->R_HB.inverse();
   AppliedToSolid applied(data.twists[j], to_undeformed * R_HB, body);
-  if (body.solid_tension && body.forces.carried && model.stiffening)
+  if (body.solid_tension && model.stiffening && body.forces.carried)
     for (std::size_t h = 1; h <= model.children.size(); ++h)
       applied.add_tension(
           solid.handles[h],

@@ -3,6 +3,7 @@
 #include "engine/step/motion_nodes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
@@ -48,6 +49,20 @@ PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
       inputs.push_back(own.bodies[static_cast<std::size_t>(j)].coordinates);
   }
   return inputs;
+}
+
+/// Returns the workspaces that placing a load's markers uses: those of the solids that stiffen in
+/// their trees, which draw what they carry inward.
+PartList load_scratch(const Assembly<Plane>&, const LoadData<Plane>&) { return {}; }
+PartList load_scratch(const Assembly<Space>& g, const LoadData<Space>& load) {
+  PartList scratch;
+  for (const PlacedMarker<Space>& marker : load.markers) {
+    const auto& bodies = g.c.data.subsystems[marker.subsystem].bodies;
+    for (std::size_t j = 0; std::cmp_less_equal(j, marker.body); ++j)
+      if (bodies[j].solid_tension && bodies[j].model->stiffening)
+        scratch.push_back(g.subsystem(marker.subsystem).bodies[j].scratch);
+  }
+  return scratch;
 }
 
 /// Whether an implicit step has tension of any body of a subsystem on its left-hand side.
@@ -172,8 +187,9 @@ void add_loads_of_user(const Assembly<World>& g, int i) {
     NodeLabel label =
         load.subsystems.size() > 1 ? g.label(stages::kLoad) : g.label(stages::kLoad, i);
     if (has_several_loads(c.data)) label.item = "load " + std::to_string(load.number + 1);
+    const PartList scratch = load_scratch(g, load);
     g.builder.add_node(
-        label, reads(load_inputs(g, load)), writes(g.subsystem(i).loads[k]),
+        label, reads(load_inputs(g, load), scratch), writes(g.subsystem(i).loads[k], scratch),
         unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
           evaluate_load(progress.control.time, c.system, c.data, load);
         }));
