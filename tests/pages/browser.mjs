@@ -1,4 +1,6 @@
 // Opens a page of a file in Debian's Chromium and notes everything that must not happen.
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
 import { existsSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { createRequire } from 'node:module';
@@ -50,4 +52,26 @@ export async function openPage(file, { width = 1280, height = 800, scheme = 'lig
   });
   await page.goto(pathToFileURL(file).href);
   return { page, problems, close: () => context.close() };
+}
+
+/**
+ * Shows `look` the page of a file whose modes do not move by themselves, so that pictures can be
+ * compared. Nothing that openPage() notes may happen.
+ */
+export async function withStillPage(file, options, look) {
+  const { page, problems, close } = await openPage(file, options);
+  try {
+    await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: options.scheme ?? 'light' });
+    await page.reload();
+    await look(page);
+    assert.deepEqual(problems, []);
+  } finally {
+    await close();
+  }
+}
+
+/** A digest of all pixels of a canvas. */
+export async function picture(canvas) {
+  const pixels = await canvas.evaluate((element) => element.toDataURL());
+  return createHash('sha256').update(pixels).digest('hex');
 }

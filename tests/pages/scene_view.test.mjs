@@ -2,13 +2,12 @@
 // browser. SPOKE_PROGRAM: the built program; SPOKE_MODELS_DIR: the folder of the shipped scenarios.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { createHash } from 'node:crypto';
 import { mkdtempSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { openPage } from './browser.mjs';
+import { openPage, picture } from './browser.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'spoke-scene-'));
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -36,12 +35,6 @@ async function withPage(file, options, look) {
   } finally {
     await close();
   }
-}
-
-/** A digest of all pixels of a canvas. */
-async function picture(canvas) {
-  const pixels = await canvas.evaluate((element) => element.toDataURL());
-  return createHash('sha256').update(pixels).digest('hex');
 }
 
 /** The box of a canvas's pixels of about a colour [r, g, b], in CSS pixels from its middle; null: none. */

@@ -2,13 +2,12 @@
 // built program; SPOKE_MODELS_DIR: the folder of the shipped scenarios.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { createHash } from 'node:crypto';
 import { mkdtempSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { openPage } from './browser.mjs';
+import { picture, withStillPage } from './browser.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'spoke-solids-'));
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -24,27 +23,9 @@ spoke('check', bracket, '--html', out('model.html'));
 spoke('static', bracket, '--out', out('static'));
 spoke('modes', bracket, '--out', out('modes'), '--count', '3');
 
-async function withPage(file, options, look) {
-  const { page, problems, close } = await openPage(file, options);
-  try {
-    await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: options.scheme ?? 'light' });
-    await page.reload();
-    await look(page);
-    assert.deepEqual(problems, []);
-  } finally {
-    await close();
-  }
-}
-
-/** A digest of all pixels of a canvas. */
-async function picture(canvas) {
-  const pixels = await canvas.evaluate((element) => element.toDataURL());
-  return createHash('sha256').update(pixels).digest('hex');
-}
-
 for (const scheme of ['light', 'dark'])
   test(`the bracket of a run moves and is coloured, ${scheme}`, () =>
-    withPage(join(out('run'), 'report.html'), { scheme }, async (page) => {
+    withStillPage(join(out('run'), 'report.html'), { scheme }, async (page) => {
       const view = page.locator('#animation-hub');
       const first = await picture(view);
       const seen = new Set([first]);
@@ -59,7 +40,7 @@ for (const scheme of ['light', 'dark'])
     }));
 
 test('drawn nodes move by shapes and coordinates, and their stress is linear in these', () =>
-  withPage(join(out('run'), 'report.html'), {}, async (page) => {
+  withStillPage(join(out('run'), 'report.html'), {}, async (page) => {
     const found = await page.evaluate(() => {
       const data = JSON.parse(document.getElementById('run-data').textContent);
       const script = document.querySelector('script[type=module]').textContent;
@@ -87,7 +68,7 @@ test('drawn nodes move by shapes and coordinates, and their stress is linear in 
   }));
 
 test('a solid is drawn before a run, with the names of its interfaces', () =>
-  withPage(out('model.html'), {}, async (page) => {
+  withStillPage(out('model.html'), {}, async (page) => {
     const canvas = page.locator('#model-view');
     const seen = new Set([await picture(canvas)]);
     for (const name of ['joints', 'names']) {
@@ -98,7 +79,7 @@ test('a solid is drawn before a run, with the names of its interfaces', () =>
   }));
 
 test('the solid of an equilibrium is coloured', () =>
-  withPage(join(out('static'), 'static.html'), {}, async (page) => {
+  withStillPage(join(out('static'), 'static.html'), {}, async (page) => {
     const canvas = page.locator('#steady-view');
     const before = await picture(canvas);
     await page.locator('#steady-color').selectOption('von_mises');
@@ -110,7 +91,7 @@ test('the solid of an equilibrium is coloured', () =>
   }));
 
 test('a mode moves the solid', () =>
-  withPage(join(out('modes'), 'modes.html'), {}, async (page) => {
+  withStillPage(join(out('modes'), 'modes.html'), {}, async (page) => {
     const view = page.locator('#mode-view');
     const still = await picture(view);
     await page.locator('#mode-amplitude').fill('30');

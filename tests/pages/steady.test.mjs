@@ -2,13 +2,12 @@
 // SPOKE_MODELS_DIR: the folder of the shipped scenarios.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { createHash } from 'node:crypto';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { openPage } from './browser.mjs';
+import { picture, withStillPage } from './browser.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'spoke-steady-'));
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -25,38 +24,19 @@ const campbell = solve('campbell', 'articulated_rotor', '--speeds', '0:44:4', '-
 const equilibrium = solve('static', 'nrel_5mw_rotor');
 const free = solve('modes', 'satellite_booms', '--speed', '0', '--count', '12');
 
-async function withPage(file, options, look) {
-  const { page, problems, close } = await openPage(file, options);
-  try {
-    // No mode moves by itself, so that pictures can be compared.
-    await page.emulateMedia({ reducedMotion: 'reduce', colorScheme: options.scheme ?? 'light' });
-    await page.reload();
-    await look(page);
-    assert.deepEqual(problems, []);
-  } finally {
-    await close();
-  }
-}
-
-/** A digest of all pixels of a canvas. */
-async function picture(canvas) {
-  const pixels = await canvas.evaluate((element) => element.toDataURL());
-  return createHash('sha256').update(pixels).digest('hex');
-}
-
 const pages = [join(campbell, 'campbell.html'), join(equilibrium, 'static.html'), join(free, 'modes.html')];
 for (const scheme of ['light', 'dark'])
   for (const width of [400, 1280])
     test(`pages fit into ${width} pixels, ${scheme}`, async () => {
       for (const file of pages)
-        await withPage(file, { width, scheme }, async (page) => {
+        await withStillPage(file, { width, scheme }, async (page) => {
           const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
           assert.ok(overflow <= 0, `${file}: wider than the window by ${overflow}`);
         });
     });
 
 test('deflections of an equilibrium are shown larger', () =>
-  withPage(pages[1], {}, async (page) => {
+  withStillPage(pages[1], {}, async (page) => {
     const canvas = page.locator('#steady-view');
     const before = await picture(canvas);
     await page.locator('#steady-scale').fill('100');
@@ -65,7 +45,7 @@ test('deflections of an equilibrium are shown larger', () =>
   }));
 
 test('the diagram zooms by a rectangle, and back', () =>
-  withPage(pages[0], {}, async (page) => {
+  withStillPage(pages[0], {}, async (page) => {
     const canvas = page.locator('#campbell');
     const before = await picture(canvas);
     const box = await canvas.boundingBox();
@@ -81,7 +61,7 @@ test('the diagram zooms by a rectangle, and back', () =>
   }));
 
 test('modes are read below the pointer, chosen by keys, and their shapes follow', () =>
-  withPage(pages[0], {}, async (page) => {
+  withStillPage(pages[0], {}, async (page) => {
     const { branches } = JSON.parse(readFileSync(join(campbell, 'campbell.json'), 'utf8'));
     const text = page.locator('#mode-text');
     const view = page.locator('#mode-view');
@@ -100,7 +80,7 @@ test('modes are read below the pointer, chosen by keys, and their shapes follow'
   }));
 
 test('a chosen mode moves, the free hub too, and stops', () =>
-  withPage(pages[2], {}, async (page) => {
+  withStillPage(pages[2], {}, async (page) => {
     const view = page.locator('#mode-view');
     await page.locator('#mode-mode').selectOption('8');
     const still = await picture(view);

@@ -11,6 +11,7 @@
 #include "tests/engine/loops/mechanisms.h"
 #include "tests/engine/space/system/runs.h"
 #include "tests/engine/step/damaged_graph.h"
+#include "tests/engine/step/step_declarations.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -111,10 +112,6 @@ void disturb(StepData<Space>& data) {
   data.for_each_block(fill);
 }
 
-double largest_difference(const Run<Space>& a, const Run<Space>& b) {
-  return (deformations(a) - deformations(b)).cwiseAbs().maxCoeff();
-}
-
 }  // namespace
 
 TEST_CASE("three formulations move closed loops alike") {
@@ -157,20 +154,14 @@ TEST_CASE("closed loops have equal bits on executors, threads and windows") {
 
 TEST_CASE("a free model with loops keeps momentum and energy by the method's order") {
   const System<Space> system = make_system(without_dampers(make_tied_booms(HubSupport::free)));
-  const auto drift = [&](const Method& method) {
-    Run<Space> run(system, {method});
-    const double energy = calc_energy(run);
-    const space::Twist momentum = calc_momentum(run);
-    run.advance_for(0.1);
-    return std::pair{std::abs(calc_energy(run) - energy), (calc_momentum(run) - momentum).norm()};
-  };
-  const auto whole = drift(Rk4{4e-4}), half = drift(Rk4{2e-4});
-  CHECK(half.second < 1e-7);
-  CHECK(whole.second / half.second > 12.0);
-  CHECK(whole.first / half.first > 12.0);
-  const auto coarse = drift(make_generalized_alpha(0.9, 5e-4)),
-             fine = drift(make_generalized_alpha(0.9, 2.5e-4));
-  CHECK(coarse.first / fine.first > 3.3);
+  const auto drift = [&](const Method& method) { return calc_drift(system, method, 0.1); };
+  const Drift whole = drift(Rk4{4e-4}), half = drift(Rk4{2e-4});
+  CHECK(half.momentum.norm() < 1e-7);
+  CHECK(whole.momentum.norm() / half.momentum.norm() > 12.0);
+  CHECK(whole.energy / half.energy > 12.0);
+  const Drift coarse = drift(make_generalized_alpha(0.9, 5e-4)),
+              fine = drift(make_generalized_alpha(0.9, 2.5e-4));
+  CHECK(coarse.energy / fine.energy > 3.3);
 }
 
 TEST_CASE(
@@ -216,18 +207,7 @@ TEST_CASE("the nodes of closed loops declare what they read and write") {
           if (is_driven && support == HubSupport::free) continue;
           spatial::Model model = make_tied_booms(support);
           if (is_driven) model.hub.drive = ConstantSpeed{2.0};
-          SystemContext<Space> context;
-          context.system = make_system(model);
-          context.formulation = formulation;
-          context.integrator = {method, {1e-10, 0, 50}};
-          allocate(context);
-          const graph::StepGraph graph = build_step_graph(context, 1);
-          const bool is_implicit = method.index() == 0;
-          for (const int stage : {0, 1, -1}) {
-            set_progress({0.1, stage, is_implicit && stage >= 0}, context);
-            for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
-              FAIL_CHECK(fault.message);
-          }
+          check_step_declarations(make_system(model), formulation, method);
         }
 }
 

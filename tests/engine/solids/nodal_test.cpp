@@ -10,6 +10,7 @@
 #include "tests/engine/solids/solid_models.h"
 #include "tests/engine/space/system/runs.h"
 #include "tests/engine/step/damaged_graph.h"
+#include "tests/engine/step/step_declarations.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -164,19 +165,7 @@ TEST_CASE("the nodes of solids in slices declare what they read and write") {
           spatial::Model model = support == HubSupport::axle
                                      ? make_loaded_bar(spatial::SolidCoordinates::nodal)
                                      : make_nodal_trees(support);
-          SystemContext<Space> context;
-          context.system = cut_solids(make_system(model), slices);
-          context.formulation = formulation;
-          context.integrator = {method, {1e-10, 0, 50}};
-          allocate(context);
-          const graph::StepGraph graph = build_step_graph(context, 1);
-          CHECK(graph::conflicts_are_ordered(graph));
-          const bool is_implicit = method.index() == 0;
-          for (const int stage : {0, 1, -1}) {
-            set_progress({0.1, stage, is_implicit && stage >= 0}, context);
-            for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
-              FAIL_CHECK(fault.message);
-          }
+          check_step_declarations(cut_solids(make_system(model), slices), formulation, method);
         }
 }
 

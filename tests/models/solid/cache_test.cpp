@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <memory>
 
 #include "models/solid/cache_bytes.h"
 #include "spoke/error.h"
 #include "tests/file_text.h"
+#include "tests/models/solid/matrix_files.h"
 #include "tests/models/solid/solids.h"
 #include "tests/temporary_folder.h"
 
@@ -72,10 +72,6 @@ std::string bytes_of(const SolidConstants& c) {
   return write.bytes();
 }
 
-void write_file(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
-
 constexpr auto kReduced = spatial::SolidCoordinates::reduced;
 constexpr auto kNodal = spatial::SolidCoordinates::nodal;
 
@@ -122,17 +118,17 @@ TEST_CASE("solid cache: a damaged, cut or foreign file is made anew") {
   for (std::size_t at = 0; at < file.size(); at += at < 60 ? 1 : 2999) {
     std::string damaged = file;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
-    write_file(use.file, damaged);
+    test::write_text(use.file, damaged);
     CHECK_FALSE(solid::read_constants(use.file, key));
   }
   for (const std::size_t size : {std::size_t{0}, std::size_t{7}, std::size_t{39}, std::size_t{40},
                                  file.size() / 2, file.size() - 1}) {
-    write_file(use.file, file.substr(0, size));
+    test::write_text(use.file, file.substr(0, size));
     CHECK_FALSE(solid::read_constants(use.file, key));
   }
-  write_file(use.file, file + "x");
+  test::write_text(use.file, file + "x");
   CHECK_FALSE(solid::read_constants(use.file, key));
-  write_file(use.file, "[simulation]\n");
+  test::write_text(use.file, "[simulation]\n");
   CHECK_FALSE(solid::read_constants(use.file, key));
   solid::CacheUse anew;
   CHECK(bytes_of(*solid::make_constants(body, {}, {}, &anew)) == expected);
@@ -155,7 +151,7 @@ TEST_CASE("solid cache: bytes that fit the checksum but make no sense are refuse
     damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
     const std::uint64_t hash = hash_bytes(damaged.data() + kHeader, damaged.size() - kHeader);
     std::memcpy(damaged.data() + 32, &hash, sizeof hash);
-    write_file(path, damaged);
+    test::write_text(path, damaged);
     solid::read_constants(path, 1);
   }
 }
@@ -206,7 +202,7 @@ TEST_CASE("solid cache: its folder, and none where none can be made") {
   CHECK(solid::find_cache_folder() == folder.path() / "xdg" / "spoke");
   const Variable no_xdg("XDG_CACHE_HOME", "");
   CHECK(solid::find_cache_folder() == folder.path() / ".cache" / "spoke");
-  write_file(folder / "file", "x");
+  test::write_text(folder / "file", "x");
   const Variable below_file("SPOKE_CACHE", (folder / "file").string() + "/cache");
   CHECK_FALSE(solid::find_cache_folder());
   const Variable none("SPOKE_CACHE", "none");

@@ -7,10 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <numbers>
-#include <sstream>
+#include <string>
+#include <vector>
 
 #include "models/solid/element_rules.h"
 #include "models/solid/elements.h"
@@ -23,7 +21,15 @@ namespace spoke {
 namespace {
 
 using spatial::ElementKind;
-using test::make_problem;
+
+/// A problem of aluminium without geometric stiffness, held at a set of nodes.
+solid::SolidProblem make_held(const spatial::SolidMesh& mesh, const std::string& root) {
+  solid::SolidProblem problem =
+      test::make_problem(mesh, test::aluminium(), spatial::Vector::Zero());
+  problem.is_stiffened = false;
+  test::add_interface(problem, root);
+  return problem;
+}
 
 /// What an independent assembly says of a mesh.
 struct Reference {
@@ -107,13 +113,10 @@ void check_frequencies(const std::vector<double>& found, const std::vector<doubl
 TEST_CASE("solid frequencies: clamped and free bodies have those of an independent assembly") {
   for (const Reference& reference : references()) {
     CAPTURE(reference.name);
-    solid::SolidProblem problem =
-        make_problem(reference.mesh, test::aluminium(), spatial::Vector::Zero());
+    solid::SolidProblem problem = make_held(reference.mesh, reference.root);
     CHECK(problem.nodes.size() == reference.nodes);
     CHECK(problem.mesh->elements.size() == reference.elements);
     CHECK(std::abs(problem.matrices.K.diagonal().sum() / reference.trace - 1.0) < 1e-10);
-    problem.is_stiffened = false;
-    test::add_interface(problem, reference.root);
     CHECK(problem.interfaces[0].chosen.nodes.size() == reference.fixed);
     const space::SolidConstants held = solid::calc_constants(problem, {});
     CHECK(std::abs(held.mass / reference.mass - 1.0) < 1e-13);
@@ -168,11 +171,8 @@ TEST_CASE("solid frequencies: with CalculiX's mass of C3D10 they are CalculiX's"
                        {85.22889, 85.86321, 526.4356, 537.2033, 784.3865, 1289.089, 1475.972,
                         1540.015, 2447.84, 3007.012}}};
   for (const Row& row : rows) {
-    solid::SolidProblem problem =
-        make_problem(row.mesh, test::aluminium(), spatial::Vector::Zero());
+    solid::SolidProblem problem = make_held(row.mesh, row.root);
     problem.matrices.m = calc_mass_of_4_points(*problem.mesh, 2700.0);
-    problem.is_stiffened = false;
-    test::add_interface(problem, row.root);
     check_frequencies(solid::calc_constants(problem, {}).frequencies, row.frequencies, 4e-7);
   }
 }
@@ -180,28 +180,16 @@ TEST_CASE("solid frequencies: with CalculiX's mass of C3D10 they are CalculiX's"
 /// Runs CalculiX on a mesh and returns the frequencies that it prints [Hz].
 std::vector<double> ask_calculix(const spatial::SolidMesh& mesh, const std::string& step) {
   const test::TemporaryFolder folder;
-  test::write_text(folder / "bar.inp", test::inp_text(mesh, step));
-  const std::string command = "cd '" + folder.path().string() + "' && ccx bar > bar.log 2>&1";
-  REQUIRE(std::system(command.c_str()) == 0);
-  std::ifstream lines(folder / "bar.dat");
-  std::vector<double> frequencies;
-  for (std::string line; std::getline(lines, line);) {
-    double mode, eigenvalue, radians, hertz, imaginary;
-    if (std::istringstream(line) >> mode >> eigenvalue >> radians >> hertz >> imaginary &&
-        mode == static_cast<double>(frequencies.size() + 1))
-      frequencies.push_back(hertz);
-  }
-  return frequencies;
+  test::run_calculix(folder.path(), "bar", test::inp_text(mesh, step));
+  return test::read_frequencies(folder / "bar.dat");
 }
 
 TEST_CASE("solid frequencies: CalculiX, where it is installed, finds the same ones") {
-  if (std::system("command -v ccx > /dev/null 2>&1") != 0) return;
+  if (!test::has_calculix()) return;
   spatial::SolidMesh mesh = test::make_bar({8, 1, 1}, {1.0, 0.1, 0.1}, ElementKind::hex20);
   mesh.labels.resize(mesh.nodes.size());
   for (std::size_t k = 0; k < mesh.labels.size(); ++k) mesh.labels[k] = static_cast<int>(k) + 1;
-  solid::SolidProblem problem = make_problem(mesh, test::aluminium(), spatial::Vector::Zero());
-  problem.is_stiffened = false;
-  test::add_interface(problem, "X0");
+  solid::SolidProblem problem = make_held(mesh, "X0");
   check_frequencies(solid::calc_constants(problem, {}).frequencies,
                     ask_calculix(mesh, "*BOUNDARY\nX0, 1, 3\n*STEP\n*FREQUENCY\n10\n*END STEP\n"),
                     4e-7);
@@ -214,10 +202,7 @@ TEST_CASE("solid frequencies: CalculiX, where it is installed, finds the same on
 
 TEST_CASE("solid frequencies: modes up to a frequency, all modes, and more than there are") {
   solid::SolidProblem problem =
-      make_problem(test::make_bar({2, 1, 1}, {1.0, 0.1, 0.1}, ElementKind::hex20),
-                   test::aluminium(), spatial::Vector::Zero());
-  problem.is_stiffened = false;
-  test::add_interface(problem, "X0");
+      make_held(test::make_bar({2, 1, 1}, {1.0, 0.1, 0.1}, ElementKind::hex20), "X0");
   const int all = static_cast<int>(3 * (problem.nodes.size() - 8));
   problem.modes = all;
   const space::SolidConstants complete = solid::calc_constants(problem, {});
@@ -247,17 +232,11 @@ TEST_CASE("solid frequencies: equal ones are all found, be they six") {
   grid.lengths = {1.0, 1.1, 0.1};
   grid.kind = ElementKind::hex20;
   grid.keeps = [](int, int j, int) { return j % 2 == 0; };
-  solid::SolidProblem problem =
-      make_problem(test::make_grid_mesh(grid), test::aluminium(), spatial::Vector::Zero());
-  problem.is_stiffened = false;
-  test::add_interface(problem, "X0");
+  solid::SolidProblem problem = make_held(test::make_grid_mesh(grid), "X0");
   problem.modes = 14;
   const space::SolidConstants six = solid::calc_constants(problem, {});
-  solid::SolidProblem single =
-      make_problem(test::make_bar({4, 1, 1}, {1.0, 0.1, 0.1}, ElementKind::hex20),
-                   test::aluminium(), spatial::Vector::Zero());
-  single.is_stiffened = false;
-  test::add_interface(single, "X0");
+  const solid::SolidProblem single =
+      make_held(test::make_bar({4, 1, 1}, {1.0, 0.1, 0.1}, ElementKind::hex20), "X0");
   const std::vector<double> f = solid::calc_constants(single, {}).frequencies;
   for (std::size_t k = 0; k < 14; ++k)
     CHECK(std::abs(six.frequencies[k] / f[k < 12 ? 0 : 2] - 1.0) < 1e-9);

@@ -5,47 +5,22 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <vector>
 
 #include "models/solid/import.h"
-#include "spoke/error.h"
+#include "tests/contains.h"
+#include "tests/message_of.h"
 #include "tests/models/solid/matrix_files.h"
 #include "tests/temporary_folder.h"
 
 using namespace spoke;
 using spoke::solid::ImportedMatrices;
 using spoke::test::AssembledMatrices;
+using spoke::test::contains;
 using spoke::test::TemporaryFolder;
 using spoke::test::write_text;
 
 namespace {
-
-bool has_calculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
-
-/// Runs ccx on a mesh; `step` is what follows the material.
-void run_calculix(const TemporaryFolder& folder, const std::string& name,
-                  const spatial::SolidMesh& mesh, const std::string& step) {
-  write_text(folder.path() / (name + ".inp"), test::inp_text(mesh, step));
-  const std::string command =
-      "cd '" + folder.path().string() + "' && ccx " + name + " > " + name + ".log 2>&1";
-  REQUIRE(std::system(command.c_str()) == 0);
-}
-
-/// Reads frequencies [Hz] of a .dat file: mode, eigenvalue, rad/s, Hz, imaginary part.
-std::vector<double> read_frequencies(const std::filesystem::path& file) {
-  std::ifstream lines(file);
-  std::vector<double> frequencies;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    double mode, eigenvalue, radians, hertz, imaginary;
-    if (words >> mode >> eigenvalue >> radians >> hertz >> imaginary &&
-        mode == static_cast<double>(frequencies.size() + 1))
-      frequencies.push_back(hertz);
-  }
-  return frequencies;
-}
 
 spatial::SolidMatrices files_of(const TemporaryFolder& folder, const std::string& nodes) {
   spatial::SolidMatrices files;
@@ -73,21 +48,22 @@ Eigen::VectorXd clamped_frequencies(const ImportedMatrices& read) {
 }  // namespace
 
 TEST_CASE("imported matrices: CalculiX's stiffness is our own, its frequencies follow") {
-  if (!has_calculix()) return;
+  if (!test::has_calculix()) return;
   for (const auto kind : {spatial::ElementKind::hex20, spatial::ElementKind::hex8}) {
     const TemporaryFolder folder;
     const AssembledMatrices bar =
         test::assemble({.cells = {4, 1, 1}, .lengths = {1.0, 0.125, 0.25}, .kind = kind});
-    run_calculix(folder, "free", bar.mesh, kStore);
+    test::run_calculix(folder.path(), "free", test::inp_text(bar.mesh, kStore));
     const ImportedMatrices read = solid::read_matrices(files_of(folder, "free.inp"), 1.0);
     const Eigen::MatrixXd K(read.K), own(bar.K);
     CHECK((K - own).cwiseAbs().maxCoeff() < 1e-12 * own.cwiseAbs().maxCoeff());
     CHECK((Eigen::MatrixXd(read.m) - Eigen::MatrixXd(bar.m)).cwiseAbs().maxCoeff() <
           1e-12 * Eigen::MatrixXd(bar.m).maxCoeff());
 
-    run_calculix(folder, "held", bar.mesh,
-                 "*BOUNDARY\nX0, 1, 3\n*STEP\n*FREQUENCY\n8\n*END STEP\n");
-    const std::vector<double> expected = read_frequencies(folder / "held.dat");
+    test::run_calculix(
+        folder.path(), "held",
+        test::inp_text(bar.mesh, "*BOUNDARY\nX0, 1, 3\n*STEP\n*FREQUENCY\n8\n*END STEP\n"));
+    const std::vector<double> expected = test::read_frequencies(folder / "held.dat");
     const Eigen::VectorXd frequencies = clamped_frequencies(read);
     REQUIRE(expected.size() >= 8);
     for (int mode = 0; mode < 8; ++mode)
@@ -97,7 +73,7 @@ TEST_CASE("imported matrices: CalculiX's stiffness is our own, its frequencies f
 }
 
 TEST_CASE("imported matrices: elements of CalculiX that cannot be used, and a constrained export") {
-  if (!has_calculix()) return;
+  if (!test::has_calculix()) return;
   const auto message = [](spatial::ElementKind kind, const std::string& type,
                           const std::string& step) {
     const TemporaryFolder folder;
@@ -105,29 +81,22 @@ TEST_CASE("imported matrices: elements of CalculiX that cannot be used, and a co
     std::string text = test::inp_text(bar.mesh, step);
     const std::size_t at = text.find("TYPE=") + 5;
     text.replace(at, text.find(',', at) - at, type);
-    write_text(folder / "free.inp", text);
-    const std::string command = "cd '" + folder.path().string() + "' && ccx free > free.log 2>&1";
-    REQUIRE(std::system(command.c_str()) == 0);
+    test::run_calculix(folder.path(), "free", text);
     write_text(folder / "nodes.txt", test::table_text(bar.mesh, true));
-    try {
-      solid::read_matrices(files_of(folder, "nodes.txt"), 1.0);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::message_of([&] { solid::read_matrices(files_of(folder, "nodes.txt"), 1.0); });
   };
   using spatial::ElementKind;
-  CHECK(message(ElementKind::hex20, "C3D20", kStore).empty());
+  CHECK(message(ElementKind::hex20, "C3D20", kStore) == "no error");
   const std::string reduced = message(ElementKind::hex20, "C3D20R", kStore);
-  CHECK(reduced.find("free.mas: the mass matrix is singular") != std::string::npos);
+  CHECK(contains(reduced, "free.mas: the mass matrix is singular"));
   const std::string incompatible = message(ElementKind::hex8, "C3D8I", kStore);
-  CHECK(incompatible.find("is not in") != std::string::npos);
-  CHECK(incompatible.find("C3D8I") != std::string::npos);
+  CHECK(contains(incompatible, "is not in"));
+  CHECK(contains(incompatible, "C3D8I"));
   const std::string held =
       message(ElementKind::hex20, "C3D20", std::string("*BOUNDARY\nX0, 1, 3\n") + kStore);
-  CHECK(held.find("exported with constraints") != std::string::npos);
-  CHECK(held.find("node 10)") != std::string::npos);
+  CHECK(contains(held, "exported with constraints"));
+  CHECK(contains(held, "node 10)"));
   const std::string held_in_part =
       message(ElementKind::hex20, "C3D20", std::string("*BOUNDARY\nX0, 3, 3\n") + kStore);
-  CHECK(held_in_part.find("node 10 lacks its coordinate 3 (z)") != std::string::npos);
+  CHECK(contains(held_in_part, "node 10 lacks its coordinate 3 (z)"));
 }

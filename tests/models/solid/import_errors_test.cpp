@@ -4,19 +4,20 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <random>
 #include <sstream>
 
 #include "models/solid/import.h"
 #include "spoke/error.h"
+#include "tests/file_text.h"
 #include "tests/models/solid/matrix_files.h"
 #include "tests/temporary_folder.h"
 
 using namespace spoke;
 using spoke::solid::read_matrices;
 using spoke::test::AssembledMatrices;
+using spoke::test::file_text;
 using spoke::test::TemporaryFolder;
 using spoke::test::write_text;
 
@@ -28,15 +29,9 @@ AssembledMatrices make_cube() {
   return test::assemble({.lengths = {0.1, 0.2, 0.3}, .kind = spatial::ElementKind::hex8});
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 /// Replaces the first `old` of a file, which must be there.
 void edit(const std::filesystem::path& file, const std::string& old, const std::string& now) {
-  std::string text = text_of(file);
+  std::string text = file_text(file);
   const std::size_t at = text.find(old);
   REQUIRE(at != std::string::npos);
   write_text(file, text.replace(at, old.size(), now));
@@ -44,7 +39,7 @@ void edit(const std::filesystem::path& file, const std::string& old, const std::
 
 /// Replaces a line, from 1.
 void edit_line(const std::filesystem::path& file, int number, const std::string& now) {
-  std::istringstream lines(text_of(file));
+  std::istringstream lines(file_text(file));
   std::string text, line;
   for (int k = 1; std::getline(lines, line); ++k) text += (k == number ? now : line) + '\n';
   write_text(file, text);
@@ -300,7 +295,7 @@ TEST_CASE("imported matrices refused: what no body has") {
 
 TEST_CASE("imported matrices refused: masses of another model") {
   TextCube cube("abaqus", by_nodes);
-  std::istringstream lines(text_of(cube / "m.mtx"));
+  std::istringstream lines(file_text(cube / "m.mtx"));
   std::string mass;
   for (std::string line; std::getline(lines, line);)
     if (!line.starts_with("31,")) mass += line + '\n';
@@ -357,7 +352,7 @@ TEST_CASE("imported matrices: damaged files are read or refused in one line") {
   };
   const auto check = [&](const TemporaryFolder& folder, const spatial::SolidMatrices& files,
                          const char* name) {
-    const std::string whole = text_of(folder / name);
+    const std::string whole = file_text(folder / name);
     for (int k = 0; k < 60; ++k) {
       write_text(folder / name, damage(whole));
       message_of(folder, files);

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "tests/approx.h"
 #include "tests/models/solid/matrix_files.h"
 #include "tests/temporary_folder.h"
 
@@ -16,6 +17,7 @@ using spoke::solid::read_matrices;
 using spoke::test::AssembledMatrices;
 using spoke::test::TemporaryFolder;
 using spoke::test::write_text;
+using spoke::testing::approx;
 
 namespace {
 
@@ -193,8 +195,8 @@ TEST_CASE("imported matrices: a body is made of files, its interfaces of sets of
     // 2700 kg/m^3 x 0.4 x 0.1 x 0.08 m^3, moments about the middle of the face at x = 0.
     CHECK(geometry.mass == doctest::Approx(8.64));
     CHECK((geometry.first_moment - spatial::Vector(8.64 * 0.2, 0, 0)).norm() < 1e-12);
-    CHECK(geometry.second_moment(0, 0) == doctest::Approx(8.64 * 0.16 / 3.0));
-    CHECK(geometry.second_moment(1, 1) == doctest::Approx(8.64 * 0.01 / 12.0));
+    CHECK(geometry.second_moment(0, 0) == approx(8.64 * 0.16 / 3.0));
+    CHECK(geometry.second_moment(1, 1) == approx(8.64 * 0.01 / 12.0));
     REQUIRE(geometry.interfaces.size() == 2);
     CHECK(geometry.interfaces[0].nodes == bar.mesh.sets.at(0).nodes);
     CHECK(geometry.interfaces[1].nodes == bar.mesh.sets.at(1).nodes);

@@ -1,8 +1,12 @@
 #include "tests/models/solid/matrix_files.h"
 
+#include <doctest/doctest.h>
+
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 #include "models/solid/elements.h"
 #include "tests/models/solid/solids.h"
@@ -196,6 +200,29 @@ spatial::SolidMatrices write_calculix(const std::filesystem::path& folder,
   files.stiffness = (folder / "bar.sti").string();
   files.nodes = (folder / "nodes.txt").string();
   return files;
+}
+
+bool has_calculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
+
+void run_calculix(const std::filesystem::path& folder, const std::string& name,
+                  const std::string& text) {
+  write_text(folder / (name + ".inp"), text);
+  const std::string command =
+      "cd '" + folder.string() + "' && ccx " + name + " > " + name + ".log 2>&1";
+  REQUIRE(std::system(command.c_str()) == 0);
+}
+
+std::vector<double> read_frequencies(const std::filesystem::path& file) {
+  std::ifstream lines(file);
+  std::vector<double> frequencies;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    double mode, eigenvalue, radians, hertz, imaginary;
+    if (words >> mode >> eigenvalue >> radians >> hertz >> imaginary &&
+        mode == static_cast<double>(frequencies.size() + 1))
+      frequencies.push_back(hertz);
+  }
+  return frequencies;
 }
 
 }  // namespace spoke::test

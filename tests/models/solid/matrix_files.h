@@ -1,10 +1,12 @@
 #pragma once
 
-// Matrices of a mesh of a box, and files of them as other programs write them, for tests.
+// Matrices of a mesh of a box, files of them as other programs write them, and CalculiX itself,
+// where it is installed, for tests.
 
 #include <Eigen/SparseCore>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "models/solid/import.h"
 #include "tests/models/solid/grid_mesh.h"
@@ -48,5 +50,13 @@ std::string inp_text(const spatial::SolidMesh& mesh, const std::string& step);
 /// Writes bar.sti, bar.mas, bar.dof and nodes.txt, and returns their description.
 spatial::SolidMatrices write_calculix(const std::filesystem::path& folder,
                                       const AssembledMatrices& matrices);
+
+/// Whether ccx can be run.
+bool has_calculix();
+/// Runs ccx in a folder on `text`, written there as `name`.inp; it must succeed.
+void run_calculix(const std::filesystem::path& folder, const std::string& name,
+                  const std::string& text);
+/// Reads frequencies [Hz] of a .dat file: mode, eigenvalue, rad/s, Hz, imaginary part.
+std::vector<double> read_frequencies(const std::filesystem::path& file);
 
 }  // namespace spoke::test

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/approx.h"
 #include "tests/models/solid/solids.h"
 
 namespace spoke {
@@ -15,6 +16,7 @@ using space::NodalSolid;
 using space::ReducedSolid;
 using space::SolidConstants;
 using spatial::ElementKind;
+using testing::approx;
 
 /// A bar along x of length 1 with rho A = 1 and E I about y = 1, held at x = 0, centred on the
 /// axis.
@@ -148,7 +150,7 @@ TEST_CASE("solid stiffening: a flat bar's flap and torsion, and the slope of tor
   }
   // Propeller term (b^2 - t^2) / (b^2 + t^2) and trapeze term: no terms of their own are needed.
   const double slope = (std::pow(torsion_of(bar, 8.0), 2) - std::pow(torsion_of(bar, 0.0), 2)) / 64;
-  CHECK(slope == doctest::Approx(2.0258).epsilon(2e-3));
+  CHECK(slope == approx(2.0258).epsilon(2e-3));
 }
 
 /// K + K_G(w) + m (x) A(w) in the coordinates of nodes.
@@ -276,12 +278,12 @@ TEST_CASE("solid stiffening: a held bar's tension under weight, spin and pull is
   CHECK((solid.shapes * q - u).norm() < 1e-3 * u.norm());
   const auto work = [&](const Eigen::MatrixXd& K) { return q.dot(K * q); };
   // Accelerated along x: N = - rho A (1 - s).
-  CHECK(work(solid.translation[0]) == doctest::Approx(-0.4 / 12.0).epsilon(5e-3));
+  CHECK(work(solid.translation[0]) == approx(-0.4 / 12.0).epsilon(5e-3));
   // Spun: N = rho A (1 - s^2) / 2, about y and about z.
-  CHECK(work(solid.own[1]) == doctest::Approx(0.4 / 15.0).epsilon(5e-3));
-  CHECK(work(solid.own[2]) == doctest::Approx(0.4 / 15.0).epsilon(5e-3));
+  CHECK(work(solid.own[1]) == approx(0.4 / 15.0).epsilon(5e-3));
+  CHECK(work(solid.own[2]) == approx(0.4 / 15.0).epsilon(5e-3));
   // Pulled at the tip: N = 1.
-  CHECK(work(solid.places[1][0]) == doctest::Approx(1.0 / 3.0).epsilon(5e-3));
+  CHECK(work(solid.places[1][0]) == approx(1.0 / 3.0).epsilon(5e-3));
 }
 
 TEST_CASE("solid stiffening: a bar that flies by itself has the stress of its own rotation") {
@@ -314,11 +316,11 @@ TEST_CASE("solid stiffening: a bar that flies by itself has the stress of its ow
   CHECK((solid.shapes * q - u).norm() < 0.02 * u.norm());
   // int over s from -1/2 to 1/2 of rho A (1/4 - s^2) / 2 s^2 = rho A / 240.
   const double work = q.dot(solid.own[2] * q);
-  CHECK(work == doctest::Approx(0.4 / 240.0).epsilon(0.02));
+  CHECK(work == approx(0.4 / 240.0).epsilon(0.02));
   for (const Eigen::MatrixXd& K : solid.translation) CHECK(K.cwiseAbs().maxCoeff() == 0.0);
   // A pull at one end with the relief of the acceleration: N = F (s + 1/2), int N s^2 = F / 24.
   const double pulled = q.dot(solid.places[1][0] * q);
-  CHECK(pulled == doctest::Approx(1.0 / 24.0).epsilon(0.02));
+  CHECK(pulled == approx(1.0 / 24.0).epsilon(0.02));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "models/tree/tree.h"
+#include "tests/approx.h"
 #include "tests/models/reader/solid_texts.h"
 #include "tests/models/reader/spatial_texts.h"
 
@@ -10,6 +11,7 @@ using doctest::Approx;
 using namespace spoke::spatial;
 using spoke::test::edited;
 using spoke::test::kSolidText;
+using spoke::testing::approx;
 
 namespace {
 
@@ -43,7 +45,7 @@ TEST_CASE("mass of a solid is that of its volume, its moments are about its firs
   // It is symmetric about the bisector x = z of its arms, and about y = 0.05 m.
   const Vector centre = mass.first_moment / mass.mass + Vector(0.02, 0.05, 0.4);
   CHECK(centre.x() == Approx(centre.z()).epsilon(1e-3));
-  CHECK(centre.y() == Approx(0.05).epsilon(1e-4));
+  CHECK(centre.y() == approx(0.05).epsilon(1e-4));
 }
 
 TEST_CASE("loads on a solid are on its interfaces, or on sets behind them") {

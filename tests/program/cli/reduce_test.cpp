@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "tests/contains.h"
 #include "tests/program/cli/program.h"
 
+using spoke::test::contains;
 namespace fs = std::filesystem;
 
 namespace {
@@ -92,10 +94,6 @@ std::vector<std::string> files_in(const fs::path& folder) {
   return names;
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// Returns the lines from the table on, which do not depend on the cache.
 std::vector<std::string> table_of(const std::string& out) {
   std::vector<std::string> lines = lines_of(out);
@@ -121,7 +119,7 @@ TEST_CASE("reduce prints mesh, interfaces and modes, and the cache gives the sam
         "; there is no cache\n", "  memory          about ", "frequency [Hz]", "damping ratio",
         "vibration mode [Hz]"}) {
     CAPTURE(part);
-    CHECK(has(none.out, part));
+    CHECK(contains(none.out, part));
   }
   CHECK(table_of(none.out).size() == 2 + 12);
   // Linear elements are told of, by every command.
@@ -134,12 +132,12 @@ TEST_CASE("reduce prints mesh, interfaces and modes, and the cache gives the sam
   }
 
   const Ended made = run_spoke({"reduce", "bar.toml"}, folder, kCached);
-  CHECK(has(made.out, "; kept in cache/solid-"));
+  CHECK(contains(made.out, "; kept in cache/solid-"));
   REQUIRE(files_in(folder.path() / "cache").size() == 1);
   const Ended read = run_spoke({"reduce", "bar.toml"}, folder, kCached);
-  CHECK(has(read.out, " s from cache/solid-"));
+  CHECK(contains(read.out, " s from cache/solid-"));
   const Ended forced = run_spoke({"reduce", "bar.toml", "--force"}, folder, kCached);
-  CHECK(has(forced.out, "; kept in cache/solid-"));
+  CHECK(contains(forced.out, "; kept in cache/solid-"));
   for (const Ended* ended : {&made, &read, &forced})
     CHECK(table_of(ended->out) == table_of(none.out));
   // Another number of modes is another file.
@@ -183,7 +181,7 @@ TEST_CASE("reduce says that there is no solid, and where a solid cannot be reduc
   for (const char* scenario : {"heavy_top", "wu_haug_rotor"}) {
     const Ended ended = run_spoke({"reduce", shipped(scenario)}, folder, kUncached);
     CHECK(ended.status == 0);
-    CHECK(has(ended.out, "  solids          none: no body is of kind \"solid\"\n"));
+    CHECK(contains(ended.out, "  solids          none: no body is of kind \"solid\"\n"));
   }
   write_bar(folder);
   for (const std::string command : {"reduce", "check", "run", "static", "modes"}) {
@@ -192,8 +190,8 @@ TEST_CASE("reduce says that there is no solid, and where a solid cannot be reduc
     CAPTURE(command);
     CAPTURE(ended.err);
     CHECK(ended.status == 2);
-    CHECK(has(ended.err, "subsystem.1.body.1.modes"));
-    CHECK(has(ended.err, "1000 modes, expected at most "));
+    CHECK(contains(ended.err, "subsystem.1.body.1.modes"));
+    CHECK(contains(ended.err, "1000 modes, expected at most "));
   }
   CHECK_FALSE(fs::exists(folder.path() / "results"));
 }
@@ -237,7 +235,7 @@ TEST_CASE("a checkpoint is not resumed with another mesh, but with the same one 
   const Ended refused = resume("bar.toml");
   CAPTURE(refused.err);
   CHECK(refused.status == 2);
-  CHECK(has(refused.err, "subsystem.1.body.1.mesh is \"contents "));
+  CHECK(contains(refused.err, "subsystem.1.body.1.mesh is \"contents "));
   fs::create_directory(folder.path() / "elsewhere");
   write_bar(folder);
   for (const char* file : {"bar.toml", "bar.inp"})

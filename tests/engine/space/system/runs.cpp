@@ -140,4 +140,16 @@ Eigen::VectorXd deformations(const Run<Space>& run) {
   return Eigen::Map<Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
 
+double largest_difference(const Run<Space>& a, const Run<Space>& b) {
+  return (deformations(a) - deformations(b)).cwiseAbs().maxCoeff();
+}
+
+Drift calc_drift(const System<Space>& system, const Method& method, double seconds) {
+  Run<Space> run(system, {method});
+  const double energy = calc_energy(run);
+  const space::Twist momentum = calc_momentum(run);
+  run.advance_for(seconds);
+  return {std::abs(calc_energy(run) - energy), calc_momentum(run) - momentum};
+}
+
 }  // namespace spoke::test

@@ -64,5 +64,16 @@ double calc_energy(Run<Space>& run);
 space::Twist calc_momentum(Run<Space>& run);
 /// Deformation and joint coordinates of all bodies.
 Eigen::VectorXd deformations(const Run<Space>& run);
+/// Returns the largest difference of a deformation or joint coordinate.
+double largest_difference(const Run<Space>& a, const Run<Space>& b);
+
+/// Changes within a run of what it conserves.
+struct Drift {
+  double energy = 0.0;
+  space::Twist momentum = space::Twist::Zero();
+};
+
+/// Runs a system for so many seconds.
+Drift calc_drift(const System<Space>& system, const Method& method, double seconds);
 
 }  // namespace spoke::test
