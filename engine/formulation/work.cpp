@@ -7,16 +7,21 @@
 
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/dense_body.h"
+#include "engine/space/solid_block.h"
 
 namespace spoke {
 namespace {
+
+/// Returns the factors of a spatial body's matrices in Mhat, the same in all formulations.
+space::BlockFactors factors_of(const ElasticShares& shares) {
+  return {shares.mass_factor, shares.stiffness_factor, shares.damping_factor};
+}
 
 plane::ElasticBlock make_block(const plane::FlexibleBody& body, const ElasticShares& shares) {
   return make_elastic_block(body, shares.mass_factor, shares.stiffness_factor);
 }
 space::Block make_block(const space::Body& body, const ElasticShares& shares) {
-  return space::make_block(body,
-                           {shares.mass_factor, shares.stiffness_factor, shares.damping_factor});
+  return space::make_block(body, factors_of(shares));
 }
 
 /// Returns the dense Mhat of a body.
@@ -24,8 +29,7 @@ Eigen::MatrixXd make_dense_block(const plane::FlexibleBody& body, const ElasticS
   return make_dense_elastic_block(body, shares.mass_factor, shares.stiffness_factor);
 }
 Eigen::MatrixXd make_dense_block(const space::Body& body, const ElasticShares& shares) {
-  return make_dense_elastic_block(
-      body, {shares.mass_factor, shares.stiffness_factor, shares.damping_factor});
+  return make_dense_elastic_block(body, factors_of(shares));
 }
 
 template <class World>
@@ -96,9 +100,9 @@ void add_tension(const ElasticShares& implicit, BodyData<Space>& member,
   }
   const space::FlexibleBody* flexible = member.model->body->flexible();
   if (implicit.tension_factor == 0.0 || !flexible || !member.model->stiffening) return;
-  work.tensions.push_back(std::make_unique<space::ImplicitTension>(space::make_implicit_tension(
-      *flexible, *member.model->stiffening, {implicit.mass_factor, implicit.stiffness_factor, 0.0},
-      implicit.tension_factor, *member.blocks[1]->elastic)));
+  work.tensions.push_back(std::make_unique<space::ImplicitTension>(
+      space::make_implicit_tension(*flexible, *member.model->stiffening, factors_of(implicit),
+                                   implicit.tension_factor, *member.blocks[1]->elastic)));
   member.tension = work.tensions.back().get();
 }
 

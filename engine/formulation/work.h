@@ -13,11 +13,12 @@
 
 namespace spoke {
 
-/// Shares of Mff and K in the constant block Mhat of an implicit step; (1, 0) is the explicit one.
+/// Shares of Mff, K and D in the constant block Mhat of an implicit step; the explicit one has
+/// (1, 0, 0).
 struct ElasticShares {
   double mass_factor = 1.0;
   double stiffness_factor = 0.0;
-  double damping_factor = 0.0;  ///< of the damping by modes of solids
+  double damping_factor = 0.0;  ///< of the damping of sections, and of solids by modes [s]
   double tension_factor = 0.0;  ///< beta' h^2 [s^2]; 0: see engine/space/implicit_tension.h
 };
 
@@ -32,7 +33,8 @@ struct FormulationWork {
   std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
   /// Tension in implicit steps of spatial bodies that rotation stiffens.
   std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
-  /// Stiffening of solids in their trees, by what it is made of: bodies of one kind share it.
+  /// Stiffening of solids, by what it is made of, which bodies of one kind share: the matrices of
+  /// their trees, or the constants of those that stiffen by their own rotation.
   std::map<const void*, space::SolidTensionColumns> solid_tensions;
   /// Tiles of solids in nodal coordinates, by their constants and tension, and memory by body.
   std::map<std::pair<const void*, const void*>, space::NodalTiles> tiles;

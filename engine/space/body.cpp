@@ -71,7 +71,7 @@ double calc_surely_linear(const Body& body, double range) {
 Block make_block(const Body& body, const BlockFactors& factors) {
   Block block;
   if (const FlexibleBody* flexible = body.flexible())
-    block.elastic = make_elastic_block(*flexible, {factors.mass, factors.stiffness, 0.0});
+    block.elastic = make_elastic_block(*flexible, factors);
   else if (const RigidBody* rigid = body.rigid())
     block.rigid.emplace(*rigid);
   else

@@ -52,7 +52,7 @@ struct Block {
   std::optional<ReducedProducts> products;  ///< of a reduced solid, in its explicit block
 };
 
-/// Factors are of Mff, K and, of solids, the damping by modes. The explicit block has (1, 0, 0).
+/// Makes it; factors: of Mff, K and the damping of sections or of a solid's modes.
 Block make_block(const Body& body, const BlockFactors& factors);
 
 /// Data of the joint that carries a body. Its arrays lie in the body's storage.

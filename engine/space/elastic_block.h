@@ -11,7 +11,8 @@
 
 namespace spoke::space {
 
-/// Factors of Mff, K and the section damping D in Mhat. An explicit evaluation has (1, 0, 0).
+/// Factors of Mff, K and the damping D in Mhat, which is that of sections or of a solid's modes. An
+/// explicit evaluation has (1, 0, 0).
 struct BlockFactors {
   double mass = 1.0;
   double stiffness = 0.0;
