@@ -1,7 +1,8 @@
 #pragma once
 
-// The parts of a model that are drawn, fixed to nodes that frames move. A scene is made of a
-// scenario alone, before anything is simulated. Plane and space look alike here.
+// The parts of a model that are drawn: fixed to nodes that frames move, and surfaces of solids,
+// which deform by their coordinates. A scene is made before anything is simulated, of a scenario
+// and, where its solids are to deform, of their constants. Plane and space look alike here.
 
 #include <array>
 #include <cstddef>
@@ -19,9 +20,9 @@ namespace spoke::scene {
 
 using spatial::Vector;
 
-/// A section of a beam, or the frame of a rigid body. All places and directions of a scene are
-/// those of the undeformed model with joint coordinates zero, in the frame of the hub as the
-/// scenario describes it [m].
+/// A section of a beam, the frame of a rigid body, or a place of a solid (MeshBody). All places and
+/// directions of a scene are those of the undeformed model with joint coordinates zero, in the
+/// frame of the hub as the scenario describes it [m].
 struct Node {
   int group = 0;  ///< of bodies without joints between them; 0 stands on the hub
   Vector p = Vector::Zero();

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <memory>
 
+#include "engine/space/reduced_products.h"
+
 namespace spoke::space {
 namespace {
 
@@ -124,7 +126,7 @@ BodyWork place_work(const RigidBody& body, double* memory) {
 
 std::size_t count_scratch(const Solid& body) {
   if (body.constants->nodal()) return 0;
-  const auto stride = static_cast<std::size_t>((body.coordinates() + 3) / 4 * 4);
+  const auto stride = static_cast<std::size_t>(padded_size(body.coordinates()));
   return kSolidVectors * stride;
 }
 

@@ -4,6 +4,7 @@
 
 #include "engine/space/nodal_memory.h"
 #include "engine/space/nodal_terms.h"
+#include "engine/space/solid_block.h"
 
 namespace spoke {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/kernels/dense_body.h"
+#include "engine/space/solid_block.h"
 #include "engine/space/table_terms.h"
 #include "models/space/nodal_mass.h"
 

@@ -29,12 +29,16 @@ using JointColumns = Eigen::Matrix<double, kTwist, Joint::kMost, Eigen::DontAlig
 /// The child's frame moves as
 ///   R (twist of the child) = T (twist of the handle) + columns (q', rates of driven ones)
 ///   R (X of the child) = T (acceleration of the handle) + columns q'' + bias
-/// with T = [1, -p~; 0, 1], and the quantities of the handle in the parent's frame.
+/// with T = [1, -p~; 0, 1], and the quantities of the handle in the parent's frame. If the child's
+/// inboard handle moves against its frame (chords and mean axes), twist and X are those of that
+/// handle, resolved in the child's frame.
 struct JointMotion {
-  Rotation R;            ///< from the child's frame to the parent's
-  Position p;            ///< from the handle to the child's origin, in the parent's frame [m]
+  Rotation R;  ///< from the child's frame to the parent's
+  /// From the handle to the child's origin, of mean axes to its inboard handle, in the parent's
+  /// frame [m].
+  Position p;
   JointColumns columns;  ///< columns of the n coordinates, then of the driven components, then zero
-  Twist bias;            ///< acceleration of the child's origin by rates and driven components
+  Twist bias;            ///< acceleration, where p ends, by rates and driven components
 };
 
 /// Sets the motion of a joint, and the child's twist (in the child's frame). `section` turns the
@@ -44,11 +48,12 @@ void calc_joint_motion(const Joint& joint, const JointState& state, const Rotati
                        const Twist& handle, JointMotion& motion, Twist& child) noexcept;
 
 /// Goes on to a child whose inboard section is turned against its frame by the motion `section`: so
-/// far the motion is that of the section, from here on that of the frame.
+/// far motion.R and `child` are those of the section, from here on those of the frame.
 void leave_section(const RotationVectorMotion& section, JointMotion& motion, Twist& child) noexcept;
 
-/// Returns the acceleration of the child, in its frame, from that of the handle, in the parent's,
-/// both less gravity, if the joint's coordinates have none: R^T (T (acceleration) + bias).
+/// Returns X of the child (see JointMotion), in its frame, from the acceleration of the handle, in
+/// the parent's, both less gravity, if the joint's coordinates have none:
+/// R^T (T (acceleration) + bias).
 Twist calc_carried_acceleration(const JointMotion& motion, const Twist& handle) noexcept;
 
 /// Returns the orientation of a spherical primitive.

@@ -18,17 +18,16 @@ space::Pose after(const space::Pose& outer, const space::Pose& inner) {
   return {outer.p + outer.R * inner.p, outer.R * inner.R};
 }
 
-/// Returns the pose of a body's frame in its parent's.
-space::Pose calc_pose_in_parent(const TreeBody<Space>& body, const space::JointMotion& joint,
-                                const SubsystemData<Space>& data) {
+/// Returns the pose of body j's frame in its parent's.
+space::Pose calc_pose_in_parent(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                                std::size_t j) {
+  const TreeBody<Space>& body = subsystem.bodies[j];
+  const space::JointMotion& joint = data.joints[j];
   space::Position place = joint.p;
   if (body.parent >= 0)
     place =
         data.bodies[static_cast<std::size_t>(body.parent)].work.handles[body.handle].s + joint.p;
-  if (body.body->moves_inboard()) {
-    const auto own = static_cast<std::size_t>(&joint - data.joints.data());
-    place -= joint.R * data.bodies[own].work.handles[0].s;
-  }
+  if (body.body->moves_inboard()) place -= joint.R * data.bodies[j].work.handles[0].s;
   return {place, joint.R};
 }
 
@@ -42,10 +41,8 @@ space::Pose calc_pose_in_hub(const Subsystem<Space>& subsystem, const SubsystemD
                              int body) noexcept {
   assert(body >= 0 && std::cmp_less(body, subsystem.bodies.size()));
   space::Pose pose;
-  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
-    const auto k = static_cast<std::size_t>(j);
-    pose = after(calc_pose_in_parent(subsystem.bodies[k], data.joints[k], data), pose);
-  }
+  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent)
+    pose = after(calc_pose_in_parent(subsystem, data, static_cast<std::size_t>(j)), pose);
   return pose;
 }
 

@@ -14,7 +14,7 @@ namespace {
 std::size_t slices_of(const SolidBlock& block) { return block.factor->slices.size(); }
 
 std::size_t count_observed(const Solid& body, const NodalTiles& tiles) {
-  return std::max(count_nodal_work(tiles), count_nodal_tension(tiles, *body.constants->nodal()));
+  return std::max(count_nodal_work(tiles), count_nodal_tension(*body.constants->nodal()));
 }
 
 std::span<double> rows_of(double* rows, int first, int end) {

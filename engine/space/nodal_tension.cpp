@@ -44,7 +44,7 @@ double dot(const double* a, const Position& b) { return a[0] * b[0] + a[1] * b[1
 
 }  // namespace
 
-std::size_t count_nodal_tension(const NodalTiles&, const NodalSolid& solid) {
+std::size_t count_nodal_tension(const NodalSolid& solid) {
   return static_cast<std::size_t>(3 * kAxes * solid.m.cols());
 }
 

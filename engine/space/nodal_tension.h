@@ -8,7 +8,7 @@
 namespace spoke::space {
 
 /// Counts the doubles of memory that the functions below use.
-std::size_t count_nodal_tension(const NodalTiles& tiles, const NodalSolid& solid);
+std::size_t count_nodal_tension(const NodalSolid& solid);
 
 /// As calc_place_drawn() of a reduced solid.
 PlaceDrawn calc_nodal_drawn(const NodalTiles& tiles, const NodalSolid& solid, std::size_t place,

@@ -12,8 +12,7 @@
 namespace spoke::space {
 namespace {
 
-constexpr int kRow = 4;     ///< values of a row
-constexpr int kMotion = 8;  ///< values of a node's motion
+constexpr int kRow = 4;  ///< values of a row
 
 [[gnu::always_inline]] inline double* at(double* values, int width, int index) {
   return values + static_cast<std::ptrdiff_t>(width) * index;
@@ -47,7 +46,7 @@ void clear_rows(const NodalTiles& tiles, const NodalTile& tile, double* rows) {
 /// Calculates r and r' of the nodes.
 void gather_motions(const NodalTile& tile, const double* q, const double* v, double* motions) {
   const double* place = tile.places.data();
-  for (std::size_t i = 0; i < tile.nodes.size(); ++i, place += 4, motions += kMotion) {
+  for (std::size_t i = 0; i < tile.nodes.size(); ++i, place += 4, motions += kNodeMotion) {
     Double4 r = load4(place), rate{};
     for (int c = tile.first_column[i]; c < tile.first_column[i + 1]; ++c) {
       const NodeColumn& column = tile.columns[static_cast<std::size_t>(c)];
@@ -110,10 +109,10 @@ struct NodeInertia {
       tile.forms.data() + static_cast<std::ptrdiff_t>(tiles.forms) * tile.first_mass[i] + k;
   for (int e = tile.first_mass[i]; e < tile.first_mass[i + 1]; ++e, kg += tiles.forms) {
     const int j = tile.mass_nodes[static_cast<std::size_t>(e)];
-    const Double4 u = load4(motions + kMotion * j) - load4(tile.places.data() + 4 * j);
+    const Double4 u = load4(motions + kNodeMotion * j) - load4(tile.places.data() + 4 * j);
     for (int c = 0; c < 3; ++c) sums[c] += kg[c] * u;
   }
-  const double* own = motions + kMotion * i;
+  const double* own = motions + kNodeMotion * i;
   const Double4 u = load4(own) - load4(tile.places.data() + 4 * i), rate = load4(own + 4);
   for (int c = 0; c < 3; ++c) {
     forms[k + c] += dot3(u, sums[c]);
@@ -143,11 +142,12 @@ void add_inertia(const NodalTiles& tiles, const NodalTile& tile, const Angular& 
     Double4 mu{}, mu_rate{};
     for (int e = tile.first_mass[i]; e < tile.first_mass[i + 1]; ++e) {
       const auto entry = static_cast<std::size_t>(e);
-      const double* node = motions + kMotion * tile.mass_nodes[entry];
+      const double* node = motions + kNodeMotion * tile.mass_nodes[entry];
       mu += tile.m[entry] * load4(node);
       mu_rate += tile.m[entry] * load4(node + 4);
     }
-    running.add(load4(motions + kMotion * i), load4(motions + kMotion * i + 4), mu, mu_rate);
+    running.add(load4(motions + kNodeMotion * i), load4(motions + kNodeMotion * i + 4), mu,
+                mu_rate);
     Double4 b = inertia.force(mu, mu_rate);
     for (int k = 0; k < tiles.forms; k += 3)
       b -= multiply_forms(tiles, tile, i, k, weights, motions, forms);
@@ -206,7 +206,7 @@ double subtract_damping(const NodalTile& tile, const Damping& damping, const dou
 void calc_tile(const NodalTiles& tiles, int p, const BodyState& state, const Angular& w,
                const Damping& damping, const double* weights, const NodalWork& work) {
   const NodalTile& tile = tiles.tiles[static_cast<std::size_t>(p)];
-  double* const motions = work.motions + tiles.first_motion(p);
+  double* const motions = work.motions + tile.first_motion;
   double* const forms = at(work.forms, tiles.forms_stride(), p);
   std::fill_n(forms, 2 * tiles.forms, 0.0);
   if (work.rows) clear_rows(tiles, tile, work.rows);
@@ -227,7 +227,7 @@ std::size_t count_nodal_work(const NodalTiles& tiles) {
   const auto count = static_cast<std::size_t>(tiles.count());
   const auto nodes = static_cast<std::size_t>(tiles.nodes);
   const auto forms = static_cast<std::size_t>(tiles.forms_stride());
-  return kMotion * nodes + count * sizeof(NodalSums) / sizeof(double) + forms * (count + 1);
+  return kNodeMotion * nodes + count * sizeof(NodalSums) / sizeof(double) + forms * (count + 1);
 }
 
 NodalWork place_nodal_work(const NodalTiles& tiles, double* rows, double* memory) {
@@ -236,7 +236,7 @@ NodalWork place_nodal_work(const NodalTiles& tiles, double* rows, double* memory
   NodalWork work;
   work.rows = rows;
   work.motions = memory;
-  memory += kMotion * static_cast<std::size_t>(tiles.nodes);
+  memory += kNodeMotion * static_cast<std::size_t>(tiles.nodes);
   work.sums = reinterpret_cast<NodalSums*>(memory);
   std::uninitialized_default_construct_n(work.sums, count);
   work.forms = memory + count * sizeof(NodalSums) / sizeof(double);
@@ -293,7 +293,7 @@ std::vector<std::span<double>> memory_of_tile(const NodalTiles& tiles, int p,
   const NodalTile& tile = tiles.tiles[static_cast<std::size_t>(p)];
   const auto forms = static_cast<std::size_t>(2 * tiles.forms);
   std::vector<std::span<double>> memory{
-      {work.motions + tiles.first_motion(p), kMotion * tile.nodes.size()},
+      {work.motions + tile.first_motion, kNodeMotion * tile.nodes.size()},
       {reinterpret_cast<double*>(work.sums + p), sizeof(NodalSums) / sizeof(double)}};
   if (forms > 0) memory.emplace_back(at(work.forms, tiles.forms_stride(), p), forms);
   return memory;

@@ -185,12 +185,6 @@ void set_share(const Owners& owners, NodalTile& tile, int& shares) {
 
 }  // namespace
 
-int NodalTiles::first_motion(int p) const {
-  std::size_t before = 0;
-  for (int t = 0; t < p; ++t) before += tiles[of(t)].nodes.size();
-  return static_cast<int>(8 * before);
-}
-
 NodalTiles make_nodal_tiles(const SolidConstants& solid,
                             const std::vector<Eigen::VectorXd>& forms) {
   assert(solid.nodal() && forms.size() % 3 == 0);
@@ -211,6 +205,7 @@ NodalTiles make_nodal_tiles(const SolidConstants& solid,
     set_masses(nodal.m, forms, tile);
     set_stiffness(nodal.K, Mff, owners, p, tile);
     set_share(owners, tile, all.shares);
+    tile.first_motion = kNodeMotion * all.nodes;
     all.nodes += static_cast<int>(tile.nodes.size());
   }
   return all;

@@ -31,6 +31,7 @@ struct NodalTile {
   int first_between = 0, end_between = 0;
   int share = 0;
 
+  int first_motion = 0;           ///< place of its motions in NodalWork::motions
   int own = 0;                    ///< nodes whose terms it has; they come first
   std::vector<int> nodes;         ///< number of each node in the mesh
   std::vector<double> places;     ///< by node four: the place at rest [m], and 0
@@ -63,8 +64,6 @@ struct NodalTiles {
   /// Returns the values of a tile in NodalWork::forms. Those of two tiles lie in different lines of
   /// a cache.
   int forms_stride() const { return (2 * forms + 15) / 8 * 8; }
-  /// Returns the place of a tile's motions in NodalWork::motions.
-  int first_motion(int p) const;
 };
 
 /// Sums over the nodes of a tile, or of all.
@@ -77,11 +76,14 @@ struct NodalSums {
   double dissipation = 0.0;            ///< q'^T D q' [W]
 };
 
+/// Values of a node's motion: r, 0, r', 0.
+inline constexpr int kNodeMotion = 8;
+
 /// Memory of the terms.
 struct NodalWork {
   /// Four a row: C_w^T and Q_f of all coordinates, then the shares. Null: only sums are wanted.
   double* rows = nullptr;
-  double* motions = nullptr;  ///< by node of each tile eight: r, 0, r', 0
+  double* motions = nullptr;  ///< by node of each tile kNodeMotion
   NodalSums* sums = nullptr;  ///< by tile
   /// By tile: forms q^T K_k q, then q'^T K_k q; then those of all.
   double* forms = nullptr;

@@ -14,8 +14,6 @@ namespace {
 /// The axes a, b of the mixed matrices, as their numbers 3 a + b and 3 b + a.
 constexpr int kMixed[3][2] = {{5, 7}, {2, 6}, {1, 3}};
 
-int pad(int modes) { return (modes + 3) / 4 * 4; }
-
 /// Adds M q to `y`, M v to `y_rate`; adds M^T q to `z`, sets M^T v. Two columns at a time.
 [[gnu::always_inline]] inline void multiply_both(const double* columns, int stride, const double* q,
                                                  const double* v, double* y, double* y_rate,
@@ -54,7 +52,7 @@ int pad(int modes) { return (modes + 3) / 4 * 4; }
 
 /// Returns the columns of a matrix with zeros behind each.
 std::vector<double> pad_columns(const Eigen::MatrixXd& matrix) {
-  const auto stride = static_cast<std::size_t>(pad(static_cast<int>(matrix.rows())));
+  const auto stride = static_cast<std::size_t>(padded_size(static_cast<int>(matrix.rows())));
   std::vector<double> columns(stride * static_cast<std::size_t>(matrix.cols()), 0.0);
   for (Eigen::Index j = 0; j < matrix.cols(); ++j)
     std::copy_n(matrix.col(j).data(), matrix.rows(),
@@ -67,14 +65,14 @@ std::vector<double> pad_columns(const Eigen::MatrixXd& matrix) {
 std::vector<double> pad_square(const Eigen::MatrixXd& matrix) {
   assert(matrix.rows() == matrix.cols());
   std::vector<double> columns = pad_columns(matrix);
-  const auto stride = static_cast<std::size_t>(pad(static_cast<int>(matrix.rows())));
+  const auto stride = static_cast<std::size_t>(padded_size(static_cast<int>(matrix.rows())));
   columns.resize(stride * stride, 0.0);
   return columns;
 }
 
 ReducedProducts::ReducedProducts(const ReducedSolid& solid)
     : modes(static_cast<int>(solid.stiffness.size())),
-      stride(pad(modes)),
+      stride(padded_size(modes)),
       momentum(pad_columns(solid.C_t)) {
   const auto append = [](std::vector<double>& all, const std::vector<double>& columns) {
     all.insert(all.end(), columns.begin(), columns.end());

@@ -3,6 +3,8 @@
 // Matrices of a reduced solid as its kernels read them: columns one after another, padded with
 // zeros to a multiple of four rows, and square ones to as many columns.
 
+#include <algorithm>
+#include <cassert>
 #include <vector>
 
 #include "models/space/solid.h"
@@ -10,12 +12,22 @@
 
 namespace spoke::space {
 
-/// Products m_ab q, and K_G q of the stiffening.
+/// Returns n, rounded up to a multiple of four.
+inline int padded_size(int n) { return (n + 3) / 4 * 4; }
+
+/// Copies n values, and zeros behind them up to the stride.
+inline void copy_padded(const double* x, int n, int stride, double* padded) {
+  assert(stride >= n);
+  std::copy_n(x, n, padded);
+  std::fill(padded + n, padded + stride, 0.0);
+}
+
+/// What the products m_ab q are made of.
 struct ReducedProducts {
   explicit ReducedProducts(const ReducedSolid& solid);
 
   int modes = 0;
-  int stride = 0;                 ///< modes, rounded up to a multiple of four
+  int stride = 0;                 ///< padded_size() of the modes
   std::vector<double> symmetric;  ///< m_xx, m_yy, m_zz
   std::vector<double> mixed;      ///< m_yz, m_xz, m_xy
   std::vector<double> at_rest;    ///< nine vectors h_ba^T, number 3 a + b

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/space/solid_output.h"
+
 namespace spoke::space {
 namespace {
 
@@ -16,25 +18,16 @@ double deflection_of(const SolidPlace& place, double extent, const double* q) {
   return std::max(Position(linear(moved)).norm() / extent, Angular(angular(moved)).norm());
 }
 
-/// Returns the squares of the strains of a node, by its von Mises stress and Young's modulus.
-double squared_stress(const double* s) {
-  return 0.5 * ((s[0] - s[1]) * (s[0] - s[1]) + (s[1] - s[2]) * (s[1] - s[2]) +
-                (s[2] - s[0]) * (s[2] - s[0])) +
-         3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
-}
-
-/// Returns the largest strain of a node.
+/// Returns the largest strain of a node: its von Mises stress by Young's modulus.
 double find_largest_strain(const SolidConstants& body, const double* q) {
   if (body.strain_modes.size() == 0) return 0.0;
   double largest = 0.0;
   for (Eigen::Index row = 0; row < body.strain_modes.rows(); row += 6) {
-    double s[6];
-    for (int i = 0; i < 6; ++i) {
-      s[i] = 0.0;
+    Stress s{};
+    for (std::size_t i = 0; i < s.size(); ++i)
       for (Eigen::Index k = 0; k < body.strain_modes.cols(); ++k)
-        s[i] += body.strain_modes(row + i, k) * q[k];
-    }
-    largest = std::max(largest, squared_stress(s));
+        s[i] += body.strain_modes(row + static_cast<Eigen::Index>(i), k) * q[k];
+    largest = std::max(largest, square_von_mises(s));
   }
   return std::sqrt(largest);
 }

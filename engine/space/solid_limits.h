@@ -7,10 +7,11 @@
 
 namespace spoke::space {
 
+/// A strain counts as a rotation this many times as large.
+inline constexpr double kStrainWeight = 10.0;
 /// Returns the largest deformation of a solid: the displacement of an interface or of its tip by
 /// its extent, the rotation of an interface [rad], or kStrainWeight times the strain of a node that
 /// its von Mises stress makes.
-inline constexpr double kStrainWeight = 10.0;
 double find_largest_deflection(const Solid& body, const double* q) noexcept;
 
 /// Returns the sum of the squares of all coordinates up to which no displacement of a place is

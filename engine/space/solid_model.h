@@ -4,7 +4,6 @@
 
 #include "engine/space/body_data.h"
 #include "engine/space/reduced_products.h"
-#include "engine/space/solid_block.h"
 #include "engine/space/solid_tension.h"
 
 namespace spoke::space {
@@ -12,7 +11,6 @@ namespace spoke::space {
 /// Constants of a solid in its tree.
 struct SolidModel {
   const Solid* body = nullptr;
-  std::array<const SolidBlock*, 2> blocks{};     ///< explicit, implicit
   const ReducedProducts* products = nullptr;     ///< null: coordinates are nodal
   const SolidTensionColumns* tension = nullptr;  ///< null: without geometric stiffening
   const TensionPlace* place = nullptr;           ///< null: it stiffens by its own rotation, or not

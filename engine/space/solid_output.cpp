@@ -41,11 +41,13 @@ double multiply_row(const NodeRecovery::Dense& matrix, int row, const double* q)
 
 }  // namespace
 
-double calc_von_mises(const Stress& s) noexcept {
+double square_von_mises(const Stress& s) noexcept {
   const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
   const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
-  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear);
+  return 0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear;
 }
+
+double calc_von_mises(const Stress& stress) noexcept { return std::sqrt(square_von_mises(stress)); }
 
 NodeRecovery::NodeRecovery(const SolidConstants& solid) : NodeRecovery(solid, all_nodes(solid)) {}
 

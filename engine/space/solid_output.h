@@ -14,6 +14,8 @@ namespace spoke::space {
 
 /// Stress (xx, yy, zz, yz, xz, xy) [Pa].
 using Stress = std::array<double, 6>;
+/// Returns the square of the von Mises stress [Pa^2].
+double square_von_mises(const Stress& stress) noexcept;
 /// Returns the von Mises stress [Pa].
 double calc_von_mises(const Stress& stress) noexcept;
 

@@ -63,12 +63,8 @@ space::SolidModel solid_model_of(const BodyData<Space>& body) {
   assert(body.blocks[0] && body.blocks[0]->solid && body.blocks[1] && body.blocks[1]->solid);
   const auto& products = body.blocks[0]->products;
   const auto& place = body.model->stiffening;
-  return {&solid_of(body),
-          {&*body.blocks[0]->solid, &*body.blocks[1]->solid},
-          products ? &*products : nullptr,
-          body.solid_tension,
-          place ? &*place : nullptr,
-          body.tiles};
+  return {&solid_of(body), products ? &*products : nullptr, body.solid_tension,
+          place ? &*place : nullptr, body.tiles};
 }
 
 void calc_tile_terms(const System<Space>& system, double t, int j, int p,
@@ -118,10 +114,10 @@ space::PlaceDrawn calc_solid_drawn(const BodyData<Space>& body, int place_number
 }
 
 space::Angular calc_solid_stiffening_momentum(const BodyData<Space>& body,
-                                              const space::Angular& w) noexcept {
+                                              const space::Angular& hub_w) noexcept {
   if (!body.solid_tension) return space::Angular::Zero();
   const space::SolidModel model = solid_model_of(body);
-  return calc_stiffening_inertia(model, body_state_of(body), body.work).lazyProduct(w);
+  return calc_stiffening_inertia(model, body_state_of(body), body.work).lazyProduct(hub_w);
 }
 
 space::Twist calc_solid_momentum(const BodyData<Space>& body, const space::Twist& twist) noexcept {

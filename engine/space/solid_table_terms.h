@@ -25,10 +25,10 @@ void add_applied_to_solid(double t, const space::Rotation& R_HB, std::size_t j,
 space::PlaceDrawn calc_solid_drawn(const BodyData<Space>& body, int place_number, const double* q,
                                    const double* v, const double* a) noexcept;
 
-/// Returns Lambda w0 of the stiffening, in H: the loss of angular momentum about the hub's origin,
-/// or of one that stiffens by its own rotation Lambda w, in B.
+/// Returns Lambda w0 of the stiffening, in H: the loss of angular momentum about the hub's origin.
+/// Precondition: the solid is stiffened in its tree, or not at all.
 space::Angular calc_solid_stiffening_momentum(const BodyData<Space>& body,
-                                              const space::Angular& w) noexcept;
+                                              const space::Angular& hub_w) noexcept;
 
 /// Returns the momentum of a solid and its moment about B's origin, in B.
 space::Twist calc_solid_momentum(const BodyData<Space>& body, const space::Twist& twist) noexcept;

@@ -40,10 +40,9 @@ Matrix3 make_form_matrix(const std::array<double, kSpins>& values) {
   return m;
 }
 
-/// Copies a vector behind the one before, padded with zeros.
+/// Pads a vector with zeros; returns it.
 double* pad(const SolidTensionColumns& columns, const double* x, double* padded) {
-  std::copy_n(x, columns.modes, padded);
-  std::fill(padded + columns.modes, padded + columns.stride, 0.0);
+  copy_padded(x, columns.modes, columns.stride, padded);
   return padded;
 }
 
@@ -57,7 +56,7 @@ SolidTensionColumns make_tension_columns(const SolidConstants& constants,
   columns.nodal = constants.nodal();
   if (columns.nodal) return columns;
   const ReducedSolid* solid = constants.reduced();
-  columns.stride = (columns.modes + 3) / 4 * 4;
+  columns.stride = padded_size(columns.modes);
   for (std::size_t k = 0; k < kSpins; ++k)
     columns.spin[k] = pad_square(tension ? tension->spin[k] : solid->own[k]);
   for (std::size_t c = 0; tension && c < 3; ++c)

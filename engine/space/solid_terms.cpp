@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include "engine/space/nodal_body.h"
+#include "engine/space/solid_block.h"
 #include "engine/support/wide_kernels.h"
 
 namespace spoke::space {
@@ -32,10 +32,8 @@ struct ModalVectors {
     slots = {take(9), take(9)};
     force = take(1);
     product = take(1);
-    for (const auto& [from, to] : {std::pair{state.q, q}, std::pair{state.v, v}}) {
-      std::copy_n(from, modes, to);
-      std::fill(to + modes, to + stride, 0.0);
-    }
+    copy_padded(state.q, modes, stride, q);
+    copy_padded(state.v, modes, stride, v);
     std::fill_n(force, stride, 0.0);
   }
 
@@ -210,9 +208,9 @@ BodyEnergies calc_solid_energies(const SolidModel& model, const BodyState& state
 
 Matrix3 calc_stiffening_inertia(const SolidModel& model, const BodyState& state,
                                 const BodyWork& work) noexcept {
-  assert(model.tension);
+  assert(model.tension && model.place);
   const Matrix3 Lambda = observe(model, state, Position::Zero(), work).stiffening.Lambda;
-  return model.place ? turn_tensor(model.place->R_HB, Lambda) : Lambda;
+  return turn_tensor(model.place->R_HB, Lambda);
 }
 
 Twist calc_solid_momentum(const SolidModel& model, const BodyState& state, const Twist& twist,

@@ -22,7 +22,7 @@ BodyEnergies calc_solid_energies(const SolidModel& model, const BodyState& state
                                  const Twist& twist, const BodyMotion& motion,
                                  const BodyWork& work) noexcept;
 
-/// Returns Lambda of its stiffening: in H, or in B where it stiffens by its own rotation.
+/// Returns Lambda of its stiffening, in H. Precondition: it is stiffened in its tree.
 Matrix3 calc_stiffening_inertia(const SolidModel& model, const BodyState& state,
                                 const BodyWork& work) noexcept;
 

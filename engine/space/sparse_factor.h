@@ -8,6 +8,9 @@
 
 namespace spoke::space {
 
+/// Columns of one block at most: their solutions stay in the nearest cache.
+inline constexpr int kWidestBlock = 48;
+
 /// Neighbouring columns of L that have the same rows below them.
 struct ColumnBlock {
   int first = 0;

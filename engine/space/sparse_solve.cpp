@@ -86,9 +86,6 @@ void add_columns(const double* below, int width, const double* x, int groups, Do
   for (; k < width; ++k) add(std::integral_constant<int, 1>{}, k);
 }
 
-/// Columns of one block at most (sparse_structure.cpp).
-constexpr int kWidestBlock = 48;
-
 void solve_back_block(const SparseFactor& factor, const ColumnBlock& block, double* x) {
   assert(block.width <= kWidestBlock);
   constexpr int kChunk = 64;  // groups

@@ -12,9 +12,6 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Columns of one block at most: their solutions stay in the nearest cache.
-constexpr int kWidest = 48;
-
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Calls `visit(i)` for the rows i < j of column j.
@@ -68,7 +65,7 @@ struct Stretch {
 /// Whether a block may hold so many zeros among so many entries.
 bool may_join(int width, double zeros, double entries) {
   const double share = width <= 6 ? 0.4 : width <= 16 ? 0.15 : 0.06;
-  return width <= kWidest && zeros <= share * entries;
+  return width <= kWidestBlock && zeros <= share * entries;
 }
 
 /// Joins the last stretches while the block that results has few zeros. All entries count that L
@@ -101,7 +98,7 @@ std::vector<Stretch> find_stretches(const ColumnTree& tree, const std::vector<in
     const bool begins = j == part_begin;
     const long long entries = 1 + tree.below[at(j)];
     if (!begins && tree.parent[at(j - 1)] == j && tree.below[at(j - 1)] == tree.below[at(j)] + 1 &&
-        stretches.back().width() < kWidest) {
+        stretches.back().width() < kWidestBlock) {
       stretches.back().end = j + 1;
       stretches.back().entries += entries;
       continue;

@@ -10,6 +10,8 @@ namespace spoke {
 /// Precondition: the body is flexible.
 space::BodyModel body_model_of(const BodyData<Space>& body);
 space::BodyState body_state_of(const BodyData<Space>& body);
+/// Whether slices of a body are nodes of their own.
+inline bool is_tiled(const BodyData<Space>& body) { return body.tiles && body.tiles->count() > 1; }
 /// Returns M_RR about the origin of its frame. Precondition: the body is rigid.
 const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
 /// Returns the motion of a section against the frame of its body at the state in the table.

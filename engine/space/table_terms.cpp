@@ -300,7 +300,7 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
     const HubState<Space>& hub = *data.hub;
     const space::BodyMotion motion{angular(twist), angular(hub.twist),
                                    calc_tension_field(system, t, data)};
-    if (body.tiles && body.tiles->count() > 1)
+    if (is_tiled(body))
       body.terms = sum_nodal_terms(solid_model_of(body), motion, body.work);
     else if (body.model->body->solid())
       body.terms = calc_solid_terms(solid_model_of(body), body_state_of(body), motion,

@@ -15,7 +15,6 @@
 namespace spoke::structured {
 namespace {
 
-bool is_in_slices(const BodyData<Space>& body) { return body.tiles && body.tiles->count() > 1; }
 const space::Solid& solid_of(const BodyData<Space>& body) { return *body.model->body->solid(); }
 
 }  // namespace
@@ -24,7 +23,7 @@ void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implic
                    BodyWork<Space>&) noexcept {
   if (data.model->body->flexible())
     space::condense_body(body_model_of(data), data.terms, angular(twist), implicit, data.work);
-  else if (is_in_slices(data))
+  else if (is_tiled(data))
     condense_between(solid_of(data), *data.blocks[implicit]->solid, data.terms, angular(twist),
                      data.work);
   else if (const space::Solid* solid = data.model->body->solid())
@@ -75,7 +74,7 @@ void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space
   const space::Twist* wrenches = data.work.wrenches;
   if (data.model->body->flexible()) {
     data.X = space::recover_body(body_model_of(data), wrenches, implicit, data.work, a);
-  } else if (is_in_slices(data)) {
+  } else if (is_tiled(data)) {
     data.X = recover_between(solid_of(data), *data.blocks[implicit]->solid, wrenches, data.work);
   } else if (const space::Solid* solid = data.model->body->solid()) {
     data.X = recover_solid(*solid, *data.blocks[implicit]->solid, wrenches, data.work, a);

@@ -38,10 +38,7 @@ BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& fo
   }
   described.solids = model.solids(subsystem);
   for (SolidDeformation& solid : described.solids)
-    for (Eigen::Index k = 0; k < q.size(); ++k) {
-      const SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
-      if (coordinate.body == solid.body && coordinate.node >= 0) solid.coordinates.push_back(q[k]);
-    }
+    solid.coordinates = find_deformation(coordinates, solid.body, q);
   evaluate(subsystem, q, model);
   for (const NodePlace& place : model.places(subsystem)) {
     const Eigen::Matrix3d& before = described.undeformed_axes[described.nodes.size()];

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -30,6 +31,19 @@ struct SubsystemCoordinate {
   bool turns = false;  ///< true: an angle [rad]; false: a length [m]
   double scale = 1.0;  ///< a large value of it [rad, m]
 };
+
+/// Returns those of a subsystem's coordinates `x` that deform one of its bodies.
+template <class Scalar>
+std::vector<Scalar> find_deformation(const std::vector<SubsystemCoordinate>& coordinates, int body,
+                                     const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& x) {
+  assert(x.size() == std::ssize(coordinates));
+  std::vector<Scalar> own;
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+    if (coordinate.body == body && coordinate.node >= 0) own.push_back(x[k]);
+  }
+  return own;
+}
 
 /// Returns the velocity step of a coordinate for differences: its scale per time of a radian.
 inline double velocity_scale(const SubsystemCoordinate& coordinate, double speed) {

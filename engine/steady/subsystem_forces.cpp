@@ -10,6 +10,7 @@
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/space/dense_body.h"
+#include "engine/space/solid_block.h"
 #include "engine/space/table_terms.h"
 #include "engine/steady/subsystem_access.h"
 
@@ -40,8 +41,8 @@ VectorXd calc_body_force(const BodyData<Plane>& body) {
   return force;
 }
 /// Subtracts M_RR X from the first six rows.
-void put_frame_inertia(double mass, const space::BodyTerms& terms, const space::Twist& X,
-                       VectorXd& force) {
+void subtract_frame_inertia(double mass, const space::BodyTerms& terms, const space::Twist& X,
+                            VectorXd& force) {
   const space::Position a = linear(X);
   const space::Angular alpha = angular(X);
   force.head<3>() -= mass * a + cross(alpha, terms.S);
@@ -55,7 +56,7 @@ VectorXd calc_body_force(const BodyData<Space>& body) {
   if (const space::Solid* solid = body.model->body->solid()) {
     VectorXd force(space::dense_size(*solid));
     space::calc_dense_force(*solid, body.terms, body.work, force);
-    put_frame_inertia(body.model->body->mass(), body.terms, X, force);
+    subtract_frame_inertia(body.model->body->mass(), body.terms, X, force);
     for (int k = 0; k < solid->coordinates(); ++k) {
       const double* row = body.work.rows + space::kSolidRow * k;
       force[space::kTwist + k] -= solid->constants->C_t().row(k).dot(X.head<3>()) + row[0] * X[3] +
@@ -67,7 +68,7 @@ VectorXd calc_body_force(const BodyData<Space>& body) {
   space::calc_dense_force(*flexible, body.terms, body.work, force);
   const space::Position a = linear(X);
   const space::Angular alpha = angular(X);
-  put_frame_inertia(flexible->mass, body.terms, X, force);
+  subtract_frame_inertia(flexible->mass, body.terms, X, force);
   for (int node = 0; node < flexible->node_count(); ++node)
     for (int c = 0; c < space::kTwist; ++c) {
       const int at = flexible->coordinate(node, c);

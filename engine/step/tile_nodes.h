@@ -3,13 +3,13 @@
 // The nodes of the slices of a solid in nodal coordinates, where it has several: its terms and its
 // solution are several nodes of one body.
 
+#include "engine/space/table_access.h"
 #include "engine/step/assembly.h"
 
 namespace spoke {
 
-/// Whether slices of a body are nodes of their own.
+/// In the plane no body has slices.
 inline bool is_tiled(const BodyData<Plane>&) { return false; }
-inline bool is_tiled(const BodyData<Space>& body) { return body.tiles && body.tiles->count() > 1; }
 
 /// Adds the nodes of the terms of each slice, which read `inputs`.
 template <class World>

@@ -96,11 +96,7 @@ SubsystemShape calc_subsystem_shape(std::size_t subsystem, const VectorXd& q, co
   }
   const auto& coordinates = model.coordinates(subsystem);
   for (const SolidDeformation& solid : model.solids(subsystem)) {
-    std::vector<std::complex<double>> own;
-    for (Eigen::Index k = 0; k < x.size(); ++k) {
-      const steady::SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
-      if (coordinate.body == solid.body && coordinate.node >= 0) own.push_back(x[k]);
-    }
+    const auto own = steady::find_deformation(coordinates, solid.body, x);
     shape.solids.emplace_back(Eigen::Map<const VectorXcd>(own.data(), std::ssize(own)));
   }
   for (std::size_t c = 0; c < 4; ++c) shape.energies[c] = shape.motions[c].squaredNorm();
