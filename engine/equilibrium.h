@@ -68,7 +68,7 @@ struct BladeEquilibrium {
   std::vector<SectionLoad> loads;                   ///< of sections, from the root on
   std::vector<LoopLoad> loops;                      ///< of closed loops
   /// Places, from root to tip [m]; of a solid those of its frame, its interfaces, and sets of nodes
-  /// that loads act on.
+  /// that loads act on, then some nodes of its mesh, at most 200.
   std::vector<Eigen::Vector3d> nodes;
   std::vector<Eigen::Vector3d> undeformed;  ///< places of undeformed bodies, joints as they are [m]
   std::vector<Eigen::Matrix3d> undeformed_axes;  ///< axes of undeformed bodies by node: columns

@@ -144,6 +144,9 @@ struct SolidMatrices {
   friend bool operator==(const SolidMatrices&, const SolidMatrices&) = default;
 };
 
+/// Vibration modes of a solid that does not say how many, if it has as many.
+inline constexpr int kUsualModes = 20;
+
 /// A flexible body from a mesh. Its frame has the axes of the mesh and, with the frame `clamped`,
 /// its origin at the point of the first interface; with `mean_axis` as well, at rest.
 struct SolidBody {
@@ -154,7 +157,7 @@ struct SolidBody {
   std::optional<SolidMaterial> material{};
   double length_scale = 1.0;  ///< metres by the file's unit of length
   SolidCoordinates coordinates = SolidCoordinates::reduced;
-  /// Number of vibration modes; none: 20, or as many as there are.
+  /// Number of vibration modes; none: kUsualModes, or as many as there are.
   std::optional<int> modes{};
   std::optional<double> up_to{};     ///< highest frequency of these, in place of a number [Hz]
   bool geometric_stiffening = true;  ///< whether tension of rotation and loads stiffens it

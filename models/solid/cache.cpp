@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using space::SolidConstants;
 
 /// Raised whenever the files or the values in them change.
-constexpr std::int64_t kCacheFormat = 2;
+constexpr std::int64_t kCacheFormat = 3;
 constexpr char kMagic[8] = {'s', 'p', 'o', 'k', 'e', 'f', 'e', '\n'};
 
 /// What a file begins with. Numbers are those of the machine: another byte order is another format.
@@ -49,7 +49,6 @@ void visit_nodal(Visitor& visit, Solid& solid) {
   visit(solid.m);
   visit(solid.K);
   visit(solid.Xi);
-  visit(solid.C_t);
   visit(solid.slices);
   visit(solid.own);
   visit(solid.translation);
@@ -92,10 +91,6 @@ std::optional<SolidConstants> unpack(std::string_view bytes) {
     visit_nodal(reader, constants.matrices.emplace<space::NodalSolid>());
   }
   if (!reader.is_at_end()) return std::nullopt;
-  if (is_reduced) {
-    auto& solid = std::get<space::ReducedSolid>(constants.matrices);
-    solid.damping.setZero(solid.stiffness.size());
-  }
   return constants;
 }
 

@@ -58,7 +58,6 @@ class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
 
-  bool failed() const { return failed_; }
   bool is_at_end() const { return !failed_ && rest_.empty(); }
 
   template <class Value>

@@ -183,7 +183,8 @@ void weigh(const SolidMesh& mesh, const std::vector<SolidFace>& faces, ChosenNod
     chosen.point += chosen.weights[n] * mesh.nodes[static_cast<std::size_t>(chosen.nodes[n])];
 }
 
-/// Whether places are on one line, within a millionth of its length.
+}  // namespace
+
 bool are_on_line(const SolidMesh& mesh, const std::vector<int>& nodes) {
   Vector mean = Vector::Zero();
   for (const int node : nodes) mean += mesh.nodes[static_cast<std::size_t>(node)];
@@ -194,10 +195,8 @@ bool are_on_line(const SolidMesh& mesh, const std::vector<int>& nodes) {
     spread += r * r.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread, Eigen::EigenvaluesOnly);
-  return !(solver.eigenvalues()[1] > 1e-12 * solver.eigenvalues()[2]);
+  return !(solver.eigenvalues()[1] > 1e-9 * solver.eigenvalues()[2]);
 }
-
-}  // namespace
 
 std::array<double, 8> integrate_shapes(const SolidMesh& mesh, const SolidFace& face) {
   using Rule = GaussRule<4>;

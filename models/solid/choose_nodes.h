@@ -32,6 +32,10 @@ class NodeChooser {
   std::optional<std::vector<SurfaceFace>> surface_;
 };
 
+/// Whether nodes are at one place or on one line, within some hundred-thousandths of its length:
+/// they determine no rotation about it.
+bool are_on_line(const spatial::SolidMesh& mesh, const std::vector<int>& nodes);
+
 /// Integrals of the shape functions of a face, by its nodes [m^2]; they sum to its area.
 std::array<double, 8> integrate_shapes(const spatial::SolidMesh& mesh,
                                        const spatial::SolidFace& face);

@@ -42,12 +42,12 @@ std::vector<MatrixName> list_files(const spatial::SolidMatrices& files) {
   return names;
 }
 
-MatrixFiles read_files(const spatial::SolidMatrices& files, const NodeTable& table) {
-  const std::vector<MatrixName> names = list_files(files);
-  if (files.format == "calculix") return read_calculix(names, table);
-  if (files.format == "abaqus") return read_abaqus(names, table);
-  if (files.format == "matrix_market") return read_matrix_market(names, table);
-  fail_at_key("format", "is " + show_text(files.format) +
+MatrixFiles read_files(const std::string& format, const std::vector<MatrixName>& names,
+                       const NodeTable& table) {
+  if (format == "calculix") return read_calculix(names, table);
+  if (format == "abaqus") return read_abaqus(names, table);
+  if (format == "matrix_market") return read_matrix_market(names, table);
+  fail_at_key("format", "is " + show_text(format) +
                             ", expected \"calculix\", \"abaqus\" or \"matrix_market\"");
 }
 
@@ -139,9 +139,9 @@ Eigen::VectorXd values_in_places_of(const ImportedSparse& m, const ImportedSpars
 }
 
 ImportedMatrices read_matrices(const spatial::SolidMatrices& files, double length_scale) {
-  list_files(files);
+  const std::vector<MatrixName> names = list_files(files);
   const NodeTable table(files.nodes, length_scale);
-  MatrixFiles read = read_files(files, table);
+  MatrixFiles read = read_files(files.format, names, table);
   renumber(read);
   ImportedMatrices result;
   result.mesh = table.select(read.used);

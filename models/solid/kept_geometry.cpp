@@ -40,10 +40,12 @@ void keep_geometry(spatial::SolidBody& body) {
 MadeConstants find_constants(const KeptGeometry& kept, const LoadedSets& sets,
                              const std::string& key, const Control& control, bool anew) {
   try {
-    return kept.shelf->find_or_make(kept.of, sets, control, anew);
+    return kept.shelf->find_or_make(kept.of, kept.geometry, sets, control, anew);
   } catch (const InputError& error) {
     if (is_of_mesh(error)) throw;
-    const std::string full = key + '.' + error.place().key;
+    // A body of matrices has no key of the mesh.
+    const bool is_of_matrices = kept.of.matrices && error.place().key == "mesh";
+    const std::string full = key + '.' + (is_of_matrices ? "stiffness" : error.place().key);
     throw InputError(full + ": " + error.what(), {.key = full});
   }
 }

@@ -21,7 +21,10 @@ struct KeptGeometry {
   std::shared_ptr<ConstantsShelf> shelf = std::make_shared<ConstantsShelf>();
 };
 
-/// Whether an error of make_geometry() is one of a file of the solid, whose place is in its text.
+/// Whether an error of make_geometry() or make_constants() is one of a file of the solid: of a
+/// mesh, of matrices, of their nodes. Its text begins with that place, "file:line: ", and wants no
+/// key of the scenario in front. Else its place().key is within the body, and its text only says
+/// what is wrong with that.
 bool is_of_mesh(const InputError& error);
 
 /// Returns the geometry that the description keeps, if it still belongs to it; else reads its mesh,
@@ -33,7 +36,8 @@ std::shared_ptr<const KeptGeometry> find_geometry(const spatial::SolidBody& body
 void keep_geometry(spatial::SolidBody& body);
 
 /// Finds or makes the constants of a description. `key`: of the body, for errors. Throws InputError
-/// as make_constants() does, its place().key and its text with that key.
+/// as make_constants() does, its place().key and its text with that key; of matrices
+/// "stiffness" stands for "mesh".
 MadeConstants find_constants(const KeptGeometry& kept, const LoadedSets& sets,
                              const std::string& key, const Control& control, bool anew = false);
 

@@ -24,8 +24,8 @@ class ConstantsShelf {
  public:
   /// Returns what was made before with these sets, or else makes it; threads that ask meanwhile
   /// wait for it. `anew`: makes it in any case, without the cache.
-  MadeConstants find_or_make(const spatial::SolidBody& body, const LoadedSets& sets,
-                             const Control& control, bool anew);
+  MadeConstants find_or_make(const spatial::SolidBody& body, const SolidGeometry& at_rest,
+                             const LoadedSets& sets, const Control& control, bool anew);
 
  private:
   std::mutex mutex_;

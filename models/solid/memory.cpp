@@ -22,21 +22,25 @@ std::string gigabytes(double bytes) {
   return text;
 }
 
-[[noreturn]] void refuse_memory(double needed, double memory) {
+[[noreturn]] void refuse_memory(double needed, double memory, const std::string& key = "mesh",
+                                const std::string& remedy = "use a coarser mesh") {
   throw InputError("needs " + gigabytes(needed) + " of memory, expected at most " +
-                       gigabytes(0.8 * memory) + " on this machine: use a coarser mesh",
-                   {{}, 0, 0, "mesh"});
+                       gigabytes(0.8 * memory) + " on this machine: " + remedy,
+                   {{}, 0, 0, key});
 }
 
 /// Entries of the Cholesky factor: those of a compact body, of which slender ones have a half.
 double estimate_factor_entries(double unknowns) { return 30.0 * std::pow(unknowns, 4.0 / 3.0); }
 
+/// Columns of 3 n numbers that are held at once while so many modes and shapes are made.
+double estimate_mode_columns(double modes) { return 10.0 * modes + 100.0; }
+
 /// Columns of 3 n numbers that are held at once.
 double estimate_columns(const spatial::SolidBody& body) {
   const double interfaces = static_cast<double>(body.interfaces.size());
   if (body.coordinates == spatial::SolidCoordinates::nodal) return 6.0 * (interfaces + 2.0);
-  const double modes = body.modes.value_or(20) + 6.0 * interfaces;
-  return 10.0 * modes + 100.0;
+  // How many there are up to a frequency is seen when they are found: require_mode_memory().
+  return estimate_mode_columns(body.modes.value_or(spatial::kUsualModes) + 6.0 * interfaces);
 }
 
 }  // namespace
@@ -56,6 +60,12 @@ double estimate_memory(const spatial::SolidBody& body, const SolidGeometry& geom
 void require_factor_memory(double entries, double memory) {
   const double needed = kEntry * entries;
   if (!(needed < 0.8 * memory)) refuse_memory(needed, memory);
+}
+
+void require_mode_memory(double modes, double unknowns, double memory) {
+  const double needed = kNumber * unknowns * estimate_mode_columns(modes);
+  if (!(needed < 0.8 * memory))
+    refuse_memory(needed, memory, "up_to", "use a lower frequency, or a coarser mesh");
 }
 
 void require_memory(const spatial::SolidBody& body, const SolidGeometry& geometry, double memory) {

@@ -119,11 +119,6 @@ std::string MeshText::quoted(const char* what) {
   return {begin, at_++};
 }
 
-void MeshText::skip(std::size_t bytes, const char* what) {
-  if (bytes_left() < bytes) refuse_end(what);
-  at_ += bytes;
-}
-
 bool MeshText::skip_behind(std::string_view text) {
   const std::string_view rest(at_, bytes_left());
   const std::size_t found = rest.find(text);

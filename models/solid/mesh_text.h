@@ -67,8 +67,6 @@ class MeshText {
     std::memcpy(&value, bytes, sizeof(Value));
     return value;
   }
-  /// Passes bytes.
-  void skip(std::size_t bytes, const char* what);
   /// Goes behind the next place of a text; false if there is none.
   bool skip_behind(std::string_view text);
 

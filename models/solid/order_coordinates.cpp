@@ -228,7 +228,6 @@ void permute(const Order& order, space::SolidConstants& solid) {
   K = nodal.K.twistedBy(place);
   nodal.K = K.transpose();  // its rows are in order
   nodal.Xi = Eigen::SparseMatrix<double>(nodal.Xi * place.transpose());
-  if (nodal.C_t.rows() > 0) nodal.C_t = place * nodal.C_t;
   for (space::SolidPlace& of : solid.places) {
     std::vector<std::pair<int, space::Twist>> columns;
     for (std::size_t k = 0; k < of.at.size(); ++k)

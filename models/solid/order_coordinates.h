@@ -8,7 +8,8 @@ namespace spoke::solid {
 
 /// Orders the coordinates of a nodal solid by slices, and those that couple slices behind them,
 /// each for little fill of the Cholesky factor of Mff + K; sets NodalSolid::slices. The number of
-/// slices follows from the matrices alone. Precondition: the solid is nodal.
+/// slices follows from the matrices alone. What is derived, space::set_derived(), is not ordered.
+/// Precondition: the solid is nodal.
 void order_coordinates(space::SolidConstants& solid);
 
 /// Orders them so in at most `most` slices.

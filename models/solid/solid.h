@@ -62,8 +62,14 @@ struct CacheUse {
   bool was_read = false;  ///< set: whether they were read from it
 };
 
-/// Makes the constants, from the cache if they are there, and else puts them there. Throws
-/// InputError as make_geometry() does. `cache`: may be null.
+/// Makes the constants, from the cache if they are there, and else puts them there. `at_rest`:
+/// make_geometry() of the body. Throws InputError as make_geometry() does. `cache`: may be null.
+std::shared_ptr<const space::SolidConstants> make_constants(const spatial::SolidBody& body,
+                                                            const SolidGeometry& at_rest,
+                                                            const LoadedSets& sets,
+                                                            const Control& control = {},
+                                                            CacheUse* cache = nullptr);
+/// Makes the geometry, too.
 std::shared_ptr<const space::SolidConstants> make_constants(const spatial::SolidBody& body,
                                                             const LoadedSets& sets,
                                                             const Control& control = {},

@@ -21,17 +21,16 @@ struct SolidInput {
   std::vector<ChosenNodes> sets;
 };
 
-SolidInput read_input(const SolidBody& body, const LoadedSets& sets) {
+SolidInput read_input(const SolidBody& body, const SolidGeometry& at_rest, const LoadedSets& sets) {
   if (body.frame == spatial::SolidFrame::mean_axis &&
       body.coordinates == spatial::SolidCoordinates::nodal)
     throw InputError("is \"mean_axis\", expected \"clamped\" with the coordinates \"nodal\"",
                      {.key = "reference_frame"});
-  SolidInput input{body, {}, {}, {}};
+  SolidInput input{body, at_rest, {}, {}};
   if (body.matrices) {
     input.imported = read_matrices(*body.matrices, body.length_scale);
+    // Their files are read again, and may not be what they were.
     input.geometry = make_geometry_of_matrices(body, *input.imported);
-  } else {
-    input.geometry = make_geometry(body);
   }
   for (const spatial::NodeChoice& set : sets)
     input.sets.push_back(choose_nodes(*input.geometry.mesh, set));
@@ -150,7 +149,14 @@ void complete(const SolidInput& input, SolidConstants& constants) {
 
 std::shared_ptr<const SolidConstants> make_constants(const SolidBody& body, const LoadedSets& sets,
                                                      const Control& control, CacheUse* cache) {
-  const SolidInput input = read_input(body, sets);
+  return make_constants(body, make_geometry(body), sets, control, cache);
+}
+
+std::shared_ptr<const SolidConstants> make_constants(const SolidBody& body,
+                                                     const SolidGeometry& at_rest,
+                                                     const LoadedSets& sets, const Control& control,
+                                                     CacheUse* cache) {
+  const SolidInput input = read_input(body, at_rest, sets);
   const std::uint64_t key = make_key(input);
   const std::optional<std::filesystem::path> folder = find_cache_folder();
   const std::filesystem::path file = folder ? cache_file(*folder, key) : "";

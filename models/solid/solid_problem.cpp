@@ -16,9 +16,6 @@ namespace {
 
 using space::SolidConstants;
 
-/// Modes of a description that does not say how many.
-constexpr int kDefaultModes = 20;
-
 [[noreturn]] void refuse_problem(const std::string& key, const std::string& what) {
   throw InputError(what, {{}, 0, 0, key});
 }
@@ -55,7 +52,7 @@ ModeChoice choose_modes(const SolidProblem& problem, Eigen::Index available) {
     choice.up_to = w * w;
     return choice;
   }
-  choice.count = static_cast<int>(std::min<Eigen::Index>(kDefaultModes, available));
+  choice.count = static_cast<int>(std::min<Eigen::Index>(spatial::kUsualModes, available));
   if (!problem.modes) return choice;
   if (*problem.modes > available)
     refuse_problem("modes", std::to_string(*problem.modes) + " modes, expected at most " +
@@ -134,6 +131,12 @@ class ConstantsBuilder {
                          std::string(is_free() ? "" : " and hold on to the first interface"));
   }
 
+  /// Refuses more modes of vibration than the memory holds: up to a frequency there may be many.
+  void require_modes(int count) const {
+    const double shapes = 6.0 * static_cast<double>(problem_.interfaces.size());
+    require_mode_memory(count + shapes, static_cast<double>(3 * m_.rows()), control_.memory);
+  }
+
   Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const {
     return is_free() ? free_->solve(f) : clamped_->solve(f);
   }
@@ -155,7 +158,8 @@ class ConstantsBuilder {
     say("modes", 0.0);
     const PartDone done = [&](double part) { say("modes", part); };
     const Eigen::Index available = M_.rows() - (is_free() ? 6 : constraints_.boundary);
-    const ModeChoice choice = choose_modes(problem_, available);
+    ModeChoice choice = choose_modes(problem_, available);
+    choice.require = [this](int count) { require_modes(count); };
     const ReducedBasis basis = is_free()
                                    ? reduce(M_, K_, *free_, attached_loads(), choice, done)
                                    : reduce(M_, K_, *clamped_, attached_loads(), choice, done);
@@ -165,7 +169,6 @@ class ConstantsBuilder {
       result_.frequencies.push_back(std::sqrt(square) / (2.0 * std::numbers::pi));
     space::ReducedSolid solid;
     solid.stiffness = basis.squares;
-    solid.damping.setZero(basis.squares.size());
     solid.shapes = constraints_.Xi * basis.T;
     write_invariants(solid);
     write_places(basis.T);
@@ -223,7 +226,6 @@ class ConstantsBuilder {
     solid.m = m_;
     solid.K = K_;
     solid.Xi = constraints_.Xi;
-    solid.C_t = -(solid.Xi.transpose() * translation_loads(m_));
     result_.places = constraints_.places;
     result_.coordinates = static_cast<int>(solid.Xi.cols());
     result_.matrices = std::move(solid);
@@ -281,7 +283,9 @@ SolidConstants calc_constants(const SolidProblem& problem, const Control& contro
 
 void set_damping(const std::vector<double>& ratios, SolidConstants& constants) {
   auto* solid = std::get_if<space::ReducedSolid>(&constants.matrices);
-  if (!solid || ratios.empty()) return;
+  if (!solid) return;
+  solid->damping.setZero(solid->stiffness.size());
+  if (ratios.empty()) return;
   const auto count = static_cast<std::size_t>(solid->stiffness.size());
   if (ratios.size() != 1 && ratios.size() != count)
     refuse_problem("damping", std::to_string(ratios.size()) +

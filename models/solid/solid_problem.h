@@ -31,8 +31,8 @@ struct SolidProblem {
 /// Computes the constants but damping and stress. Throws InputError as make_constants() does.
 space::SolidConstants calc_constants(const SolidProblem& problem, const Control& control);
 
-/// Writes damping ratios, one for all modes or one each. Throws InputError, its place().key
-/// "damping", if there are as many as neither.
+/// Writes damping ratios, one for all modes, one each, or none: 0. Throws InputError, its
+/// place().key "damping", if there are as many as neither.
 void set_damping(const std::vector<double>& ratios, space::SolidConstants& constants);
 
 }  // namespace spoke::solid

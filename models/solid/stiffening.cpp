@@ -5,7 +5,7 @@
 namespace spoke::solid {
 namespace {
 
-/// Returns a column for each of so many coordinates with the places of nodes along an axis.
+/// Returns the places of nodes, a row each: n x 3 [m].
 Eigen::MatrixXd places_by_axis(const std::vector<space::Position>& x) {
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(x.size()), 3);
   for (std::size_t i = 0; i < x.size(); ++i)

@@ -4,20 +4,18 @@
 // wrenches on places. docs/formulation.md, section 13.
 
 #include <Eigen/Core>
-#include <functional>
-#include <optional>
+#include <vector>
 
-#include "models/solid/constraints.h"
-#include "models/solid/vibration.h"
+#include "models/solid/assembly.h"
+#include "models/space/solid.h"
 
 namespace spoke::solid {
 
-/// Displacements q under loads in the coordinates q.
-using StaticMap = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
-
-/// Returns the loads - M A^(k) x of the six monomials of w, in the displacements of nodes.
+/// Returns the loads - M A^(k) x of the six monomials of w, a column each, in the displacements of
+/// nodes: 3 n x 6 [kg m, forces by (rad/s)^2]. `m`: n x n [kg]; `x`: places of the nodes in B [m].
 Eigen::MatrixXd spin_loads(const Sparse& m, const std::vector<space::Position>& x);
-/// Returns the loads - M e_c.
+/// Returns the loads - M e_c of accelerations along x, y and z, a column each: 3 n x 3 [kg, forces
+/// by m/s^2].
 Eigen::MatrixXd translation_loads(const Sparse& m);
 /// Returns E^T, the loads of unit forces and moments on a place, in nf coordinates q.
 Eigen::MatrixXd place_loads(const space::SolidPlace& place, Eigen::Index coordinates);

@@ -218,6 +218,7 @@ VibrationModes find_modes(const Sparse& M, const Inverse& inverse, const Eigen::
   constexpr Index kFirst = 24;  // where a frequency says how many
   Index count = choice.up_to ? std::min(kFirst, available) : Index{choice.count};
   for (;; count = std::min(2 * count, available)) {
+    if (choice.up_to && choice.require) choice.require(static_cast<int>(count));
     const InverseModes found = finder.find(count);
     const Index wanted = count_wanted(found, available, choice);
     if (wanted < 0) continue;

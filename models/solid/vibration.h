@@ -19,7 +19,10 @@ struct VibrationModes {
 /// Which modes are wanted: so many, or all whose W^2 is at most `up_to`.
 struct ModeChoice {
   int count = 0;
-  std::optional<double> up_to{};
+  std::optional<double> up_to{};  ///< [1/s^2]
+  /// Told how many modes are looked for up to `up_to`, before they are; may be empty. What it
+  /// throws ends the search.
+  std::function<void(int)> require{};
 };
 
 /// K^-1 of columns; of a body that nothing holds, without rigid motions.

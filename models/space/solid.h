@@ -116,7 +116,8 @@ struct SolidConstants {
 
 /// Makes the place of a node, which has no rotation.
 SolidPlace make_node_place(const SolidConstants& constants, int node);
-/// Sets tip and limits, when all else is set.
+/// Sets what follows from all else: tip, limits, strains, and C_t of a nodal solid. Precondition:
+/// the members but these are set and there are coordinates.
 void set_derived(SolidConstants& constants);
 /// Returns the trace of K [N/m, N m, or 1/s^2 of a reduced solid].
 double calc_stiffness_trace(const SolidConstants& constants);

@@ -26,18 +26,10 @@ SharedBodies::Pointer SharedBodies::find_or_make_body(
   return body;
 }
 
-const SharedBodies::Constants& SharedBodies::find_or_make_constants(
-    const spatial::SolidPart& part) {
-  const auto at = std::find_if(constants_.begin(), constants_.end(), [&part](const auto& made) {
-    return is_same_solid(made.first->body(), part.body()) && made.first->sets == part.sets;
-  });
-  if (at != constants_.end()) return at->second;
-  return constants_.emplace_back(&part, find_constants(part, control_).constants).second;
-}
-
 SharedBodies::Pointer SharedBodies::find_or_make_solid(const spatial::SolidPart& part,
                                                        const std::vector<int>& handles) {
-  const Constants& constants = find_or_make_constants(part);
+  const std::shared_ptr<const space::SolidConstants> constants =
+      find_constants(part, control_).constants;
   Pointer& body = solids_[{constants.get(), handles}];
   if (!body)
     body =

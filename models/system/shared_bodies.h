@@ -29,20 +29,16 @@ class SharedBodies {
   Pointer find_or_make_body(const std::shared_ptr<const space::Beam>& beam,
                             const std::vector<double>& nodes, ReferenceFrame frame,
                             const std::vector<int>& handles);
-  /// Returns a solid with handles at these places. `part` must outlive this.
+  /// Returns a solid with handles at these places, of the constants that its part keeps.
   Pointer find_or_make_solid(const spatial::SolidPart& part, const std::vector<int>& handles);
 
  private:
-  using Constants = std::shared_ptr<const space::SolidConstants>;
   /// A beam has one reference frame, which the key therefore lacks.
   using Key = std::tuple<const space::Beam*, std::vector<double>, std::vector<int>>;
-
-  const Constants& find_or_make_constants(const spatial::SolidPart& part);
 
   const solid::Control& control_;
   std::vector<std::pair<const spatial::Beam*, std::shared_ptr<const space::Beam>>> beams_;
   std::map<Key, Pointer> bodies_;
-  std::vector<std::pair<const spatial::SolidPart*, Constants>> constants_;
   std::map<std::pair<const space::SolidConstants*, std::vector<int>>, Pointer> solids_;
 };
 

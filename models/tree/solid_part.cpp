@@ -8,12 +8,6 @@
 #include <variant>
 
 namespace spoke::spatial {
-namespace {
-
-/// The number of vibration modes where none is said.
-constexpr int kUsualModes = 20;
-
-}  // namespace
 
 solid::MadeConstants find_constants(const SolidPart& part, const solid::Control& control,
                                     bool anew) {
@@ -92,11 +86,13 @@ std::int64_t count_coordinates(const SolidPart& part) {
   const std::int64_t of_interfaces =
       6 * (body.frame == SolidFrame::mean_axis ? interfaces : interfaces - 1);
   if (body.coordinates == SolidCoordinates::reduced)
-    return body.modes.value_or(kUsualModes) + of_interfaces;
+    return (body.up_to ? 0 : body.modes.value_or(kUsualModes)) + of_interfaces;
   std::int64_t count = 3 * std::ssize(part.geometry().mesh->nodes);
   for (std::size_t i = 0; i < body.interfaces.size(); ++i)
     if (body.interfaces[i].kind == InterfaceKind::rigid)
       count += (i == 0 ? 0 : 6) - 3 * std::ssize(part.geometry().interfaces[i].nodes);
+    else if (i == 0)
+      count -= 6;  // which follow from the others
   return count;
 }
 

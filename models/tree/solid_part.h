@@ -63,8 +63,8 @@ class SolidParts {
   std::vector<SolidPart> parts_;
 };
 
-/// Returns the number of coordinates of a solid; more, if the modes there are, or that are below a
-/// frequency, are fewer.
+/// Returns the number of coordinates of a solid; of a reduced one at most so many, besides its
+/// modes up to a frequency (SolidBody::up_to), whose number is not known before they are made.
 std::int64_t count_coordinates(const SolidPart& part);
 
 }  // namespace spoke::spatial

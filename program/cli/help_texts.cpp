@@ -33,7 +33,8 @@ const char* const kRunText = R"(Output files, in the folder of --out:
   summary.json  all values in force, machine, steps, wall time, hash of the final state, and
                 the extremes of every sensor over all steps
   report.html   a page to look at: plots over time, the rotor moving, all numbers; needs no network
-  vtk/          with --vtk: blades.pvd for ParaView and a file for each output time
+  vtk/          with --vtk: blades.pvd for ParaView and a file for each output time, two with
+                solids
   checkpoint.spoke  with --checkpoint-every: what --resume goes on from, see docs/checkpoint.md
 
 mpirun -n P spoke run ... shares the model out over P processes, with the same files

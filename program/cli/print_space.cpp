@@ -177,16 +177,21 @@ MassProperties seen_from_root(const Tree& tree) {
 
 void print_sizes(const std::vector<Tree>& trees) {
   std::int64_t bodies = 0, coordinates = 0;
-  bool are_most = false;
+  bool are_most = false, have_further = false;
   for (const Tree& tree : trees) {
     bodies += std::ssize(tree.bodies);
     coordinates += count_coordinates(tree);
-    for (const TreeBody& body : tree.bodies)
-      are_most |= std::holds_alternative<spatial::SolidPart>(body.shape);
+    for (const TreeBody& body : tree.bodies) {
+      const auto* solid = std::get_if<spatial::SolidPart>(&body.shape);
+      if (!solid || solid->body().coordinates != spatial::SolidCoordinates::reduced) continue;
+      (solid->body().up_to ? have_further : are_most) = true;
+    }
   }
   print_line("model", "in space, " + counted(std::ssize(trees), "tree") + ", " +
-                          counted(bodies, "body") + (are_most ? ", at most " : ", ") +
-                          counted(coordinates, "coordinate"));
+                          counted(bodies, "body") +
+                          (are_most && !have_further ? ", at most " : ", ") +
+                          counted(coordinates, "coordinate") +
+                          (have_further ? " and the modes up to a frequency" : ""));
 }
 
 }  // namespace

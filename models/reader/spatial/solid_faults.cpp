@@ -2,13 +2,13 @@
 
 #include "models/reader/spatial/solid_faults.h"
 
-#include <Eigen/Eigenvalues>
 #include <set>
 #include <string_view>
 #include <variant>
 
 #include "models/reader/spatial/fault.h"
 #include "models/reader/toml_section.h"
+#include "models/solid/choose_nodes.h"
 #include "models/solid/kept_geometry.h"
 #include "models/support/nearest_name.h"
 #include "models/tree/solid_part.h"
@@ -140,23 +140,6 @@ Fault find_fault(const BoxNodes& box) {
   return first.found().within("box");
 }
 
-/// Whether nodes are on one line, or at one place.
-bool are_on_one_line(const solid::ChosenNodes& chosen, const SolidMesh& mesh) {
-  const auto place = [&](int node) -> const Vector& {
-    return mesh.nodes[static_cast<std::size_t>(node)];
-  };
-  Tensor moments = Tensor::Zero();
-  Vector mean = Vector::Zero();
-  for (const int node : chosen.nodes) mean += place(node);
-  mean /= static_cast<double>(chosen.nodes.size());
-  for (const int node : chosen.nodes) {
-    const Vector r = place(node) - mean;
-    moments += r.squaredNorm() * Tensor::Identity() - r * r.transpose();
-  }
-  const Eigen::Vector3d own = Eigen::SelfAdjointEigenSolver<Tensor>(moments).eigenvalues();
-  return !(own[0] > 1e-9 * own[2]);
-}
-
 }  // namespace
 
 Fault find_choice_fault(const NodeChoice& choice) {
@@ -196,7 +179,7 @@ Fault find_load_fault(const PointLoad& load, const SolidBody& body) {
   try {
     const auto kept = solid::find_geometry(body);
     const solid::ChosenNodes chosen = solid::choose_nodes(*kept->geometry.mesh, *set);
-    if (!load.moment.isZero(0.0) && are_on_one_line(chosen, *kept->geometry.mesh))
+    if (!load.moment.isZero(0.0) && solid::are_on_line(*kept->geometry.mesh, chosen.nodes))
       return {"moment", "acts on nodes that are on one line, expected nodes that determine a turn"};
     if (load.traction && chosen.area == 0.0)
       return {"traction", "is on nodes without faces, expected those of a surface, or force"};

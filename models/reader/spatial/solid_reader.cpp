@@ -111,7 +111,8 @@ void read_coordinates(const TomlSection& section, SolidBody& body) {
       section.choice("reference_frame", {SolidFrame::clamped, SolidFrame::mean_axis}, body.frame);
 }
 
-/// Takes over the mesh of a body that has read the same file.
+/// Takes over what a body has read: the mesh of the same file, and all that was made of it if the
+/// bodies have one shape.
 void share_mesh(const Subsystem& other, SolidBody& body) {
   for (const Body& candidate : other.bodies) {
     const auto* solid = std::get_if<SolidBody>(&candidate.shape);
@@ -119,6 +120,7 @@ void share_mesh(const Subsystem& other, SolidBody& body) {
     if (solid && solid->file == body.file && solid->length_scale == body.length_scale &&
         body.material)
       body.mesh = solid->mesh;
+    if (solid && has_same_shape(*solid, body)) body.kept = solid->kept;
   }
 }
 

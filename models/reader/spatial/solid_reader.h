@@ -13,8 +13,11 @@ namespace spoke::spatial {
 /// Returns the keys of a table that describes a solid.
 TomlSection::Keys solid_keys();
 
-/// Reads a solid with its mesh. Files are relative to `folder`; a body of `before` that has the
-/// same mesh lends it. Throws InputError, also about what the mesh shows.
+/// Reads a solid with its mesh, its material if that is in the mesh's file, and its geometry
+/// (SolidBody::kept). Files are relative to `folder`. A body of `before`, subsystems that are read,
+/// or of `own`, the bodies read so far of the same subsystem, lends its mesh if that is of the same
+/// file, and its geometry if it has the same shape. Throws InputError with file, line and key of
+/// the section; of what is wrong in a mesh or in matrices, with their file and line.
 SolidBody read_solid(const TomlSection& section, const std::string& folder,
                      const std::vector<Subsystem>& before, const Subsystem& own);
 

@@ -29,6 +29,7 @@ struct CondensedLattice {
   CondensedLattice(const test::Lattice& lattice, int slices) {
     SolidConstants constants = test::make_lattice(lattice);
     solid::order_coordinates(constants, slices);
+    set_derived(constants);
     body.constants = std::make_shared<const SolidConstants>(std::move(constants));
     body.handles = {0, 1, 1};  // a child, and a loop at the same place
     block = make_solid_block(body, factors);

@@ -98,10 +98,6 @@ space::SolidConstants make_lattice(const Lattice& lattice) {
   solid.extent = p.x();
   const Eigen::VectorXd me = nodal.m * Eigen::VectorXd::Ones(n);
   solid.mass = me.sum();
-  nodal.C_t.setZero(free, 3);
-  for (int c = 0; c < free; ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator e(nodal.Xi, c); e; ++e)
-      nodal.C_t(c, e.row() % 3) += e.value() * me[e.row() / 3];
   Eigen::MatrixXd x(n, 3);
   for (int i = 0; i < n; ++i) x.row(i) = grid.place(i).transpose();
   solid.S0 = x.transpose() * me;

@@ -113,6 +113,13 @@ TEST_CASE("order of coordinates: matrices and places follow it") {
   CHECK(x.dot(a.K * x) == doctest::Approx(y.dot(b.K * y)).epsilon(1e-13));
   CHECK(Eigen::MatrixXd(b.K).trace() ==
         doctest::Approx(Eigen::MatrixXd(a.K).trace()).epsilon(1e-13));
+  // C_t, which is derived in the new order, yields the momentum of the nodes.
+  set_derived(after);
+  const Eigen::VectorXd u = b.Xi * y, me = b.m * Eigen::VectorXd::Ones(b.m.cols());
+  for (int axis = 0; axis < 3; ++axis) {
+    const double momentum = me.dot(u(Eigen::seqN(axis, me.size(), 3)));
+    CHECK(after.C_t().col(axis).dot(y) == doctest::Approx(momentum).epsilon(1e-13));
+  }
 }
 
 }  // namespace spoke::space

@@ -112,6 +112,24 @@ TEST_CASE("weights are integrals of the shape functions over a rectangle") {
           1e-14);
 }
 
+TEST_CASE("nodes that lie within some hundred-thousandths of a line are no interface") {
+  // The scatter across an edge of 0.3 m must exceed 1e-9 of that along it.
+  for (const double height : {1e-6, 5e-6, 5e-5}) {
+    CAPTURE(height);
+    SolidMesh mesh = make_box(ElementKind::hex8);
+    std::vector<int> edge;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      if (mesh.nodes[i].x() == 0.0 && mesh.nodes[i].z() == 0.0) edge.push_back(static_cast<int>(i));
+    REQUIRE(edge.size() == 4);
+    for (std::size_t k = 0; k < 4; ++k)
+      mesh.nodes[static_cast<std::size_t>(edge[k])].z() += k == 1 || k == 2 ? height : 0.0;
+    CHECK(solid::are_on_line(mesh, edge) == (height < 1e-5));
+    mesh.sets = {{"EDGE", edge, {}}};
+    const auto error = message_of([&] { solid::make_geometry(make_body(mesh, "EDGE")); });
+    CHECK((error.find("4 nodes on one line") != std::string::npos) == (height < 1e-5));
+  }
+}
+
 TEST_CASE("plane, cylinder and box choose nodes of the surface, with the faces that they hold") {
   for (const ElementKind kind : kKinds) {
     SolidMesh mesh = make_box(kind);

@@ -8,7 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "models/solid/kept_geometry.h"
 #include "models/solid/solid.h"
+#include "spoke/error.h"
 #include "tests/models/solid/matrix_files.h"
 #include "tests/temporary_folder.h"
 
@@ -72,4 +74,30 @@ TEST_CASE("imported matrices: constants are those of the mesh") {
     for (int mode = 0; mode < 12; ++mode)
       CHECK(W2[mode] == doctest::Approx(expected_W2[mode]).epsilon(1e-9));
   }
+}
+
+TEST_CASE(
+    "imported matrices: too little memory is told at their stiffness, of a mesh at the mesh") {
+  const test::TemporaryFolder folder;
+  const test::AssembledMatrices box =
+      test::assemble({.cells = {2, 1, 1}, .lengths = {0.4, 0.1, 0.06}});
+  spatial::SolidBody body;
+  body.geometric_stiffening = false;
+  body.interfaces = {{.name = "root", .nodes = spatial::BoxNodes{{0, 0, 0}, {0, 1, 1}}}};
+  const auto find_key = [](const spatial::SolidBody& of) -> std::string {
+    try {
+      find_constants(*solid::find_geometry(of), {}, "subsystem.1.body.2", {.memory = 1.0});
+    } catch (const InputError& error) {
+      CHECK(std::string(error.what()).starts_with(error.place().key + ": needs 0.0"));
+      return error.place().key;
+    }
+    return "";
+  };
+  body.mesh = std::make_shared<spatial::SolidMesh>(box.mesh);
+  body.material = {.youngs_modulus = 7e10, .poissons_ratio = 0.33, .density = 2700.0};
+  CHECK(find_key(body) == "subsystem.1.body.2.mesh");
+  body.mesh = nullptr;
+  body.material.reset();
+  body.matrices = test::write_calculix(folder.path(), box);
+  CHECK(find_key(body) == "subsystem.1.body.2.stiffness");
 }

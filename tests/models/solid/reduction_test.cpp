@@ -219,6 +219,8 @@ TEST_CASE("solid reduction: damping ratios, one or as many as there are modes") 
   problem.modes = 3;
   SolidConstants body = solid::calc_constants(problem, {});
   const ReducedSolid& solid = *body.reduced();
+  solid::set_damping({}, body);
+  REQUIRE(solid.damping.size() == body.coordinates);
   CHECK(solid.damping.isZero(0.0));
   solid::set_damping({0.02}, body);
   for (int k = 0; k < body.coordinates; ++k)
@@ -246,6 +248,20 @@ TEST_CASE("solid reduction: more memory than there is, is refused before it is u
   CHECK_THROWS_WITH_AS(solid::require_memory(body, geometry, 1e10), doctest::Contains("GB"),
                        InputError);
   CHECK_THROWS_AS(solid::require_factor_memory(1e13, 1e10), InputError);
+}
+
+TEST_CASE("solid reduction: modes up to a frequency are refused where there are too many") {
+  solid::SolidProblem problem = make_held_bracket(InterfaceKind::rigid);
+  problem.is_stiffened = false;
+  problem.up_to = 1e3;
+  const double unknowns = 3.0 * static_cast<double>(problem.nodes.size());
+  // Enough for 24 modes and three interfaces' shapes, where the search begins, but not for 48.
+  const double bytes = 8.0 * unknowns * (10.0 * (36.0 + 18.0) + 100.0);
+  const solid::Control control{.memory = bytes / 0.8};
+  CHECK(solid::calc_constants(problem, control).frequencies.size() < 24);
+  problem.up_to = 1e5;
+  CHECK_THROWS_WITH_AS(solid::calc_constants(problem, control),
+                       doctest::Contains("use a lower frequency"), InputError);
 }
 
 TEST_CASE("solid reduction: stresses of nodes under constant strain are that stress") {

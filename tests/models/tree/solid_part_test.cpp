@@ -1,11 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <memory>
 #include <numbers>
 
 #include "models/tree/tree.h"
 #include "tests/approx.h"
 #include "tests/models/reader/solid_texts.h"
 #include "tests/models/reader/spatial_texts.h"
+#include "tests/models/solid/grid_mesh.h"
 
 using doctest::Approx;
 using namespace spoke::spatial;
@@ -82,6 +84,53 @@ TEST_CASE("a changed description does not keep its geometry") {
   const auto changed = spoke::solid::find_geometry(solid);
   CHECK(changed != solid.kept);
   CHECK(changed->geometry.mass == Approx(2 * solid.kept->geometry.mass).epsilon(1e-12));
+}
+
+TEST_CASE("bodies of one description read its mesh once, and keep one geometry") {
+  const std::size_t from = kSolidText.find("[[subsystem]]"), to = kSolidText.find("[[load]]");
+  std::string second = kSolidText.substr(from, to - from);
+  second = edited(second, "name = \"arm\"", "name = \"other\"");
+  const auto solid_of = [](const Model& model, std::size_t subsystem) {
+    return std::get<SolidBody>(model.subsystems[subsystem].bodies[0].shape);
+  };
+  const Model equal = read_solids(kSolidText + second);
+  REQUIRE(solid_of(equal, 1).kept);
+  CHECK(solid_of(equal, 1).kept == solid_of(equal, 0).kept);
+  // Another reduction has constants of its own.
+  const Model other = read_solids(kSolidText + edited(second, "modes = 4", "modes = 5"));
+  CHECK(solid_of(other, 1).mesh == solid_of(other, 0).mesh);
+  CHECK(solid_of(other, 1).kept != solid_of(other, 0).kept);
+  CHECK(solid_of(other, 1).kept->of.modes == 5);
+}
+
+TEST_CASE("coordinates of solids are counted as they are made") {
+  SolidBody body;
+  body.mesh = std::make_shared<SolidMesh>(
+      spoke::test::make_grid_mesh({.cells = {3, 1, 1}, .lengths = {0.6, 0.1, 0.1}}));
+  body.material = SolidMaterial{7e10, 0.33, 2700.0};
+  body.geometric_stiffening = false;
+  const auto count_made = [&](const SolidPart& part) {
+    return find_constants(part, {}).constants->coordinates;
+  };
+  for (const auto first : {InterfaceKind::rigid, InterfaceKind::average})
+    for (const auto last : {InterfaceKind::rigid, InterfaceKind::average})
+      for (const auto frame : {SolidFrame::clamped, SolidFrame::mean_axis})
+        for (const auto coordinates : {SolidCoordinates::reduced, SolidCoordinates::nodal}) {
+          const bool is_nodal = coordinates == SolidCoordinates::nodal;
+          if (is_nodal && frame == SolidFrame::mean_axis) continue;  // is refused
+          CAPTURE(is_nodal);
+          body.interfaces = {{"root", "X0", first}, {"tip", "X1", last}};
+          body.frame = frame;
+          body.coordinates = coordinates;
+          const SolidPart part{spoke::solid::find_geometry(body)};
+          CHECK(count_coordinates(part) == count_made(part));
+        }
+  // Modes up to a frequency come in addition, however many these are.
+  body.coordinates = SolidCoordinates::reduced;
+  body.up_to = 2e4;
+  const SolidPart part{spoke::solid::find_geometry(body)};
+  const auto made = find_constants(part, {}).constants;
+  CHECK(count_coordinates(part) + std::ssize(made->frequencies) == made->coordinates);
 }
 
 TEST_CASE("copies of a subsystem stand around the hub and share what they are made of") {

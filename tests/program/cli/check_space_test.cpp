@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/program/cli/program.h"
@@ -56,6 +57,29 @@ TEST_CASE("check prints solids with their interfaces") {
     CAPTURE(part);
     CHECK(ended.out.find(part) != std::string::npos);
   }
+}
+
+TEST_CASE("check counts coordinates of solids as far as they are known") {
+  const WorkFolder folder;
+  const std::filesystem::path scenario = shipped("solid_bracket");
+  const auto find_size = [&](const std::string& modes) {
+    std::string text = file_text(scenario);
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>{"modes = 20", modes},
+          {"mesh = \"meshes", "mesh = \"" + (scenario.parent_path() / "meshes").string()}}) {
+      REQUIRE(text.find(from) != std::string::npos);
+      text.replace(text.find(from), from.size(), to);
+    }
+    folder.write("scenario.toml", text);
+    const std::string out = run_spoke({"check", "scenario.toml"}, folder).out;
+    const std::size_t line = out.find("in space, ");
+    REQUIRE(line != std::string::npos);
+    return out.substr(line, out.find('\n', line) - line);
+  };
+  // Besides 30 modes: six shapes of the tip, the bearing, three beams of four elements.
+  CHECK(find_size("modes = 30") == "in space, 1 tree, 5 bodies, at most 109 coordinates");
+  CHECK(find_size("up_to = 2000.0") ==
+        "in space, 1 tree, 5 bodies, 79 coordinates and the modes up to a frequency");
 }
 
 TEST_CASE("check prints branches behind the body that they are on") {
