@@ -2,13 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/kernels/load_terms.h"
 #include "engine/simulation.h"
-#include "engine/step/step_graph_builder.h"
-#include "graph/declaration_check.h"
 #include "tests/contains.h"
 #include "tests/engine/solids/solid_models.h"
-#include "tests/engine/step/damaged_graph.h"
+#include "tests/engine/step/step_declarations.h"
 #include "tests/message_of.h"
 
 using namespace spoke;
@@ -82,17 +79,9 @@ TEST_CASE("a load beyond solids that stiffen declares the memory in which they d
        {spatial::SolidCoordinates::reduced, spatial::SolidCoordinates::nodal}) {
     spatial::Model model = make_solid_trees(HubSupport::axle, coordinates);
     model.hub.drive = ConstantSpeed{2.0};
-    SystemContext<Space> context;
-    context.system = make_system(model);
-    context.integrator = {make_generalized_alpha(0.8, 5e-4), {1e-10, 0, 50}};
-    allocate(context);
-    place_loads(ask_loads({make_push({0, 0, 0.0, Vector::Zero(), "tip"}), make_push({0, kMass})}),
-                context.data);
-    const graph::StepGraph graph = build_step_graph(context, 1);
-    set_progress({0.1, 0, true}, context);
-    for (const graph::DeclarationFault& fault : graph::check_declarations(graph))
-      FAIL_CHECK(fault.message);
-    CHECK(graph::conflicts_are_ordered(graph));
+    check_step_declarations(make_system(model), Formulation::structured,
+                            make_generalized_alpha(0.8, 5e-4),
+                            {make_push({0, 0, 0.0, Vector::Zero(), "tip"}), make_push({0, kMass})});
   }
 }
 

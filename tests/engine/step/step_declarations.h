@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/kernels/load_terms.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/step/damaged_graph.h"
@@ -13,12 +14,13 @@ namespace spoke::test {
 /// Checks the declarations in two iterations or stages and in an evaluation, and the order of nodes
 /// that conflict.
 inline void check_step_declarations(const System<Space>& system, Formulation formulation,
-                                    const Method& method) {
+                                    const Method& method, const Loads& loads = {}) {
   SystemContext<Space> context;
   context.system = system;
   context.formulation = formulation;
   context.integrator = {method, {1e-10, 0, 50}};
   allocate(context);
+  place_loads(ask_loads(loads), context.data);
   const graph::StepGraph graph = build_step_graph(context, 1);
   CHECK(graph::conflicts_are_ordered(graph));
   const bool is_implicit = method.index() == 0;

@@ -152,4 +152,15 @@ Drift calc_drift(const System<Space>& system, const Method& method, double secon
   return {std::abs(calc_energy(run) - energy), calc_momentum(run) - momentum};
 }
 
+void check_conservation(const System<Space>& system, double seconds, double step) {
+  const auto drift = [&](const Method& method) { return calc_drift(system, method, seconds); };
+  const Drift whole = drift(Rk4{step}), half = drift(Rk4{0.5 * step});
+  CHECK(half.momentum.norm() < 1e-7);
+  CHECK(whole.momentum.norm() / half.momentum.norm() > 12.0);
+  CHECK(whole.energy / half.energy > 12.0);
+  const Drift coarse = drift(make_generalized_alpha(0.9, 5e-4)),
+              fine = drift(make_generalized_alpha(0.9, 2.5e-4));
+  CHECK(coarse.energy / fine.energy > 3.3);
+}
+
 }  // namespace spoke::test
