@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/blade_choice.h"
+#include "models/damping.h"
 #include "models/drive.h"
 #include "models/loop.h"
 #include "models/vectors.h"
@@ -80,12 +81,6 @@ struct Hub {
   double mass = 0.0;                      ///< mass [kg]; > 0 for a free hub
   double inertia = 1.0;                   ///< moment of inertia about the hub's axis [kg m^2]
   Drive drive{};                          ///< drive of the hub; SpinUp unless set
-};
-
-/// Damping D = mass_factor Mff + stiffness_factor K of the deformation coordinates (Rayleigh).
-struct Damping {
-  double mass_factor = 0.0;       ///< [1/s]
-  double stiffness_factor = 0.0;  ///< [s]
 };
 
 /// Frame in which a load's force is resolved.

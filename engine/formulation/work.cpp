@@ -18,7 +18,8 @@ space::BlockFactors factors_of(const ElasticShares& shares) {
 }
 
 plane::ElasticBlock make_block(const plane::FlexibleBody& body, const ElasticShares& shares) {
-  return make_elastic_block(body, shares.mass_factor, shares.stiffness_factor);
+  return make_elastic_block(body, shares.mass_factor, shares.stiffness_factor,
+                            shares.damping_factor);
 }
 space::Block make_block(const space::Body& body, const ElasticShares& shares) {
   return space::make_block(body, factors_of(shares));
@@ -26,7 +27,8 @@ space::Block make_block(const space::Body& body, const ElasticShares& shares) {
 
 /// Returns the dense Mhat of a body.
 Eigen::MatrixXd make_dense_block(const plane::FlexibleBody& body, const ElasticShares& shares) {
-  return make_dense_elastic_block(body, shares.mass_factor, shares.stiffness_factor);
+  return make_dense_elastic_block(body, shares.mass_factor, shares.stiffness_factor,
+                                  shares.damping_factor);
 }
 Eigen::MatrixXd make_dense_block(const space::Body& body, const ElasticShares& shares) {
   return make_dense_elastic_block(body, factors_of(shares));

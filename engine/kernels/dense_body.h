@@ -11,9 +11,10 @@
 
 namespace spoke {
 
-/// Returns the dense Mhat = mass_factor Mff + stiffness_factor K (nf x nf); empty for a rigid body.
+/// Returns the dense Mhat = mass_factor Mff + stiffness_factor K + damping_factor D (nf x nf), D
+/// the body's own damping; empty for a rigid body.
 Eigen::MatrixXd make_dense_elastic_block(const plane::FlexibleBody& body, double mass_factor,
-                                         double stiffness_factor);
+                                         double stiffness_factor, double damping_factor = 0.0);
 /// In space with the damping of sections and modes as well.
 Eigen::MatrixXd make_dense_elastic_block(const space::Body& body,
                                          const space::BlockFactors& factors);

@@ -36,8 +36,9 @@ Position calc_marker_foreshortening(const Subsystem<Plane>& subsystem,
 
 /// Returns the wrench of the part outboard of a section on the part inboard: axial force and shear
 /// [N], bending moment [N m], in the section's frame, by the element's strains, damping included.
-Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData<Plane>& body,
-                         const plane::Section& section) noexcept;
+/// `modal`: see calc_modal_deformation(); null if there is none.
+Twist calc_section_force(const Blade& blade, const Damping& damping, const double* modal,
+                         const BodyData<Plane>& body, const plane::Section& section) noexcept;
 
 // The same functions for spatial subsystems, where the hub's frame H has z along its axis.
 

@@ -130,14 +130,10 @@ PartSums calc_bending(const TreeBody<Plane>& member, const BodyMotion& motion, c
                                                                  : calc(std::false_type{});
 }
 
-/// Adds the damping D = mass_factor Mff + stiffness_factor K: the force at v_elastic, the power at
-/// qf'.
+/// Adds the damping D = a Mff + b K: the force at v_elastic, the power at qf'.
 template <int Half>
-double add_damping(const Damping& damping, const SymmetricBand<Half>& M,
-                   const SymmetricBand<Half>& K, const double* v_elastic, const double* qd,
-                   double* Q) {
-  const double a = damping.mass_factor;
-  const double b = damping.stiffness_factor;
+double add_damping(double a, double b, const SymmetricBand<Half>& M, const SymmetricBand<Half>& K,
+                   const double* v_elastic, const double* qd, double* Q) {
   double power = 0.0;
   for (int i = 0; i < M.size(); ++i) {
     Q[i] -= a * M.row(i, v_elastic) + b * K.row(i, v_elastic);
@@ -176,10 +172,13 @@ void calc_terms(const BodyMotion& motion, const Damping& damping, BodyData<Plane
   terms.Q = Twist(Q_t.x(), Q_t.y(), -2.0 * w * (axial.inertia_rate + bending.inertia_rate));
   terms.load_power = 0.0;
   terms.dissipation = 0.0;
-  if (damping.mass_factor == 0.0 && damping.stiffness_factor == 0.0) return;
+  const double a = damping.mass_factor, b = damping.stiffness_factor;
+  if (a == 0.0 && b == 0.0 && body.damping.is_zero()) return;
   const FlexParts v_elastic = flex_parts(data.v_elastic, layout);
-  terms.dissipation = add_damping(damping, body.M_axial, body.K_axial, v_elastic.u, qd.u, Q_u) +
-                      add_damping(damping, body.M_bending, body.K_bending, v_elastic.v, qd.v, Q_v);
+  terms.dissipation =
+      add_damping(a, b + body.damping.axial, body.M_axial, body.K_axial, v_elastic.u, qd.u, Q_u) +
+      add_damping(a, b + body.damping.bending, body.M_bending, body.K_bending, v_elastic.v, qd.v,
+                  Q_v);
 }
 
 }  // namespace

@@ -21,12 +21,14 @@ ConstVector bending(const double* flex, const BodyData<Plane>& data) {
 }  // namespace
 
 Eigen::MatrixXd make_dense_elastic_block(const plane::FlexibleBody& body, double mass_factor,
-                                         double stiffness_factor) {
+                                         double stiffness_factor, double damping_factor) {
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(body.coordinates(), body.coordinates());
   dense.topLeftCorner(body.axial(), body.axial()) =
-      mass_factor * body.M_axial.to_dense() + stiffness_factor * body.K_axial.to_dense();
+      mass_factor * body.M_axial.to_dense() +
+      (stiffness_factor + damping_factor * body.damping.axial) * body.K_axial.to_dense();
   dense.bottomRightCorner(body.bending(), body.bending()) =
-      mass_factor * body.M_bending.to_dense() + stiffness_factor * body.K_bending.to_dense();
+      mass_factor * body.M_bending.to_dense() +
+      (stiffness_factor + damping_factor * body.damping.bending) * body.K_bending.to_dense();
   return dense;
 }
 

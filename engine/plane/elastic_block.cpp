@@ -190,11 +190,14 @@ void fill_handle_compliances(ElasticBlock& block) {
 }  // namespace
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, double mass_factor,
-                                double stiffness_factor) {
+                                double stiffness_factor, double damping_factor) {
   ElasticBlock block;
-  block.axial = BandFactor<1>(combine(mass_factor, body.M_axial, stiffness_factor, body.K_axial));
-  block.bending =
-      BandFactor<3>(combine(mass_factor, body.M_bending, stiffness_factor, body.K_bending));
+  block.axial =
+      BandFactor<1>(combine(mass_factor, body.M_axial,
+                            stiffness_factor + damping_factor * body.damping.axial, body.K_axial));
+  block.bending = BandFactor<3>(combine(mass_factor, body.M_bending,
+                                        stiffness_factor + damping_factor * body.damping.bending,
+                                        body.K_bending));
   block.W_x = block.axial.solve(body.S_axial);
   block.W_y = block.bending.solve(body.S_bending);
   block.S_Wx = body.S_axial.dot(block.W_x);

@@ -52,9 +52,10 @@ struct BandSystem {
 void solve_together(const BandSystem<1>& axial, const BandSystem<3>& bending,
                     Double2* scratch) noexcept;
 
-/// The constant block Mhat = mass_factor Mff + stiffness_factor K of a body, factorised, with its
-/// constant solutions. An explicit evaluation has factors (1, 0); one of the linearly implicit
-/// generalized-alpha adds its step's shares of D and K (docs/formulation.md, section 5).
+/// The constant block Mhat = mass_factor Mff + stiffness_factor K + damping_factor D of a body, D
+/// its own damping, factorised, with its constant solutions. An explicit evaluation has factors (1,
+/// 0); one of the linearly implicit generalized-alpha adds its step's shares of D and K
+/// (docs/formulation.md, section 5).
 struct ElasticBlock {
   BandFactor<1> axial;
   BandFactor<3> bending;
@@ -84,6 +85,6 @@ struct ElasticBlock {
 };
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, double mass_factor,
-                                double stiffness_factor);
+                                double stiffness_factor, double damping_factor = 0.0);
 
 }  // namespace spoke::plane

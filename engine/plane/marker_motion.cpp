@@ -102,12 +102,15 @@ Position calc_marker_foreshortening(const Subsystem<Plane>& subsystem,
   return sum;
 }
 
-Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyData<Plane>& body,
-                         const plane::Section& section) noexcept {
-  const auto with_damping = [&](const auto& shape, const auto& places) {
-    return plane::value_at(shape, places, body.coordinates.q) +
-           damping.stiffness_factor * plane::value_at(shape, places, body.coordinates.v);
+Twist calc_section_force(const Blade& blade, const Damping& damping, const double* modal,
+                         const BodyData<Plane>& body, const plane::Section& section) noexcept {
+  const auto damped = [&](double own, const auto& shape, const auto& places) {
+    const double strain =
+        plane::value_at(shape, places, body.coordinates.q) +
+        (damping.stiffness_factor + own) * plane::value_at(shape, places, body.coordinates.v);
+    return modal ? strain + plane::value_at(shape, places, modal) : strain;
   };
+  const plane::StrainDamping& own = body.model->body->damping;
   double axial_stiffness = blade.youngs_modulus * blade.area;
   double bending_stiffness = blade.youngs_modulus * blade.second_moment;
   double stiffness_slope = 0.0;
@@ -119,10 +122,10 @@ Twist calc_section_force(const Blade& blade, const Damping& damping, const BodyD
     stiffness_slope = piece.slope(piece.bending_stiffness);
   }
   // The shear force is -(EI v'')'.
-  const double curvature = with_damping(section.curvature, section.bending_at);
+  const double curvature = damped(own.bending, section.curvature, section.bending_at);
   const double shear =
-      -bending_stiffness * with_damping(section.curvature_change, section.bending_at);
-  return {axial_stiffness * with_damping(section.strain, section.axial_at),
+      -bending_stiffness * damped(own.bending, section.curvature_change, section.bending_at);
+  return {axial_stiffness * damped(own.axial, section.strain, section.axial_at),
           shear - stiffness_slope * curvature, bending_stiffness * curvature};
 }
 

@@ -27,8 +27,23 @@ int count_negative(const TwistMatrix& symmetric) {
   return static_cast<int>((solver.eigenvalues().array() < 0.0).count());
 }
 
+/// The coordinates of nodes (u, v, psi) that take part in a motion.
+using Moving = std::array<bool, kTwist>;
+constexpr Moving kAll{true, true, true}, kOnlyAxial{true, false, false},
+    kOnlyBending{false, true, true};
+
+/// Holds the coordinates that do not move, as springs of their own would: none of them counts.
+void hold_others(const Moving& moving, BeamElement::Matrix& A) {
+  for (int i = 0; i < A.rows(); ++i) {
+    if (moving[static_cast<std::size_t>(i % kTwist)]) continue;
+    A.row(i).setZero();
+    A.col(i).setZero();
+    A(i, i) = 1.0;
+  }
+}
+
 /// Eliminates a blade's nodes from the tip; `rest` is its dynamic stiffness at the root node.
-Elimination eliminate(const Blade& blade, double frequency) {
+Elimination eliminate(const Blade& blade, double frequency, const Moving& moving = kAll) {
   constexpr int d = kTwist;
   const bool is_equal = is_uniform(blade);
   std::vector<BeamElement> elements;
@@ -38,7 +53,8 @@ Elimination eliminate(const Blade& blade, double frequency) {
       elements = make_beam_elements(make_beam_properties(blade, j));
     for (int e = blade.elements; e > 0; --e) {
       const BeamElement& element = elements[std::min<std::size_t>(e, elements.size()) - 1];
-      const BeamElement::Matrix A = element.stiffness - frequency * frequency * element.mass;
+      BeamElement::Matrix A = element.stiffness - frequency * frequency * element.mass;
+      if (moving != kAll) hold_others(moving, A);
       const TwistMatrix pivot = sum.rest + A.bottomRightCorner<d, d>();
       sum.negative += count_negative(pivot);
       sum.rest = A.topLeftCorner<d, d>() -
@@ -69,18 +85,30 @@ int count_coordinates(const Rotor& rotor) {
 }
 
 /// Returns the smallest frequency below which at least `count` others lie, by bisection to
-/// round-off.
-double find_frequency(const Rotor& rotor, int count) {
-  assert(count > 0 && count <= count_coordinates(rotor));
+/// round-off; count_below(frequency) counts them.
+template <class CountBelow>
+double bisect(int count, const CountBelow& count_below) {
   double high = 1.0;
-  while (count_frequencies_below(rotor, high) < count) high *= 2.0;
+  while (count_below(high) < count) high *= 2.0;
   double low = high;
-  while (low > 1e-6 && count_frequencies_below(rotor, low) >= count) low /= 2.0;
+  while (low > 1e-6 && count_below(low) >= count) low /= 2.0;
   for (int k = 0; k < 50 && high - low > 1e-13 * high; ++k) {
     const double middle = 0.5 * (low + high);
-    (count_frequencies_below(rotor, middle) >= count ? high : low) = middle;
+    (count_below(middle) >= count ? high : low) = middle;
   }
   return 0.5 * (low + high);
+}
+
+double find_frequency(const Rotor& rotor, int count) {
+  assert(count > 0 && count <= count_coordinates(rotor));
+  return bisect(count, [&](double frequency) { return count_frequencies_below(rotor, frequency); });
+}
+
+/// Returns the highest frequency of a blade that is held at its root, at rest [rad/s].
+double find_highest_frequency(const Blade& blade, const Moving& moving) {
+  const auto per_node = static_cast<int>(std::count(moving.begin(), moving.end(), true));
+  return bisect(per_node * blade.bodies * blade.elements,
+                [&](double frequency) { return eliminate(blade, frequency, moving).negative; });
 }
 
 using Complex = std::complex<double>;
@@ -193,12 +221,28 @@ double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping
 
 double calc_rk4_step_with_drag(const FrequencyRange& range, const Rotor& rotor) {
   constexpr int kShares = 8;
-  const double drag = calc_total_damping(rotor).mass_factor - rotor.damping.mass_factor;
-  double largest = calc_rk4_largest_step(range, rotor.damping);
-  for (int k = 1; drag > 0.0 && k <= kShares; ++k) {
-    const double factor = rotor.damping.mass_factor + drag * k / kShares;
-    largest = std::min(
-        largest, calc_rk4_largest_step(range, Damping{factor, rotor.damping.stiffness_factor}));
+  const Damping& damping = rotor.damping;
+  const double drag = calc_total_damping(rotor).mass_factor - damping.mass_factor;
+  const auto find_limit = [&](const FrequencyRange& part, double stiffness_factor) {
+    double largest = calc_rk4_largest_step(part, {damping.mass_factor, stiffness_factor});
+    for (int k = 1; drag > 0.0 && k <= kShares; ++k) {
+      const double factor = damping.mass_factor + drag * k / kShares;
+      largest = std::min(largest, calc_rk4_largest_step(part, {factor, stiffness_factor}));
+    }
+    return largest;
+  };
+  double largest = find_limit(range, damping.stiffness_factor);
+  for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
+    const Blade& blade = rotor.blades[i];
+    if (i > 0 && have_equal_dynamics(blade, rotor.blades[i - 1])) continue;
+    const StrainDamping strains = find_strain_damping(blade, damping);
+    const auto limit = [&](double own, const Moving& moving) {
+      if (own == 0.0) return;
+      const double highest = find_highest_frequency(blade, moving);
+      largest = std::min(largest, find_limit({highest, highest}, damping.stiffness_factor + own));
+    };
+    limit(strains.axial, kOnlyAxial);
+    limit(strains.bending, kOnlyBending);
   }
   return largest;
 }

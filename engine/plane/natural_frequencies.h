@@ -46,7 +46,9 @@ double calc_rk4_limit(std::complex<double> root);
 double calc_rk4_largest_step(const FrequencyRange& range, const Damping& damping);
 
 /// Returns that step for a rotor with linear drag, which damps some vibrations by all that it can
-/// add, others by a part or not at all: the least of shares in eighths.
+/// add, others by a part or not at all: the least of shares in eighths. Damping by direction or by
+/// modes is that of the highest frequencies in each direction; of the modes that have ratios of
+/// their own, less than 1, none limits the step.
 double calc_rk4_step_with_drag(const FrequencyRange& range, const Rotor& rotor);
 
 }  // namespace spoke::plane

@@ -101,7 +101,7 @@ class SubsystemScene {
         placements_(calc_placements(tree)),
         surfaces_(surfaces),
         scene_(scene) {
-    for (const spatial::Beam& beam : tree.beams) beams_.push_back(make_space_beam(beam, 0.0));
+    for (const spatial::Beam& beam : tree.beams) beams_.push_back(make_space_beam(beam));
   }
 
   void add() {

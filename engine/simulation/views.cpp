@@ -11,6 +11,7 @@
 #include "engine/kernels/load_terms.h"
 #include "engine/kernels/loop_readings.h"
 #include "engine/kernels/marker_motion.h"
+#include "engine/kernels/modal_damping.h"
 #include "engine/plane/section.h"
 #include "engine/space/relative_motion.h"
 #include "models/error.h"
@@ -131,16 +132,19 @@ Wrench calc_section_force(const Rotor& rotor, const SystemContext<Plane>& contex
                           const Marker& marker) {
   const PlacedMarker<Plane> placed = place_marker("the marker", marker, context.data);
   const auto index = static_cast<std::size_t>(marker.blade);
-  return wrench_in_space(calc_section_force(
-      rotor.blades[index], context.system.damping,
-      context.data.subsystems[index].bodies[static_cast<std::size_t>(marker.body)],
-      placed.section));
+  const SubsystemData<Plane>& data = context.data.subsystems[index];
+  const BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(marker.body)];
+  const std::vector<double> modal = calc_modal_deformation(data, body);
+  return wrench_in_space(calc_section_force(rotor.blades[index], context.system.damping,
+                                            modal.empty() ? nullptr : modal.data(), body,
+                                            placed.section));
 }
 
 Wrench calc_section_force(const SystemContext<Space>& context, const Marker& marker) {
   const PlacedMarker<Space> placed = place_marker("the marker", marker, context.data);
-  const BodyData<Space>& body = context.data.subsystems[static_cast<std::size_t>(marker.blade)]
-                                    .bodies[static_cast<std::size_t>(marker.body)];
+  const SubsystemData<Space>& data =
+      context.data.subsystems[static_cast<std::size_t>(marker.blade)];
+  const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(marker.body)];
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible)
     throw InputError("section_force(): the marker is on a " +
@@ -149,9 +153,13 @@ Wrench calc_section_force(const SystemContext<Space>& context, const Marker& mar
   const auto resultants = [&](const double* flex) {
     return calc_section_load(*flexible, placed.section, flex).resultants;
   };
-  return wrench_in_space(
-      space::Twist(resultants(body.coordinates.q) +
-                   context.system.damping.stiffness_factor * resultants(body.coordinates.v)));
+  space::Twist sum = resultants(body.coordinates.q) +
+                     context.system.damping.stiffness_factor * resultants(body.coordinates.v);
+  if (flexible->is_damped)
+    sum += calc_section_damping(*flexible, placed.section, body.coordinates.v);
+  if (const std::vector<double> modal = calc_modal_deformation(data, body); !modal.empty())
+    sum += resultants(modal.data());
+  return wrench_in_space(sum);
 }
 
 MarkerState calc_hub_frame(const SystemContext<Plane>& context, double) {

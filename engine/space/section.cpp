@@ -151,17 +151,32 @@ void add_section_wrench(const Section& section, const HandleMotion& motion, cons
   for (int i = 0; i < 2 * kTwist; ++i) rows[4 * i + 3] += force[i];
 }
 
-SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
-                              const double* q) noexcept {
+namespace {
+
+/// Returns the resultants by a matrix of the element's relative motion: its stiffness or damping.
+Twist calc_resultants(const FlexibleBody& body, const Section& section, TwistMatrix BeamElement::*m,
+                      const double* flex) noexcept {
   assert(section.element >= 0 && section.element < body.elements);
   const BeamElement& element = body.beam[static_cast<std::size_t>(section.element)];
-  const ElementCoordinates x(body, section.element, q);
+  const ElementCoordinates x(body, section.element, flex);
   double d[kTwist];
   Twist wrench;
   calc_relative(element, x.values, d);
-  multiply(element.stiffness.data(), d).store_to(wrench.data());
+  multiply((element.*m).data(), d).store_to(wrench.data());
+  return section.W.lazyProduct(wrench);
+}
+
+}  // namespace
+
+Twist calc_section_damping(const FlexibleBody& body, const Section& section,
+                           const double* v) noexcept {
+  return calc_resultants(body, section, &BeamElement::damping, v);
+}
+
+SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
+                              const double* q) noexcept {
   SectionLoad load;
-  load.resultants = section.W.lazyProduct(wrench);
+  load.resultants = calc_resultants(body, section, &BeamElement::stiffness, q);
   load.strains = section.compliance.lazyProduct(load.resultants);
   return load;
 }

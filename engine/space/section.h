@@ -71,5 +71,8 @@ struct SectionLoad {
 };
 SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
                               const double* q) noexcept;
+/// Returns the resultants by the damping of the element at its velocities v.
+Twist calc_section_damping(const FlexibleBody& body, const Section& section,
+                           const double* v) noexcept;
 
 }  // namespace spoke::space

@@ -137,7 +137,7 @@ void SteadySystem<World>::set_undeformed() {
     }
     for (std::size_t j = 0; j < data(i).bodies.size(); ++j) {
       data(i).bodies[j].q_elastic = q[j].data();
-      data(i).bodies[j].v_elastic = v[j].data();
+      data(i).bodies[j].v_elastic = data(i).bodies[j].v_modal = v[j].data();
     }
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(std::ssize(list));
     SubsystemResponse response;
@@ -395,6 +395,27 @@ Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t subsystem) {
   return twists;
 }
 
+namespace {
+
+/// Returns what the modes of beams add to D of a subsystem's coordinates.
+template <class World>
+Eigen::MatrixXd calc_modal_damping(const Subsystem<World>& subsystem, Eigen::Index coordinates) {
+  const auto modes = std::ssize(subsystem.modal_factors);
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(coordinates, modes);
+  Eigen::Index at = 0;
+  for (const TreeBody<World>& body : subsystem.bodies) {
+    at += count_joint_coordinates(body);
+    const ModalShare& share = body.modal;
+    if (!share.is_empty())
+      weights.block(at, share.first, share.weights.rows(), share.weights.cols()) = share.weights;
+    at += body.body->coordinates();
+  }
+  const auto factors = Eigen::Map<const Eigen::VectorXd>(subsystem.modal_factors.data(), modes);
+  return weights * factors.asDiagonal() * weights.transpose();
+}
+
+}  // namespace
+
 template <class World>
 SubsystemMatrices SteadySystem<World>::matrices(std::size_t subsystem) {
   assert(subsystem < subsystems());
@@ -421,6 +442,8 @@ SubsystemMatrices SteadySystem<World>::matrices(std::size_t subsystem) {
       result.damping.block(at, at, nf, nf) = calc_body_damping(context_.system.damping, body);
     at += nf;
   }
+  const Subsystem<World>& model = context_.system.subsystems[subsystem];
+  if (!model.modal_factors.empty()) result.damping += calc_modal_damping(model, n);
   TwistMatrixOf<World> hub = TwistMatrixOf<World>::Zero();
   rotary(hub) -= stiffening.inertia;
   result.mass.topLeftCorner(kHub, kHub) += hub;

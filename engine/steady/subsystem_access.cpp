@@ -167,7 +167,8 @@ Eigen::MatrixXd calc_body_stiffness(const BodyData<Space>& body) {
 }
 
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Plane>& body) {
-  return make_dense_elastic_block(*body.model->body, damping.mass_factor, damping.stiffness_factor);
+  return make_dense_elastic_block(*body.model->body, damping.mass_factor, damping.stiffness_factor,
+                                  1.0);
 }
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Space>& body) {
   return make_dense_elastic_block(*body.model->body,

@@ -89,6 +89,7 @@ void allocate(SystemContext<World>& context, int window_steps) {
       CoordinateBlock& block = body.coordinates;
       body.q_elastic = alpha ? block.history[GeneralizedAlpha::predicted_q] : block.q;
       body.v_elastic = alpha ? block.history[GeneralizedAlpha::predicted_v] : block.v;
+      body.v_modal = block.v;
       if (!alpha) body.a_found = block.a;
     }
   allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),

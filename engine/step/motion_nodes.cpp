@@ -9,6 +9,7 @@
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/load_terms.h"
+#include "engine/kernels/modal_damping.h"
 #include "engine/plane/handle_motion.h"
 #include "engine/plane/section_loads.h"
 #include "engine/space/table_terms.h"
@@ -151,9 +152,14 @@ void add_velocity(const Assembly<World>& g, int i) {
       accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
     if (table.is_coupled) accelerations.push_back(g.parts.hub_coordinates);
   }
+  PartList modal;
+  if (!data.modal_forces.empty()) {
+    outputs.push_back(own.modal_forces);
+    modal = own.all(&BodyParts::coordinates);
+  }
   g.builder.add_node(g.label(stages::kVelocity, i),
                      reads(own.progress, chain_coordinates(g, i), own.rotations, own.hub_state,
-                           azimuth, accelerations),
+                           azimuth, accelerations, modal),
                      writes(outputs),
                      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
                                                     has_tension]() noexcept {
@@ -162,6 +168,7 @@ void add_velocity(const Assembly<World>& g, int i) {
                        calc_velocities(subsystem, data);
                        if (has_tension)
                          set_angular_accelerations(system, static_cast<std::size_t>(i), table);
+                       if (!data.modal_forces.empty()) calc_modal_forces(subsystem, data);
                        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
                      }));
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/kernels/applied_forces.h"
+#include "engine/kernels/modal_damping.h"
 #include "engine/plane/table_terms.h"
 #include "engine/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
@@ -70,6 +71,7 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
     if (has_coordinates(member) || !own.bodies[j].tension.empty())
       inputs.push_back(own.bodies[j].accelerations);
   }
+  if (!member.modal.is_empty()) inputs.push_back(own.modal_forces);
   const PartList loads = loads_on(g, i, j);
   inputs.insert(inputs.end(), loads.begin(), loads.end());
   const SubsystemData<World>& data = g.c.data.subsystems[i];
@@ -142,6 +144,9 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   g.builder.add_node(g.label(stages::kMass, i, j), reads(inputs), writes(outputs),
                      unless_halted(*data.progress, [&c, &data, i, j]() noexcept {
                        calc_mass_terms(c, i, j, data);
+                       BodyData<World>& body = data.bodies[static_cast<std::size_t>(j)];
+                       if (!body.model->modal.is_empty())
+                         add_modal_damping(data.modal_forces, body);
                      }));
 }
 

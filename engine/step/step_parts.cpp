@@ -185,6 +185,9 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
     sums.push_back(bytes_of(data.applied_forces[0], data.applied_forces.size()));
     parts.applied_forces = builder.add_part(name + "applied forces", sums);
   }
+  if (!data.modal_forces.empty())
+    parts.modal_forces = builder.add_part(
+        name + "modal forces", {bytes_of(data.modal_forces[0], data.modal_forces.size())});
   parts.wrenches = builder.add_part(name + "wrenches", memory_of_wrenches(data));
   parts.samples = add_ring(name + "samples", data.samples, builder);
   Memory joint_loads{bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)};

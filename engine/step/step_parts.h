@@ -44,6 +44,7 @@ struct SubsystemParts {
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
   graph::PartId drag_poses;             ///< if there are any
   graph::PartId applied_forces;         ///< if a tension depends on them
+  graph::PartId modal_forces;           ///< if modes damp beams
   graph::PartId joint_loads, readings;  ///< with the load of the root; if there are sensors
   graph::PartId progress, hub_state, hub_acceleration;  ///< own ones, or the system's if coupled
   graph::PartId records;                                ///< if not coupled

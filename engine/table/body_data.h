@@ -51,6 +51,7 @@ struct BodyData : BodyTypes<World>::Fields {
   CoordinateBlock coordinates;
   const double* q_elastic = nullptr;  ///< coordinates in the elastic force (flex vector)
   const double* v_elastic = nullptr;  ///< velocities in the damping force (flex vector)
+  const double* v_modal = nullptr;    ///< velocities in the damping by modes (flex vector)
 
   typename Types::Terms terms;
   double* a_found =

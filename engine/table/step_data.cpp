@@ -79,6 +79,7 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     total += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
              count_fields(subsystem.bodies[j], options.history);
   }
+  data.modal_forces = ArenaVector<double>(subsystem.modal_factors.size(), 0.0, arena);
   data.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = data.storage.data();
   for (BodyData<World>& body : data.bodies) {

@@ -107,6 +107,9 @@ struct alignas(kInterferenceSize) SubsystemData {
   /// that carries it hands it on, hub frame [N], and at the end that of all that is applied; empty
   /// unless a tension depends on them.
   ArenaVector<PositionOf<World>> applied_forces;
+  /// Forces of the modes that damp its beams, modal_factors times the modes' velocities; empty if
+  /// there are none.
+  ArenaVector<double> modal_forces;
   LoopData<World> loops;
   /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
   const PositionOf<World>* flight_acceleration = nullptr;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <compare>
 #include <memory>
 #include <vector>
 
@@ -44,6 +45,15 @@ struct AxialBendingCoupling {
   void transpose();
 };
 
+/// Damping of a body in proportion to its stiffness, besides that of the whole system.
+struct StrainDamping {
+  double axial = 0.0;    ///< factor of K_axial [s]
+  double bending = 0.0;  ///< factor of K_bending [s]
+
+  bool is_zero() const { return axial == 0.0 && bending == 0.0; }
+  auto operator<=>(const StrainDamping&) const = default;
+};
+
 /// Constant integrals over one body, in its frame (x along the undeformed axis). Bodies of one kind
 /// share one object.
 struct FlexibleBody {
@@ -66,6 +76,7 @@ struct FlexibleBody {
   SymmetricBand<1> K_axial;    ///< elastic stiffness, axial [N/m]
   SymmetricBand<3> K_bending;  ///< elastic stiffness, bending [N/m, N, N m]
   AxialBendingCoupling H;
+  StrainDamping damping;
 
   Handle inboard;
   Handle outboard;

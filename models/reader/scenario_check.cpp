@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "models/reader/damping.h"
 #include "models/reader/loop_faults.h"
 #include "models/reader/scenario_fields.h"
 #include "models/reader/scenario_sensors.h"
@@ -200,6 +201,8 @@ void check_rotor(const Rotor& rotor) {
   check_numbers("gravity.acceleration", rotor.gravity, kGravity);
   check("gravity.ramp", rotor.gravity_ramp, kRamp);
   check_fields("damping", rotor.damping);
+  const DampingFault beams_fault = find_damping_fault(rotor.damping, DampedBeams(rotor.blades));
+  if (!beams_fault.text.empty()) fail("damping." + beams_fault.key, beams_fault.text);
   const std::string damping_fault = find_mass_factor_fault(rotor.damping, rotor.blades);
   if (!damping_fault.empty()) fail("damping.mass_factor", damping_fault);
   check_all_loads(rotor);

@@ -2,6 +2,7 @@
 
 #include "models/reader/scenario_json.h"
 
+#include "models/reader/damping.h"
 #include "models/reader/drive_json.h"
 #include "models/reader/loop_json.h"
 #include "models/reader/spatial/model_json.h"
@@ -173,8 +174,7 @@ void add_rotor(const Rotor& rotor, Json& json) {
   json.set("blades", std::move(blades));
   add_anchors(rotor.anchors, true, json);
   json.set("gravity", gravity);
-  json.set("damping", {{"mass_factor", rotor.damping.mass_factor},
-                       {"stiffness_factor", rotor.damping.stiffness_factor}});
+  json.set("damping", damping_to_json(rotor.damping));
   json.set("load", to_list(rotor.loads));
   add_loads("distributed_load", rotor.distributed_loads, json);
   add_loads("drag", rotor.drags, json);

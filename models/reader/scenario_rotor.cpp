@@ -8,6 +8,7 @@
 
 #include "models/reader/blade_sections.h"
 #include "models/reader/curve_reader.h"
+#include "models/reader/damping.h"
 #include "models/reader/field_reader.h"
 #include "models/reader/loop_reader.h"
 #include "models/reader/scenario_loads.h"
@@ -194,10 +195,9 @@ Rotor read_rotor(const TomlSection& root) {
     rotor.gravity = Position::Map(acceleration.data());
   }
   rotor.gravity_ramp = gravity.number("ramp", kRamp, rotor.gravity_ramp);
-  const TomlSection damping = root.section("damping", {"mass_factor", "stiffness_factor"});
-  visit_fields(rotor.damping, FieldReader{damping});
+  rotor.damping = read_damping(root, DampedBeams(rotor.blades));
   const std::string fault = find_mass_factor_fault(rotor.damping, rotor.blades);
-  if (!fault.empty()) damping.fail("mass_factor", fault);
+  if (!fault.empty()) root.fail_at("damping.mass_factor", fault);
   read_loads(root, rotor);
   return rotor;
 }

@@ -39,6 +39,10 @@ struct Beam {
   std::vector<PointMass> masses;
   /// Damping in proportion to the stiffness, a factor [s] for each strain.
   Twist damping = Twist::Zero();
+  /// Damping in proportion to the whole stiffness, besides [s].
+  double stiffness_damping = 0.0;
+
+  bool is_damped() const { return !damping.isZero(0.0) || stiffness_damping != 0.0; }
 
   SectionMatrices section(double x) const;
   double twist_at(double x) const;

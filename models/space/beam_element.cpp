@@ -245,7 +245,9 @@ BeamElement make_element(const Beam& beam, const BodyGeometry& geometry,
       add_point_mass(place(element, inner, make_slice(beam, geometry, point)), element);
   const Matrix6 stiffness = flexibility.elastic.llt().solve(Matrix6::Identity());
   element.stiffness = 0.5 * (stiffness + stiffness.transpose());
-  element.damping = stiffness * flexibility.damping * stiffness;
+  const Matrix6 damping = stiffness * flexibility.damping * stiffness;
+  element.damping =
+      0.5 * (damping + damping.transpose()) + beam.stiffness_damping * element.stiffness;
   return element;
 }
 

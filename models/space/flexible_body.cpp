@@ -175,7 +175,7 @@ FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
   body.handles = std::move(handles);
   body.beam = make_beam_elements(beam, geometry);
   body.is_straight = beam.curve.is_straight();
-  body.is_damped = !beam.damping.isZero(0.0);
+  body.is_damped = beam.is_damped();
   for (int e = 0; e < body.elements; ++e) {
     const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
     add_elastic(element, e, body);

@@ -120,6 +120,10 @@ StiffnessAndMass interpolate(const StiffnessAndMass& a, const StiffnessAndMass& 
 TwistMatrix damped_compliance(const TwistMatrix& compliance, const Twist& factors) {
   assert(factors.minCoeff() >= 0.0);
   using Matrix = Eigen::Matrix<double, kTwist, kTwist>;
+  // Without couplings each strain has its factor, to the last bit: the zeros of decoupled bodies
+  // stay zeros.
+  if (const Twist own = compliance.diagonal(); compliance == TwistMatrix(own.asDiagonal()))
+    return TwistMatrix(factors.cwiseProduct(own).asDiagonal());
   // A section that is rigid in shear has no stiffness matrix: any generalised inverse G, with F G F
   // = F, stands for it. It is taken of F scaled to a unit diagonal, whose rank shows.
   Twist scale = Twist::Ones();

@@ -8,12 +8,21 @@
 
 namespace spoke {
 
-std::shared_ptr<const space::Beam> SharedBodies::find_or_make(const spatial::Beam& beam) {
-  const auto at = std::find_if(beams_.begin(), beams_.end(),
-                               [&beam](const auto& made) { return *made.first == beam; });
-  if (at != beams_.end()) return at->second;
-  auto made = std::make_shared<const space::Beam>(spatial::make_space_beam(beam, 0.0));
-  return beams_.emplace_back(&beam, std::move(made)).second;
+SharedBodies::MadeBeam SharedBodies::find_or_make(const spatial::Beam& beam,
+                                                  const std::vector<double>& nodes) {
+  const bool has_modes = !damping_.modes.ratios.empty();
+  const auto at = std::find_if(beams_.begin(), beams_.end(), [&](const KnownBeam& known) {
+    return *known.described == beam && (!has_modes || known.nodes == nodes);
+  });
+  if (at != beams_.end()) return at->made;
+  space::Beam made = spatial::make_space_beam(beam, damping_.directions);
+  std::shared_ptr<const BeamModes> modes;
+  if (has_modes) {
+    modes = std::make_shared<const BeamModes>(find_damped_modes(made, nodes, damping_.modes));
+    made.stiffness_damping = modes->stiffness_factor;
+  }
+  const auto shared = std::make_shared<const space::Beam>(std::move(made));
+  return beams_.emplace_back(KnownBeam{&beam, nodes, {shared, modes}}).made;
 }
 
 SharedBodies::Pointer SharedBodies::find_or_make_body(

@@ -11,6 +11,7 @@
 #include "models/solid/solid.h"
 #include "models/space/body.h"
 #include "models/spatial_model.h"
+#include "models/system/beam_modes.h"
 #include "models/tree/solid_part.h"
 
 namespace spoke {
@@ -20,11 +21,18 @@ class SharedBodies {
  public:
   using Pointer = std::shared_ptr<const space::Body>;
 
-  /// `control`: of what takes seconds.
-  explicit SharedBodies(const solid::Control& control) : control_(control) {}
+  /// A beam, and the modes that damp it.
+  struct MadeBeam {
+    std::shared_ptr<const space::Beam> beam;
+    std::shared_ptr<const BeamModes> modes;  ///< none: it is not damped by modes
+  };
 
-  /// Finds or makes a beam. `beam` must outlive this.
-  std::shared_ptr<const space::Beam> find_or_make(const spatial::Beam& beam);
+  /// `damping`: of beams; `control`: of what takes seconds. Both must outlive this.
+  SharedBodies(const Damping& damping, const solid::Control& control)
+      : damping_(damping), control_(control) {}
+
+  /// Finds or makes a beam; `nodes`: the stations of all its nodes. `beam` must outlive this.
+  MadeBeam find_or_make(const spatial::Beam& beam, const std::vector<double>& nodes);
   /// Returns the body between the first and the last of its nodes, which are stations of the beam.
   Pointer find_or_make_body(const std::shared_ptr<const space::Beam>& beam,
                             const std::vector<double>& nodes, ReferenceFrame frame,
@@ -36,8 +44,16 @@ class SharedBodies {
   /// A beam has one reference frame, which the key therefore lacks.
   using Key = std::tuple<const space::Beam*, std::vector<double>, std::vector<int>>;
 
+  /// A beam of the description, and its nodes where these decide about its modes.
+  struct KnownBeam {
+    const spatial::Beam* described;
+    std::vector<double> nodes;
+    MadeBeam made;
+  };
+
+  const Damping& damping_;
   const solid::Control& control_;
-  std::vector<std::pair<const spatial::Beam*, std::shared_ptr<const space::Beam>>> beams_;
+  std::vector<KnownBeam> beams_;
   std::map<Key, Pointer> bodies_;
   std::map<std::pair<const space::SolidConstants*, std::vector<int>>, Pointer> solids_;
 };

@@ -71,13 +71,15 @@ class SubsystemMaker {
         centre_(centre),
         placements_(calc_placements(tree)),
         shared_(made) {
-    for (const spatial::Beam& beam : tree.beams) beams_.push_back(made.find_or_make(beam));
+    for (std::size_t k = 0; k < tree.beams.size(); ++k)
+      beams_.push_back(made.find_or_make(tree.beams[k], nodes_of(k)));
   }
 
   /// Makes the subsystem. `loads`: by body, as the description resolves them.
   Subsystem<Space> make(std::vector<std::vector<BodyLoad<Space>>> loads) {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
+    for (std::size_t k = 0; k < beams_.size(); ++k) add_modes(k);
     for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
@@ -97,6 +99,42 @@ class SubsystemMaker {
   }
   const spatial::SolidPart* solid(std::size_t j) const {
     return std::get_if<spatial::SolidPart>(&body(j).shape);
+  }
+
+  /// Returns the bodies that are parts of a beam, from its root to its tip.
+  std::vector<std::size_t> parts_of(std::size_t beam) const {
+    std::vector<std::size_t> parts;
+    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
+      if (flexible(j) && flexible(j)->beam == beam) parts.push_back(j);
+    std::sort(parts.begin(), parts.end(), [this](std::size_t a, std::size_t b) {
+      return flexible(a)->nodes.front() < flexible(b)->nodes.front();
+    });
+    return parts;
+  }
+
+  /// Returns the stations of all nodes of a beam. The last node of a part is the first of the next.
+  std::vector<double> nodes_of(std::size_t beam) const {
+    std::vector<double> nodes;
+    for (const std::size_t j : parts_of(beam)) {
+      if (!nodes.empty()) nodes.pop_back();
+      nodes.insert(nodes.end(), flexible(j)->nodes.begin(), flexible(j)->nodes.end());
+    }
+    return nodes;
+  }
+
+  /// Shares the modes that damp a beam out to its parts.
+  void add_modes(std::size_t beam) {
+    const BeamModes* modes = beams_[beam].modes.get();
+    if (!modes) return;
+    int node = 0;
+    for (const std::size_t j : parts_of(beam)) {
+      const space::FlexibleBody& body = *made_.bodies[j].body->flexible();
+      made_.bodies[j].modal = make_modal_share(*modes, body, node);
+      made_.bodies[j].modal.first = static_cast<int>(made_.modal_factors.size());
+      node += body.elements;
+    }
+    made_.modal_factors.insert(made_.modal_factors.end(), modes->factors.begin(),
+                               modes->factors.end());
   }
 
   /// Returns a body's frame B in the body's frame of the description.
@@ -187,7 +225,7 @@ class SubsystemMaker {
   void add_body(std::size_t j) {
     TreeBody<Space>& made = made_.bodies[j];
     if (const spatial::FlexibleBody* part = flexible(j)) {
-      made.body = shared_.find_or_make_body(beams_[part->beam], part->nodes,
+      made.body = shared_.find_or_make_body(beams_[part->beam].beam, part->nodes,
                                             tree_.beams[part->beam].reference_frame, handles_of(j));
       return;
     }
@@ -411,7 +449,7 @@ class SubsystemMaker {
   /// Placements of bodies in the frame of the description's hub.
   std::vector<Placement> placements_;
   SharedBodies& shared_;
-  std::vector<std::shared_ptr<const space::Beam>> beams_;  ///< beams of the tree
+  std::vector<SharedBodies::MadeBeam> beams_;  ///< beams of the tree
   Subsystem<Space> made_;
 };
 
@@ -465,7 +503,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
     system.hub_loads.push_back(make_hub_load(load, to_axis));
   space::Position centre = space::Position::Zero();
   if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
-  SharedBodies bodies(control);
+  SharedBodies bodies(model.damping, control);
   for (std::size_t i = 0; i < trees.size(); ++i)
     system.subsystems.push_back(SubsystemMaker(trees[i], to_axis, centre, bodies)
                                     .make(make_body_loads(model, trees[i], i)));

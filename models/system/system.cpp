@@ -17,10 +17,13 @@ namespace {
 /// Makes constants once per distinct set of properties, so that equal bodies share them.
 class BodyCatalogue {
  public:
-  std::shared_ptr<const plane::FlexibleBody> body(const plane::BeamProperties& beam) {
-    auto& made = bodies_[beam];
-    if (!made) made = std::make_shared<const plane::FlexibleBody>(make_beam_body(beam));
-    return made;
+  std::shared_ptr<const plane::FlexibleBody> body(const plane::BeamProperties& beam,
+                                                  const plane::StrainDamping& damping) {
+    auto& made = bodies_[{beam, damping}];
+    if (made) return made;
+    plane::FlexibleBody body = make_beam_body(beam);
+    body.damping = damping;
+    return made = std::make_shared<const plane::FlexibleBody>(std::move(body));
   }
 
   std::shared_ptr<const plane::SymmetricBand<3>> stiffness(const plane::BeamProperties& beam,
@@ -47,7 +50,9 @@ class BodyCatalogue {
     return made;
   }
 
-  std::map<plane::BeamProperties, std::shared_ptr<const plane::FlexibleBody>> bodies_;
+  std::map<std::pair<plane::BeamProperties, plane::StrainDamping>,
+           std::shared_ptr<const plane::FlexibleBody>>
+      bodies_;
   std::map<std::tuple<plane::BeamProperties, double, double>, SharedBand> stiffnesses_;
   std::map<std::tuple<plane::BeamProperties, double>, SharedBand> outboard_masses_;
   std::map<plane::BeamProperties, SharedBand> slope_integrals_;
@@ -114,7 +119,8 @@ void add_loops(const Rotor& rotor, std::size_t i, Subsystem<Plane>& subsystem) {
   }
 }
 
-Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogue& catalogue) {
+Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, const Damping& damping,
+                                BodyCatalogue& catalogue) {
   assert(blade.bodies > 0 && blade.length > 0.0);
   const plane::BeamProperties first = plane::make_beam_properties(blade, 0);
   const std::vector<double> moments = find_outboard_moments(hub, blade);
@@ -123,13 +129,22 @@ Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, BodyCatalogu
   subsystem.root.R = plane::Rotation::from_angle(blade.azimuth);
   subsystem.root.p = subsystem.root.R * Position{hub.radius, 0.0};
   subsystem.length = blade.length;
+  plane::StrainDamping strains{damping.directions.axial, damping.directions.lag};
+  BeamModes modes;
+  if (!damping.modes.ratios.empty()) {
+    modes = find_damped_modes(blade, damping.modes);
+    strains.axial += modes.stiffness_factor;
+    strains.bending += modes.stiffness_factor;
+    subsystem.modal_factors = modes.factors;
+  }
   for (int j = 0; j < blade.bodies; ++j) {
     const plane::BeamProperties beam =
         plane::is_uniform(blade) ? first : plane::make_beam_properties(blade, j);
     TreeBody<Plane> member;
     member.parent = j - 1;
     if (j + 1 < blade.bodies) member.children = {j + 1};
-    member.body = catalogue.body(beam);
+    member.body = catalogue.body(beam, strains);
+    if (!modes.factors.empty()) member.modal = make_modal_share(modes, blade, *member.body, j);
     if (blade.geometric_stiffening) {
       const double distance = hub.radius + j * beam.length;
       const double end = distance + beam.length;
@@ -211,7 +226,8 @@ System<Plane> make_system(const Rotor& rotor) {
   for (const Anchor& anchor : rotor.anchors) system.anchors.push_back(make_anchor(anchor, {}));
   BodyCatalogue catalogue;
   for (std::size_t i = 0; i < rotor.blades.size(); ++i) {
-    system.subsystems.push_back(make_subsystem(rotor.hub, rotor.blades[i], catalogue));
+    system.subsystems.push_back(
+        make_subsystem(rotor.hub, rotor.blades[i], rotor.damping, catalogue));
     put_loads(make_body_loads(rotor, i), system.subsystems.back());
     add_loops(rotor, i, system.subsystems.back());
   }

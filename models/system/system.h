@@ -9,6 +9,7 @@
 #include "models/plane/flexible_body.h"
 #include "models/plane/plane.h"
 #include "models/rotor.h"
+#include "models/system/beam_modes.h"
 #include "models/system/blade_loads.h"
 #include "models/system/loop_model.h"
 
@@ -28,6 +29,7 @@ struct TreeBody {
   typename World::Stiffening stiffening;
   std::vector<BodyLoad<World>> loads;
   std::vector<BodyDrag<World>> drags;
+  ModalShare modal;  ///< empty unless its beam is damped by modes
 };
 
 /// A subsystem: a tree of bodies on the hub, parents first; in the plane a chain, root to tip.
@@ -41,6 +43,8 @@ struct Subsystem {
   PositionOf<World> tip = PositionOf<World>::Zero();
   std::vector<TreeBody<World>> bodies;
   std::vector<LoopModel> loops;
+  /// Factors f of the modes that damp its beams, beam by beam: D = b K + sum f w w^T [1/s].
+  std::vector<double> modal_factors;
 
   /// Returns the number of rows of all loops.
   int loop_rows() const {

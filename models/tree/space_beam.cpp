@@ -93,6 +93,14 @@ space::MassMoments make_moments(const PointMass& point, const space::Rotation& a
   return moments;
 }
 
+/// Returns the factors by strain: stretch, two shears, twist, two curvatures.
+space::Twist make_strain_factors(const DirectionDamping& damping) {
+  space::Twist factors;
+  factors << damping.axial, damping.lag_shear.value_or(damping.lag),
+      damping.flap_shear.value_or(damping.flap), damping.torsion, damping.flap, damping.lag;
+  return factors;
+}
+
 /// Whether the stations ascend from 0, and there are as many stiffnesses and masses as stations.
 [[maybe_unused]] bool has_fine_stations(const Beam& beam) {
   const Sections& s = beam.sections;
@@ -107,8 +115,8 @@ space::MassMoments make_moments(const PointMass& point, const space::Rotation& a
 
 }  // namespace
 
-space::Beam make_space_beam(const Beam& beam, double stiffness_factor) {
-  assert(has_fine_stations(beam) && stiffness_factor >= 0.0);
+space::Beam make_space_beam(const Beam& beam, const DirectionDamping& damping) {
+  assert(has_fine_stations(beam));
   const Sections& s = beam.sections;
   space::Beam made;
   made.station = s.station;
@@ -126,7 +134,7 @@ space::Beam make_space_beam(const Beam& beam, double stiffness_factor) {
   for (const PointMass& point : beam.point_masses)
     made.masses.push_back(
         {point.position, make_moments(point, made.geometry(point.position).axes)});
-  made.damping.setConstant(stiffness_factor);
+  made.damping = make_strain_factors(damping);
   return made;
 }
 

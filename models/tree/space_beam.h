@@ -7,8 +7,8 @@
 
 namespace spoke::spatial {
 
-/// Returns the beam that elements are built from, with stations as in the description. Its damping
-/// is stiffness_factor [s] for every strain. Precondition: the beam is fine.
-space::Beam make_space_beam(const Beam& beam, double stiffness_factor);
+/// Returns the beam that elements are built from, with stations as in the description.
+/// Precondition: the beam is fine.
+space::Beam make_space_beam(const Beam& beam, const DirectionDamping& damping = {});
 
 }  // namespace spoke::spatial

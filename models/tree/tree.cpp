@@ -15,7 +15,7 @@ Placement placement_of(const Tree& tree, const TreeBody& body, std::size_t node)
     return {solid->place_of(node), Tensor::Identity()};
   const auto* flexible = std::get_if<FlexibleBody>(&body.shape);
   if (flexible == nullptr) return {};
-  const space::ReferenceCurve axis = make_space_beam(tree.beams[flexible->beam], 0.0).curve;
+  const space::ReferenceCurve axis = make_space_beam(tree.beams[flexible->beam]).curve;
   return {axis.at(flexible->nodes[node]) - axis.at(flexible->nodes.front()), Tensor::Identity()};
 }
 
@@ -57,7 +57,7 @@ MassProperties calc_mass_properties(const Tree& tree, const TreeBody& body) {
     return {at_rest.mass, at_rest.first_moment, second.trace() * Tensor::Identity() - second};
   }
   const auto& flexible = std::get<FlexibleBody>(body.shape);
-  const space::Beam beam = make_space_beam(tree.beams[flexible.beam], 0.0);
+  const space::Beam beam = make_space_beam(tree.beams[flexible.beam]);
   const double from = flexible.nodes.front(), to = flexible.nodes.back();
   return calc_mass_properties(beam, from, to)
       .seen_from_outside({-beam.curve.at(from), Tensor::Identity()});

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "models/reader/damping.h"
 #include "models/reader/loop_faults.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/solid_faults.h"
@@ -75,6 +76,8 @@ void check_model(const Model& model) {
                  first("damping." + std::string(key), value, quantity);
                });
   require(first.found());
+  const DampingFault damping = find_damping_fault(model.damping, DampedBeams(model));
+  if (!damping.text.empty()) require({"damping." + damping.key, damping.text});
   require({"damping.mass_factor", find_mass_factor_fault(model)});
   const auto of_load = [&](const auto& load) { return find_fault(load, model); };
   check_each("load", model.loads, of_load);

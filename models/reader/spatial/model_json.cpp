@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "models/reader/damping.h"
 #include "models/reader/drive_json.h"
 #include "models/reader/loop_json.h"
 #include "models/reader/spatial/course_json.h"
@@ -182,8 +183,7 @@ void add_model(const Model& model, Json& json) {
     json.append("subsystem", to_json(subsystem, model));
   add_anchors(model.anchors, false, json);
   json.set("gravity", {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}});
-  json.set("damping", {{"mass_factor", model.damping.mass_factor},
-                       {"stiffness_factor", model.damping.stiffness_factor}});
+  json.set("damping", damping_to_json(model.damping));
   add_list("load", model.loads, json);
   add_list("distributed_load", model.distributed_loads, json);
   add_list("hub_load", model.hub_loads, json);

@@ -139,10 +139,9 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   const TomlSection gravity = root.section("gravity", {"acceleration", "ramp"});
   if (gravity.has("acceleration")) model.gravity = read_vector(gravity, "acceleration", kGravity);
   model.gravity_ramp = gravity.number("ramp", kRamp, model.gravity_ramp);
-  const TomlSection damping = root.section("damping", {"mass_factor", "stiffness_factor"});
-  visit_fields(model.damping, FieldReader{damping});
+  model.damping = read_damping(root, DampedBeams(model));
   const std::string damping_fault = find_mass_factor_fault(model);
-  if (!damping_fault.empty()) damping.fail("mass_factor", damping_fault);
+  if (!damping_fault.empty()) root.fail_at("damping.mass_factor", damping_fault);
   read_point_loads(root, model);
   read_distributed_loads(root, model);
   read_hub_loads(root, model);

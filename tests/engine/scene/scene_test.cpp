@@ -93,7 +93,7 @@ TEST_CASE("sections have chord and thickness, or are ellipses of their inertias"
   Scenario scenario = parse_scenario(make_text(kDrivenHub, kFlatBeam), "test");
   spatial::Beam& beam = scenario.space->blades[0].beam;
   const auto size_at = [&](double station) {
-    return find_section_size(beam, make_space_beam(beam, 0.0), station);
+    return find_section_size(beam, make_space_beam(beam), station);
   };
   // In an ellipse the mean of y^2 is a quarter of the square of the semi-axis.
   CHECK(size_at(0.5).half_y == doctest::Approx(0.5));

@@ -43,7 +43,7 @@ Beam general_beam() {
 }
 
 MassProperties mass_of(const Beam& beam, double from, double to) {
-  return calc_mass_properties(make_space_beam(beam, 0.0), from, to);
+  return calc_mass_properties(make_space_beam(beam), from, to);
 }
 
 void check_equal(const MassProperties& a, const MassProperties& b) {

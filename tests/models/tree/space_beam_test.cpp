@@ -50,7 +50,8 @@ spatial::SectionMatrix matrix_of(const space::MassMoments& m) {
 }  // namespace
 
 TEST_CASE("a beam keeps its stations, values and twist") {
-  const space::Beam beam = make_space_beam(general_blade(), 0.25);
+  const space::Beam beam = make_space_beam(
+      general_blade(), {.flap = 0.5, .lag = 0.6, .torsion = 0.25, .lag_shear = 0.1});
   CHECK(beam.station == std::vector<double>{0.0, 3.0, 8.0});
   CHECK(beam.twist_at(1.5) == Approx(0.15));
   REQUIRE(beam.properties.size() == 3);
@@ -62,11 +63,13 @@ TEST_CASE("a beam keeps its stations, values and twist") {
   CHECK(beam.properties[2].mass_centre_z == -0.03);
   CHECK(beam.matrices.empty());
   CHECK(beam.curve.is_straight());
-  CHECK(beam.damping[3] == 0.25);
+  // By stretch, shear along y and z, twist, and curvature about y, which is flap, and z, lag.
+  const std::vector<double> factors(beam.damping.begin(), beam.damping.end());
+  CHECK(factors == std::vector<double>{0.0, 0.1, 0.5, 0.25, 0.5, 0.6});
 }
 
 TEST_CASE("without inertias of sections those of one material follow from the stiffnesses") {
-  const space::Beam beam = make_space_beam(beam_of(kBladeText), 0.0);
+  const space::Beam beam = make_space_beam(beam_of(kBladeText));
   CHECK(beam.properties[0].flap_inertia == Approx(3.0 * 3e3 / 3e7));
   CHECK(beam.properties[2].lag_inertia == Approx(1.0 * 1e4 / 1e7));
   CHECK(beam.properties[0].shear_stiffness_y == 0.0);
@@ -74,7 +77,7 @@ TEST_CASE("without inertias of sections those of one material follow from the st
 
 TEST_CASE("matrices of mass, of stiffness, or of both, are the same sections as their values") {
   const spatial::Beam values = general_blade();
-  const space::Beam made = make_space_beam(values, 0.0);
+  const space::Beam made = make_space_beam(values);
   spatial::Beam by_mass = values, by_stiffness = values;
   for (const double x : values.sections.station) {
     const space::SectionMatrices section = made.section(x);
@@ -85,7 +88,7 @@ TEST_CASE("matrices of mass, of stiffness, or of both, are the same sections as 
   spatial::Beam by_both = by_stiffness;
   by_both.sections.mass_6x6 = by_mass.sections.mass_6x6;
   for (const spatial::Beam& beam : {by_mass, by_stiffness, by_both}) {
-    const space::Beam other = make_space_beam(beam, 0.0);
+    const space::Beam other = make_space_beam(beam);
     for (const double x : values.sections.station) {
       check_equal(other.section(x).mass, made.section(x).mass);
       CHECK(other.section(x).compliance.isApprox(made.section(x).compliance, 1e-11));
@@ -98,7 +101,7 @@ TEST_CASE("a point mass is told in the axes of its section") {
   const spatial::PointMass point{
       3.0, 2.0, {0.1, 0.2, 0.3}, spatial::Vector(1.0, 2.0, 2.5).asDiagonal()};
   beam.point_masses = {point};
-  const space::Beam made = make_space_beam(beam, 0.0);
+  const space::Beam made = make_space_beam(beam);
   const space::Rotation axes = made.geometry(3.0).axes;
   const space::MassMoments& moments = made.masses.at(0).moments;
   CHECK((axes * moments.first).isApprox(2.0 * point.offset, 1e-14));
