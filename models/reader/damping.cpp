@@ -42,7 +42,7 @@ std::string range_fault(double value, const Quantity& range) {
 constexpr const char* kOnlyInSpace =
     "belongs to models in space, expected lag (bending) or axial of one in the plane";
 constexpr const char* kNoBeams =
-    "is of beams, of which there are none; expected stiffness_factor, or damping of a solid";
+    "damps beams, of which there are none; expected stiffness_factor, or damping of a solid";
 
 /// mu1..mu6 are in the order of BeamDyn's sections, whose x is along flap, y along the edge, z
 /// along the blade: shears x and y, stretch, bending about x and y, twist.
