@@ -1,6 +1,6 @@
 #pragma once
 
-// The damping of deformation, as an engineer gives it (docs/formulation.md, section 14).
+// The damping of deformation, as an engineer gives it (docs/formulation.md, section 10).
 
 #include <optional>
 #include <vector>

@@ -35,13 +35,18 @@ double project(const BodyData<World>& body, Eigen::Index mode, const double* x) 
   return sum;
 }
 
-/// Calls visit(mode of the body's beam, its force).
-template <class World, class Visit>
-void visit_modes(const ArenaVector<double>& forces, const BodyData<World>& body,
-                 const Visit& visit) {
-  const ModalShare& share = body.model->modal;
-  for (Eigen::Index mode = 0; mode < share.weights.cols(); ++mode)
-    visit(mode, forces[static_cast<std::size_t>(share.first + mode)]);
+/// Adds up the forces of all modes of a subsystem; velocities(body): a flex vector.
+template <class World, class Velocities>
+void sum_forces(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                const Velocities& velocities, double* forces) {
+  std::fill_n(forces, subsystem.modal_factors.size(), 0.0);
+  for (const BodyData<World>& body : data.bodies) {
+    const ModalShare& share = body.model->modal;
+    for (Eigen::Index mode = 0; mode < share.weights.cols(); ++mode)
+      forces[share.first + mode] += project(body, mode, velocities(body));
+  }
+  for (std::size_t k = 0; k < subsystem.modal_factors.size(); ++k)
+    forces[k] *= subsystem.modal_factors[k];
 }
 
 }  // namespace
@@ -49,38 +54,37 @@ void visit_modes(const ArenaVector<double>& forces, const BodyData<World>& body,
 template <class World>
 void calc_modal_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept {
   assert(data.modal_forces.size() == subsystem.modal_factors.size());
-  std::fill(data.modal_forces.begin(), data.modal_forces.end(), 0.0);
-  for (const BodyData<World>& body : data.bodies) {
-    const ModalShare& share = body.model->modal;
-    for (Eigen::Index mode = 0; mode < share.weights.cols(); ++mode)
-      data.modal_forces[static_cast<std::size_t>(share.first + mode)] +=
-          project(body, mode, body.v_modal);
-  }
-  for (std::size_t k = 0; k < subsystem.modal_factors.size(); ++k)
-    data.modal_forces[k] *= subsystem.modal_factors[k];
+  sum_forces(
+      subsystem, data, [](const BodyData<World>& body) { return body.v_modal; },
+      data.modal_forces.data());
 }
 
 template <class World>
 void add_modal_damping(const ArenaVector<double>& modal_forces, BodyData<World>& body) noexcept {
-  const Eigen::MatrixXd& weights = body.model->modal.weights;
-  visit_modes(modal_forces, body, [&](Eigen::Index mode, double force) {
-    visit_forces(body, [&](int k, double& row) { row -= weights(k, mode) * force; });
+  const ModalShare& share = body.model->modal;
+  for (Eigen::Index mode = 0; mode < share.weights.cols(); ++mode) {
+    const double force = modal_forces[static_cast<std::size_t>(share.first + mode)];
+    visit_forces(body, [&](int k, double& row) { row -= share.weights(k, mode) * force; });
     body.terms.dissipation += force * project(body, mode, body.coordinates.v);
-  });
+  }
 }
 
 template <class World>
-std::vector<double> calc_modal_deformation(const SubsystemData<World>& data,
+std::vector<double> calc_modal_deformation(const Subsystem<World>& subsystem,
+                                           const SubsystemData<World>& data,
                                            const BodyData<World>& body) {
-  const Eigen::MatrixXd& shapes = body.model->modal.shapes;
-  if (shapes.cols() == 0) return {};
+  const ModalShare& share = body.model->modal;
+  if (share.is_empty()) return {};
+  std::vector<double> forces(subsystem.modal_factors.size());
+  sum_forces(
+      subsystem, data, [](const BodyData<World>& each) { return each.coordinates.v; },
+      forces.data());
   std::vector<double> flex(
       static_cast<std::size_t>(body.layout.stride() + BodyTypes<World>::Layout::kPad), 0.0);
-  visit_modes(data.modal_forces, body, [&](Eigen::Index mode, double force) {
-    for (Eigen::Index k = 0; k < shapes.rows(); ++k)
+  for (Eigen::Index mode = 0; mode < share.shapes.cols(); ++mode)
+    for (Eigen::Index k = 0; k < share.shapes.rows(); ++k)
       flex[static_cast<std::size_t>(body.layout.offset(static_cast<int>(k)))] +=
-          shapes(k, mode) * force;
-  });
+          share.shapes(k, mode) * forces[static_cast<std::size_t>(share.first + mode)];
   return flex;
 }
 
@@ -88,9 +92,11 @@ template void calc_modal_forces(const Subsystem<Plane>&, SubsystemData<Plane>&) 
 template void calc_modal_forces(const Subsystem<Space>&, SubsystemData<Space>&) noexcept;
 template void add_modal_damping(const ArenaVector<double>&, BodyData<Plane>&) noexcept;
 template void add_modal_damping(const ArenaVector<double>&, BodyData<Space>&) noexcept;
-template std::vector<double> calc_modal_deformation(const SubsystemData<Plane>&,
+template std::vector<double> calc_modal_deformation(const Subsystem<Plane>&,
+                                                    const SubsystemData<Plane>&,
                                                     const BodyData<Plane>&);
-template std::vector<double> calc_modal_deformation(const SubsystemData<Space>&,
+template std::vector<double> calc_modal_deformation(const Subsystem<Space>&,
+                                                    const SubsystemData<Space>&,
                                                     const BodyData<Space>&);
 
 }  // namespace spoke

@@ -1,6 +1,6 @@
 #pragma once
 
-// Damping of beams by their modes (docs/formulation.md, section 14): forces -w f_k (w.q') on the
+// Damping of beams by their modes (docs/formulation.md, section 10): forces -w f_k (w.q') on the
 // coordinates of all bodies of a beam, f_k and w of models/system/beam_modes.h. They are small
 // beside the stiffness, and the iteration of implicit steps follows them.
 
@@ -19,9 +19,10 @@ template <class World>
 void add_modal_damping(const ArenaVector<double>& modal_forces, BodyData<World>& body) noexcept;
 
 /// Returns the deformation (flex vector) of which the elastic forces are those of the damping by
-/// modes; empty if the body has none.
+/// modes at the velocities in the table; empty if the body has none.
 template <class World>
-std::vector<double> calc_modal_deformation(const SubsystemData<World>& data,
+std::vector<double> calc_modal_deformation(const Subsystem<World>& subsystem,
+                                           const SubsystemData<World>& data,
                                            const BodyData<World>& body);
 
 }  // namespace spoke

@@ -134,7 +134,8 @@ Wrench calc_section_force(const Rotor& rotor, const SystemContext<Plane>& contex
   const auto index = static_cast<std::size_t>(marker.blade);
   const SubsystemData<Plane>& data = context.data.subsystems[index];
   const BodyData<Plane>& body = data.bodies[static_cast<std::size_t>(marker.body)];
-  const std::vector<double> modal = calc_modal_deformation(data, body);
+  const std::vector<double> modal =
+      calc_modal_deformation(context.system.subsystems[index], data, body);
   return wrench_in_space(calc_section_force(rotor.blades[index], context.system.damping,
                                             modal.empty() ? nullptr : modal.data(), body,
                                             placed.section));
@@ -142,8 +143,8 @@ Wrench calc_section_force(const Rotor& rotor, const SystemContext<Plane>& contex
 
 Wrench calc_section_force(const SystemContext<Space>& context, const Marker& marker) {
   const PlacedMarker<Space> placed = place_marker("the marker", marker, context.data);
-  const SubsystemData<Space>& data =
-      context.data.subsystems[static_cast<std::size_t>(marker.blade)];
+  const auto index = static_cast<std::size_t>(marker.blade);
+  const SubsystemData<Space>& data = context.data.subsystems[index];
   const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(marker.body)];
   const space::FlexibleBody* flexible = body.model->body->flexible();
   if (!flexible)
@@ -157,8 +158,9 @@ Wrench calc_section_force(const SystemContext<Space>& context, const Marker& mar
                      context.system.damping.stiffness_factor * resultants(body.coordinates.v);
   if (flexible->is_damped)
     sum += calc_section_damping(*flexible, placed.section, body.coordinates.v);
-  if (const std::vector<double> modal = calc_modal_deformation(data, body); !modal.empty())
-    sum += resultants(modal.data());
+  const std::vector<double> modal =
+      calc_modal_deformation(context.system.subsystems[index], data, body);
+  if (!modal.empty()) sum += resultants(modal.data());
   return wrench_in_space(sum);
 }
 

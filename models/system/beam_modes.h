@@ -1,7 +1,7 @@
 #pragma once
 
 // Modes of beams that are held at their roots, and the damping by them (docs/formulation.md,
-// section 14).
+// section 10).
 
 #include <Eigen/Core>
 #include <vector>

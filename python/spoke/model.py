@@ -171,11 +171,16 @@ def gravity(*, acceleration, ramp=None):
     return _given(locals())
 
 
-def damping(*, mass_factor=None, stiffness_factor=None):
-    """Rayleigh damping of the deformation of every body.
+def damping(*, mass_factor=None, stiffness_factor=None, flap=None, lag=None, axial=None, torsion=None,
+            flap_shear=None, lag_shear=None, mu=None, ratios=None, above=None):
+    """Damping of the deformation: Rayleigh's of every body, and of beams by direction and by mode.
 
     mass_factor: of the mass matrix [1/s].
     stiffness_factor: of the stiffness matrix [s].
+    flap, lag, axial, torsion, flap_shear, lag_shear: factors of the stiffness by direction [s]; in the plane lag and axial.
+    mu: in place of these six, in BeamDyn's order [s]: shear in flap and lag, axial, lag, flap, torsion.
+    ratios: damping ratios of the lowest modes of each beam at rest, held at its root.
+    above: damping ratio of the mode above these; higher ones have more by their frequency.
     """
     return _given(locals())
 

@@ -90,21 +90,22 @@ TEST_CASE("damping: a swinging cantilever loses what its direction or mode takes
 
 TEST_CASE("damping: ratios of all modes in proportion to their frequency are a stiffness_factor") {
   // The modes are complete, and D = b K to round-off: motion, work and section forces are equal.
+  // Loads that rise make no difference of the implicit pass at the start, which has no D of modes.
   const double b = 2e-3;
   const auto text = [](const std::string& world, const std::string& keys) {
     const std::string sections = world == "plane"
                                      ? "density = 1.0\narea = 1.0\nsecond_moment = 1e-3\n"
-                                       "youngs_modulus = 1000.0\n[[load]]\nforce = [0.3, 0.1]\n"
+                                       "youngs_modulus = 1000.0\n[[load]]\nforce = [0.3, 0.1]\nramp = 0.2\n"
                                      : "[blade.sections]\nmass_per_length = 1.0\n"
                                        "axial_stiffness = 900.0\nlag_stiffness = 2.0\n"
                                        "flap_stiffness = 1.0\ntorsion_stiffness = 0.5\n"
                                        "lag_inertia = 0.01\nflap_inertia = 0.01\n"
-                                       "[[load]]\nforce = [0.2, 0.1, 0.1]\nmoment = [0.1, 0, 0]\n";
+                                       "[[load]]\nforce = [0.2, 0.1, 0.1]\nmoment = [0.1, 0, 0]\nramp = 0.2\n";
     return "world = \"" + world +
-           "\"\n[hub]\n[hub.drive]\nkind = \"constant\"\nspeed = 1.0\n[blade]\ncount = 1\nlength = "
+           "\"\n[hub]\n[hub.drive]\nkind = \"constant\"\nspeed = 0.0\n[blade]\ncount = 1\nlength = "
            "1.0\n"
            "bodies = 2\nelements = 1\n" +
-           sections + keys + "[integration]\nstep = 0.002\nduration = 0.6\n";
+           sections + keys + "[integration]\nstep = 0.002\ntolerance = 1e-13\nduration = 0.6\n";
   };
   for (const std::string& world : {std::string("plane"), std::string("space")}) {
     CAPTURE(world);
