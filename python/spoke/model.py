@@ -177,7 +177,8 @@ def damping(*, mass_factor=None, stiffness_factor=None, flap=None, lag=None, axi
 
     mass_factor: of the mass matrix [1/s].
     stiffness_factor: of the stiffness matrix [s].
-    flap, lag, axial, torsion, flap_shear, lag_shear: factors of the stiffness by direction [s]; in the plane lag and axial.
+    flap, lag, axial, torsion, flap_shear, lag_shear: factors of the stiffness by direction [s]; in the plane
+        lag and axial.
     mu: in place of these six, in BeamDyn's order [s]: shear in flap and lag, axial, lag, flap, torsion.
     ratios: damping ratios of the lowest modes of each beam at rest, held at its root.
     above: damping ratio of the mode above these; higher ones have more by their frequency.

@@ -116,7 +116,7 @@ TEST_CASE("a step allocates nothing, at small and large numbers of elements") {
       Scenario scenario = spin_up_scenario(wu_haug_blade(2, elements), 1e-3);
       scenario.integration.method = method;
       if (method == IntegrationMethod::rk4) scenario.integration.step = 1e-8;
-      scenario.rotor.damping = {0.0, 1e-6};
+      scenario.rotor.damping = {0.0, 1e-6, {.lag = 1e-6}, {.ratios = {0.01, 0.02}}};
       add_all_loads(scenario.rotor);
       CAPTURE(elements);
       CHECK(allocations_of_steps(scenario, {Formulation::structured, ExecutorKind::serial, 1},
@@ -159,7 +159,8 @@ TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation
   for (const Formulation formulation : formulations())
     for (const char* method : {"generalized_alpha", "rk4"}) {
       const Scenario scenario =
-          parse_scenario(make_text(kFlyingHub, kTree + kMotors + kForest, kGravity) +
+          parse_scenario(make_text(kFlyingHub, kTree + kMotors + kForest,
+                                   kGravity + "[damping]\nflap = 1e-4\nratios = [0.01, 0.02]\n") +
                              "step = 1e-4\nmethod = \"" + method + "\"\n",
                          "tree.toml");
       CAPTURE(name_of(formulation));
