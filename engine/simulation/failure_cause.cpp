@@ -47,13 +47,15 @@ std::string blame_rk4(const Scenario& scenario, const SystemContext<Plane>& cont
   std::ostringstream text;
   text << "the step of " << rk4->step << " s is above the stability limit of rk4, " << limit
        << " s (";
-  if (total.stiffness_factor == 0.0 && total.mass_factor == 0.0)
+  const bool damps_beams = !damping.directions.is_zero() || !damping.modes.ratios.empty();
+  if (total.stiffness_factor == 0.0 && total.mass_factor == 0.0 && !damps_beams)
     text << "2 sqrt(2) by the highest natural frequency, " << range.highest << " rad/s";
   else
     text << "the highest natural frequency is " << range.highest << " rad/s";
   if (damping.stiffness_factor > 0.0 || damping.mass_factor > 0.0)
     text << ", its damping ratio by [damping] "
          << 0.5 * (damping.mass_factor / range.highest + damping.stiffness_factor * range.highest);
+  if (damps_beams) text << ", damped by direction or by mode";
   if (total.mass_factor > damping.mass_factor)
     text << ", and linear drag slows the motion down at up to "
          << total.mass_factor - damping.mass_factor << " 1/s";
