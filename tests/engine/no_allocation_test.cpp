@@ -116,7 +116,7 @@ TEST_CASE("a step allocates nothing, at small and large numbers of elements") {
       Scenario scenario = spin_up_scenario(wu_haug_blade(2, elements), 1e-3);
       scenario.integration.method = method;
       if (method == IntegrationMethod::rk4) scenario.integration.step = 1e-8;
-      scenario.rotor.damping = {0.0, 1e-6, {.lag = 1e-6}, {.ratios = {0.01, 0.02}}};
+      scenario.rotor.damping = {0.0, 1e-6, {.lag = 1e-9}, {.ratios = {0.01, 0.02}, .above = 0.0}};
       add_all_loads(scenario.rotor);
       CAPTURE(elements);
       CHECK(allocations_of_steps(scenario, {Formulation::structured, ExecutorKind::serial, 1},
