@@ -101,6 +101,8 @@ struct PointLoad {
   /// Duration of the smooth rise from 0, calc_rise() [s]; 0: at once.
   double ramp = 0.0;
   Curve factor{1.0};  ///< dimensionless function of time
+  /// Name by which solve_critical() varies it; loads of one name go together. May be empty.
+  std::string name{};
 };
 
 /// A force and a moment per length of a blade, between two stations, scaled by a function of time.
@@ -114,6 +116,7 @@ struct DistributedLoad {
   double moment_per_length = 0.0;       ///< moment about z per length [N]
   double ramp = 0.0;                    ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};                    ///< dimensionless function of time
+  std::string name{};                   ///< as in PointLoad
 };
 
 /// The frame relative to which drag takes velocities.
@@ -140,6 +143,7 @@ struct Drag {
   double quadratic_per_length = 0.0;  ///< [N s^2/m^3]
   double ramp = 0.0;                  ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};                  ///< dimensionless function of time
+  std::string name{};                 ///< as in PointLoad
 };
 
 /// A force at a point that is fixed to the hub, and a torque, scaled by a function of time.
@@ -150,6 +154,7 @@ struct HubLoad {
   double torque = 0.0;               ///< torque about z, besides that of the force [N m]
   double ramp = 0.0;                 ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};                 ///< dimensionless function of time
+  std::string name{};                ///< as in PointLoad
 };
 
 /// A hub with its blades, and the loads on them.

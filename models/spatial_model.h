@@ -294,6 +294,8 @@ struct PointLoad {
   std::optional<NodeChoice> nodes = std::nullopt;
   /// Force per area, in place of `force`, on nodes or an interface that have faces [Pa].
   std::optional<Vector> traction = std::nullopt;
+  /// Name by which solve_critical() varies it; loads of one name go together. May be empty.
+  std::string name{};
 };
 
 /// A force and a moment per length of a beam, between two stations.
@@ -307,6 +309,7 @@ struct DistributedLoad {
   Vector moment_per_length = Vector::Zero();  ///< [N]
   double ramp = 0.0;                          ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};                          ///< dimensionless function of time
+  std::string name{};                         ///< as in PointLoad
 };
 
 /// A force at a point that is fixed to the hub, and a torque: a thruster, a reaction wheel.
@@ -318,6 +321,7 @@ struct HubLoad {
   Vector torque = Vector::Zero();  ///< torque besides that of the force [N m]
   double ramp = 0.0;               ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};               ///< dimensionless function of time
+  std::string name{};              ///< as in PointLoad
 };
 
 /// A hub with the bodies it carries, and the loads on them.

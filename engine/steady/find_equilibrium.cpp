@@ -198,6 +198,18 @@ void require_regular(std::size_t subsystem, const Search& search, const SteadyMo
                         {.subsystem = model.name_of(subsystem), .quantity = coordinate});
 }
 
+/// Keeps what a search has found besides the coordinates, in so many load steps.
+void keep(std::size_t subsystem, const Search& search, int steps, const SteadyModel& model,
+          Equilibrium& result) {
+  result.multipliers[subsystem] = search.multipliers;
+  result.load_steps = std::max(result.load_steps, steps);
+  result.iterations += search.iterations;
+  result.last_change = std::max(result.last_change, search.last_change);
+  if (search.is_singular)
+    result.loose = model.name_of(subsystem) + " / " +
+                   model.coordinates(subsystem)[static_cast<std::size_t>(search.loose)].name;
+}
+
 /// Finds the equilibrium of one subsystem, in as many load steps as it takes.
 void find_subsystem(std::size_t subsystem, SteadyModel& model, Equilibrium& result) {
   VectorXd& q = result.q[subsystem] = model.initial(subsystem);
@@ -220,17 +232,25 @@ void find_subsystem(std::size_t subsystem, SteadyModel& model, Equilibrium& resu
       }
     }
   }
-  result.multipliers[subsystem] = search.multipliers;
-  result.load_steps = std::max(result.load_steps, steps);
-  result.iterations += search.iterations;
-  result.last_change = std::max(result.last_change, search.last_change);
-  if (search.is_singular)
-    result.loose = model.name_of(subsystem) + " / " +
-                   model.coordinates(subsystem)[static_cast<std::size_t>(search.loose)].name;
+  keep(subsystem, search, steps, model, result);
 }
 
-/// Takes the equilibrium of a subsystem over to one that is like it.
-void take_over(std::size_t from, std::size_t to, SteadyModel& model, Equilibrium& result) {
+/// Goes on from the equilibrium of one subsystem at another state. Returns false if none is found.
+bool continue_subsystem(std::size_t subsystem, const Equilibrium& at, const SteadyModel& before,
+                        SteadyModel& model, Equilibrium& result) {
+  model.settle_at(subsystem, before.absolute(subsystem, at.q[subsystem]));
+  result.q[subsystem] = at.q[subsystem];
+  result.rows[subsystem] = at.rows[subsystem];
+  Search search(subsystem, result.rows[subsystem], model);
+  search.multipliers = at.multipliers[subsystem];
+  if (!search.run(result.q[subsystem])) return false;
+  keep(subsystem, search, 1, model, result);
+  return true;
+}
+
+/// Takes the equilibrium of a subsystem over to one that is like it. Returns false if it is to be
+/// sought anew.
+bool take_over(std::size_t from, std::size_t to, SteadyModel& model, Equilibrium& result) {
   // Spherical joints are turned about references of their own: they search themselves.
   VectorXd q = result.q[from];
   SubsystemResponse response;
@@ -238,7 +258,28 @@ void take_over(std::size_t from, std::size_t to, SteadyModel& model, Equilibrium
   result.q[to] = q;
   result.multipliers[to] = result.multipliers[from];
   result.rows[to] = result.rows[from];
-  if (!are_same(model.absolute(from, q), model.absolute(to, q))) find_subsystem(to, model, result);
+  return are_same(model.absolute(from, q), model.absolute(to, q));
+}
+
+/// Makes an equilibrium without coordinates.
+Equilibrium make_empty(SteadyModel& model) {
+  Equilibrium result;
+  result.q.resize(model.subsystems());
+  result.multipliers.resize(model.subsystems());
+  result.rows.resize(model.subsystems());
+  result.alike = find_alike(model);
+  return result;
+}
+
+/// Adds what support and drive exert on the hub.
+void add_wrench(SteadyModel& model, Equilibrium& result) {
+  result.wrench = -model.hub_force(model.no_offset());
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
+    SubsystemResponse response;
+    model.evaluate(i, make_state(result, i), model.no_offset(), response);
+    result.wrench -= response.hub_force;
+    result.force_scale += response.hub_force.lpNorm<Eigen::Infinity>();
+  }
 }
 
 }  // namespace
@@ -253,21 +294,24 @@ SubsystemState make_state(const Equilibrium& equilibrium, std::size_t subsystem)
 }
 
 Equilibrium find_equilibrium(SteadyModel& model) {
-  Equilibrium result;
-  result.q.resize(model.subsystems());
-  result.multipliers.resize(model.subsystems());
-  result.rows.resize(model.subsystems());
-  result.alike = find_alike(model);
-  for (std::size_t i = 0; i < model.subsystems(); ++i)
-    result.alike[i] == i ? find_subsystem(i, model, result)
-                         : take_over(result.alike[i], i, model, result);
-  result.wrench = -model.hub_force(model.no_offset());
+  Equilibrium result = make_empty(model);
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
-    SubsystemResponse response;
-    model.evaluate(i, make_state(result, i), model.no_offset(), response);
-    result.wrench -= response.hub_force;
-    result.force_scale += response.hub_force.lpNorm<Eigen::Infinity>();
+    const std::size_t first = result.alike[i];
+    if (first == i || !take_over(first, i, model, result)) find_subsystem(i, model, result);
   }
+  add_wrench(model, result);
+  return result;
+}
+
+std::optional<Equilibrium> continue_equilibrium(const Equilibrium& at, const SteadyModel& before,
+                                                SteadyModel& model) {
+  Equilibrium result = make_empty(model);
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
+    const std::size_t first = result.alike[i];
+    const bool is_taken = first != i && take_over(first, i, model, result);
+    if (!is_taken && !continue_subsystem(i, at, before, model, result)) return std::nullopt;
+  }
+  add_wrench(model, result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 // The equilibrium of a model: where it stands still in the frame that turns with its hub.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ struct Equilibrium {
 /// and the square of the speed grow in steps. Throws DivergenceError, naming body and coordinate.
 /// Leaves the model at its equilibrium.
 Equilibrium find_equilibrium(SteadyModel& model);
+
+/// Goes on from the equilibrium `at` of `before`, another model of the same bodies, which stands
+/// near: all loads at once. Returns none if Newton's method finds no equilibrium from there; the
+/// model is then at no state in particular.
+std::optional<Equilibrium> continue_equilibrium(const Equilibrium& at, const SteadyModel& before,
+                                                SteadyModel& model);
 
 /// Throws InputError if the equilibrium has a loose coordinate.
 void require_held(const Equilibrium& equilibrium);

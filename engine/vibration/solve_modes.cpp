@@ -310,6 +310,25 @@ void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResul
 
 }  // namespace
 
+ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& equilibrium,
+                                  const ModeCount& count, SteadyModel& model) {
+  ModesResult result;
+  result.equilibrium = steady::describe(equilibrium, model);
+  result.are_blades_coupled = linear.is_coupled();
+  const Linearised all{model, equilibrium, linear};
+  if (linear.is_coupled()) {
+    add_coupled_modes(count, all, result);
+    return result;
+  }
+  // Subsystems without coordinates have no modes.
+  for (std::size_t i = 0; i < model.subsystems(); ++i)
+    if (linear.alike[i] == i && linear.subsystem(i).M.rows() > 0)
+      add_modes_of_subsystem(i, count, all, result);
+  if (result.modes.empty())
+    throw InputError("nothing of the model moves, expected a body or a joint that does");
+  return result;
+}
+
 ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
                                    const ModeCount& count) {
   check_scenario(scenario);
@@ -317,22 +336,9 @@ ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& 
   const std::unique_ptr<SteadyModel> model = steady::make_steady_model(scenario, {speed});
   const Equilibrium equilibrium = steady::find_equilibrium(*model);
   steady::require_steady_hub(*model, equilibrium);
-  ModesResult result;
-  result.equilibrium = steady::describe(equilibrium, *model);
-  steady::add_warnings(scenario, result.equilibrium);
   const LinearModel linear = steady::linearize(equilibrium, *model);
-  result.are_blades_coupled = linear.is_coupled();
-  const Linearised all{*model, equilibrium, linear};
-  if (linear.is_coupled()) {
-    add_coupled_modes(count, all, result);
-    return result;
-  }
-  // Subsystems without coordinates have no modes.
-  for (std::size_t i = 0; i < model->subsystems(); ++i)
-    if (linear.alike[i] == i && linear.subsystem(i).M.rows() > 0)
-      add_modes_of_subsystem(i, count, all, result);
-  if (result.modes.empty())
-    throw InputError("nothing of the model moves, expected a body or a joint that does");
+  ModesResult result = make_modes(linear, equilibrium, count, *model);
+  steady::add_warnings(scenario, result.equilibrium);
   return result;
 }
 

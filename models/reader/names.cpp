@@ -16,4 +16,10 @@ bool is_name(const std::string& text) {
          });
 }
 
+std::string find_load_name_fault(const std::string& name) {
+  if (name == kGravityName) return "is \"gravity\", the name of [gravity], expected another one";
+  if (name.empty() || is_name(name)) return {};
+  return "is \"" + name + "\", expected " + kNameExpected;
+}
+
 }  // namespace spoke

@@ -13,4 +13,9 @@ bool is_name(const std::string& text);
 inline constexpr const char* kNameExpected =
     "letters, digits, \"_\", \"-\" and \".\", 1 to 64 of them";
 
+/// What a program's user calls gravity among the loads; no load has this name.
+inline constexpr const char* kGravityName = "gravity";
+/// Returns what is wrong with the name of a load; empty if nothing is, or if it has none.
+std::string find_load_name_fault(const std::string& name);
+
 }  // namespace spoke

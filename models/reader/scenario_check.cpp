@@ -9,6 +9,7 @@
 
 #include "models/reader/damping.h"
 #include "models/reader/loop_faults.h"
+#include "models/reader/names.h"
 #include "models/reader/scenario_fields.h"
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_check.h"
@@ -172,6 +173,8 @@ void check_loads(const char* table, const std::vector<Load>& loads,
     check_load(path, load, blades);
     check_fields(path, load);
     check_curve(path, "factor", load.factor, kFactor);
+    if (const std::string fault = find_load_name_fault(load.name); !fault.empty())
+      fail(path + ".name", fault);
     visit(path, load);
   }
 }

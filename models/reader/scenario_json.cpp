@@ -59,8 +59,10 @@ void add_ramp(double ramp, Json& json) {
   if (ramp > 0.0) json.set("ramp", ramp);
 }
 
+/// A load without a name is written as by versions that knew none, too.
 template <class Load>
 void add_course(const Load& load, Json& json) {
+  if (!load.name.empty()) json.set("name", load.name);
   add_ramp(load.ramp, json);
   json.set("time", load.factor.times());
   json.set("factor", load.factor.values());

@@ -9,6 +9,7 @@
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/curve_reader.h"
 #include "models/reader/field_reader.h"
+#include "models/reader/names.h"
 #include "models/scenario.h"
 
 namespace spoke {
@@ -18,13 +19,20 @@ using Blades = std::vector<Blade>;
 
 /// Adds the keys that all loads on blades have.
 TomlSection::Keys with_common_keys(TomlSection::Keys keys) {
-  keys.insert(keys.end(), {"blade", "ramp", "time", "factor"});
+  keys.insert(keys.end(), {"blade", "name", "ramp", "time", "factor"});
   return keys;
 }
 
 Curve read_factor(const TomlSection& section) {
   if (!section.has("time") && !section.has("factor")) return Curve(1.0);
   return read_curve(section, "time", kTime, "factor", kFactor);
+}
+
+/// Reads what all loads have besides the numbers of their own.
+template <class Load>
+void read_course(const TomlSection& section, Load& load) {
+  load.factor = read_factor(section);
+  load.name = read_load_name(section);
 }
 
 Position read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity) {
@@ -77,7 +85,7 @@ PointLoad read_load(const TomlSection& section, const Blades& blades) {
                               load.frame);
   load.force = read_vector(section, "force", kForce);
   visit_fields(load, FieldReader{section});
-  load.factor = read_factor(section);
+  read_course(section, load);
   return load;
 }
 
@@ -114,7 +122,7 @@ DistributedLoad read_distributed_load(const TomlSection& section, const Blades& 
                               load.frame);
   load.force_per_length = read_vector(section, "force_per_length", kForcePerLength);
   visit_fields(load, FieldReader{section});
-  load.factor = read_factor(section);
+  read_course(section, load);
   return load;
 }
 
@@ -141,7 +149,7 @@ Drag read_drag(const TomlSection& section, const Blades& blades) {
   drag.position = read_position(section, drag.blade, blades);
   read_ends(section, blades, drag);
   visit_fields(drag, FieldReader{section});
-  drag.factor = read_factor(section);
+  read_course(section, drag);
   return drag;
 }
 
@@ -156,11 +164,20 @@ HubLoad read_hub_load(const TomlSection& section) {
   load.frame = section.choice("frame", {LoadFrame::hub, LoadFrame::inertial}, load.frame);
   load.force = read_vector(section, "force", kForce);
   visit_fields(load, FieldReader{section});
-  load.factor = read_factor(section);
+  read_course(section, load);
   return load;
 }
 
 }  // namespace
+
+std::string read_load_name(const TomlSection& section) {
+  if (!section.has("name")) return {};
+  const std::string name = section.text("name", "");
+  if (!is_name(name)) section.fail_expected("name", kNameExpected);
+  if (const std::string fault = find_load_name_fault(name); !fault.empty())
+    section.fail("name", fault);
+  return name;
+}
 
 void read_loads(const TomlSection& root, Rotor& rotor) {
   const Blades& blades = rotor.blades;
@@ -186,7 +203,7 @@ void read_loads(const TomlSection& root, Rotor& rotor) {
     count.add(section, rotor.drags.back(), is_distributed(rotor.drags.back()));
   }
   for (const TomlSection& section : root.sections(
-           "hub_load", {"position", "frame", "force", "torque", "ramp", "time", "factor"}))
+           "hub_load", {"name", "position", "frame", "force", "torque", "ramp", "time", "factor"}))
     rotor.hub_loads.push_back(read_hub_load(section));
 }
 

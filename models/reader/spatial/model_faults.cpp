@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "models/reader/names.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/support/nearest_name.h"
@@ -106,6 +107,7 @@ Fault find_common_fault(const Load& load, const Model& model) {
   const FirstFault first;
   visit_fields(load, first);
   first.add(find_curve_fault("factor", load.factor, kFactor));
+  first.add({"name", find_load_name_fault(load.name)});
   if (!first.found()) first.add(find_fault(load.place, model));
   return first.found();
 }
@@ -204,6 +206,7 @@ Fault find_fault(const HubLoad& load, const Model&) {
   const FirstFault first;
   visit_fields(load, first);
   first.add(find_curve_fault("factor", load.factor, kFactor));
+  first.add({"name", find_load_name_fault(load.name)});
   if (load.frame != LoadFrame::hub && load.frame != LoadFrame::inertial)
     first.add({"frame", "is \"" + std::string(name_of(load.frame)) +
                             "\", expected \"hub\" or \"inertial\""});

@@ -135,6 +135,7 @@ void add_place(const LoadPlace& place, Json& json) {
 
 template <class Load>
 void add_course(const Load& load, Json& json) {
+  if (!load.name.empty()) json.set("name", load.name);
   json.set("frame", name_of(load.frame));
   visit_fields(load, FieldWriter{json});
   json.set("time", load.factor.times());

@@ -4,6 +4,7 @@
 
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/loop_reader.h"
+#include "models/reader/scenario_loads.h"
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
@@ -63,6 +64,7 @@ template <class Load>
 void finish_load(const TomlSection& section, const Model& model, Load& load) {
   visit_fields(load, VectorReader{section});
   load.factor = read_factor(section);
+  load.name = read_load_name(section);
   if (const Fault fault = find_fault(load, model)) section.fail_at(fault.path, fault.text);
 }
 
@@ -82,7 +84,7 @@ void add_load(const TomlSection& root, const TomlSection& section, const Model& 
 void read_point_loads(const TomlSection& root, Model& model) {
   for (const TomlSection& section : root.sections(
            "load", {"blade", "subsystem", "body", "position", "point", "interface", "nodes",
-                    "frame", "force", "moment", "traction", "ramp", "time", "factor"})) {
+                    "frame", "force", "moment", "traction", "name", "ramp", "time", "factor"})) {
     PointLoad load;
     if (!section.has("traction")) require_one(section, "force", "moment");
     load.place = read_place(section, model);
@@ -100,7 +102,7 @@ void read_distributed_loads(const TomlSection& root, Model& model) {
   for (const TomlSection& section :
        root.sections("distributed_load",
                      {"blade", "subsystem", "body", "from", "to", "frame", "force_per_length",
-                      "moment_per_length", "ramp", "time", "factor"})) {
+                      "moment_per_length", "name", "ramp", "time", "factor"})) {
     DistributedLoad load;
     require_one(section, "force_per_length", "moment_per_length");
     load.place = read_place(section, model);
@@ -112,8 +114,9 @@ void read_distributed_loads(const TomlSection& root, Model& model) {
 }
 
 void read_hub_loads(const TomlSection& root, Model& model) {
-  for (const TomlSection& section : root.sections(
-           "hub_load", {"position", "frame", "force", "torque", "ramp", "time", "factor"})) {
+  for (const TomlSection& section :
+       root.sections("hub_load",
+                     {"position", "frame", "force", "torque", "name", "ramp", "time", "factor"})) {
     HubLoad load;
     require_one(section, "force", "torque");
     if (section.has("position") && !section.has("force"))

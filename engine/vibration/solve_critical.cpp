@@ -1,0 +1,342 @@
+// Scans a range, and narrows the first loss of stability down.
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "engine/critical.h"
+#include "engine/steady/linear_model.h"
+#include "engine/steady/steady_speed.h"
+#include "engine/steady/steady_warnings.h"
+#include "engine/vibration/equilibrium_path.h"
+#include "engine/vibration/follow_modes.h"
+#include "engine/vibration/solve_modes.h"
+#include "engine/vibration/stability.h"
+#include "engine/vibration/varied_load.h"
+#include "models/error.h"
+#include "models/reader/scenario_check.h"
+#include "models/reader/scenario_fields.h"
+
+namespace spoke {
+namespace {
+
+using vibration::EquilibriumPath;
+using vibration::PathPlace;
+using vibration::Stability;
+
+constexpr int kMost = 10;  ///< modes, unless the options say how many
+constexpr int kSpare = 4;  ///< modes beyond those that are followed, one of which may come down
+constexpr double kResolution = 1e-10;  ///< of the critical value, by its size
+constexpr double kBeyond = 1e-6;       ///< distance of the modes that are shown, likewise
+/// Real part by magnitude from which a root grows, as Mode::grows() has it.
+constexpr double kGrows = 1e-6;
+/// Speed in place of zero: what turns against a turning hub does not act at the first speed alone.
+constexpr double kAlmostRest = 1e-100;
+
+/// What is varied.
+struct Parameter {
+  std::string load;  ///< empty: the speed
+  double speed = 0.0;
+
+  bool is_speed() const { return load.empty(); }
+  std::string describe(double value) const {
+    std::ostringstream text;
+    if (is_speed())
+      text << value << " rad/s";
+    else
+      text << value << " times the load \"" << load << '"';
+    return text.str();
+  }
+};
+
+Parameter read_parameter(const Scenario& scenario, const CriticalOptions& options) {
+  const std::string load = "load=";
+  if (options.of == "speed") {
+    if (options.state.speed)
+      throw InputError("a speed is given, expected none: it is the speed that is varied");
+    return {};
+  }
+  if (!options.of.starts_with(load) || options.of == load)
+    throw InputError("what is varied is \"" + options.of +
+                     "\", expected \"speed\" or \"load=NAME\"");
+  const std::string name = options.of.substr(load.size());
+  vibration::require_load(scenario, name);
+  return {name, steady::find_steady_speed(scenario, options.state.speed)};
+}
+
+void check(const CriticalOptions& options) {
+  for (const double value : {options.from, options.to})
+    if (const std::string expected = kFactor.expectation_instead_of(value); !expected.empty())
+      throw InputError("an end of the range is " + spoke::describe(value) + ", expected " +
+                       expected);
+  if (!(options.to > options.from))
+    throw InputError("the range goes from " + spoke::describe(options.from) + " to " +
+                     spoke::describe(options.to) + ", expected it to ascend");
+  if (options.points < 2)
+    throw InputError(std::to_string(options.points) + " points, expected 2 or more");
+  if (options.count && *options.count < 1)
+    throw InputError(std::to_string(*options.count) + " modes, expected 1 or more");
+}
+
+/// Returns the step below which a path ends: far below the resolution of the critical value, but
+/// one that values still have.
+double find_resolution(const CriticalOptions& options) {
+  const double largest = std::max(std::abs(options.from), std::abs(options.to));
+  return std::max(0.1 * kResolution * (options.to - options.from),
+                  8.0 * std::numeric_limits<double>::epsilon() * largest);
+}
+
+/// A place with what is known of small motions there.
+struct Sample {
+  PathPlace place;
+  steady::LinearModel linear;
+  Stability stability;
+
+  double value() const { return place->value; }
+};
+
+/// A search over the range.
+class Search {
+ public:
+  Search(const Scenario& scenario, const CriticalOptions& options)
+      : scenario_(scenario),
+        options_(options),
+        parameter_(read_parameter(scenario, options)),
+        path_([this](double value) { return make_model(value); }, find_resolution(options)) {}
+
+  CriticalResult run() {
+    Sample last = look(path_.begin(options_.from));
+    require_stable(last);
+    add(last);
+    tell(1);
+    for (int k = 1; k < options_.points; ++k) {
+      const auto [place, is_lost] = path_.go(last.place, point(k));
+      Sample next = look(place);
+      if (!result_.critical) {
+        if (is_worse(last, next, kGrows)) narrow(last, next);
+        if (!result_.critical && is_lost) add_end(last, next);
+      }
+      if (is_lost) break;
+      add(next);
+      noise_ = std::max(noise_, last.stability.growth);
+      last = std::move(next);
+      tell(k + 1);
+    }
+    follow();
+    return std::move(result_);
+  }
+
+ private:
+  std::unique_ptr<steady::SteadyModel> make_model(double value) const {
+    if (parameter_.is_speed())
+      return steady::make_steady_model(scenario_, {value == 0.0 ? kAlmostRest : value});
+    Scenario loaded = scenario_;
+    vibration::multiply_load(parameter_.load, value, loaded);
+    return steady::make_steady_model(loaded, {parameter_.speed});
+  }
+
+  double point(int k) const {
+    if (k + 1 == options_.points) return options_.to;
+    return options_.from + k * (options_.to - options_.from) / (options_.points - 1);
+  }
+
+  /// Returns a distance at a value, by its size, or by a small part of the range if that is more.
+  double distance_at(double value, double share) const {
+    return share * std::max(std::abs(value), 1e-3 * (options_.to - options_.from));
+  }
+
+  int count() const { return options_.count.value_or(kMost) + kSpare; }
+
+  Sample look(PathPlace place) const {
+    steady::LinearModel linear = steady::linearize(place->equilibrium, *place->model);
+    const Stability stability =
+        vibration::assess_stability(linear, place->model->azimuths(), count());
+    return {std::move(place), std::move(linear), stability};
+  }
+
+  ModesResult describe(const Sample& sample) const {
+    ModesResult modes =
+        vibration::make_modes(sample.linear, sample.place->equilibrium,
+                              {options_.count.value_or(0), count()}, *sample.place->model);
+    if (parameter_.is_speed()) modes.equilibrium.speed = sample.value();
+    steady::add_warnings(scenario_, modes.equilibrium);
+    return modes;
+  }
+
+  void add(const Sample& sample) {
+    result_.values.push_back(sample.value());
+    result_.states.push_back(describe(sample));
+  }
+
+  void tell(int done) const {
+    if (options_.progress) options_.progress(static_cast<std::size_t>(done));
+  }
+
+  void require_stable(const Sample& first) const {
+    if (first.stability.growth <= kGrows) return;
+    const ModesResult found = describe(first);
+    const Mode& mode = found.modes[find_growing(found, kGrows)];
+    std::ostringstream text;
+    text << "at " << parameter_.describe(first.value())
+         << " the equilibrium is unstable already: " << mode.name << " of " << mode.of
+         << " grows by " << mode.eigenvalue.real()
+         << " per s, expected a range that begins where it is stable";
+    throw InputError(text.str());
+  }
+
+  /// Whether more motions are unheld at `next` than at `last`, or a root grows beyond a limit.
+  static bool is_worse(const Sample& last, const Sample& next, double limit) {
+    return next.stability.unheld > last.stability.unheld || next.stability.growth > limit;
+  }
+
+  /// Returns the growth from which roots grow: ten times what round-off has shown so far, so that a
+  /// root whose real part passes zero slowly is found where it does.
+  double find_limit() const { return std::clamp(10.0 * noise_, 1e-10, kGrows); }
+
+  /// Narrows the first loss between two places down.
+  void narrow(Sample good, Sample bad) {
+    const Sample start = good;
+    const double limit = find_limit();
+    while (bad.value() - good.value() > distance_at(bad.value(), kResolution)) {
+      const double middle = 0.5 * (good.value() + bad.value());
+      if (middle == good.value() || middle == bad.value()) break;
+      const auto [place, is_lost] = path_.go(good.place, middle);
+      Sample between = look(place);
+      const bool is_bad = is_worse(good, between, limit);
+      if (is_lost && !is_bad) return add_end(start, between);
+      (is_bad ? bad : good) = std::move(between);
+    }
+    const bool is_static = bad.stability.unheld > good.stability.unheld;
+    // Roots of large magnitude come and go among those that are looked at.
+    if (bad.stability.growth <= limit && !bad.stability.is_nearly_singular()) return;
+    add_loss(start, good, bad, is_static && bad.stability.is_nearly_singular());
+  }
+
+  /// Adds the loss between two places that are next to each other.
+  void add_loss(const Sample& start, const Sample& good, const Sample& bad, bool is_static) {
+    CriticalPoint critical;
+    critical.value = 0.5 * (good.value() + bad.value());
+    critical.resolution = 0.5 * (bad.value() - good.value());
+    const auto [place, is_lost] =
+        path_.go(bad.place, critical.value + distance_at(critical.value, kBeyond));
+    if (is_lost) return add_end(start, good);
+    const Sample beyond = look(place);
+    const ModesResult found = describe(beyond);
+    const std::size_t growing = find_growing(found, find_limit());
+    const bool grows = growing < found.modes.size();
+    const bool vibrates = grows && found.modes[growing].eigenvalue.imag() != 0.0;
+    const bool is_at_rest = found.equilibrium.speed == 0.0;
+    if (!is_static && vibrates) {
+      critical.kind = CriticalKind::flutter;
+      critical.frequency = bad.stability.frequency;
+    } else if (is_at_rest) {
+      critical.kind = CriticalKind::buckling;
+    } else {
+      critical.kind = grows && !vibrates ? CriticalKind::divergence : CriticalKind::critical_speed;
+    }
+    put(critical, grows ? growing : find_softest(found), found);
+  }
+
+  /// Adds that no equilibrium is found beyond a place. `start`: one before it.
+  void add_end(const Sample& start, const Sample& end) {
+    CriticalPoint critical;
+    critical.value = end.value();
+    critical.resolution = path_.resolution();
+    const double before = critical.value - distance_at(critical.value, kBeyond);
+    const Sample near = before > start.value() ? look(path_.go(start.place, before).place) : end;
+    const bool is_soft = end.stability.unheld > start.stability.unheld ||
+                         end.stability.softest <= 0.05 * start.stability.softest;
+    critical.kind = is_soft ? CriticalKind::limit_point : CriticalKind::no_equilibrium;
+    const ModesResult found = describe(near);
+    put(critical, find_softest(found), found);
+  }
+
+  void put(CriticalPoint critical, std::size_t mode, const ModesResult& found) {
+    critical.state = result_.states.size();
+    if (mode < found.modes.size()) critical.mode = mode;
+    result_.values.push_back(critical.value);
+    result_.states.push_back(found);
+    result_.critical = critical;
+  }
+
+  /// Returns the mode that grows most by its magnitude; the number of modes if none does by more
+  /// than a limit.
+  static std::size_t find_growing(const ModesResult& found, double limit) {
+    std::size_t most = found.modes.size();
+    double growth = limit;
+    for (std::size_t m = 0; m < found.modes.size(); ++m) {
+      const std::complex<double> s = found.modes[m].eigenvalue;
+      if (!(s.real() > growth * std::abs(s))) continue;
+      growth = s.real() / std::abs(s);
+      most = m;
+    }
+    return most;
+  }
+
+  /// Returns the mode of least frequency that is not rigid; the number of modes if all are.
+  static std::size_t find_softest(const ModesResult& found) {
+    std::size_t least = found.modes.size();
+    for (std::size_t m = 0; m < found.modes.size(); ++m) {
+      const double size = std::abs(found.modes[m].eigenvalue);
+      if (size == 0.0) continue;
+      if (least == found.modes.size() || size < std::abs(found.modes[least].eigenvalue)) least = m;
+    }
+    return least;
+  }
+
+  /// Follows the modes over all values; the critical one is in a branch.
+  void follow() {
+    auto& branches = result_.branches;
+    branches = vibration::follow_modes(result_.states, options_.count.value_or(kMost));
+    if (!result_.critical || !result_.critical->mode) return;
+    const CriticalPoint& critical = *result_.critical;
+    const bool is_followed = std::any_of(branches.begin(), branches.end(), [&](const auto& branch) {
+      return branch.modes[critical.state] == critical.mode;
+    });
+    if (is_followed) return;
+    const Mode& mode = result_.states[critical.state].modes[*critical.mode];
+    branches.push_back(
+        {mode.name, mode.of, std::vector<std::optional<std::size_t>>(result_.states.size())});
+    branches.back().modes[critical.state] = critical.mode;
+  }
+
+  const Scenario& scenario_;
+  const CriticalOptions& options_;
+  Parameter parameter_;
+  EquilibriumPath path_;
+  CriticalResult result_;
+  double noise_ = 0.0;  ///< largest growth where nothing grows
+};
+
+}  // namespace
+
+CriticalResult solve_critical(const Scenario& scenario, const CriticalOptions& options) {
+  check_scenario(scenario);
+  check(options);
+  return Search(scenario, options).run();
+}
+
+std::string_view name_of(CriticalKind kind) {
+  switch (kind) {
+    case CriticalKind::buckling:
+      return "buckling";
+    case CriticalKind::divergence:
+      return "divergence";
+    case CriticalKind::flutter:
+      return "flutter";
+    case CriticalKind::critical_speed:
+      return "critical speed";
+    case CriticalKind::limit_point:
+      return "limit point";
+    case CriticalKind::no_equilibrium:
+      break;
+  }
+  return "no equilibrium";
+}
+
+}  // namespace spoke

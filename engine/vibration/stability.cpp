@@ -1,0 +1,66 @@
+// Reads stability from roots with and without velocities.
+
+#include "engine/vibration/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+#include "engine/vibration/coupled_roots.h"
+#include "engine/vibration/eigenvalues.h"
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::Index;
+using steady::LinearModel;
+
+std::vector<Root> find_lowest(const LinearModel& linear, const std::vector<double>& azimuths,
+                              Index count) {
+  if (linear.is_coupled())
+    return find_coupled_roots(linear, azimuths, std::min(count, Pencil(linear).size()));
+  std::vector<Root> all;
+  for (std::size_t i = 0; i < linear.alike.size(); ++i) {
+    if (linear.alike[i] != i || linear.subsystem(i).M.rows() == 0) continue;
+    const Pencil pencil(linear, {i});
+    for (Root& root : find_roots(pencil, std::min(count, pencil.size())))
+      all.push_back(std::move(root));
+  }
+  return all;
+}
+
+/// Returns the model without forces of velocities, whose roots are those of s^2 M + K.
+LinearModel without_velocities(LinearModel linear) {
+  linear.C.setZero();
+  for (steady::LinearSubsystem& subsystem : linear.subsystems) subsystem.C.setZero();
+  for (steady::HubCoupling& coupling : linear.couplings) {
+    coupling.C_bh.setZero();
+    coupling.C_hb.setZero();
+  }
+  return linear;
+}
+
+}  // namespace
+
+Stability assess_stability(const LinearModel& linear, const std::vector<double>& azimuths,
+                           int count) {
+  Stability found;
+  for (const Root& root : find_lowest(without_velocities(linear), azimuths, count)) {
+    const double square = std::norm(root.s);
+    if (root.s.imag() == 0.0 && root.s.real() >= 0.0) ++found.unheld;
+    if (square == 0.0) continue;
+    found.stiffest = std::max(found.stiffest, square);
+    found.softest = found.softest == 0.0 ? square : std::min(found.softest, square);
+  }
+  for (const Root& root : find_lowest(linear, azimuths, count)) {
+    if (!(root.s.real() > 0.0)) continue;
+    const double growth = root.s.real() / std::abs(root.s);
+    if (growth <= found.growth) continue;
+    found.growth = growth;
+    found.frequency = root.s.imag();
+  }
+  return found;
+}
+
+}  // namespace spoke::vibration
