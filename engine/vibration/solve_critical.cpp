@@ -29,8 +29,9 @@ using vibration::EquilibriumPath;
 using vibration::PathPlace;
 using vibration::Stability;
 
-constexpr int kMost = 10;  ///< modes, unless the options say how many
-constexpr int kSpare = 4;  ///< modes beyond those that are followed, one of which may come down
+constexpr int kModes = 10;  ///< modes, unless the options say how many
+constexpr int kSpareModes =
+    4;  ///< modes beyond those that are followed, one of which may come down
 constexpr double kResolution = 1e-10;  ///< of the critical value, by its size
 constexpr double kBeyond = 1e-6;       ///< distance of the modes that are shown, likewise
 /// Real part by magnitude from which a root grows, as Mode::grows() has it.
@@ -150,7 +151,7 @@ class Search {
     return share * std::max(std::abs(value), 1e-3 * (options_.to - options_.from));
   }
 
-  int count() const { return options_.count.value_or(kMost) + kSpare; }
+  int count() const { return options_.count.value_or(kModes) + kSpareModes; }
 
   Sample look(PathPlace place) const {
     steady::LinearModel linear = steady::linearize(place->equilibrium, *place->model);
@@ -292,7 +293,7 @@ class Search {
   /// Follows the modes over all values; the critical one is in a branch.
   void follow() {
     auto& branches = result_.branches;
-    branches = vibration::follow_modes(result_.states, options_.count.value_or(kMost));
+    branches = vibration::follow_modes(result_.states, options_.count.value_or(kModes));
     if (!result_.critical || !result_.critical->mode) return;
     const CriticalPoint& critical = *result_.critical;
     const bool is_followed = std::any_of(branches.begin(), branches.end(), [&](const auto& branch) {

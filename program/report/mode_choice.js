@@ -3,8 +3,9 @@
 
 /** A branch is a mode followed over the speeds; `branch.modes[k]`: its mode at speed k, or null. */
 class ModeChoice {
-  constructor(branches, states) {
-    Object.assign(this, { branches, states, hovered: null, listeners: [] });
+  /** varied: name and unit of what states differ by. */
+  constructor(branches, states, varied = { name: 'speed', unit: 'rad/s' }) {
+    Object.assign(this, { branches, states, varied, hovered: null, listeners: [] });
     branches.forEach((branch, b) => Object.assign(branch, { isShown: true, color: b }));
     this.branch = 0;
     this.speed = 0;
@@ -14,6 +15,15 @@ class ModeChoice {
   }
   changed() {
     for (const callback of this.listeners) callback(this);
+  }
+
+  /** The label of an axis along which states stand. */
+  get axis() {
+    const { name, unit } = this.varied;
+    return unit ? `${name} [${unit}]` : name;
+  }
+  valueText(k) {
+    return `${numberText(this.states[k].value)} ${this.varied.unit}`.trim();
   }
 
   modeOf(branch, k) {
@@ -55,6 +65,7 @@ class ModeChoice {
     const { speed } = this.states[k];
     const perRevolution = speed !== 0 ? `, ${numberText((2 * Math.PI * mode.frequency) / Math.abs(speed))} per revolution` : '';
     const damping = mode.damping === 0 ? 'undamped' : `damping ratio ${numberText(mode.damping)}`;
-    return `${mode.of}: ${mode.name} at ${numberText(speed)} rad/s: ${numberText(mode.frequency)} Hz${perRevolution}, ${mode.grows ? 'grows, ' : ''}${damping}`;
+    const at = this.varied.unit ? this.valueText(k) : `a ${this.varied.name} of ${this.valueText(k)}`;
+    return `${mode.of}: ${mode.name} at ${at}: ${numberText(mode.frequency)} Hz${perRevolution}, ${mode.grows ? 'grows, ' : ''}${damping}`;
   }
 }

@@ -20,7 +20,7 @@ function addLegend(host, choice) {
 function addLists(choice) {
   const [branch, speed] = ['mode', 'speed'].map((name) => document.getElementById(`mode-${name}`));
   choice.branches.forEach(({ of, name }, b) => branch.append(make('option', { value: String(b), textContent: `${of}: ${name}` })));
-  choice.states.forEach((state, k) => speed.append(make('option', { value: String(k), textContent: `${numberText(state.speed)} rad/s` })));
+  choice.states.forEach((_, k) => speed.append(make('option', { value: String(k), textContent: choice.valueText(k) })));
   speed.parentElement.hidden = choice.states.length < 2;
   branch.addEventListener('change', () => choice.choose(Number(branch.value), choice.speed));
   speed.addEventListener('change', () => choice.choose(choice.branch, Number(speed.value)));
@@ -32,11 +32,15 @@ function addLists(choice) {
 
 /** The diagram, and damping where there is some. */
 function addPlots(data, choice, say) {
-  const range = new SpeedRange(choice.states.map(({ speed }) => speed));
-  const frequencies = { valueOf: (mode) => mode.frequency, harmonics: data.harmonics, shown: [0, data.shown] };
+  const range = new SpeedRange(choice.states.map(({ value }) => value));
+  const critical = data.critical && choice.states[data.critical.state].value;
+  const shown = data.shown && [0, data.shown];
+  const frequencies = { valueOf: (mode) => mode.frequency, harmonics: data.harmonics, shown, critical };
   const diagram = new SpeedPlot(document.getElementById('campbell'), choice, range, frequencies, say);
   const damping = document.getElementById('campbell-damping');
   if (damping) new SpeedPlot(damping, choice, range, { valueOf: (mode) => mode.damping }, say);
+  const growth = document.getElementById('campbell-growth');
+  if (growth) new SpeedPlot(growth, choice, range, { valueOf: (mode) => mode.growth, critical }, say);
   const reset = document.getElementById('campbell-reset');
   reset.addEventListener('click', () => diagram.reset());
   document.getElementById('campbell-all').addEventListener('click', () => diagram.showAll());
@@ -51,7 +55,7 @@ function addPlots(data, choice, say) {
 function startPage() {
   const data = JSON.parse(document.getElementById('steady-data').textContent);
   const states = new SteadyStates(data);
-  const choice = new ModeChoice(data.branches, states.states);
+  const choice = new ModeChoice(data.branches, states.states, data.varied);
   const region = document.getElementById('spoken');
   const say = (text) => (region.textContent = text);
   const text = document.getElementById('mode-text');
@@ -61,10 +65,10 @@ function startPage() {
   if (document.getElementById('campbell')) addPlots(data, choice, say);
   addLists(choice);
   const view = new ModeView(document.getElementById('mode-view'), states, choice);
-  // Choose a mode that oscillates, if there is one.
+  // Choose the critical mode, or one that oscillates, if there is one.
   const middle = Math.floor(choice.states.length / 2);
   const first = choice.branches.findIndex((_, b) => choice.modeOf(b, middle)?.frequency > 0);
-  choice.choose(Math.max(first, 0), middle);
+  choice.choose(data.critical?.branch ?? Math.max(first, 0), data.critical?.state ?? middle);
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => choice.changed());
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) view.play();
 }

@@ -1,11 +1,11 @@
-// Values of modes over the speed of rotation, a line for each branch: drag a rectangle to zoom,
+// Values of modes over the speed of rotation, or over what else is varied, a line for each branch: drag a rectangle to zoom,
 // hover to read a mode, click to choose it. All of it works from the keyboard as well. Uses
 // page_tools.js and mode_choice.js.
 
 const kFrame = { left: 62, right: 16, top: 12, bottom: 44 };
 const kReach = 14; // reach from a point to the pointer [pixels]
 
-/** The range of speeds that plots show together. */
+/** The range of speeds, or of other values, that plots show together. */
 class SpeedRange {
   constructor(speeds) {
     const [low, high] = [Math.min(...speeds), Math.max(...speeds)];
@@ -28,10 +28,10 @@ function within([low, high], [first, last]) {
 }
 
 class SpeedPlot {
-  /** what: {title, unit, valueOf(mode), harmonics, shown: the range of values shown at first}. */
+  /** what: {valueOf(mode), harmonics, shown: the range of values shown at first, critical: a speed to mark}. */
   constructor(canvas, choice, range, what, say) {
     Object.assign(this, { canvas, choice, range, ...what, say, drag: null });
-    this.speeds = choice.states.map(({ speed }) => speed);
+    this.speeds = choice.states.map(({ value }) => value);
     this.full = this.findRange();
     this.view = what.shown ? within(what.shown, this.full) : [...this.full];
     this.first = [...this.view];
@@ -125,6 +125,7 @@ class SpeedPlot {
     context.rect(left, top, w, h);
     context.clip();
     for (let n = 1; n <= (this.harmonics ?? 0); ++n) this.drawHarmonic(context, n);
+    this.drawCritical(context);
     this.drawBranches(context);
     this.drawDrag(context);
     context.restore();
@@ -158,7 +159,7 @@ class SpeedPlot {
     context.textAlign = 'center';
     context.textBaseline = 'bottom';
     context.fillStyle = colorOf('--ink');
-    context.fillText('speed [rad/s]', left + width / 2, top + height + kFrame.bottom - 2);
+    context.fillText(this.choice.axis, left + width / 2, top + height + kFrame.bottom - 2);
   }
   /** A line n times per revolution, its number where it leaves the picture. */
   drawHarmonic(context, n) {
@@ -177,6 +178,13 @@ class SpeedPlot {
     context.textAlign = 'right';
     context.textBaseline = 'bottom';
     context.fillText(`${n}/rev`, this.x(end) - 4, Math.max(this.y(valueAt(end)), this.area.top + 16));
+  }
+  drawCritical(context) {
+    if (this.critical === undefined) return;
+    const [x, { top, height }] = [this.x(this.critical), this.area];
+    context.strokeStyle = colorOf('--bad');
+    context.lineWidth = 1.5;
+    strokeLine(context, [[x, top], [x, top + height]]);
   }
   drawBranches(context) {
     this.choice.branches.forEach((branch, b) => {

@@ -10,6 +10,7 @@ class SteadyStates {
     this.scene = new Scene(data.scene);
     this.states = data.states.map((state) => ({
       ...state,
+      value: state.value ?? state.speed, // what states differ by
       groups: this.decodeGroups(decode(state.groups, Float32Array)),
       displacements: decode(state.displacements, Float32Array),
       rotations: decode(state.rotations, Float32Array),

@@ -9,7 +9,7 @@
 
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
-#include "models/support/json.h"
+#include "program/steady_report/mode_json.h"
 
 namespace spoke::steady_report {
 namespace {
@@ -32,6 +32,8 @@ Json shape_json(const Mode& mode) {
   return blades;
 }
 
+}  // namespace
+
 Json mode_json(const Mode& mode) {
   return {{"of", mode.of},
           {"name", mode.name},
@@ -45,7 +47,15 @@ Json mode_json(const Mode& mode) {
           {"shape", shape_json(mode)}};
 }
 
-}  // namespace
+Json nodes_json(const EquilibriumResult& equilibrium) {
+  Json nodes = Json::array();
+  for (const BladeEquilibrium& blade : equilibrium.blades) {
+    Json list = Json::array();
+    for (const Eigen::Vector3d& p : blade.nodes) list.push_back(Json::array({p.x(), p.y(), p.z()}));
+    nodes.push_back({{"name", blade.name}, {"nodes_m", list}});
+  }
+  return nodes;
+}
 
 double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
 
@@ -83,15 +93,9 @@ std::string describe_growth(const ModesResult& result) {
 std::string make_json(const ModesResult& result) {
   Json modes = Json::array();
   for (const Mode& mode : result.modes) modes.push_back(mode_json(mode));
-  Json nodes = Json::array();
-  for (const BladeEquilibrium& blade : result.equilibrium.blades) {
-    Json list = Json::array();
-    for (const Eigen::Vector3d& p : blade.nodes) list.push_back(Json::array({p.x(), p.y(), p.z()}));
-    nodes.push_back({{"name", blade.name}, {"nodes_m", list}});
-  }
   const Json json = {{"speed_rad_per_s", result.equilibrium.speed},
                      {"blades_couple", result.are_blades_coupled},
-                     {"equilibrium", nodes},
+                     {"equilibrium", nodes_json(result.equilibrium)},
                      {"modes", modes}};
   return json.dump_lines();
 }
