@@ -3,6 +3,7 @@
 #include "engine/vibration/follow_modes.h"
 
 #include <algorithm>
+#include <complex>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,32 +22,36 @@ std::size_t first_subsystem(const Mode& mode) {
                                   mode.shape.begin());
 }
 
-/// Returns the modal assurance criterion of two modes, from 0 to 1.
-double likeness(const Mode& a, const Mode& b) {
+/// Returns the modal assurance criterion of two modes, from 0 to 1, or of one with the conjugate of
+/// the other.
+double likeness(const Mode& a, const Mode& b, bool is_conjugate) {
   if (a.coordinates.size() != b.coordinates.size() || first_subsystem(a) != first_subsystem(b))
     return 0.0;
-  return std::norm(a.coordinates.dot(b.coordinates)) /
-         (a.coordinates.squaredNorm() * b.coordinates.squaredNorm());
+  const std::complex<double> product = is_conjugate ? a.coordinates.conjugate().dot(b.coordinates)
+                                                    : a.coordinates.dot(b.coordinates);
+  return std::norm(product) / (a.coordinates.squaredNorm() * b.coordinates.squaredNorm());
 }
 
-/// Gives each branch its mode at state k, by those at state `before`.
-void follow(std::size_t before, std::size_t k, const std::vector<ModesResult>& states,
-            std::vector<CampbellBranch>& branches) {
+/// Gives each branch that has none yet its mode at state k, by those at state `before`.
+void follow(std::size_t before, std::size_t k, bool is_conjugate,
+            const std::vector<ModesResult>& states, std::vector<CampbellBranch>& branches) {
   struct Pair {
     double likeness;
     std::size_t branch, mode;
   };
   std::vector<Pair> pairs;
   const std::vector<Mode>& modes = states[k].modes;
+  std::vector<bool> is_taken(modes.size());
+  for (const CampbellBranch& branch : branches)
+    if (branch.modes[k]) is_taken[*branch.modes[k]] = true;
   for (std::size_t b = 0; b < branches.size(); ++b) {
     const std::optional<std::size_t> last = branches[b].modes[before];
     if (!last) continue;
     for (std::size_t m = 0; m < modes.size(); ++m)
-      pairs.push_back({likeness(states[before].modes[*last], modes[m]), b, m});
+      pairs.push_back({likeness(states[before].modes[*last], modes[m], is_conjugate), b, m});
   }
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.likeness > b.likeness; });
-  std::vector<bool> is_taken(modes.size());
   for (const Pair& pair : pairs) {
     std::optional<std::size_t>& mode = branches[pair.branch].modes[k];
     if (pair.likeness < kLeastLikeness || mode || is_taken[pair.mode]) continue;
@@ -86,13 +91,17 @@ std::vector<CampbellBranch> begin_branches(std::size_t k, const std::vector<Mode
 
 }  // namespace
 
-std::vector<CampbellBranch> follow_modes(const std::vector<ModesResult>& states, int count) {
+std::vector<CampbellBranch> follow_modes(const std::vector<ModesResult>& states, int count,
+                                         ThroughZero through_zero) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < states.size(); ++k)
     if (!states[k].modes.empty()) found.push_back(k);
   if (found.size() < 2) return {};  // nothing vibrates
   std::vector<CampbellBranch> branches = begin_branches(found[0], states, count);
-  for (std::size_t i = 1; i < found.size(); ++i) follow(found[i - 1], found[i], states, branches);
+  for (std::size_t i = 1; i < found.size(); ++i) {
+    follow(found[i - 1], found[i], false, states, branches);
+    if (through_zero == ThroughZero::yes) follow(found[i - 1], found[i], true, states, branches);
+  }
   // Subsystems that differ at rest by gravity are alike as soon as the hub turns.
   std::erase_if(branches, [&](const CampbellBranch& branch) { return !branch.modes[found[1]]; });
   for (CampbellBranch& branch : branches) name(states, branch);

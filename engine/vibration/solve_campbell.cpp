@@ -139,8 +139,7 @@ CampbellResult solve_campbell(const Scenario& scenario, const CampbellOptions& o
   check(options);
   CampbellResult result;
   solve_all(scenario, options, result);
-  result.branches =
-      vibration::follow_modes(result.states, options.count.value_or(options.most));
+  result.branches = vibration::follow_modes(result.states, options.count.value_or(options.most));
   find_crossings(options, find_operating_speed(scenario), result);
   return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -199,6 +200,14 @@ class Search {
   /// root whose real part passes zero slowly is found where it does.
   double find_limit() const { return std::clamp(10.0 * noise_, 1e-10, kGrows); }
 
+  /// Whether a motion is no longer held between two places next to each other, where its stiffness
+  /// is near zero. Otherwise it only came into the number of those that are looked at.
+  static bool loses_stiffness(const Stability& good, const Stability& bad) {
+    constexpr double kNearZero = 1e-6;
+    return bad.unheld > good.unheld &&
+           (bad.rigid > good.rigid || bad.softest <= kNearZero * bad.stiffest);
+  }
+
   /// Narrows the first loss between two places down.
   void narrow(Sample good, Sample bad) {
     const Sample start = good;
@@ -212,10 +221,8 @@ class Search {
       if (is_lost && !is_bad) return add_end(start, between);
       (is_bad ? bad : good) = std::move(between);
     }
-    const bool is_static = bad.stability.unheld > good.stability.unheld;
-    // Roots of large magnitude come and go among those that are looked at.
-    if (bad.stability.growth <= limit && !bad.stability.is_nearly_singular()) return;
-    add_loss(start, good, bad, is_static && bad.stability.is_nearly_singular());
+    const bool is_static = loses_stiffness(good.stability, bad.stability);
+    if (is_static || bad.stability.growth > limit) add_loss(start, good, bad, is_static);
   }
 
   /// Adds the loss between two places that are next to each other.
@@ -290,20 +297,25 @@ class Search {
     return least;
   }
 
-  /// Follows the modes over all values; the critical one is in a branch.
+  /// Follows the modes over all values; the critical one is in a branch, by which it is named.
   void follow() {
     auto& branches = result_.branches;
-    branches = vibration::follow_modes(result_.states, options_.count.value_or(kModes));
+    branches = vibration::follow_modes(result_.states, options_.count.value_or(kModes),
+                                       vibration::ThroughZero::yes);
     if (!result_.critical || !result_.critical->mode) return;
-    const CriticalPoint& critical = *result_.critical;
-    const bool is_followed = std::any_of(branches.begin(), branches.end(), [&](const auto& branch) {
-      return branch.modes[critical.state] == critical.mode;
+    CriticalPoint& critical = *result_.critical;
+    auto branch = std::find_if(branches.begin(), branches.end(), [&](const CampbellBranch& one) {
+      return one.modes[critical.state] == critical.mode;
     });
-    if (is_followed) return;
-    const Mode& mode = result_.states[critical.state].modes[*critical.mode];
-    branches.push_back(
-        {mode.name, mode.of, std::vector<std::optional<std::size_t>>(result_.states.size())});
-    branches.back().modes[critical.state] = critical.mode;
+    if (branch == branches.end()) {
+      const Mode& mode = result_.states[critical.state].modes[*critical.mode];
+      branches.push_back(
+          {mode.name, mode.of, std::vector<std::optional<std::size_t>>(result_.states.size())});
+      branch = std::prev(branches.end());
+      branch->modes[critical.state] = critical.mode;
+    }
+    critical.name = branch->name;
+    critical.of = branch->of;
   }
 
   const Scenario& scenario_;

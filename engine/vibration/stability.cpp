@@ -49,7 +49,10 @@ Stability assess_stability(const LinearModel& linear, const std::vector<double>&
   for (const Root& root : find_lowest(without_velocities(linear), azimuths, count)) {
     const double square = std::norm(root.s);
     if (root.s.imag() == 0.0 && root.s.real() >= 0.0) ++found.unheld;
-    if (square == 0.0) continue;
+    if (square == 0.0) {
+      ++found.rigid;
+      continue;
+    }
     found.stiffest = std::max(found.stiffest, square);
     found.softest = found.softest == 0.0 ? square : std::min(found.softest, square);
   }

@@ -14,13 +14,11 @@ struct Stability {
   /// Number of motions that nothing holds, or that are pushed away: x^T K x is zero to round-off,
   /// or negative, by the eigenvalues of K against M.
   std::size_t unheld = 0;
-  double softest = 0.0;    ///< the least magnitude of such an eigenvalue that is not zero [1/s^2]
+  std::size_t rigid = 0;   ///< those among them whose stiffness is zero to round-off
+  double softest = 0.0;    ///< the least magnitude of such an eigenvalue but zero [1/s^2]
   double stiffest = 0.0;   ///< the largest of those that were looked at [1/s^2]
   double growth = 0.0;     ///< largest real part of a root by its magnitude; 0: none grows
   double frequency = 0.0;  ///< of the root that grows most in this sense [rad/s]
-
-  /// Whether the least stiffness is near zero, against the others.
-  bool is_nearly_singular() const { return softest <= 1e-6 * stiffest; }
 };
 
 /// Looks at so many of the lowest roots, of each subsystem where they do not couple. `azimuths`: of

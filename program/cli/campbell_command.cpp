@@ -14,24 +14,8 @@
 namespace spoke::cli {
 namespace {
 
-/// Shows how many speeds are done, and clears the line at the end, after an error as well.
-class Progress {
- public:
-  explicit Progress(std::size_t speeds) : speeds_(speeds) {}
-  ~Progress() { show_progress(""); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void show(std::size_t done) const {
-    show_progress(fmt::format("{} of {} speeds", done, speeds_));
-  }
-
- private:
-  std::size_t speeds_;
-};
-
 CampbellResult solve(CampbellOptions options, const SteadyTask& task) {
-  const Progress progress(options.speeds.size());
+  const CountProgress progress(options.speeds.size(), "speeds");
   options.progress = [&progress](std::size_t done) { progress.show(done); };
   return task.solve([&](const Scenario& scenario) { return solve_campbell(scenario, options); });
 }

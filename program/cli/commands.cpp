@@ -97,6 +97,15 @@ void add_campbell(CLI::App& command, Arguments& arguments) {
   command.footer(std::string(kCampbellText) + '\n' + kStatusText);
 }
 
+void add_critical(CLI::App& command, Arguments& arguments) {
+  add_common(command, arguments);
+  add_out(command, arguments, "results/<name of the scenario>/critical");
+  add_range(command, arguments.steady);
+  add_speed(command, arguments.steady);
+  add_count(command, arguments.steady);
+  command.footer(std::string(kCriticalText) + '\n' + kStatusText);
+}
+
 void add_linearize(CLI::App& command, Arguments& arguments) {
   add_common(command, arguments);
   add_out(command, arguments, "results/<name of the scenario>/linear");
@@ -155,6 +164,10 @@ std::vector<Command> make_commands() {
        .summary = "Follow a model's vibrations over the speed of rotation",
        .add_options = add_campbell,
        .execute = find_campbell},
+      {.name = "critical",
+       .summary = "Find the speed or load at which an equilibrium becomes unstable",
+       .add_options = add_critical,
+       .execute = find_critical},
       {.name = "linearize",
        .summary = "Write the state-space matrices of small motions about an equilibrium",
        .add_options = add_linearize,

@@ -31,6 +31,10 @@ int find_modes(const Arguments& arguments);
 /// multiples of the speed, and writes their files. Throws InputError and DivergenceError.
 int find_campbell(const Arguments& arguments);
 
+/// Finds the least speed or load at which an equilibrium of a scenario's model is lost or a mode
+/// stops decaying, prints it and writes its files. Throws InputError and DivergenceError.
+int find_critical(const Arguments& arguments);
+
 /// Linearises a scenario's model, prints its size and writes its matrices. Throws InputError and
 /// DivergenceError.
 int linearize(const Arguments& arguments);

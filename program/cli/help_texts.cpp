@@ -117,6 +117,22 @@ Example:
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 4
 )";
 
+const char* const kCriticalText =
+    R"(The least value in the range at which an equilibrium is lost or a mode stops decaying: buckling and
+divergence, flutter, critical speeds of shafts, limit points. Equilibria are followed from value to
+value; the first change is narrowed down to 1e-10 by bisection. A value that is found in none of
+the range is no error. See docs/modes.md.
+
+Output files, in the folder of --out:
+  critical.html  the critical mode as a moving picture, frequencies and growth over the range
+  critical.csv   a row per value and mode
+  critical.json  everything, with the shape of the critical mode
+
+Examples:
+  spoke critical models/nrel_5mw_rotor.toml --of speed --from 0 --to 4
+  spoke critical column.toml --of load=push --from 0 --to 3
+)";
+
 const char* const kLinearizeText =
     R"(Small motions x about the equilibrium of spoke static, in the frame that turns with the hub:
 x' = A x + B u, y = C x + D u; u: factors of loads, motors, the drive's torque; y: tips, joints and
@@ -152,6 +168,7 @@ const char* const kProgramText = R"(Examples:
   spoke static models/articulated_rotor.toml
   spoke modes models/nrel_5mw_rotor.toml
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1
+  spoke critical models/nrel_5mw_rotor.toml --of speed --from 0 --to 4
   spoke compare models/wu_haug_rotor.toml
   spoke predict models/wu_haug_rotor.toml
   spoke trace models/wu_haug_rotor.toml

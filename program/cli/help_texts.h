@@ -15,6 +15,7 @@ extern const char* const kReduceText;
 extern const char* const kStaticText;
 extern const char* const kModesText;
 extern const char* const kCampbellText;
+extern const char* const kCriticalText;
 extern const char* const kLinearizeText;
 extern const char* const kTraceText;
 extern const char* const kProgramText;

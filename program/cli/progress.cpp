@@ -29,6 +29,10 @@ void show_progress(const std::string& text) {
   std::fflush(stderr);
 }
 
+void CountProgress::show(std::size_t done) const {
+  show_progress(fmt::format("{} of {} {}", done, all_, what_));
+}
+
 ProgressBar::ProgressBar(double start, double duration, bool wanted)
     : from_(start), duration_(duration), shown_(wanted && isatty(STDERR_FILENO) == 1) {}
 

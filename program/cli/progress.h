@@ -3,14 +3,32 @@
 // Progress of a command, shown on the terminal.
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace spoke::cli {
 
 /// Shows on a line of the terminal (stderr) what is being done; an empty text clears it. Does
 /// nothing where stderr is not a terminal.
 void show_progress(const std::string& text);
+
+/// Shows how many of so many are done, "3 of 21 speeds", and clears the line at the end, after an
+/// error as well.
+class CountProgress {
+ public:
+  CountProgress(std::size_t all, std::string what) : all_(all), what_(std::move(what)) {}
+  ~CountProgress() { show_progress(""); }
+  CountProgress(const CountProgress&) = delete;
+  CountProgress& operator=(const CountProgress&) = delete;
+
+  void show(std::size_t done) const;
+
+ private:
+  std::size_t all_;
+  std::string what_;
+};
 
 /// A line on the terminal (stderr) that shows how far a simulation is and how fast it runs. It
 /// stays empty where stderr is not a terminal.

@@ -1,4 +1,4 @@
-// Parses speeds and numbers of modes.
+// Parses speeds, ranges and numbers of modes.
 
 #include "program/cli/steady_arguments.h"
 
@@ -67,6 +67,40 @@ void add_speed(CLI::App& command, SteadyArguments& arguments) {
           },
           "Speed of the hub about its axis [the one that the drive leads to]")
       ->type_name("RAD_PER_S");
+}
+
+void add_range(CLI::App& command, SteadyArguments& arguments) {
+  command
+      .add_option("--of", arguments.of,
+                  "What is varied: speed, of the hub [rad/s], or load=NAME, a\n"
+                  "factor of the loads of this name; load=gravity: of gravity")
+      ->required()
+      ->check([](const std::string& text) {
+        const bool is_load = text.starts_with("load=") && text.size() > 5;
+        return text == "speed" || is_load ? std::string()
+                                          : "expected speed or load=NAME, got \"" + text + '"';
+      })
+      ->type_name("speed|load=NAME");
+  const auto add_end = [&](const char* option, double& value, const char* text) {
+    command
+        .add_option_function<std::string>(
+            option,
+            [option, &value](const std::string& given) {
+              value = parse_speed(option, given,
+                                  "expected a number from -1e30 to 1e30, got \"" + given + '"');
+            },
+            text)
+        ->required()
+        ->type_name("NUMBER");
+  };
+  add_end("--from", arguments.from, "Where the search begins, with a stable equilibrium");
+  add_end("--to", arguments.to, "Where it ends");
+  command
+      .add_option("--points", arguments.points,
+                  "Values in the range at which modes are sought [21]: what\n"
+                  "comes and goes between two of them is missed")
+      ->check(CLI::Range(2, 10000))
+      ->type_name("N");
 }
 
 void add_count(CLI::App& command, SteadyArguments& arguments) {

@@ -1,8 +1,10 @@
 #pragma once
 
-// Options of the commands about steady states: `spoke static`, `modes`, `campbell` and `linearize`.
+// Options of the commands about steady states: `spoke static`, `modes`, `campbell`, `critical` and
+// `linearize`.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CLI {
@@ -16,12 +18,17 @@ struct SteadyArguments {
   std::optional<double> speed;  ///< hub speed [rad/s]; none: the drive's
   std::optional<int> count;     ///< number of modes; none: 10, or as many as there are
   std::vector<double> speeds;   ///< campbell: hub speeds [rad/s]
+  std::string of;               ///< critical: what is varied, as in CriticalOptions
+  double from = 0.0, to = 0.0;  ///< critical: ends of the range of what is varied
+  int points = 21;              ///< critical: values in the range
 };
 
 /// Adds --speed.
 void add_speed(CLI::App& command, SteadyArguments& arguments);
 /// Adds --speeds.
 void add_speeds(CLI::App& command, SteadyArguments& arguments);
+/// Adds --of, --from, --to and --points.
+void add_range(CLI::App& command, SteadyArguments& arguments);
 /// Adds --count.
 void add_count(CLI::App& command, SteadyArguments& arguments);
 

@@ -48,15 +48,20 @@ Json critical_json(const CriticalResult& result) {
   if (!result.critical) return {};
   const CriticalPoint& critical = *result.critical;
   const ModesResult& state = result.states[critical.state];
-  Json json = {{"kind", name_of(critical.kind)},
-               {"value", critical.value},
-               {"resolution", critical.resolution},
-               {"speed_rad_per_s", state.equilibrium.speed},
-               {"frequency_Hz", hertz(critical.frequency)},
-               {"frequency_rad_per_s", critical.frequency},
-               {"equilibrium", nodes_json(state.equilibrium)},
-               {"mode", critical.mode ? mode_json(state.modes[*critical.mode]) : Json()}};
-  return json;
+  Json mode;
+  if (critical.mode) {
+    mode = mode_json(state.modes[*critical.mode]);
+    mode.set("name", critical.name);
+    mode.set("of", critical.of);
+  }
+  return {{"kind", name_of(critical.kind)},
+          {"value", critical.value},
+          {"resolution", critical.resolution},
+          {"speed_rad_per_s", state.equilibrium.speed},
+          {"frequency_Hz", hertz(critical.frequency)},
+          {"frequency_rad_per_s", critical.frequency},
+          {"equilibrium", nodes_json(state.equilibrium)},
+          {"mode", mode}};
 }
 
 }  // namespace
@@ -81,10 +86,7 @@ std::string describe_critical(const CriticalResult& result, const CriticalOption
   std::string text = fmt::format("{} at {}", name_of(critical.kind),
                                  (varied.is_speed() ? "" : "a " + varied.name + " of ") +
                                      varied.with_unit(critical.value, 10));
-  if (critical.mode) {
-    const Mode& mode = result.states[critical.state].modes[*critical.mode];
-    text += ", " + mode.name + " of " + mode.of;
-  }
+  if (critical.mode) text += ", " + critical.name + " of " + critical.of;
   return text + ": " + describe_kind(critical);
 }
 
