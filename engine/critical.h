@@ -58,8 +58,8 @@ struct CriticalPoint {
   /// equilibrium beyond.
   std::size_t state = 0;
   std::optional<std::size_t> mode;  ///< index of the critical one among them; none: there are none
-  std::string name;                 ///< of its branch, "lag 1"
-  std::string of;                   ///< of its branch, "blade 1"
+  std::string name;                 ///< of the critical mode, as at the value before: "lag 1"
+  std::string of;                   ///< whose it is: "blade 1"
 };
 
 /// What solve_critical() finds.

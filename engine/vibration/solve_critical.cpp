@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -35,8 +36,8 @@ constexpr int kSpareModes =
     4;  ///< modes beyond those that are followed, one of which may come down
 constexpr double kResolution = 1e-10;  ///< of the critical value, by its size
 constexpr double kBeyond = 1e-6;       ///< distance of the modes that are shown, likewise
-/// Real part by magnitude from which a root grows, as Mode::grows() has it.
-constexpr double kGrows = 1e-6;
+/// Real part by magnitude from which a root grows, as Mode::grows() has it, and a larger one.
+constexpr double kGrows = 1e-6, kGrowsMore = 1e-5;
 /// Speed in place of zero: what turns against a turning hub does not act at the first speed alone.
 constexpr double kAlmostRest = 1e-100;
 
@@ -120,12 +121,11 @@ class Search {
       const auto [place, is_lost] = path_.go(last.place, point(k));
       Sample next = look(place);
       if (!result_.critical) {
-        if (is_worse(last, next, kGrows)) narrow(last, next);
+        narrow(last, next);
         if (!result_.critical && is_lost) add_end(last, next);
       }
       if (is_lost) break;
       add(next);
-      noise_ = std::max(noise_, last.stability.growth);
       last = std::move(next);
       tell(k + 1);
     }
@@ -182,7 +182,7 @@ class Search {
   void require_stable(const Sample& first) const {
     if (first.stability.growth <= kGrows) return;
     const ModesResult found = describe(first);
-    const Mode& mode = found.modes[find_growing(found, kGrows)];
+    const Mode& mode = found.modes[find_nearest(found, first.stability.growing)];
     std::ostringstream text;
     text << "at " << parameter_.describe(first.value())
          << " the equilibrium is unstable already: " << mode.name << " of " << mode.of
@@ -191,63 +191,94 @@ class Search {
     throw InputError(text.str());
   }
 
-  /// Whether more motions are unheld at `next` than at `last`, or a root grows beyond a limit.
-  static bool is_worse(const Sample& last, const Sample& next, double limit) {
-    return next.stability.unheld > last.stability.unheld || next.stability.growth > limit;
-  }
+  /// Two places next to each other, between which something is lost.
+  struct Pair {
+    Sample good, bad;
+  };
+  using IsBad = std::function<bool(const Stability&)>;
 
-  /// Returns the growth from which roots grow: ten times what round-off has shown so far, so that a
-  /// root whose real part passes zero slowly is found where it does.
-  double find_limit() const { return std::clamp(10.0 * noise_, 1e-10, kGrows); }
+  /// Narrows a pair down to a distance, or as far as equilibria are found: where the stiffness is
+  /// nearly singular, round-off moves them.
+  Pair bisect(Sample good, Sample bad, const IsBad& is_bad, double share) const {
+    while (bad.value() - good.value() > distance_at(bad.value(), share)) {
+      const double middle = 0.5 * (good.value() + bad.value());
+      if (middle == good.value() || middle == bad.value()) break;
+      EquilibriumPath::Reached reached = path_.go(good.place, middle);
+      if (reached.is_lost) reached = path_.go(bad.place, middle);
+      if (reached.is_lost) break;
+      Sample between = look(std::move(reached.place));
+      (is_bad(between.stability) ? bad : good) = std::move(between);
+    }
+    return {std::move(good), std::move(bad)};
+  }
 
   /// Whether a motion is no longer held between two places next to each other, where its stiffness
   /// is near zero. Otherwise it only came into the number of those that are looked at.
   static bool loses_stiffness(const Stability& good, const Stability& bad) {
     constexpr double kNearZero = 1e-6;
-    return bad.unheld > good.unheld &&
-           (bad.rigid > good.rigid || bad.softest <= kNearZero * bad.stiffest);
+    return bad.rigid > good.rigid || bad.softest <= kNearZero * bad.stiffest;
   }
 
-  /// Narrows the first loss between two places down.
-  void narrow(Sample good, Sample bad) {
-    const Sample start = good;
-    const double limit = find_limit();
-    while (bad.value() - good.value() > distance_at(bad.value(), kResolution)) {
-      const double middle = 0.5 * (good.value() + bad.value());
-      if (middle == good.value() || middle == bad.value()) break;
-      const auto [place, is_lost] = path_.go(good.place, middle);
-      Sample between = look(place);
-      const bool is_bad = is_worse(good, between, limit);
-      if (is_lost && !is_bad) return add_end(start, between);
-      (is_bad ? bad : good) = std::move(between);
+  /// Narrows the first loss between two places down, if there is one.
+  void narrow(const Sample& last, const Sample& next) {
+    std::optional<Pair> stiffness;
+    if (next.stability.unheld > last.stability.unheld) {
+      const std::size_t held = last.stability.unheld;
+      stiffness = bisect(
+          last, next, [held](const Stability& at) { return at.unheld > held; }, kResolution);
+      if (!loses_stiffness(stiffness->good.stability, stiffness->bad.stability)) stiffness.reset();
     }
-    const bool is_static = loses_stiffness(good.stability, bad.stability);
-    if (is_static || bad.stability.growth > limit) add_loss(start, good, bad, is_static);
+    const Sample& end = stiffness ? stiffness->good : next;
+    if (end.stability.growth > kGrows) {
+      const Pair growth = bisect(
+          last, end, [](const Stability& at) { return at.growth > kGrows; }, kResolution);
+      const double distance = end.value() - growth.bad.value();
+      if (!stiffness || distance > distance_at(end.value(), kBeyond))
+        return add_growth(last, growth, end);
+    }
+    if (stiffness) add_softening(last, *stiffness, next);
   }
 
-  /// Adds the loss between two places that are next to each other.
-  void add_loss(const Sample& start, const Sample& good, const Sample& bad, bool is_static) {
+  /// Adds that a motion is no longer held. `start`, `end`: places before and behind.
+  void add_softening(const Sample& start, const Pair& pair, const Sample& end) {
     CriticalPoint critical;
-    critical.value = 0.5 * (good.value() + bad.value());
-    critical.resolution = 0.5 * (bad.value() - good.value());
-    const auto [place, is_lost] =
-        path_.go(bad.place, critical.value + distance_at(critical.value, kBeyond));
-    if (is_lost) return add_end(start, good);
-    const Sample beyond = look(place);
+    critical.value = 0.5 * (pair.good.value() + pair.bad.value());
+    critical.resolution = 0.5 * (pair.bad.value() - pair.good.value());
+    const double target = critical.value + distance_at(critical.value, kBeyond);
+    EquilibriumPath::Reached reached = path_.go(pair.bad.place, target);
+    if (reached.is_lost && end.value() > target) reached = path_.go(end.place, target);
+    if (reached.is_lost) return add_end(start, pair.good);
+    const Sample beyond = look(std::move(reached.place));
     const ModesResult found = describe(beyond);
-    const std::size_t growing = find_growing(found, find_limit());
-    const bool grows = growing < found.modes.size();
-    const bool vibrates = grows && found.modes[growing].eigenvalue.imag() != 0.0;
-    const bool is_at_rest = found.equilibrium.speed == 0.0;
-    if (!is_static && vibrates) {
-      critical.kind = CriticalKind::flutter;
-      critical.frequency = bad.stability.frequency;
-    } else if (is_at_rest) {
+    const bool grows = beyond.stability.growth > kGrows;
+    if (found.equilibrium.speed == 0.0)
       critical.kind = CriticalKind::buckling;
-    } else {
-      critical.kind = grows && !vibrates ? CriticalKind::divergence : CriticalKind::critical_speed;
-    }
-    put(critical, grows ? growing : find_softest(found), found);
+    else if (grows && beyond.stability.growing.imag() == 0.0)
+      critical.kind = CriticalKind::divergence;
+    else
+      critical.kind = CriticalKind::critical_speed;
+    put(critical, grows ? find_nearest(found, beyond.stability.growing) : find_softest(found),
+        found);
+  }
+
+  /// Adds that a root grows. Its real part is known where it is kGrows by magnitude; where that
+  /// comes slowly, in proportion, it is zero before, which a second place tells.
+  void add_growth(const Sample& start, const Pair& pair, const Sample& end) {
+    const Pair more =
+        end.stability.growth > kGrowsMore
+            ? bisect(
+                  pair.bad, end, [](const Stability& at) { return at.growth > kGrowsMore; }, 1e-8)
+            : Pair{pair.bad, end};
+    const double from = 0.5 * (pair.good.value() + pair.bad.value());
+    const double slope = (more.bad.stability.growth - kGrows) / (more.bad.value() - from);
+    CriticalPoint critical;
+    critical.value = std::max(start.value(), from - kGrows / slope);
+    critical.resolution = 0.5 * (pair.bad.value() - pair.good.value());
+    critical.frequency = pair.bad.stability.growing.imag();
+    critical.kind = critical.frequency > 0.0 ? CriticalKind::flutter : CriticalKind::divergence;
+    const auto [place, is_lost] = path_.go(pair.bad.place, from + distance_at(from, kBeyond));
+    const ModesResult found = describe(is_lost ? pair.bad : look(place));
+    put(critical, find_nearest(found, pair.bad.stability.growing), found);
   }
 
   /// Adds that no equilibrium is found beyond a place. `start`: one before it.
@@ -272,18 +303,13 @@ class Search {
     result_.critical = critical;
   }
 
-  /// Returns the mode that grows most by its magnitude; the number of modes if none does by more
-  /// than a limit.
-  static std::size_t find_growing(const ModesResult& found, double limit) {
-    std::size_t most = found.modes.size();
-    double growth = limit;
-    for (std::size_t m = 0; m < found.modes.size(); ++m) {
-      const std::complex<double> s = found.modes[m].eigenvalue;
-      if (!(s.real() > growth * std::abs(s))) continue;
-      growth = s.real() / std::abs(s);
-      most = m;
-    }
-    return most;
+  /// Returns the mode whose root is nearest; the number of modes if there are none.
+  static std::size_t find_nearest(const ModesResult& found, std::complex<double> root) {
+    const auto nearest = std::min_element(
+        found.modes.begin(), found.modes.end(), [root](const Mode& a, const Mode& b) {
+          return std::abs(a.eigenvalue - root) < std::abs(b.eigenvalue - root);
+        });
+    return static_cast<std::size_t>(nearest - found.modes.begin());
   }
 
   /// Returns the mode of least frequency that is not rigid; the number of modes if all are.
@@ -297,7 +323,8 @@ class Search {
     return least;
   }
 
-  /// Follows the modes over all values; the critical one is in a branch, by which it is named.
+  /// Follows the modes over all values; the critical one is in a branch, and is called as it is at
+  /// the value before.
   void follow() {
     auto& branches = result_.branches;
     branches = vibration::follow_modes(result_.states, options_.count.value_or(kModes),
@@ -314,7 +341,9 @@ class Search {
       branch = std::prev(branches.end());
       branch->modes[critical.state] = critical.mode;
     }
-    critical.name = branch->name;
+    // Beyond, modes have other names: where a pair of roots is real, there is one mode more.
+    const std::optional<std::size_t> before = branch->modes[critical.state - 1];
+    critical.name = before ? result_.states[critical.state - 1].modes[*before].name : branch->name;
     critical.of = branch->of;
   }
 
@@ -323,7 +352,6 @@ class Search {
   Parameter parameter_;
   EquilibriumPath path_;
   CriticalResult result_;
-  double noise_ = 0.0;  ///< largest growth where nothing grows
 };
 
 }  // namespace

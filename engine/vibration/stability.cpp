@@ -61,7 +61,7 @@ Stability assess_stability(const LinearModel& linear, const std::vector<double>&
     const double growth = root.s.real() / std::abs(root.s);
     if (growth <= found.growth) continue;
     found.growth = growth;
-    found.frequency = root.s.imag();
+    found.growing = root.s;
   }
   return found;
 }

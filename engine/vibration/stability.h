@@ -2,6 +2,7 @@
 
 // Whether small motions are held, and whether they grow.
 
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -14,11 +15,11 @@ struct Stability {
   /// Number of motions that nothing holds, or that are pushed away: x^T K x is zero to round-off,
   /// or negative, by the eigenvalues of K against M.
   std::size_t unheld = 0;
-  std::size_t rigid = 0;   ///< those among them whose stiffness is zero to round-off
-  double softest = 0.0;    ///< the least magnitude of such an eigenvalue but zero [1/s^2]
-  double stiffest = 0.0;   ///< the largest of those that were looked at [1/s^2]
-  double growth = 0.0;     ///< largest real part of a root by its magnitude; 0: none grows
-  double frequency = 0.0;  ///< of the root that grows most in this sense [rad/s]
+  std::size_t rigid = 0;         ///< those among them whose stiffness is zero to round-off
+  double softest = 0.0;          ///< the least magnitude of such an eigenvalue but zero [1/s^2]
+  double stiffest = 0.0;         ///< the largest of those that were looked at [1/s^2]
+  double growth = 0.0;           ///< largest real part of a root by its magnitude; 0: none grows
+  std::complex<double> growing;  ///< the root that grows most in this sense [1/s]
 };
 
 /// Looks at so many of the lowest roots, of each subsystem where they do not couple. `azimuths`: of
