@@ -173,6 +173,7 @@ class Search {
   void add(const Sample& sample) {
     result_.values.push_back(sample.value());
     result_.states.push_back(describe(sample));
+    softest_ = std::max(softest_, sample.stability.softest);
   }
 
   void tell(int done) const {
@@ -288,8 +289,8 @@ class Search {
     critical.resolution = path_.resolution();
     const double before = critical.value - distance_at(critical.value, kBeyond);
     const Sample near = before > start.value() ? look(path_.go(start.place, before).place) : end;
-    const bool is_soft = end.stability.unheld > start.stability.unheld ||
-                         end.stability.softest <= 0.05 * start.stability.softest;
+    const bool is_soft =
+        end.stability.unheld > start.stability.unheld || end.stability.softest <= 0.05 * softest_;
     critical.kind = is_soft ? CriticalKind::limit_point : CriticalKind::no_equilibrium;
     const ModesResult found = describe(near);
     put(critical, find_softest(found), found);
@@ -352,6 +353,7 @@ class Search {
   Parameter parameter_;
   EquilibriumPath path_;
   CriticalResult result_;
+  double softest_ = 0.0;  ///< largest least stiffness so far, as Stability::softest
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ void bind_recording(pybind11::module_& module);
 void bind_trace(pybind11::module_& module);
 /// Binds solids reduced to modes.
 void bind_reduce(pybind11::module_& module);
-/// Binds equilibria, modes and Campbell diagrams.
+/// Binds equilibria, modes, Campbell diagrams and critical values.
 void bind_steady(pybind11::module_& module);
 
 }  // namespace spoke::python

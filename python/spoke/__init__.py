@@ -21,6 +21,7 @@ from ._spoke import (
     BodyState,
     Campbell,
     ConstantSpeed,
+    Critical,
     Curve,
     DivergenceError,
     Equilibrium,
@@ -55,16 +56,17 @@ from ._spoke import (
     __version__,
     markers_at,
 )
-from ._steady import campbell, equilibrium, modes
+from ._steady import campbell, critical, equilibrium, modes
 
 __all__ = [
     "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed",
-    "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
+    "Critical", "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
     "InputError", "InternalError", "JointPosition", "Load", "LoadError", "LoopLoad", "Marker",
     "MarkerMotion",
     "MarkerMotions", "MarkerState", "Mode", "Modes", "Result", "SavedState", "Scenario",
     "SectionLoad", "Simulation", "SolidReduction", "SpeedTable", "SpinUp", "SpinUpHoldSpinDown", "StateError",
-    "TorqueBySpeed", "TorqueDrive", "Trace", "Wrench", "__version__", "campbell", "equilibrium",
+    "TorqueBySpeed", "TorqueDrive", "Trace", "Wrench", "__version__", "campbell", "critical",
+    "equilibrium",
     "markers_at", "model", "modes", "read_scenario", "reduce",
 ]
 
@@ -76,7 +78,7 @@ def _finish():
     for name in __all__:
         if isinstance(globals()[name], type):
             globals()[name].__module__ = __name__
-    for shown in (Campbell, Equilibrium, Mode, Modes, Result, Scenario, Trace):
+    for shown in (Campbell, Critical, Equilibrium, Mode, Modes, Result, Scenario, Trace):
         shown._repr_html_ = frame
     Simulation._repr_html_ = lambda self: frame(self.scenario)
 

@@ -41,3 +41,21 @@ def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=Non
     """
     return _spoke._solve_campbell(read_scenario(scenario, set), speeds, count, harmonics,
                                   threads or 0)
+
+
+def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count=None):
+    """Finds the least value in a range at which an equilibrium is lost or a mode stops decaying.
+
+    scenario, set: as of read_scenario().
+    of: what is varied, "speed" [rad/s], or "load=NAME", a factor of the loads of this name;
+        "load=gravity": of gravity.
+    start, end: of the range; the equilibrium is stable at the first.
+    speed: of the hub while a load is varied, as of equilibrium().
+    points: values at which modes are sought, both ends included.
+    count: modes to look at, as of modes().
+
+    Returns a Critical, whose value is None if the whole range is stable. Raises like modes() at the
+    start, and InputError if the equilibrium is unstable there.
+    """
+    return _spoke._solve_critical(read_scenario(scenario, set), of, start, end, speed, points,
+                                  count)

@@ -186,8 +186,8 @@ def damping(*, mass_factor=None, stiffness_factor=None, flap=None, lag=None, axi
     return _given(locals())
 
 
-def load(*, force=None, moment=None, blade=None, position=None, frame=None, ramp=None, time=None,
-         factor=None, **more):
+def load(*, force=None, moment=None, blade=None, position=None, frame=None, name=None, ramp=None,
+         time=None, factor=None, **more):
     """A force and a moment at a point of a blade.
 
     force: [N].
@@ -195,6 +195,7 @@ def load(*, force=None, moment=None, blade=None, position=None, frame=None, ramp
     blade: number from 1, or "all".
     position: distance from the root [m]; None: the tip.
     frame: "inertial", "hub" or "section".
+    name: by which critical() varies it.
     ramp: its rise [s].
     time, factor: sequences, factors of the load over time [s].
     """
@@ -202,20 +203,20 @@ def load(*, force=None, moment=None, blade=None, position=None, frame=None, ramp
 
 
 def distributed_load(*, force_per_length=None, moment_per_length=None, blade=None, from_=None,
-                     to=None, frame=None, ramp=None, time=None, factor=None, **more):
+                     to=None, frame=None, name=None, ramp=None, time=None, factor=None, **more):
     """A force and a moment per length of a blade.
 
     force_per_length: [N/m].
     moment_per_length: [N].
     from_, to: distances of its ends from the root [m].
-    blade, frame, ramp, time, factor: as of load().
+    blade, frame, name, ramp, time, factor: as of load().
     """
     return _given(locals())
 
 
 def drag(*, relative_to=None, linear=None, quadratic=None, position=None, linear_per_length=None,
-         quadratic_per_length=None, from_=None, to=None, blade=None, ramp=None, time=None,
-         factor=None):
+         quadratic_per_length=None, from_=None, to=None, blade=None, name=None, ramp=None,
+         time=None, factor=None):
     """A force against the motion of a blade, -(c1 + c2 |u|) u.
 
     relative_to: of what u is the velocity, "inertial" or "hub".
@@ -225,20 +226,20 @@ def drag(*, relative_to=None, linear=None, quadratic=None, position=None, linear
     linear_per_length: c1 per length [N s/m^2].
     quadratic_per_length: c2 per length [N s^2/m^3].
     from_, to: distances of its ends from the root [m].
-    blade, ramp, time, factor: as of load().
+    blade, name, ramp, time, factor: as of load().
     """
     return _given(locals())
 
 
-def hub_load(*, force=None, position=None, frame=None, torque=None, ramp=None, time=None,
-             factor=None, **more):
+def hub_load(*, force=None, position=None, frame=None, torque=None, name=None, ramp=None,
+             time=None, factor=None, **more):
     """A force and a torque on the hub.
 
     force: [N].
     position: where it acts, in the hub's frame [m].
     frame: in which the force is resolved, "hub" or "inertial".
     torque: about the axis, besides that of the force [N m].
-    ramp, time, factor: as of load().
+    name, ramp, time, factor: as of load().
     """
     return _given(locals())
 

@@ -1,8 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/program/cli/program.h"
 #include "tests/program/cli/refusal.h"
@@ -94,6 +97,90 @@ TEST_CASE("campbell follows modes and writes its files") {
   CHECK(lines_of(file_text(folder.path() / "x" / "campbell.csv")).size() == 1 + 2 * 9);
   CHECK(file_text(folder.path() / "x" / "campbell.html").find("per revolution") !=
         std::string::npos);
+}
+
+TEST_CASE("critical finds a buckling load, and writes its files") {
+  const WorkFolder folder;
+  const std::string rotor = shipped("wu_haug_rotor");
+  const std::vector<std::string> loaded = {
+      "--set",   "load=[{name=\"push\",frame=\"hub\",blade=1,force=[-1.0,0.0]}]",
+      "--speed", "0",
+      "--count", "2"};
+  const auto find = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"critical", rotor});
+    arguments.insert(arguments.end(), loaded.begin(), loaded.end());
+    return run_spoke(arguments, folder);
+  };
+  const Ended ended =
+      find({"--of", "load=push", "--from", "0", "--to", "40", "--points", "4", "--out", "x"});
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  CHECK(ended.out.find("buckling at a factor of the load push of ") != std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "x" / "critical.json"));
+  CHECK(all["of"] == "load=push");
+  CHECK(all["values"].size() == 5);
+  const json& critical = all["critical"];
+  CHECK(critical["kind"] == "buckling");
+  // Euler's load of a cantilever, pi^2/4 EI/L^2.
+  CHECK(std::abs(critical["value"].get<double>() - 21.8343) < 1e-3);
+  CHECK(critical["mode"]["name"] == "lag 1");
+  CHECK(critical["mode"]["of"] == "blade 1");
+  CHECK(critical["mode"]["shape"][0]["real"].size() ==
+        critical["equilibrium"][0]["nodes_m"].size());
+  const std::vector<std::string> rows = lines_of(file_text(folder.path() / "x" / "critical.csv"));
+  CHECK(rows[0] ==
+        "load_factor,branch,of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,"
+        "eigenvalue_real_per_s,grows,critical");
+  CHECK(std::count_if(rows.begin(), rows.end(),
+                      [](const std::string& row) { return row.ends_with(",1"); }) == 1);
+  CHECK(file_text(folder.path() / "x" / "critical.html").find("campbell-growth") !=
+        std::string::npos);
+  const Ended none =
+      find({"--of", "load=push", "--from", "0", "--to", "1", "--points", "2", "--out", "y"});
+  CHECK(none.status == 0);
+  CHECK(none.out.find("none: the equilibrium is stable from 0 to 1") != std::string::npos);
+  CHECK(json::parse(file_text(folder.path() / "y" / "critical.json"))["critical"] == nullptr);
+}
+
+TEST_CASE("critical refuses bad input in one line") {
+  const std::string rotor = shipped("wu_haug_rotor");
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& text) {
+    arguments.insert(arguments.begin(), {"critical", rotor});
+    check_refused(arguments, text);
+  };
+  const std::vector<std::string> range = {"--from", "0", "--to", "4"};
+  const auto of = [&](const std::string& what, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments = {"--of", what};
+    arguments.insert(arguments.end(), range.begin(), range.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  };
+  refused(range, "--of is required");
+  for (const std::string what : {"", "mass", "load", "load="})
+    refused(of(what), "--of: expected speed or load=NAME, got \"" + what + '"');
+  refused({"--of", "speed", "--to", "4"}, "--from is required");
+  refused({"--of", "speed", "--from", "4"}, "--to is required");
+  for (const std::string end : {"", "nan", "inf", "4 rad", "1e31"})
+    refused({"--of", "speed", "--from", "0", "--to", end},
+            "--to: expected a number from -1e30 to 1e30, got \"" + end);
+  refused({"--of", "speed", "--from", "4", "--to", "1"},
+          "the range goes from 4 to 1, expected it to ascend");
+  refused(of("speed", {"--points", "1"}), "--points: Value 1 not in range");
+  refused(of("speed", {"--count", "0"}), "--count: Value 0 not in range");
+  refused(of("speed", {"--speed", "1"}), "a speed is given, expected none");
+  refused(of("load=push"), "the load is \"push\", expected \"gravity\"");
+  refused(of("load=gravity"), "gravity.acceleration: is 0, expected gravity");
+  refused(of("load=push", {"--set",
+                           "load=[{name=\"push\",force=[1.0,0.0],time=[0.0,1.0],"
+                           "factor=[1.0,0.0]}]"}),
+          "the load \"push\" ends with a factor of 0");
+  refused(of("speed", {"--set", "load=[{name=\"gravity\",force=[1.0,0.0]}]"}),
+          "is \"gravity\", the name of [gravity], expected another one");
+  refused(of("speed", {"--set", "load=[{name=\"a b\",force=[1.0,0.0]}]"}),
+          "expected letters, digits");
+  refused({"--of", "load=push", "--from", "1", "--to", "2", "--set",
+           "load=[{name=\"push\",force=[-30.0,0.0]}]", "--speed", "0"},
+          "the equilibrium is unstable already: lag 1 of blade");
 }
 
 TEST_CASE("linearize writes matrices whose rows and columns have names") {
