@@ -30,6 +30,23 @@ std::vector<Root> find_lowest(const LinearModel& linear, const std::vector<doubl
   return all;
 }
 
+/// Whether a root is so much faster than the slowest that its real part has no digits: round-off of
+/// the inverse grows with the square of the ratio.
+bool is_too_fast(const Root& root, double slowest) {
+  constexpr double kFaster = 1e4;
+  return std::abs(root.s) > kFaster * slowest;
+}
+
+/// Returns the least magnitude of a root that is not zero; 0 if there is none.
+double find_slowest(const std::vector<Root>& roots) {
+  double slowest = 0.0;
+  for (const Root& root : roots) {
+    const double size = std::abs(root.s);
+    if (size > 0.0 && (slowest == 0.0 || size < slowest)) slowest = size;
+  }
+  return slowest;
+}
+
 /// Returns the model without forces of velocities, whose roots are those of s^2 M + K.
 LinearModel without_velocities(LinearModel linear) {
   linear.C.setZero();
@@ -56,8 +73,10 @@ Stability assess_stability(const LinearModel& linear, const std::vector<double>&
     found.stiffest = std::max(found.stiffest, square);
     found.softest = found.softest == 0.0 ? square : std::min(found.softest, square);
   }
-  for (const Root& root : find_lowest(linear, azimuths, count)) {
-    if (!(root.s.real() > 0.0)) continue;
+  const std::vector<Root> roots = find_lowest(linear, azimuths, count);
+  const double slowest = find_slowest(roots);
+  for (const Root& root : roots) {
+    if (!(root.s.real() > 0.0) || is_too_fast(root, slowest)) continue;
     const double growth = root.s.real() / std::abs(root.s);
     if (growth <= found.growth) continue;
     found.growth = growth;

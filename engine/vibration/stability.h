@@ -22,8 +22,9 @@ struct Stability {
   std::complex<double> growing;  ///< the root that grows most in this sense [1/s]
 };
 
-/// Looks at so many of the lowest roots, of each subsystem where they do not couple. `azimuths`: of
-/// subsystems [rad].
+/// Looks at so many of the lowest roots, of each subsystem where they do not couple; at the growth
+/// of those alone that are at most 1e4 times as fast as the slowest. `azimuths`: of subsystems
+/// [rad].
 Stability assess_stability(const steady::LinearModel& linear, const std::vector<double>& azimuths,
                            int count);
 
