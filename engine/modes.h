@@ -14,19 +14,51 @@
 
 namespace spoke {
 
+/// From where vibrations are seen.
+enum class ModeFrame {
+  turning,  ///< the frame that turns with the hub
+  /// The frame that stands, in multi-blade coordinates: a blade's frequency w is w where all move
+  /// alike, w + n W and |w - n W| in patterns that go round n times, at the speed W of the hub.
+  fixed,
+  /// The hub in the frame that stands and blades in the one that turns, where matrices are
+  /// periodic: for any blades, by Floquet's theory.
+  floquet,
+};
+
 /// Steady motion and number of modes.
 struct ModeOptions {
   SteadyState state{};  ///< about which the model vibrates
   /// Number of modes, from the lowest frequency on: of each blade if blades do not couple, because
   /// the motion of the hub is prescribed; otherwise of the whole model. 1 or more; none: 10, or as
-  /// many as there are.
+  /// many as there are. In the other frames: of the whole model.
   std::optional<int> count = std::nullopt;
+  ModeFrame frame = ModeFrame::turning;
+};
+
+/// Where the kinetic energy of a mode is, in shares of its sum over lumped masses: of the motions
+/// of subsystems relative to the hub, in the axes of their roots, and of the motion of the model as
+/// a rigid body with its hub.
+struct ModeEnergy {
+  double flap = 0.0, lag = 0.0, axial = 0.0, torsion = 0.0;
+  double hub = 0.0;
+  std::vector<double> bodies;  ///< of the motions relative to the hub, by ModesResult::bodies
+};
+
+/// A part of a mode whose matrices are periodic: amplitude exp((s + i k W) t) at the speed W.
+struct ModeHarmonic {
+  int multiple = 0;        ///< k; 0: the strongest, whose frequency is the mode's
+  double frequency = 0.0;  ///< |w + k W| [rad/s]
+  double share = 0.0;      ///< of the sum of amplitudes' masses
+  double of_hub = 0.0;     ///< that share of it which the hub has
 };
 
 /// A vibration mode: motion Re(shape exp(eigenvalue t)) about the equilibrium, in the frame that
-/// turns with the hub.
+/// turns with the hub. In the frame `fixed` its shape is that of the hub and, by blade, the motion
+/// that blades have when they pass the place where the blade is at t = 0.
 struct Mode {
-  std::string name;  ///< after the largest motion: "flap 1", "lag_hinge", "collective lag 1"
+  /// After the largest motion: "flap 1", "lag_hinge", "collective lag 1"; in the other frames
+  /// "lag 1 collective".
+  std::string name;
   std::string kind;  ///< "flap", "lag", "axial", "torsion", a joint's name, "hub"
   /// The blades that it belongs to: "blade 1", "blades 1 to 3" that are alike, "all" where blades
   /// couple.
@@ -46,8 +78,13 @@ struct Mode {
   /// prescribed.
   Eigen::Vector3cd hub_displacement = Eigen::Vector3cd::Zero();
   Eigen::Vector3cd hub_rotation = Eigen::Vector3cd::Zero();  ///< its rotation [rad/m]
-  /// Free coordinates of the hub, then all others in the order of the model.
+  /// Free coordinates of the hub, then all others in the order of the model; in the frame `fixed`
+  /// multi-blade coordinates, conjugate where blades have a negative frequency.
   Eigen::VectorXcd coordinates;
+  ModeEnergy energy;
+  /// In the frame `floquet`: harmonics with a share above 1e-6, by ascending multiple. Shape and
+  /// energy are those of the strongest.
+  std::vector<ModeHarmonic> harmonics;
 
   /// Whether it grows: the equilibrium is then unstable. A real part below 1e-6 of the eigenvalue
   /// is round-off; the eigenvalues of rigid motions, which go on at a constant rate, are known to
@@ -58,15 +95,18 @@ struct Mode {
 /// Modes of a model.
 struct ModesResult {
   EquilibriumResult equilibrium;  ///< may be that of a free hub without supports
+  ModeFrame frame = ModeFrame::turning;
+  /// Bodies of subsystems, of those that are alike together: "blades 1 to 3 / body 2".
+  std::vector<std::string> bodies;
   bool are_blades_coupled = false;
   std::vector<Mode> modes;  ///< by ascending magnitude of the eigenvalue; uncoupled: blade by blade
 };
 
 /// Finds the lowest modes of a scenario's model about its equilibrium (solve_equilibrium()), in the
-/// frame that turns with the hub, where the linearised system is constant (docs/modes.md). Throws
-/// like solve_equilibrium(), except that a motion which nothing holds is a mode of frequency zero.
-/// Throws InputError if fewer modes exist than are asked for, or if forces on a free hub are not in
-/// balance.
+/// frame that turns with the hub, where the linearised system is constant, or in another one
+/// (docs/modes.md). Throws like solve_equilibrium(), except that a motion which nothing holds is a
+/// mode of frequency zero. Throws InputError if fewer modes exist than are asked for, if forces on
+/// a free hub are not in balance, or if the frame is not for such a model.
 SPOKE_EXPORT ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options = {});
 
 }  // namespace spoke

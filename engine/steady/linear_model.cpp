@@ -78,10 +78,10 @@ void add_springs(std::size_t i, const MatrixXd& closures, Shared& all, const Ste
 /// Returns the motion of coordinates by which the rigid rows stay closed when the free components
 /// of the hub move; empty if nothing follows them.
 MatrixXd find_following(std::size_t i, const FreeMotion& motion, const MatrixXd& closures,
-                        const SteadyModel& model) {
+                        const std::vector<int>& free, const SteadyModel& model) {
   const Eigen::Index d = model.twist_size(), n = closures.cols() - d;
   MatrixXd by_hub = MatrixXd::Zero(closures.rows(), d);
-  for (const int c : model.free_components()) by_hub.col(c) = closures.col(c);
+  for (const int c : free) by_hub.col(c) = closures.col(c);
   const auto size = [&](Eigen::Index r) { return 1e-9 * closures.row(r).norm(); };
   const MatrixXd following = motion.open(-MatrixXd(by_hub(motion.rows(), Eigen::all)));
   const MatrixXd left = by_hub + closures.rightCols(n) * following;
@@ -122,8 +122,8 @@ void reduce(const MatrixXd& Z, const MatrixXd& G, Shared& all) {
 
 /// Adds what the loops of a subsystem do, at its equilibrium. `rows`: the rigid ones that do not
 /// depend on others.
-void close_subsystem(std::size_t i, const std::vector<Eigen::Index>& rows, SteadyModel& model,
-                     Shared& all) {
+void close_subsystem(std::size_t i, const std::vector<Eigen::Index>& rows,
+                     const std::vector<int>& free, SteadyModel& model, Shared& all) {
   const MatrixXd closures = model.closures(i);
   add_springs(i, closures, all, model);
   const FreeMotion motion(closures.rightCols(all.subsystem.M.rows()), rows, model.coordinates(i));
@@ -132,15 +132,16 @@ void close_subsystem(std::size_t i, const std::vector<Eigen::Index>& rows, Stead
                      ": its loops are in a singular position, expected one that they can leave in "
                      "one way");
   if (motion.is_all()) return;
-  if (!model.free_components().empty()) all.following = find_following(i, motion, closures, model);
+  if (!free.empty()) all.following = find_following(i, motion, closures, free, model);
   reduce(motion.basis(), all.following, all);
   all.subsystem.independent = motion.independent();
   all.subsystem.basis = motion.basis();
 }
 
 Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
-                           const HubKinematics& kinematics, SteadyModel& model) {
-  const bool is_coupled = !model.free_components().empty();
+                           const HubKinematics& kinematics, const std::vector<int>& free,
+                           SteadyModel& model) {
+  const bool is_coupled = !free.empty();
   const Eigen::Index d = model.twist_size();
   SubsystemState state = make_state(equilibrium, i);
   state.holds_springs = true;
@@ -158,7 +159,7 @@ Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
   all.subsystem.independent.resize(static_cast<std::size_t>(n));
   std::iota(all.subsystem.independent.begin(), all.subsystem.independent.end(), Eigen::Index{0});
   if (!is_coupled) {
-    if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], model, all);
+    if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], free, model, all);
     return all;
   }
   const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
@@ -168,7 +169,7 @@ Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
   all.K_on_hub = -by.by_q.bottomRows(d);
   all.hub = make_columns(matrices.mass.topLeftCorner(d, d), by.by_turn.bottomRows(d),
                          by.by_twist.bottomRows(d), kinematics);
-  if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], model, all);
+  if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], free, model, all);
   return all;
 }
 
@@ -210,7 +211,30 @@ HubColumns linearize_hub(const HubKinematics& kinematics, const SteadyModel& mod
   return make_columns(model.hub_mass(), by_turn, by_twist, kinematics);
 }
 
+/// Returns the stiffness by which a wrench that turns with the hub differs from one that stays: a
+/// turn theta adds theta x force, and theta x moment.
+MatrixXd turn_wrench(const HubVector& wrench, const SteadyModel& model) {
+  MatrixXd K = MatrixXd::Zero(wrench.size(), wrench.size());
+  if (!model.is_spatial()) {
+    K(0, 2) = wrench[1];
+    K(1, 2) = -wrench[0];
+    return K;
+  }
+  for (const Eigen::Index part : {0, 3}) {
+    const Eigen::Vector3d v = wrench.segment(part, 3);
+    K.block<3, 3>(part, 3) << 0.0, -v[2], v[1], v[2], 0.0, -v[0], -v[1], v[0], 0.0;
+  }
+  return K;
+}
+
 }  // namespace
+
+std::vector<int> list_components(const SteadyModel& model, HubFreedom freedom) {
+  if (freedom == HubFreedom::described) return model.free_components();
+  std::vector<int> all(static_cast<std::size_t>(model.twist_size()));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
 HubKinematics make_hub_kinematics(const SteadyModel& model) {
   const Eigen::Index d = model.twist_size();
@@ -235,12 +259,13 @@ Eigen::VectorXcd LinearModel::motion_of(std::size_t i, const Eigen::VectorXcd& y
   return q;
 }
 
-LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
+LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model, HubFreedom freedom) {
   assert(equilibrium.q.size() == model.subsystems() &&
          equilibrium.alike.size() == model.subsystems());
-  const std::vector<int>& free = model.free_components();
+  const std::vector<int> free = list_components(model, freedom);
   const HubKinematics kinematics = make_hub_kinematics(model);
   HubColumns hub = linearize_hub(kinematics, model);
+  if (freedom == HubFreedom::all) hub.K += turn_wrench(-equilibrium.wrench, model);
   LinearModel result;
   result.subsystems.resize(model.subsystems());
   result.alike = equilibrium.alike;
@@ -252,7 +277,7 @@ LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model) {
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
     const std::size_t first = result.alike[i];
     if (first == i) {
-      shared[i] = linearize_subsystem(i, equilibrium, kinematics, model);
+      shared[i] = linearize_subsystem(i, equilibrium, kinematics, free, model);
       result.subsystems[i] = std::move(shared[i].subsystem);
     }
     if (free.empty()) continue;

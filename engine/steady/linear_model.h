@@ -67,11 +67,25 @@ struct LinearModel {
                              const Eigen::VectorXcd& hub) const;
 };
 
+/// Which components of the hub's motion are coordinates of a linear model.
+enum class HubFreedom {
+  described,  ///< those that the model leaves free
+  /// All, as if the hub stood on something that moves: rows are the force and the moment about the
+  /// moved hub's origin that what holds the hub must balance besides the steady ones, along steady
+  /// axes. The steady ones stay along these axes, so that K holds their turning with the rotor.
+  /// Of a drive that is a torque, its slope acts between the hub and steady rotation.
+  all,
+};
+
+/// Returns the components that are coordinates: of 3 in the plane, of 6 in space.
+std::vector<int> list_components(const SteadyModel& model, HubFreedom freedom);
+
 /// Linearises a model about its equilibrium, at which it leaves the model. M is the mass matrix
 /// there; K and D of deformations are the model's own constants; the rest of K and C are
 /// differences of the forces, see calc_derivatives(). Of loops only the motions count that leave
 /// their rigid rows closed, with the forces of these rows held. Throws InputError if loops hold the
 /// hub.
-LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model);
+LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model,
+                      HubFreedom freedom = HubFreedom::described);
 
 }  // namespace spoke::steady

@@ -131,6 +131,8 @@ enum class Instant {
 struct SteadyOptions {
   double speed = 0.0;  ///< of the hub about its axis [rad/s]
   Instant instant = Instant::end;
+  /// Whether gravity and loads of constant direction count along the axis only even at rest.
+  bool is_axial = false;
   bool has_outputs = false;  ///< whether the scenario's sensors are to be read
 };
 
@@ -143,6 +145,7 @@ class SteadyModel {
 
   virtual std::size_t subsystems() const = 0;
   virtual const std::string& name_of(std::size_t subsystem) const = 0;
+  virtual const std::vector<std::string>& body_names(std::size_t subsystem) const = 0;
   virtual const std::vector<SubsystemCoordinate>& coordinates(std::size_t subsystem) const = 0;
   /// Returns the solids of a subsystem, undeformed.
   virtual std::vector<SolidDeformation> solids(std::size_t subsystem) const = 0;

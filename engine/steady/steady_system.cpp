@@ -80,7 +80,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   hub_ = context_.system.hub;
   for (int c = 0; c < World::kTwist; ++c)
     if (!is_prescribed(hub_, c)) free_.push_back(c);
-  loads_.emplace(context_.system, speed_ != 0.0, options.instant);
+  loads_.emplace(context_.system, speed_ != 0.0 || options.is_axial, options.instant);
   hold_anchors(context_.system, speed_ != 0.0, options.instant);
   context_.system.hub.support = HubSupport::axle;
   hold_hub();

@@ -36,6 +36,9 @@ class SteadySystem final : public SteadyModel {
   const std::string& name_of(std::size_t subsystem) const override {
     return names_[subsystem].name;
   }
+  const std::vector<std::string>& body_names(std::size_t subsystem) const override {
+    return names_[subsystem].bodies;
+  }
   const std::vector<SubsystemCoordinate>& coordinates(std::size_t subsystem) const override {
     return coordinates_[subsystem];
   }

@@ -67,7 +67,8 @@ std::complex<double> calc_multiple(const VectorXcd& amplitudes, const std::vecto
 std::string name_multiple(int n, int subsystems) {
   if (n == 0) return "collective";
   if (2 * std::abs(n) == subsystems) return "differential";
-  const std::string sense = n > 0 ? "progressive" : "regressive";
+  // exp(i (w t + n psi)) goes round towards smaller azimuths if n > 0.
+  const std::string sense = n > 0 ? "regressive" : "progressive";
   return std::abs(n) == 1 ? sense : sense + " order " + std::to_string(std::abs(n));
 }
 
@@ -83,6 +84,7 @@ SubsystemShape calc_subsystem_shape(std::size_t subsystem, const VectorXd& q, co
   for (VectorXcd& motion : shape.motions) motion.resize(std::ssize(places));
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
+    shape.bodies.push_back(places[k].body);
     shape.nodes.push_back(real[k].p + kI * imag[k].p);
     shape.rotations.push_back(real[k].rotation + kI * imag[k].rotation);
     const Eigen::Matrix3d to_root = model.root_axes(subsystem, places[k].body).transpose();

@@ -16,6 +16,7 @@ namespace spoke::vibration {
 struct SubsystemShape {
   std::vector<Eigen::Vector3cd> nodes;      ///< displacements, hub frame [m]
   std::vector<Eigen::Vector3cd> rotations;  ///< rotations of the same nodes [rad]
+  std::vector<int> bodies;                  ///< of the nodes
   std::vector<Eigen::VectorXcd> solids;     ///< motions of the coordinates of its solids
   /// By node, motion times the square root of its mass: along x, y (lag) and z (flap) of the root
   /// of the subsystem, and rotation about x.

@@ -40,7 +40,7 @@ void check(const CampbellOptions& options) {
 ModesResult solve_with_spares(const Scenario& scenario, double speed,
                               const CampbellOptions& options) {
   return vibration::solve_modes(
-      scenario, {.speed = speed},
+      scenario, {.speed = speed}, options.frame,
       {options.count.value_or(0), options.count.value_or(options.most) + kSpare});
 }
 
@@ -60,6 +60,7 @@ void settle_failures(const std::vector<Failure>& failures, const CampbellOptions
     if (failures[k].gap.empty()) std::rethrow_exception(failures[k].exception);
     if (!first) first = failures[k].exception;
     result.states[k].equilibrium.speed = options.speeds[k];
+    result.states[k].frame = options.frame;
     result.gaps.push_back({k, failures[k].gap});
   }
   if (result.gaps.size() + 2 > failures.size() && first) std::rethrow_exception(first);

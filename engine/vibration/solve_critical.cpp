@@ -163,7 +163,7 @@ class Search {
 
   ModesResult describe(const Sample& sample) const {
     ModesResult modes =
-        vibration::make_modes(sample.linear, sample.place->equilibrium,
+        vibration::make_modes(sample.linear, sample.place->equilibrium, ModeFrame::turning,
                               {options_.count.value_or(0), count()}, *sample.place->model);
     if (parameter_.is_speed()) modes.equilibrium.speed = sample.value();
     steady::add_warnings(scenario_, modes.equilibrium);

@@ -2,10 +2,8 @@
 
 #include "engine/vibration/solve_modes.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "engine/modes.h"
@@ -15,6 +13,9 @@
 #include "engine/steady/steady_warnings.h"
 #include "engine/vibration/coupled_roots.h"
 #include "engine/vibration/equal_roots.h"
+#include "engine/vibration/fixed_modes.h"
+#include "engine/vibration/floquet_modes.h"
+#include "engine/vibration/mode_parts.h"
 #include "engine/vibration/mode_shapes.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
@@ -25,93 +26,23 @@ namespace {
 using steady::Equilibrium;
 using steady::LinearModel;
 using steady::SteadyModel;
+using vibration::add_shape;
+using vibration::EnergySum;
 using vibration::Features;
+using vibration::find_count;
+using vibration::find_like;
+using vibration::is_rigid;
+using vibration::Linearised;
+using vibration::list_features;
+using vibration::make_mode;
 using vibration::ModeCount;
+using vibration::name_subsystems;
+using vibration::normalise;
+using vibration::Numbering;
 using vibration::Pencil;
 using vibration::Root;
+using vibration::set_hub_motion;
 using vibration::SubsystemShape;
-
-/// All data that modes are made from.
-struct Linearised {
-  SteadyModel& model;
-  const Equilibrium& equilibrium;
-  const LinearModel& linear;
-};
-
-/// Returns the names of subsystems as "blade 1", "blades 1 to 3" or "blade 1, blade 3".
-std::string name_subsystems(const std::vector<std::size_t>& subsystems, const SteadyModel& model) {
-  const bool is_row =
-      subsystems.size() > 1 && subsystems.back() - subsystems.front() + 1 == subsystems.size();
-  const std::string& first = model.name_of(subsystems.front());
-  const std::string& last = model.name_of(subsystems.back());
-  const std::string word = "blade ";
-  if (is_row && first.starts_with(word) && last.starts_with(word))
-    return "blades " + first.substr(word.size()) + " to " + last.substr(word.size());
-  std::string list;
-  for (const std::size_t i : subsystems) list += (list.empty() ? "" : ", ") + model.name_of(i);
-  return list;
-}
-
-/// Returns the subsystems that subsystem `i` stands for.
-std::vector<std::size_t> find_like(std::size_t i, const std::vector<std::size_t>& alike) {
-  std::vector<std::size_t> list;
-  for (std::size_t k = 0; k < alike.size(); ++k)
-    if (alike[k] == i) list.push_back(k);
-  return list;
-}
-
-Mode make_mode(const Root& root) {
-  Mode mode;
-  mode.eigenvalue = root.s;
-  mode.frequency = std::abs(root.s.imag());
-  const double size = std::abs(root.s);
-  mode.damping_ratio = size > 0.0 ? 0.0 - root.s.real() / size : 0.0;
-  return mode;
-}
-
-/// Scales a mode to a largest displacement of 1.
-void normalise(Mode& mode) {
-  std::complex<double> largest = 0.0;
-  for (const auto& nodes : mode.shape)
-    for (const Eigen::Vector3cd& p : nodes)
-      for (int c = 0; c < 3; ++c)
-        if (std::abs(p[c]) > std::abs(largest)) largest = p[c];
-  if (largest == 0.0) return;
-  for (auto* field : {&mode.shape, &mode.rotations})
-    for (auto& nodes : *field)
-      for (Eigen::Vector3cd& v : nodes) v /= largest;
-  for (auto& solids : mode.solids)
-    for (Eigen::VectorXcd& q : solids) q /= largest;
-  mode.hub_displacement /= largest;
-  mode.hub_rotation /= largest;
-}
-
-/// Numbers modes of one name in their order; a name that is alone is numbered, too.
-class Numbering {
- public:
-  void name(const std::string& what, Mode& mode) {
-    mode.name = what + ' ' + std::to_string(++counts_[what]);
-  }
-
- private:
-  std::map<std::string, int> counts_;
-};
-
-/// Returns how many of `size` modes to find. Throws InputError if they are too few.
-Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::string& why = "") {
-  if (count.least > size)
-    throw InputError(std::to_string(count.least) + " modes, expected at most " +
-                     std::to_string(size) + why);
-  return std::min<Eigen::Index>(count.most, size);
-}
-
-bool is_rigid(const Mode& mode) { return mode.eigenvalue == 0.0; }
-
-/// Returns flap, lag, torsion and axial motion of a shape, by which modes of equal roots are told
-/// apart.
-Features list_features(const SubsystemShape& shape) {
-  return {shape.motions[2], shape.motions[1], shape.motions[3], shape.motions[0]};
-}
 
 /// Returns a larger count than asked for: to tell equal roots apart, all of a pair or of all
 /// subsystems are needed.
@@ -148,34 +79,12 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
     mode.solids.resize(all.model.subsystems());
     mode.solids[i] = shape.solids;
     normalise(mode);
+    EnergySum energies(all);
+    energies.add(i, shape);
+    mode.energy = energies.share_out(0.0);
     mode.kind = kinds.name(independent, root.x, all.linear.subsystem(i).M, shape);
     numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
     result.modes.push_back(std::move(mode));
-  }
-}
-
-/// Sets the motion of the hub's frame by its free coordinates.
-void set_hub_motion(const Eigen::VectorXcd& x, const SteadyModel& model, Mode& mode) {
-  const std::vector<int>& free = model.free_components();
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    const std::complex<double> value = x[static_cast<Eigen::Index>(k)];
-    if (free[k] < model.first_rotation())
-      mode.hub_displacement[free[k]] = value;
-    else
-      mode.hub_rotation[model.is_spatial() ? free[k] - 3 : 2] = value;
-  }
-}
-
-/// Adds the shape of a subsystem, which moves with the hub.
-void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& model, Mode& mode) {
-  const std::vector<steady::NodePlace> places = model.places(subsystem);
-  auto& nodes = mode.shape.emplace_back(shape.nodes);
-  auto& rotations = mode.rotations.emplace_back(shape.rotations);
-  mode.solids.push_back(shape.solids);
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Eigen::Vector3cd p = places[k].p.cast<std::complex<double>>();
-    nodes[k] += mode.hub_displacement + mode.hub_rotation.cross(p);
-    rotations[k] += mode.hub_rotation;
   }
 }
 
@@ -259,6 +168,7 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   std::size_t most = 0;
   double largest = 0.0;
   std::vector<SubsystemShape> shapes;
+  EnergySum energies(all);
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
     const Eigen::VectorXcd x = motion_of(i, pencil, root.x, all);
     SubsystemShape& shape =
@@ -267,16 +177,16 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
       largest = shape.total();
       most = i;
     }
+    energies.add(i, shape);
     add_shape(i, shape, all.model, mode);
   }
   normalise(mode);
+  const double of_hub = vibration::calc_hub_energy(root.x.head(h), all.linear);
+  mode.energy = energies.share_out(of_hub);
   if (shapes.empty()) {  // a model of the hub alone
     mode.kind = "hub";
     return mode;
   }
-  const Eigen::VectorXcd hub = root.x.head(h);
-  const double of_hub =
-      hub.real().dot(all.linear.M * hub.real()) + hub.imag().dot(all.linear.M * hub.imag());
   const Eigen::VectorXcd x = part_of(most, pencil, root.x, all);
   mode.kind = of_hub > 0.5 && largest < 0.25
                   ? "hub"
@@ -311,11 +221,21 @@ void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResul
 }  // namespace
 
 ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& equilibrium,
-                                  const ModeCount& count, SteadyModel& model) {
+                                  ModeFrame frame, const ModeCount& count, SteadyModel& model) {
   ModesResult result;
   result.equilibrium = steady::describe(equilibrium, model);
   result.are_blades_coupled = linear.is_coupled();
   const Linearised all{model, equilibrium, linear};
+  result.frame = frame;
+  result.bodies = vibration::list_bodies(all);
+  if (frame == ModeFrame::fixed) {
+    vibration::add_fixed_modes(count, all, result);
+    return result;
+  }
+  if (frame == ModeFrame::floquet) {
+    vibration::add_floquet_modes(count, all, result);
+    return result;
+  }
   if (linear.is_coupled()) {
     add_coupled_modes(count, all, result);
     return result;
@@ -330,23 +250,24 @@ ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& 
 }
 
 ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
-                                   const ModeCount& count) {
+                                   ModeFrame frame, const ModeCount& count) {
   check_scenario(scenario);
   const double speed = steady::find_steady_speed(scenario, state.speed);
-  const std::unique_ptr<SteadyModel> model = steady::make_steady_model(scenario, {speed});
+  const std::unique_ptr<SteadyModel> model = steady::make_steady_model(
+      scenario, {.speed = speed, .is_axial = frame != ModeFrame::turning});
   const Equilibrium equilibrium = steady::find_equilibrium(*model);
   steady::require_steady_hub(*model, equilibrium);
   const LinearModel linear = steady::linearize(equilibrium, *model);
-  ModesResult result = make_modes(linear, equilibrium, count, *model);
+  ModesResult result = make_modes(linear, equilibrium, frame, count, *model);
   steady::add_warnings(scenario, result.equilibrium);
   return result;
 }
 
 ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options) {
-  if (!options.count) return vibration::solve_modes(scenario, options.state, {});
+  if (!options.count) return vibration::solve_modes(scenario, options.state, options.frame, {});
   const int count = *options.count;
   if (count < 1) throw InputError(std::to_string(count) + " modes, expected 1 or more");
-  return vibration::solve_modes(scenario, options.state, {count, count});
+  return vibration::solve_modes(scenario, options.state, options.frame, {count, count});
 }
 
 }  // namespace spoke

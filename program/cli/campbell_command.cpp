@@ -46,8 +46,10 @@ void warn(const CampbellResult& result) {
 
 int find_campbell(const Arguments& arguments) {
   const SteadyTask task(arguments, "campbell");
-  const CampbellOptions options{
-      .speeds = arguments.steady.speeds, .count = arguments.steady.count, .most = 10};
+  const CampbellOptions options{.speeds = arguments.steady.speeds,
+                                .count = arguments.steady.count,
+                                .most = 10,
+                                .frame = arguments.steady.frame};
   const CampbellResult result = solve(options, task);
   task.write({{"campbell.csv", steady_report::make_csv(result)},
               {"campbell.json", steady_report::make_json(result)},

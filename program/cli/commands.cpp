@@ -86,6 +86,7 @@ void add_modes(CLI::App& command, Arguments& arguments) {
   add_out(command, arguments, "results/<name of the scenario>/modes");
   add_speed(command, arguments.steady);
   add_count(command, arguments.steady);
+  add_frame(command, arguments.steady);
   command.footer(std::string(kModesText) + '\n' + kStatusText);
 }
 
@@ -94,6 +95,7 @@ void add_campbell(CLI::App& command, Arguments& arguments) {
   add_out(command, arguments, "results/<name of the scenario>/campbell");
   add_speeds(command, arguments.steady);
   add_count(command, arguments.steady);
+  add_frame(command, arguments.steady);
   command.footer(std::string(kCampbellText) + '\n' + kStatusText);
 }
 

@@ -93,7 +93,9 @@ Example:
 
 const char* const kModesText =
     R"(About the equilibrium of spoke static, in the frame that turns with the hub: eigenvalues of the
-linearised model, real ones at rest without damping, else complex ones. See docs/modes.md.
+linearised model, real ones at rest without damping, else complex ones. With --frame fixed as seen
+from outside, in multi-blade coordinates: collective, progressive and regressive modes of 3 or more
+equal blades; with --frame floquet of any blades, by harmonics. See docs/modes.md.
 
 Output files, in the folder of --out:
   modes.html  the chosen mode as a moving picture
@@ -102,6 +104,7 @@ Output files, in the folder of --out:
 
 Example:
   spoke modes models/nrel_5mw_rotor.toml --speed 1.267 --count 6
+  spoke modes models/nrel_5mw_rotor.toml --frame fixed --count 9
 )";
 
 const char* const kCampbellText =
@@ -115,6 +118,7 @@ Output files, in the folder of --out:
 
 Example:
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 4
+  spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1 --count 6 --frame fixed
 )";
 
 const char* const kCriticalText =

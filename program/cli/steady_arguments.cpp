@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "program/cli/number_option.h"
@@ -110,6 +111,20 @@ void add_count(CLI::App& command, SteadyArguments& arguments) {
                   "where blades couple [10, or as many as there are]")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
+}
+
+void add_frame(CLI::App& command, SteadyArguments& arguments) {
+  static const std::map<std::string, ModeFrame> frames = {{"turning", ModeFrame::turning},
+                                                          {"fixed", ModeFrame::fixed},
+                                                          {"floquet", ModeFrame::floquet}};
+  command
+      .add_option_function<std::string>(
+          "--frame", [&](const std::string& name) { arguments.frame = frames.at(name); },
+          "From where vibrations are seen: turning with the hub; fixed:\n"
+          "from outside, of 3 or more equal blades; floquet: of any\n"
+          "blades, by harmonics [turning]")
+      ->check(CLI::IsMember({"turning", "fixed", "floquet"}))
+      ->type_name("FRAME");
 }
 
 }  // namespace spoke::cli

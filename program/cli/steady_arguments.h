@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/modes.h"
+
 namespace CLI {
 class App;
 }
@@ -21,6 +23,7 @@ struct SteadyArguments {
   std::string of;               ///< critical: what is varied, as in CriticalOptions
   double from = 0.0, to = 0.0;  ///< critical: ends of the range of what is varied
   int points = 21;              ///< critical: values in the range
+  ModeFrame frame = ModeFrame::turning;
 };
 
 /// Adds --speed.
@@ -31,5 +34,7 @@ void add_speeds(CLI::App& command, SteadyArguments& arguments);
 void add_range(CLI::App& command, SteadyArguments& arguments);
 /// Adds --count.
 void add_count(CLI::App& command, SteadyArguments& arguments);
+/// Adds --frame.
+void add_frame(CLI::App& command, SteadyArguments& arguments);
 
 }  // namespace spoke::cli

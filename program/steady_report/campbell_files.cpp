@@ -107,7 +107,8 @@ std::string make_json(const CampbellResult& result) {
                          {"margin", crossing.margin ? Json(*crossing.margin) : Json()}});
   for (const CampbellGap& gap : result.gaps)
     gaps.push_back({{"speed_rad_per_s", speed_at(result, gap.speed)}, {"reason", gap.reason}});
-  const Json json = {{"speeds_rad_per_s", speeds},
+  const Json json = {{"frame", name_of(result.states[0].frame)},
+                     {"speeds_rad_per_s", speeds},
                      {"branches", branches},
                      {"crossings", crossings},
                      {"gaps", gaps}};

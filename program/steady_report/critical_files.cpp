@@ -50,7 +50,7 @@ Json critical_json(const CriticalResult& result) {
   const ModesResult& state = result.states[critical.state];
   Json mode;
   if (critical.mode) {
-    mode = mode_json(state.modes[*critical.mode]);
+    mode = mode_json(state.modes[*critical.mode], state.bodies);
     mode.set("name", critical.name);
     mode.set("of", critical.of);
   }

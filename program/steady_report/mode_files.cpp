@@ -32,9 +32,27 @@ Json shape_json(const Mode& mode) {
   return blades;
 }
 
+Json energy_json(const ModeEnergy& energy, const std::vector<std::string>& bodies) {
+  Json by_body = Json::array();
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    by_body.push_back({{"body", bodies[k]}, {"share", energy.bodies[k]}});
+  return {{"flap", energy.flap},       {"lag", energy.lag}, {"axial", energy.axial},
+          {"torsion", energy.torsion}, {"hub", energy.hub}, {"bodies", by_body}};
+}
+
+Json harmonics_json(const Mode& mode) {
+  Json list = Json::array();
+  for (const ModeHarmonic& harmonic : mode.harmonics)
+    list.push_back({{"multiple", harmonic.multiple},
+                    {"frequency_rad_per_s", harmonic.frequency},
+                    {"share", harmonic.share},
+                    {"share_of_hub", harmonic.of_hub}});
+  return list;
+}
+
 }  // namespace
 
-Json mode_json(const Mode& mode) {
+Json mode_json(const Mode& mode, const std::vector<std::string>& bodies) {
   return {{"of", mode.of},
           {"name", mode.name},
           {"kind", mode.kind},
@@ -44,6 +62,8 @@ Json mode_json(const Mode& mode) {
           {"eigenvalue_real_per_s", mode.eigenvalue.real()},
           {"eigenvalue_imag_rad_per_s", mode.eigenvalue.imag()},
           {"grows", mode.grows()},
+          {"energy", energy_json(mode.energy, bodies)},
+          {"harmonics", harmonics_json(mode)},
           {"shape", shape_json(mode)}};
 }
 
@@ -57,7 +77,47 @@ Json nodes_json(const EquilibriumResult& equilibrium) {
   return nodes;
 }
 
+namespace {
+
+constexpr int kHarmonics = 4;  ///< in modes.csv, to either side of the strongest
+
+double share_of(int multiple, const Mode& mode) {
+  for (const ModeHarmonic& harmonic : mode.harmonics)
+    if (harmonic.multiple == multiple) return harmonic.share;
+  return 0.0;
+}
+
+/// Returns a cell with the comma before it; less than 1e-9 is round-off.
+std::string share_cell(double share) { return fmt::format(",{:.6g}", share < 1e-9 ? 0.0 : share); }
+
+}  // namespace
+
 double hertz(double frequency) { return frequency / (2.0 * std::numbers::pi); }
+
+std::string name_of(ModeFrame frame) {
+  switch (frame) {
+    case ModeFrame::turning:
+      return "turning";
+    case ModeFrame::fixed:
+      return "fixed";
+    case ModeFrame::floquet:
+      break;
+  }
+  return "floquet";
+}
+
+std::string describe(ModeFrame frame) {
+  switch (frame) {
+    case ModeFrame::turning:
+      return "in the frame that turns with the hub";
+    case ModeFrame::fixed:
+      return "in the frame that stands";
+    case ModeFrame::floquet:
+      break;
+  }
+  return "of the strongest harmonics, blades in the frame that turns, the hub in the one that "
+         "stands";
+}
 
 double damping_of(const Mode& mode) {
   return std::abs(mode.damping_ratio) < 1e-6 ? 0.0 : mode.damping_ratio;
@@ -92,8 +152,9 @@ std::string describe_growth(const ModesResult& result) {
 
 std::string make_json(const ModesResult& result) {
   Json modes = Json::array();
-  for (const Mode& mode : result.modes) modes.push_back(mode_json(mode));
+  for (const Mode& mode : result.modes) modes.push_back(mode_json(mode, result.bodies));
   const Json json = {{"speed_rad_per_s", result.equilibrium.speed},
+                     {"frame", name_of(result.frame)},
                      {"blades_couple", result.are_blades_coupled},
                      {"equilibrium", nodes_json(result.equilibrium)},
                      {"modes", modes}};
@@ -102,11 +163,27 @@ std::string make_json(const ModesResult& result) {
 
 std::string make_csv(const ModesResult& result) {
   std::string text =
-      "of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,eigenvalue_real_per_s,grows\n";
-  for (const Mode& mode : result.modes)
-    text += fmt::format("{},{},{},{},{},{},{}\n", quoted_csv_cell(mode.of), csv_cell(mode.name),
+      "of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,eigenvalue_real_per_s,grows,"
+      "share_flap,share_lag,share_axial,share_torsion,share_hub";
+  for (std::string body : result.bodies) {
+    std::replace(body.begin(), body.end(), ',', ';');
+    text += ',' + csv_cell("share_of " + body);
+  }
+  if (result.frame == ModeFrame::floquet)
+    for (int k = -kHarmonics; k <= kHarmonics; ++k) text += fmt::format(",harmonic_{}", k);
+  text += '\n';
+  for (const Mode& mode : result.modes) {
+    text += fmt::format("{},{},{},{},{},{},{}", quoted_csv_cell(mode.of), csv_cell(mode.name),
                         hertz(mode.frequency), mode.frequency, damping_of(mode),
                         plain_zero(mode.eigenvalue.real()), mode.grows() ? 1 : 0);
+    const ModeEnergy& energy = mode.energy;
+    for (const double share : {energy.flap, energy.lag, energy.axial, energy.torsion, energy.hub})
+      text += share_cell(share);
+    for (const double share : energy.bodies) text += share_cell(share);
+    if (result.frame == ModeFrame::floquet)
+      for (int k = -kHarmonics; k <= kHarmonics; ++k) text += share_cell(share_of(k, mode));
+    text += '\n';
+  }
   return text;
 }
 

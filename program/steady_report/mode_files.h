@@ -14,6 +14,10 @@ double hertz(double frequency);
 /// Returns a mode's damping ratio; 0 if it is only round-off.
 double damping_of(const Mode& mode);
 
+/// Returns a frame as --frame has it, and in words.
+std::string name_of(ModeFrame frame);
+std::string describe(ModeFrame frame);
+
 /// Makes a row per mode.
 report::Table make_mode_table(const ModesResult& result);
 /// Returns a remark about modes that grow; empty if none does.

@@ -188,9 +188,8 @@ std::string make_data(const CampbellResult& result, int harmonics, const Scenari
 
 std::string make_html(const ModesResult& result, const Scenario& scenario,
                       const std::string& title) {
-  report::Page page(title, fmt::format("Vibration modes at {:.6g} rad/s, in the frame that turns "
-                                       "with the hub",
-                                       result.equilibrium.speed));
+  report::Page page(title, fmt::format("Vibration modes at {:.6g} rad/s, {}",
+                                       result.equilibrium.speed, describe(result.frame)));
   page.widen();
   if (const std::string growth = describe_growth(result); !growth.empty())
     page.add_note(growth + ".", report::Tone::bad);
@@ -203,7 +202,7 @@ std::string make_html(const ModesResult& result, const Scenario& scenario,
 
 std::string make_html(const CampbellResult& result, int harmonics, const Scenario& scenario,
                       const std::string& title) {
-  report::Page page(title, "Campbell diagram: frequencies in the frame that turns with the hub");
+  report::Page page(title, "Campbell diagram: frequencies " + describe(result.states[0].frame));
   page.widen();
   const bool has_damping = is_damped(result);
   page.add_markup(

@@ -83,6 +83,65 @@ TEST_CASE("modes and campbell without --count take what there is") {
   CHECK(campbell.err.empty());
 }
 
+TEST_CASE("modes and campbell see vibrations from outside") {
+  const WorkFolder folder;
+  const std::string rotor = shipped("nrel_5mw_rotor");
+  const Ended modes = run_spoke(
+      {"modes", rotor, "--speed", "1.267", "--count", "4", "--frame", "fixed", "--out", "x"},
+      folder);
+  CHECK(modes.status == 0);
+  CHECK(modes.out.find("flap 1 regressive") != std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "x" / "modes.json"));
+  CHECK(all["frame"] == "fixed");
+  const json& energy = all["modes"][0]["energy"];
+  double sum = 0.0;
+  for (const json& body : energy["bodies"]) sum += body["share"].get<double>();
+  CHECK(sum == doctest::Approx(1.0).epsilon(1e-6));  // nothing but blades moves
+  CHECK(energy["flap"].get<double>() > 0.8);
+  const std::vector<std::string> rows = lines_of(file_text(folder.path() / "x" / "modes.csv"));
+  CHECK(rows[0].find(",share_flap,share_lag,share_axial,share_torsion,share_hub,share_of blades 1 "
+                     "to 3 / ") != std::string::npos);
+  const Ended campbell = run_spoke(
+      {"campbell", rotor, "--speeds", "0:1:0.5", "--count", "3", "--frame", "fixed", "--out", "y"},
+      folder);
+  CHECK(campbell.status == 0);
+  CHECK(file_text(folder.path() / "y" / "campbell.html").find("in the frame that stands") !=
+        std::string::npos);
+  const Ended periodic = run_spoke(
+      {"modes", shipped("heavy_top"), "--speed", "3", "--frame", "floquet", "--out", "z"}, folder);
+  CHECK(periodic.status == 0);
+  CHECK(json::parse(file_text(folder.path() / "z" / "modes.json"))["modes"][0]["harmonics"].size() >
+        0);
+}
+
+TEST_CASE("frames that a model cannot be seen in are refused in one line") {
+  const WorkFolder folder;
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
+    const Ended ended = run_spoke(std::move(arguments), folder);
+    CAPTURE(ended.err);
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find(why) != std::string::npos);
+    CHECK(lines_of(ended.err).size() == 1);
+  };
+  const std::string rotor = shipped("nrel_5mw_rotor"), two = shipped("wu_haug_rotor");
+  refused({"modes", rotor, "--frame", "outside"}, "--frame");
+  refused({"modes", rotor, "--frame"}, "--frame");
+  refused({"static", rotor, "--frame", "fixed"}, "--frame");
+  refused({"modes", rotor, "--frame", "floquet"}, "expects at most 200 coordinates, got 288");
+  refused({"modes", rotor, "--speed", "0", "--frame", "floquet"}, "expects a hub that turns");
+  refused({"campbell", rotor, "--speeds", "0:1:0.5", "--frame", "floquet"},
+          "expects a hub that turns");
+  refused({"modes", rotor, "--frame", "fixed", "--set", "blade.count=2"},
+          "the frame \"floquet\" takes any blades");
+  refused({"modes", rotor, "--frame", "fixed", "--count", "100000"}, "expected at most");
+  refused({"modes", shipped("free_hub_satellite"), "--frame", "fixed"},
+          "three or more equal blades");
+  refused({"modes", shipped("heavy_top"), "--speed", "3", "--frame", "fixed"},
+          "three or more equal blades, got 1");
+  refused({"campbell", two, "--speeds", "1:2:0.5", "--frame", "fixed", "--set", "blade.count=1"},
+          "three or more equal blades, got 1");
+}
+
 TEST_CASE("campbell follows modes and writes its files") {
   const WorkFolder folder;
   const Ended ended = run_spoke(

@@ -1,0 +1,13 @@
+#pragma once
+
+// Modes seen from outside, in multi-blade coordinates.
+
+#include "engine/vibration/mode_parts.h"
+
+namespace spoke::vibration {
+
+/// Adds the lowest modes of a rotor in the frame that stands: `count` of the whole model. Throws
+/// like make_fixed_frame(), and InputError if there are too few modes.
+void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult& result);
+
+}  // namespace spoke::vibration

@@ -1,0 +1,229 @@
+// Integrates a turn, and takes the modes of its matrix apart into harmonics.
+
+#include "engine/vibration/floquet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "engine/support/dense.h"
+#include "models/error.h"
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using Complex = std::complex<double>;
+
+constexpr double kCircle = 2.0 * std::numbers::pi;
+
+void require_turning(const PeriodicSystem& system) {
+  if (system.speed == 0.0)
+    throw InputError("the frame \"floquet\" expects a hub that turns: at rest nothing is periodic");
+  if (system.size() > kMostPeriodic)
+    throw InputError("the frame \"floquet\" expects at most " + std::to_string(kMostPeriodic) +
+                     " coordinates, got " + std::to_string(system.size()));
+}
+
+/// Returns the system in coordinates of unit mass.
+PeriodicSystem scale(const PeriodicSystem& system, const VectorXd& factors) {
+  PeriodicSystem scaled = system;
+  for (Periodic* matrix : {&scaled.M, &scaled.C, &scaled.K})
+    for (MatrixXd& part : matrix->parts)
+      part = (factors.asDiagonal() * part * factors.asDiagonal()).eval();
+  return scaled;
+}
+
+/// Stages of the Radau IIA method (Hairer and Wanner, Solving Ordinary Differential Equations II,
+/// table IV.5.6).
+struct Radau {
+  Eigen::Matrix3d A;
+  Eigen::Vector3d c;
+};
+Radau make_radau() {
+  const double r = std::sqrt(6.0);
+  Radau method;
+  method.A << (88.0 - 7.0 * r) / 360.0, (296.0 - 169.0 * r) / 1800.0, (-2.0 + 3.0 * r) / 225.0,
+      (296.0 + 169.0 * r) / 1800.0, (88.0 + 7.0 * r) / 360.0, (-2.0 - 3.0 * r) / 225.0,
+      (16.0 - r) / 36.0, (16.0 + r) / 36.0, 1.0 / 9.0;
+  method.c << (4.0 - r) / 10.0, (4.0 + r) / 10.0, 1.0;
+  return method;
+}
+
+/// Takes columns of states (x, x') from azimuth psi over a step of h seconds: with accelerations
+/// a_i at the stages, x'_i = x' + h sum A_ij a_j and x_i = x + h c_i x' + h^2 sum (A A)_ij a_j. The
+/// last stage is the end.
+void step(const PeriodicSystem& system, const Radau& method, double psi, double h,
+          MatrixXd& states) {
+  const Index n = system.size();
+  const Eigen::Matrix3d twice = method.A * method.A;
+  MatrixXd left(3 * n, 3 * n), right(3 * n, states.cols());
+  const auto x = states.topRows(n), v = states.bottomRows(n);
+  for (Index i = 0; i < 3; ++i) {
+    const double at = psi + system.speed * h * method.c[i];
+    const MatrixXd C = system.C.at(at), K = system.K.at(at);
+    for (Index j = 0; j < 3; ++j)
+      left.block(i * n, j * n, n, n) = h * method.A(i, j) * C + h * h * twice(i, j) * K;
+    left.block(i * n, i * n, n, n) += system.M.at(at);
+    right.middleRows(i * n, n) = -C * v - K * (x + h * method.c[i] * v);
+  }
+  const MatrixXd a = LuFactors(left).solve(right);
+  states.topRows(n) += h * states.bottomRows(n);
+  for (Index j = 0; j < 3; ++j) {
+    states.topRows(n) += h * h * twice(2, j) * a.middleRows(j * n, n);
+    states.bottomRows(n) += h * method.A(2, j) * a.middleRows(j * n, n);
+  }
+}
+
+/// The states that begin as the identity, at equal parts of a turn.
+struct Turn {
+  std::vector<MatrixXd> states;  ///< the last after the whole turn
+  GeneralEigen eigen;            ///< of the whole turn
+};
+Turn integrate(const PeriodicSystem& system, Index samples, Index steps_between) {
+  static const Radau method = make_radau();
+  const double period = kCircle / std::abs(system.speed);
+  const auto steps = static_cast<double>(samples * steps_between);
+  Turn turn;
+  MatrixXd states = MatrixXd::Identity(2 * system.size(), 2 * system.size());
+  for (Index k = 0; k < samples; ++k) {
+    turn.states.push_back(states);
+    for (Index l = 0; l < steps_between; ++l) {
+      const double t = period * static_cast<double>(k * steps_between + l) / steps;
+      step(system, method, system.speed * t, period / steps, states);
+    }
+  }
+  turn.states.push_back(states);
+  turn.eigen = solve_general(states);
+  return turn;
+}
+
+/// Returns the harmonics of the periodic part of an eigenvector, from -samples/2 on.
+std::vector<Harmonic> list_harmonics(const Turn& turn, Index column, Complex exponent,
+                                     const PeriodicSystem& system) {
+  const Index samples = std::ssize(turn.states) - 1, n = system.size();
+  const double period = kCircle / std::abs(system.speed);
+  const VectorXcd start = turn.eigen.vectors.col(column);
+  MatrixXcd periodic(n, samples);
+  for (Index k = 0; k < samples; ++k) {
+    const double t = period * static_cast<double>(k) / static_cast<double>(samples);
+    periodic.col(k) = std::exp(-exponent * t) *
+                      (turn.states[static_cast<std::size_t>(k)].topRows(n).cast<Complex>() * start);
+  }
+  std::vector<Harmonic> harmonics;
+  double all = 0.0;
+  for (Index m = -samples / 2 + 1; m < samples / 2; ++m) {
+    Harmonic& harmonic = harmonics.emplace_back();
+    harmonic.multiple = static_cast<int>(m);
+    VectorXcd waves(samples);
+    for (Index k = 0; k < samples; ++k)
+      waves[k] = std::polar(
+          1.0 / static_cast<double>(samples),
+          -kCircle * static_cast<double>(m * k % samples) / static_cast<double>(samples));
+    harmonic.amplitude = periodic * waves;
+    const VectorXd real = harmonic.amplitude.real(), imag = harmonic.amplitude.imag();
+    harmonic.share = real.dot(system.M.parts[0] * real) + imag.dot(system.M.parts[0] * imag);
+    all += harmonic.share;
+  }
+  for (Harmonic& harmonic : harmonics) harmonic.share /= all;
+  return harmonics;
+}
+
+/// Returns the mode of a multiplier; none if the conjugate one stands for it.
+std::vector<PeriodicMode> describe(const Turn& turn, Index column, const PeriodicSystem& system) {
+  constexpr double kEqual = 1e-6, kReal = 1e-10, kLeast = 1e-14;
+  const double w = std::abs(system.speed), period = kCircle / w;
+  Complex multiplier = turn.eigen.values[column];
+  if (std::abs(multiplier) < kLeast) return {};  // too stiff
+  if (std::abs(multiplier.imag()) < kReal * std::abs(multiplier)) multiplier.imag(0.0);
+  const Complex exponent = std::log(multiplier) / period;
+  PeriodicMode mode{exponent, multiplier, list_harmonics(turn, column, exponent, system)};
+  const auto frequency = [&](const Harmonic& h) { return exponent.imag() + h.multiple * w; };
+  const Harmonic* strongest = &mode.harmonics[0];
+  for (const Harmonic& harmonic : mode.harmonics) {
+    const double more = harmonic.share - strongest->share;
+    // Real motions have pairs of equal harmonics.
+    if (more > kEqual || (more > -kEqual && frequency(harmonic) > frequency(*strongest)))
+      strongest = &harmonic;
+  }
+  const int shift = strongest->multiple;
+  mode.s.imag(frequency(*strongest));
+  if (mode.s.imag() < 0.0) return {};
+  for (Harmonic& harmonic : mode.harmonics) harmonic.multiple -= shift;
+  return {mode};
+}
+
+std::vector<PeriodicMode> list_modes(const Turn& turn, const PeriodicSystem& system, Index count) {
+  std::vector<PeriodicMode> modes;
+  for (Index k = 0; k < turn.eigen.values.size(); ++k)
+    for (PeriodicMode& mode : describe(turn, k, system)) modes.push_back(std::move(mode));
+  std::stable_sort(modes.begin(), modes.end(), [](const PeriodicMode& a, const PeriodicMode& b) {
+    return std::abs(a.s) < std::abs(b.s);
+  });
+  if (std::ssize(modes) > count) modes.resize(static_cast<std::size_t>(count));
+  return modes;
+}
+
+/// Returns the magnitude that the `count` least roots of the mean system reach, as that shows how
+/// many steps are needed.
+double find_reach(const PeriodicSystem& system, Index count) {
+  const Index n = system.size();
+  MatrixXd first = MatrixXd::Zero(2 * n, 2 * n);
+  const LuFactors mass(system.M.parts[0]);
+  first.topRightCorner(n, n).setIdentity();
+  first.bottomLeftCorner(n, n) = -mass.solve(system.K.parts[0]);
+  first.bottomRightCorner(n, n) = -mass.solve(system.C.parts[0]);
+  VectorXd sizes = find_eigenvalues(first).cwiseAbs();
+  std::sort(sizes.begin(), sizes.end());
+  return sizes[std::min(2 * count, 2 * n) - 1];
+}
+
+/// Whether each mode's multiplier is as near to one of the turn with half as many steps as the
+/// method's order promises. Of multipliers that meet, as those of a rigid motion, half of the
+/// digits are known.
+bool are_known(const std::vector<PeriodicMode>& modes, const Turn& turn, const Turn& rough) {
+  constexpr double kGain = 31.0, kTolerance = 1e-9, kMeet = 1e-3, kHalf = 1e-4;
+  return std::all_of(modes.begin(), modes.end(), [&](const PeriodicMode& mode) {
+    const double size = std::abs(mode.multiplier);
+    const auto near = ((turn.eigen.values.array() - mode.multiplier).abs() < kMeet * size).count();
+    const double error = (rough.eigen.values.array() - mode.multiplier).abs().minCoeff() / kGain;
+    return error <= std::max(size, kTolerance) * (near > 1 ? kHalf : kTolerance);
+  });
+}
+
+}  // namespace
+
+std::vector<PeriodicMode> find_periodic_modes(const PeriodicSystem& system, Index count) {
+  require_turning(system);
+  if (system.size() == 0 || count < 1) return {};
+  constexpr Index kMostSteps = 1 << 15;
+  const VectorXd factors = system.M.parts[0].diagonal().cwiseSqrt().cwiseInverse();
+  const PeriodicSystem scaled = scale(system, factors);
+  const double w = std::abs(system.speed);
+  const double reach = find_reach(scaled, count) / w + 4.0;
+  Index samples = 16;
+  while (static_cast<double>(samples) < 4.0 * reach) samples *= 2;
+  if (4 * samples > kMostSteps)
+    throw InputError("the frame \"floquet\" would take more than " + std::to_string(kMostSteps) +
+                     " steps over a turn for " + std::to_string(count) +
+                     " modes: expected fewer modes, or a faster hub");
+  Turn rough = integrate(scaled, samples, 2);
+  std::vector<PeriodicMode> modes;
+  for (Index between = 4; samples * between <= kMostSteps; between *= 2) {
+    Turn turn = integrate(scaled, samples, between);
+    modes = list_modes(turn, scaled, count);
+    if (are_known(modes, turn, rough)) break;
+    rough = std::move(turn);
+  }
+  for (PeriodicMode& mode : modes)
+    for (Harmonic& harmonic : mode.harmonics)
+      harmonic.amplitude = (factors.asDiagonal() * harmonic.amplitude).eval();
+  return modes;
+}
+
+}  // namespace spoke::vibration
