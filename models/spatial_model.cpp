@@ -2,6 +2,9 @@
 
 #include "models/spatial_model.h"
 
+#include <cassert>
+#include <utility>
+
 namespace spoke::spatial {
 
 int count_coordinates(JointKind kind) {
@@ -14,6 +17,8 @@ int count_coordinates(JointKind kind) {
     case JointKind::universal:
     case JointKind::cylindrical:
       return 2;
+    case JointKind::bushing:
+      return 6;
     case JointKind::spherical:
       break;
   }
@@ -22,7 +27,9 @@ int count_coordinates(JointKind kind) {
 
 int count_axes(JointKind kind) {
   if (kind == JointKind::universal) return 2;
-  return kind == JointKind::fixed || kind == JointKind::spherical ? 0 : 1;
+  const bool has_none =
+      kind == JointKind::fixed || kind == JointKind::spherical || kind == JointKind::bushing;
+  return has_none ? 0 : 1;
 }
 
 std::string_view name_of(JointKind kind) {
@@ -38,9 +45,45 @@ std::string_view name_of(JointKind kind) {
     case JointKind::prismatic:
       return "prismatic";
     case JointKind::cylindrical:
+      return "cylindrical";
+    case JointKind::bushing:
       break;
   }
-  return "cylindrical";
+  return "bushing";
+}
+
+bool slides(JointKind kind, int coordinate) {
+  return kind == JointKind::prismatic || (kind == JointKind::cylindrical && coordinate == 1) ||
+         (kind == JointKind::bushing && coordinate < 3);
+}
+
+std::string_view base_name(SupportBase base) {
+  return base == SupportBase::ground ? "ground" : "fuselage";
+}
+
+void suspend(const Suspension& suspension, Model& model) {
+  assert(!model.support);
+  Subsystem tree;
+  tree.name = kSupportName;
+  tree.bodies.push_back(
+      {"carrier", RigidBody{suspension.mass, suspension.center, suspension.inertia}});
+  SubsystemJoint& joint = tree.joints.emplace_back();
+  joint.parent = base_name(SupportBase::ground);
+  joint.child = "carrier";
+  joint.joint.name = "suspension";
+  joint.joint.kind = JointKind::bushing;
+  for (std::size_t c = 0; c < suspension.stiffness.size(); ++c) {
+    JointCoordinate& coordinate = joint.joint.coordinates[c];
+    if (!suspension.moves(c)) {
+      coordinate.motion = MotionTable{};
+      continue;
+    }
+    coordinate.stiffness = suspension.stiffness[c];
+    coordinate.damping = suspension.damping[c];
+  }
+  model.subsystems.push_back(std::move(tree));
+  model.support = Support{};
+  model.support->axle.body = "carrier";
 }
 
 std::string_view name_of(LoadFrame frame) {

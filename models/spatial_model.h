@@ -126,10 +126,15 @@ enum class JointKind {
   spherical,    ///< any rotation
   prismatic,    ///< translation along an axis
   cylindrical,  ///< rotation about an axis, and translation along it, in this order
+  /// Translation along x, y and z of the joint's frame, then rotation about x, y and z of the frame
+  /// that these have reached; directions that are held have a prescribed motion of zero.
+  bushing,
 };
 
-/// Returns the number of coordinates of a joint of this kind: 0 to 3.
+/// Returns the number of coordinates of a joint of this kind: 0 to 3, of a bushing 6.
 SPOKE_EXPORT int count_coordinates(JointKind kind);
+/// Returns whether a coordinate of a joint is a displacement; otherwise it is an angle.
+SPOKE_EXPORT bool slides(JointKind kind, int coordinate);
 /// Returns the number of its axes: 0 to 2.
 SPOKE_EXPORT int count_axes(JointKind kind);
 
@@ -194,7 +199,7 @@ struct Joint {
   /// Axes in the joint frame, of any length but zero; the first count_axes(kind) are in use.
   std::array<Vector, 2> axes{Vector::Zero(), Vector::Zero()};
   /// Coordinates; the first count_coordinates(kind) are in use.
-  std::array<JointCoordinate, 3> coordinates{};
+  std::array<JointCoordinate, 6> coordinates{};
 };
 
 /// A joint of a blade; the part outboard of it is its child.
@@ -243,8 +248,70 @@ struct Subsystem {
   double azimuth = 0.0;
 };
 
+/// Springs and dampers between the mount and the axle, and what stands on them: the short form of a
+/// support, see suspend(). Directions are those of the mount's frame, which stands in space where
+/// nothing moves it, in the order x, y, z, about x, about y, about z. One whose stiffness and
+/// damping both are zero does not move.
+struct Suspension {
+  std::array<double, 6> stiffness{};  ///< [N/m, N m/rad]
+  std::array<double, 6> damping{};    ///< [N s/m, N m s/rad]
+  double mass = 0.0;                  ///< mass that stands on the springs beside the rotor [kg]
+  Vector center = Vector::Zero();     ///< its centre from the hub's origin, mount's axes [m]
+  Tensor inertia = Tensor::Zero();    ///< its inertia about that centre, mount's axes [kg m^2]
+
+  /// Returns whether a direction moves.
+  bool moves(std::size_t direction) const {
+    return stiffness[direction] > 0.0 || damping[direction] > 0.0;
+  }
+};
+
+/// What a support stands on.
+enum class SupportBase {
+  ground,  ///< the inertial frame, or the mount that moves in it
+  free,    ///< a fuselage, which is free in space
+};
+
+/// A rigid body that is free in space and carries a support.
+struct Fuselage {
+  double mass = 0.0;                         ///< [kg], > 0
+  Vector center = Vector::Zero();            ///< centre of mass, its frame [m]
+  Tensor inertia = Tensor::Identity();       ///< inertia about that centre, its axes [kg m^2]
+  Vector position = Vector::Zero();          ///< place of its origin at t = 0, inertial frame [m]
+  Vector attitude = Vector::Zero();          ///< rotation vector of its frame at t = 0 [rad]
+  Vector velocity = Vector::Zero();          ///< of its origin at t = 0, inertial frame [m/s]
+  Vector angular_velocity = Vector::Zero();  ///< at t = 0, its axes [rad/s]
+};
+
+/// Where the axle of the hub stands on a support.
+struct Axle {
+  /// Name of the body of the support that carries it; empty: what the support stands on.
+  std::string body{};
+  /// Station on a beam [m]; none: its tip.
+  std::optional<double> station = std::nullopt;
+  /// Name of an interface of a solid; empty: the only one that does not carry its frame.
+  std::string interface {};
+  /// Place and rotation vector of the hub's frame at angle 0 in the carrier's frame, as of a joint
+  /// [m, rad].
+  Vector offset = Vector::Zero(), orientation = Vector::Zero();
+};
+
+/// The name of the subsystem that is the tree of a support.
+inline constexpr std::string_view kSupportName = "support";
+
+/// What carries the axle of the hub: from the ground, or from a fuselage, a tree of bodies to the
+/// axle. The tree is the last subsystem of the model, and has the name "support"; a joint on its
+/// base has the parent base_name(). Where the support is a fuselage alone, that subsystem is empty.
+struct Support {
+  SupportBase from = SupportBase::ground;  ///< what it stands on
+  Fuselage fuselage{};                     ///< the base of one that is free
+  Axle axle{};                             ///< where it carries the hub
+};
+
+/// Returns the name of what a support stands on, as joints call it: "ground" or "fuselage".
+SPOKE_EXPORT std::string_view base_name(SupportBase base);
+
 /// The hub, to which blades and subsystems are fixed. Its frame is the inertial one at t = 0, but
-/// for the mount's motion.
+/// for the motions of mount and support.
 struct Hub {
   HubSupport support = HubSupport::axle;  ///< how it is held: an axle, or free in space
   /// Axis of the drive and of the blades, of any length but zero.
@@ -330,6 +397,9 @@ struct Model {
   std::vector<Blade> blades{};  ///< blades of the rotor
   /// Subsystems that are no blades; there is a blade or a subsystem.
   std::vector<Subsystem> subsystems{};
+  /// What carries the hub's axle, together with the last subsystem; none: the axle is held in
+  /// space, or moved by its mount.
+  std::optional<Support> support = std::nullopt;
   Vector gravity = Vector::Zero();  ///< gravitational acceleration, inertial frame [m/s^2]
   /// Duration of gravity's smooth rise from 0, calc_rise() [s].
   double gravity_ramp = 0.0;
@@ -339,6 +409,10 @@ struct Model {
   std::vector<HubLoad> hub_loads{};                  ///< loads on the hub
   std::vector<Anchor> anchors{};                     ///< places that loops may close on
 };
+
+/// Gives a model the support that a suspension is: a rigid body "carrier" on a bushing
+/// "suspension". Precondition: it has no support, and some direction moves.
+SPOKE_EXPORT void suspend(const Suspension& suspension, Model& model);
 
 /// Returns the name that scenario files use: "fixed", "revolute", ...
 SPOKE_EXPORT std::string_view name_of(JointKind kind);

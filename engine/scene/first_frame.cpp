@@ -30,7 +30,7 @@ Placement turned(const Vector& axis, double angle) {
 
 /// Returns the motion of the frame of the child against that of the joint.
 Placement calc_motion(const Joint& joint, double azimuth) {
-  Vector value = Vector::Zero();
+  Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
   for (int c = 0; c < count_coordinates(joint.kind); ++c)
     value[c] = initial_value(joint.coordinates[static_cast<std::size_t>(c)], azimuth);
   const Vector &first = joint.axes[0], &second = joint.axes[1];
@@ -42,12 +42,16 @@ Placement calc_motion(const Joint& joint, double azimuth) {
     case JointKind::universal:
       return turned(first, value[0]) * turned(second, value[1]);
     case JointKind::spherical:
-      return {Vector::Zero(), space::exponential(value).axes};
+      return {Vector::Zero(), space::exponential(value.head<3>()).axes};
     case JointKind::prismatic:
       return {value[0] * first.normalized(), spatial::Tensor::Identity()};
     case JointKind::cylindrical:
       return turned(first, value[0]) *
              Placement{value[1] * first.normalized(), spatial::Tensor::Identity()};
+    case JointKind::bushing:
+      return Placement{value.head<3>(), spatial::Tensor::Identity()} *
+             turned(Vector::UnitX(), value[3]) * turned(Vector::UnitY(), value[4]) *
+             turned(Vector::UnitZ(), value[5]);
   }
   return {};
 }

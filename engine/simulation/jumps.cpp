@@ -125,9 +125,7 @@ void add_joint_jumps(const spatial::Joint& joint, const std::string& name, doubl
     const auto& motion = joint.coordinates[static_cast<std::size_t>(c)].motion;
     const auto* table = motion ? std::get_if<spatial::MotionTable>(&*motion) : nullptr;
     if (!table) continue;
-    const bool slides = joint.kind == spatial::JointKind::prismatic ||
-                        (joint.kind == spatial::JointKind::cylindrical && c == 1);
-    append(find_course_jumps(table->value, name, slides ? "m" : "rad", 0.0, end, step_size), jumps);
+    append(find_course_jumps(table->value, name, slides(joint.kind, c) ? "m" : "rad", 0.0, end, step_size), jumps);
   }
 }
 

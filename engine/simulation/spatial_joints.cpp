@@ -41,9 +41,7 @@ std::string SpatialJoints::describe(const JointPlace& place) const {
 std::string SpatialJoints::unit(const JointPlace& place) const {
   const spatial::JointKind kind =
       tree(place.subsystem).bodies[static_cast<std::size_t>(place.joint)].joint.kind;
-  const bool slides = kind == spatial::JointKind::prismatic ||
-                      (kind == spatial::JointKind::cylindrical && place.coordinate == 1);
-  return slides ? "m" : "rad";
+  return slides(kind, place.coordinate) ? "m" : "rad";
 }
 
 int SpatialJoints::find(int subsystem, std::string_view name) const {

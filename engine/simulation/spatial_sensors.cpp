@@ -55,9 +55,7 @@ void SpatialSensors::add_joints(const spatial::Tree& tree) {
   std::size_t k = 0;
   for (const spatial::TreeBody& body : tree.bodies)
     for (int c = 0; c < count_coordinates(body.joint.kind); ++c) {
-      const bool slides = body.joint.kind == spatial::JointKind::prismatic ||
-                          (body.joint.kind == spatial::JointKind::cylindrical && c == 1);
-      add(names[k++], slides ? "m" : "rad");
+      add(names[k++], slides(body.joint.kind, c) ? "m" : "rad");
     }
   joint_values_.push_back(names.size());
 }

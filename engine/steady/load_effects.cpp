@@ -57,10 +57,8 @@ void add_motors(const Scenario& scenario, const std::string& fallback, const Fin
   for (int c = 0; c < count; ++c) {
     const auto k = static_cast<std::size_t>(c);
     if (joint.coordinates[k].motion) continue;
-    const bool slides = joint.kind == spatial::JointKind::prismatic ||
-                        (joint.kind == spatial::JointKind::cylindrical && c == 1);
     inputs.push_back({name + " motor" + (count > 1 ? ' ' + std::to_string(c + 1) : ""),
-                      slides ? "N" : "N m",
+                      slides(joint.kind, c) ? "N" : "N m",
                       [k, find](Scenario& other) { raise(find(other).coordinates[k].effort); }});
   }
 }

@@ -80,7 +80,7 @@ void look_at_motion(const std::string& of, const spatial::Motion& motion, Hints&
 void look_at_joint(const std::string& of, const spatial::Joint& joint, Hints& hints) {
   hints.look("orientation", of, joint.orientation.norm(), kTurn);
   for (int i = 0; i < spatial::count_coordinates(joint.kind); ++i) {
-    if (spatial::is_way(joint.kind, i)) continue;
+    if (spatial::slides(joint.kind, i)) continue;
     const spatial::JointCoordinate& coordinate = joint.coordinates[static_cast<std::size_t>(i)];
     hints.look("rest", of, coordinate.rest, kTurn);
     hints.look("initial", of, coordinate.initial, kTurn);

@@ -51,6 +51,12 @@ space::Joint make_space_joint(const Joint& joint, const Placement& placement) {
       add(Kind::revolute, 0, 0);
       add(Kind::prismatic, 0, 1);
       break;
+    case JointKind::bushing:
+      for (std::size_t c = 0; c < 6; ++c)
+        primitives.push_back(make_primitive(c < 3 ? Kind::prismatic : Kind::revolute,
+                                            Vector::Unit(static_cast<Eigen::Index>(c % 3)),
+                                            joint.coordinates[c]));
+      break;
   }
   return space::make_joint({placement.position, {placement.rotation}}, primitives);
 }

@@ -63,7 +63,7 @@ Fault find_double(const JointCoordinate& coordinate, JointKind kind, int index) 
                  if (value != 0.0) refuse(key);
                });
   if (coordinate.stop) refuse("stop");
-  if (!is_zero(coordinate.effort)) refuse(is_way(kind, index) ? "force" : "torque");
+  if (!is_zero(coordinate.effort)) refuse(slides(kind, index) ? "force" : "torque");
   return first.found();
 }
 
@@ -94,7 +94,7 @@ Fault find_coordinate_fault(const JointCoordinate& coordinate, JointKind kind, i
   visit_fields(coordinate, unit, [&](std::string_view key, double value, const Quantity& quantity) {
     first(std::string(key) + number, value, quantity);
   });
-  first.add(find_curve_fault(is_way(kind, index) ? "force" : "torque", coordinate.effort,
+  first.add(find_curve_fault(slides(kind, index) ? "force" : "torque", coordinate.effort,
                              Quantity::any(unit.effort)));
   if (coordinate.motion) first.add(find_double(coordinate, kind, index));
   if (coordinate.stop) first.add(find_stop_fault(*coordinate.stop, unit).within("stop" + number));
@@ -106,7 +106,7 @@ Fault find_coordinate_fault(const JointCoordinate& coordinate, JointKind kind, i
 /// Finds torques of one joint whose curves do not share one array of times.
 Fault find_effort_fault(const Joint& joint) {
   for (int i = 1; i < count_coordinates(joint.kind); ++i)
-    if (!is_way(joint.kind, i) && joint.coordinates[static_cast<std::size_t>(i)].effort.times() !=
+    if (!slides(joint.kind, i) && joint.coordinates[static_cast<std::size_t>(i)].effort.times() !=
                                       joint.coordinates[0].effort.times())
       return {"torque", "has other times for one coordinate than for another, expected equal ones"};
   return {};

@@ -103,7 +103,7 @@ void add_joint(const Joint& joint, Json& json) {
   const std::size_t count = count_of(joint);
   if (count == 0) return;
   add_numbers(joint, json);
-  const std::size_t ways = is_way(joint.kind, static_cast<int>(count) - 1) ? 1 : 0;
+  const std::size_t ways = slides(joint.kind, static_cast<int>(count) - 1) ? 1 : 0;
   if (count > ways) add_effort("torque", joint.coordinates.data(), count - ways, json);
   if (ways > 0) add_effort("force", joint.coordinates.data() + count - 1, 1, json);
   add_tables("stop", joint, &JointCoordinate::stop, json);

@@ -178,7 +178,7 @@ Joint read_joint(const TomlSection& section) {
   visit_fields(joint, VectorReader{section});
   read_axes(section, joint);
   read_numbers(section, joint);
-  const bool has_way = is_way(joint.kind, count_coordinates(joint.kind) - 1);
+  const bool has_way = slides(joint.kind, count_coordinates(joint.kind) - 1);
   const std::size_t angles =
       static_cast<std::size_t>(count_coordinates(joint.kind)) - (has_way ? 1 : 0);
   if (angles > 0)

@@ -28,12 +28,8 @@ struct CoordinateUnits {
 inline constexpr CoordinateUnits kAngleUnits{"rad", "rad/s", "N m", "N m/rad", "N m s/rad"};
 inline constexpr CoordinateUnits kWayUnits{"m", "m/s", "N", "N/m", "N s/m"};
 
-/// Whether a coordinate of a joint is a displacement; otherwise it is an angle.
-inline bool is_way(JointKind kind, int coordinate) {
-  return kind == JointKind::prismatic || (kind == JointKind::cylindrical && coordinate == 1);
-}
 inline const CoordinateUnits& units_of(JointKind kind, int coordinate) {
-  return is_way(kind, coordinate) ? kWayUnits : kAngleUnits;
+  return slides(kind, coordinate) ? kWayUnits : kAngleUnits;
 }
 
 template <PerhapsConst<Hub> H, class Visit>
