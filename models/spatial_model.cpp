@@ -61,6 +61,16 @@ std::string_view base_name(SupportBase base) {
   return base == SupportBase::ground ? "ground" : "fuselage";
 }
 
+bool is_support(const Model& model, const Subsystem& subsystem) {
+  return model.support && &subsystem == &model.subsystems.back();
+}
+
+std::string key_of_subsystem(const Model& model, std::size_t index) {
+  assert(index < model.subsystems.size());
+  if (is_support(model, model.subsystems[index])) return std::string(kSupportName);
+  return "subsystem." + std::to_string(index + 1);
+}
+
 void suspend(const Suspension& suspension, Model& model) {
   assert(!model.support);
   Subsystem tree;

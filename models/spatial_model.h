@@ -410,6 +410,10 @@ struct Model {
   std::vector<Anchor> anchors{};                     ///< places that loops may close on
 };
 
+/// Returns whether a subsystem of a model is the tree of its support.
+SPOKE_EXPORT bool is_support(const Model& model, const Subsystem& subsystem);
+/// Returns the key of a subsystem in a scenario, by its index: "subsystem.2", or "support".
+SPOKE_EXPORT std::string key_of_subsystem(const Model& model, std::size_t index);
 /// Gives a model the support that a suspension is: a rigid body "carrier" on a bushing
 /// "suspension". Precondition: it has no support, and some direction moves.
 SPOKE_EXPORT void suspend(const Suspension& suspension, Model& model);

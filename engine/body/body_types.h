@@ -15,6 +15,7 @@ namespace spoke {
 ///   JointMotion     motion of the joint that carries it; its member R is R_PB
 ///   HubStiffening   what its geometric stiffening adds to the hub's equation
 ///   Attitude        what the hub's orientation has besides its coordinates
+///   CarriedInertia    what the hub of a rotor on a support carries
 ///   RecordedRotation  what a step's record has of it besides position and velocity
 template <class World>
 struct BodyTypes;

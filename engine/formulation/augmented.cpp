@@ -31,7 +31,7 @@ void add_carrier(const SubsystemData<World>& subsystem, const TreeBody<World>& c
                  const Joint& joint, int i, int row, Work& work) {
   constexpr int d = World::kTwist;
   if (child.parent < 0) {
-    work.matrix.block<d, d>(row, 0) = tree::carrying_matrix<World>(joint);
+    work.matrix.block<d, d>(row, work.hub[i]) = tree::carrying_matrix<World>(joint);
     return;
   }
   const BodyData<World>& parent = subsystem.bodies[child.parent];
@@ -100,7 +100,7 @@ void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsys
       const int row = work.first_loop[i] + r;
       work.right[row] = -state.target;
       work.matrix(row, row) = -state.compliance;
-      work.matrix.template block<1, World::kTwist>(row, 0) = -state.hub.transpose();
+      work.matrix.template block<1, World::kTwist>(row, work.hub[i]) = -state.hub.transpose();
       subtract_place(model.loops[k].from, state.from, subsystem, i, row, work);
       if (model.loops[k].to.carrier == LoopPlace::Carrier::body)
         subtract_place(model.loops[k].to, state.to, subsystem, i, row, work);
@@ -124,8 +124,10 @@ template <class World>
 void add_hub(const System<World>& system, const StepData<World>& data, Work& work) {
   constexpr int d = World::kTwist;
   typename BodyTypes<World>::HubStiffening stiffening;
-  for (const SubsystemData<World>& subsystem : data.subsystems)
-    for (const BodyData<World>& body : subsystem.bodies) stiffening += body.terms.stiffening;
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    if (system.subsystems[i].rotor < 0)  // else its rotor's hub has it
+      for (const BodyData<World>& body : data.subsystems[i].bodies)
+        stiffening += body.terms.stiffening;
   TwistMatrixOf<World> mass = calc_hub_mass(system.hub);
   rotary(mass) -= stiffening.inertia;
   TwistOf<World> force = calc_hub_force(system.hub, data.hub, data.hub_solution);
@@ -180,6 +182,15 @@ void allocate(const System<World>& system, const StepData<World>& data,
       largest = std::max(largest, dense_size(*body.model->body));
   }
   work.jacobian.setZero(d, largest);
+  for (const Subsystem<World>& subsystem : system.subsystems) {
+    if (subsystem.rotor < 0) {
+      work.hub.push_back(0);
+      continue;
+    }
+    const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(subsystem.rotor)];
+    work.hub.push_back(work.first[static_cast<std::size_t>(rotor.subsystem)]
+                                 [static_cast<std::size_t>(rotor.body)]);
+  }
   work.first_hub_multiplier = next;
   for (int c = 0; c < d; ++c) next += is_prescribed(system.hub, c);
   work.matrix.setZero(next, next);

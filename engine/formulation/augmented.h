@@ -23,8 +23,9 @@ struct Work {
   /// First row of each body's coordinates: [X; q], behind them those of its inboard joint.
   std::vector<std::vector<int>> first;
   std::vector<std::vector<int>> first_joint;  ///< first row of each joint's multipliers
-  std::vector<int> first_loop;                ///< by subsystem: first row of its loops' multipliers
-  Eigen::MatrixXd jacobian;                   ///< of one handle, d x the largest body
+  std::vector<int> hub;         ///< by subsystem: first row of the hub that carries it
+  std::vector<int> first_loop;  ///< by subsystem: first row of its loops' multipliers
+  Eigen::MatrixXd jacobian;     ///< of one handle, d x the largest body
   int first_hub_multiplier = 0;
   Eigen::MatrixXd matrix;
   LuFactors factor;

@@ -125,6 +125,7 @@ struct BodyTypes<Plane> {
   using HubStiffening = plane::HubStiffening;
   struct Attitude {};
   struct RecordedRotation {};
+  struct CarriedInertia {};
 };
 
 }  // namespace spoke

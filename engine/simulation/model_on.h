@@ -24,6 +24,7 @@
 #include "engine/step/put_bodies.h"
 #include "engine/step/share_subsystems.h"
 #include "engine/table/state_values.h"
+#include "models/system/spatial_system.h"
 
 namespace spoke {
 
@@ -93,9 +94,9 @@ class ModelOn final : public SimulatedModel {
     return subsystem >= 0 && subsystem < std::ssize(subsystems) && row >= 0 &&
            row < subsystems[static_cast<std::size_t>(subsystem)].loop_rows();
   }
-  Drive& drive() override { return context_->system.hub.drive; }
-  void begin_drive(const Drive& drive) override {
-    context_->system.hub.drive = drive;
+  Drive& drive() override { return drive_of(context_->system); }
+  void begin_drive(const Drive& other) override {
+    drive() = other;
     put_hub_at_start(*context_);
   }
   std::shared_ptr<const Load>& replaceable_load(int index,

@@ -44,9 +44,12 @@ bool keeps_momentum(const Scenario& scenario) {
            rotor.distributed_loads.empty() && rotor.drags.empty() && rotor.hub_loads.empty();
   }
   const spatial::Model& model = *scenario.space;
-  return model.hub.support == HubSupport::free &&
-         std::holds_alternative<FreeDrive>(model.hub.drive) && model.gravity.isZero(0.0) &&
-         model.loads.empty() && model.distributed_loads.empty() && model.hub_loads.empty();
+  // A drive acts between the hub and its support.
+  const bool is_free = model.support ? model.support->from == spatial::SupportBase::free
+                                     : model.hub.support == HubSupport::free &&
+                                           std::holds_alternative<FreeDrive>(model.hub.drive);
+  return is_free && model.gravity.isZero(0.0) && model.loads.empty() &&
+         model.distributed_loads.empty() && model.hub_loads.empty();
 }
 
 std::vector<Sensor> with_momentum(const Scenario& scenario, bool keeps) {

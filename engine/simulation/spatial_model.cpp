@@ -11,6 +11,7 @@
 #include "engine/kernels/samples.h"
 #include "engine/simulation/views.h"
 #include "engine/space/joint_values.h"
+#include "engine/space/supported_rotor.h"
 #include "engine/support/memory.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
@@ -73,6 +74,7 @@ void SpatialModel::start(SpatialSensors& sensors) {
 }
 
 void SpatialModel::sample(std::int64_t step, double t) {
+  update_rotors(context_.system, t, context_.data);
   for (std::size_t i = 0; i < context_.data.subsystems.size(); ++i) {
     const Subsystem<Space>& subsystem = context_.system.subsystems[i];
     SubsystemData<Space>& data = context_.data.subsystems[i];
@@ -106,12 +108,17 @@ void SpatialModel::calc_shape(int index, double t, TreeShape& shape) {
   const auto i = static_cast<std::size_t>(index);
   const Subsystem<Space>& subsystem = context_.system.subsystems[i];
   SubsystemData<Space>& data = context_.data.subsystems[i];
+  update_rotors(context_.system, t, context_.data);
   prescribe_joints(context_.system, t, i, context_.data);
-  spoke::calc_shape(subsystem, data, rotor_placement(scenario_.space->hub).rotation, shape);
+  const bool is_support = i + 1 == context_.data.subsystems.size() && scenario_.space->support;
+  const spatial::Tensor to_hub = is_support ? spatial::Tensor(spatial::Tensor::Identity())
+                                            : rotor_placement(scenario_.space->hub).rotation;
+  spoke::calc_shape(subsystem, data, to_hub, shape);
 }
 
 HubPose SpatialModel::hub_pose() const {
-  const HubState<Space> hub = calc_hub_state(context_.data);
+  const HubState<Space> hub =
+      context_.data.rotors.empty() ? calc_hub_state(context_.data) : shown_hub(context_.data);
   return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
 }
 

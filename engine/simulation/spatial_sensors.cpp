@@ -34,10 +34,14 @@ SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<sp
     : asked_(std::move(asked)), momentum_(system, std::move(momentum)) {
   for (const spatial::Tree& tree : trees)
     for (const char* axis : {"x", "y", "z"}) add(sensor_name_of(tree) + ".tip." + axis, "m");
-  if (system.hub.support == HubSupport::free) {
+  const bool has_rotor = !system.rotors.empty();
+  if (has_rotor)
     for (const char* axis : {"x", "y", "z"}) add(std::string("hub.") + axis, "m");
-    for (const char* axis : {"x", "y", "z"}) add(std::string("hub.rotation.") + axis, "rad");
-    for (const char* axis : {"x", "y", "z"}) add(std::string("hub.spin.") + axis, "rad/s");
+  if (system.hub.support == HubSupport::free) {
+    const std::string name = has_rotor ? "fuselage." : "hub.";
+    for (const char* axis : {"x", "y", "z"}) add(name + axis, "m");
+    for (const char* axis : {"x", "y", "z"}) add(name + "rotation." + axis, "rad");
+    for (const char* axis : {"x", "y", "z"}) add(name + "spin." + axis, "rad/s");
   }
   add_hub_columns();
   for (const spatial::Tree& tree : trees) {
@@ -75,15 +79,23 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
   values_.clear();
   for (const SubsystemData<Space>& subsystem : data.subsystems)
     append(of_step(subsystem.samples, step).tip);
+  const bool has_rotor = !system.rotors.empty();
+  if (has_rotor) append(space::Position(linear(record.rotor.position)));
   if (system.hub.support == HubSupport::free) {
     append(space::Position(linear(record.position)));
     append(logarithm(record.hub_rotation));
     append(space::Angular(angular(record.velocity)));
+  }
+  if (has_rotor) {
+    append(std::array{record.rotor.position[Space::kAxial], record.rotor.velocity[Space::kAxial]});
+  } else if (system.hub.support == HubSupport::free) {
     append(std::array{logarithm(record.hub_rotation).norm(), angular(record.velocity).norm()});
   } else {
     append(std::array{record.position[Space::kAxial], record.velocity[Space::kAxial]});
   }
-  const double torque = record.reaction[Space::kAxial] + record.applied_torque;
+  const double torque = has_rotor
+                            ? record.rotor.reaction[Space::kAxial] + record.rotor.applied_torque
+                            : record.reaction[Space::kAxial] + record.applied_torque;
   values_.push_back(torque);
   const Energies energies = sum_energies(calc_hub_energies(system, record), step, data);
   append_energies(energies, work);

@@ -14,6 +14,7 @@
 #include "engine/kernels/modal_damping.h"
 #include "engine/plane/section.h"
 #include "engine/space/relative_motion.h"
+#include "engine/space/supported_rotor.h"
 #include "models/error.h"
 #include "models/support/nearest_name.h"
 
@@ -120,6 +121,12 @@ template Wrench calc_loop_wrench(const SystemContext<Space>&, std::size_t, std::
 
 template <class World>
 Wrench calc_hub_reaction(const StepData<World>& data) {
+  if constexpr (tree::kHasJointCoordinates<World>)
+    if (!data.rotors.empty()) {
+      TwistOf<World> wrench = data.evaluated.rotor.reaction;
+      wrench[World::kAxial] += data.evaluated.rotor.applied_torque;
+      return wrench_in_space(TwistOf<World>(data.rotors.front().hub.R * wrench));
+    }
   TwistOf<World> wrench = data.evaluated.reaction;
   wrench[World::kAxial] += data.evaluated.applied_torque;
   const HubState<World>& hub = data.is_coupled ? data.hub : *data.subsystems.front().hub;
@@ -175,7 +182,8 @@ MarkerState calc_hub_frame(const SystemContext<Plane>& context, double) {
 }
 
 MarkerState calc_hub_frame(const SystemContext<Space>& context, double t) {
-  const HubState<Space> hub = calc_hub_state(context.data);
+  const HubState<Space> hub =
+      context.data.rotors.empty() ? calc_hub_state(context.data) : shown_hub(context.data);
   const space::Twist velocity = hub.R * hub.twist;
   const space::Twist acceleration =
       hub.R * calc_hub_acceleration(context.system, 0, context.data, t);

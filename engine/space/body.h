@@ -82,7 +82,8 @@ struct BodyFields {
   /// with such tension [rad/s^2].
   Angular alpha = Angular::Zero();
   JointData joint;
-  SlideState slide;  ///< slide of the joint that carries it, if it slides
+  const CarriedInertia* carried = nullptr;  ///< of a hub on a support; else null
+  SlideState slide;                         ///< slide of the joint that carries it, if it slides
 };
 
 /// Counts the doubles that the fields of a body and of the joint that carries it take; `history`:
@@ -124,6 +125,7 @@ struct BodyTypes<Space> {
   using HubStiffening = space::HubStiffening;
   using Attitude = space::HubAttitude;
   using RecordedRotation = space::RecordedHub;
+  using CarriedInertia = space::CarriedInertia;
 };
 
 }  // namespace spoke

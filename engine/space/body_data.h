@@ -90,6 +90,13 @@ inline Twist calc_frame_force(const Angular& w, const Position& S, const Angular
                     -cross(w, Theta_w) - 2.0 * (G.trace() * w - G.transpose().lazyProduct(w)));
 }
 
+/// The inertia of the hub of a rotor on a support, with what the rotor's subsystems add to it.
+struct CarriedInertia {
+  SymmetricTwistMatrix mass;     ///< about the hub's origin, in its frame
+  SymmetricTwistMatrix inverse;  ///< its inverse; not in the augmented formulation
+  Twist force = Twist::Zero();   ///< added to the hub's right-hand side [N, N m]
+};
+
 /// Results of condensing a body besides its multi-port.
 struct Condensed {
   SymmetricTwistMatrix S_inverse;  ///< inverse of S_R = M_RR - C Mhat^-1 C^T

@@ -171,7 +171,7 @@ void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic
     return space::calc_dense_mass(*solid, data.terms, data.work, elastic, mass);
   const space::FlexibleBody* flexible = data.model->body->flexible();
   if (!flexible) {
-    mass = rigid_mass_of(data).matrix();
+    mass = (data.carried ? data.carried->mass : rigid_mass_of(data)).matrix();
     return;
   }
   space::calc_dense_mass(*flexible, data.terms, data.work, elastic, mass);

@@ -77,6 +77,8 @@ PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double p
 /// Returns the angular acceleration of the hub, in its frame.
 Angular calc_hub_angular_acceleration(const System<Space>& system, double t, std::size_t i,
                                       const StepData<Space>& data) {
+  if (const int rotor = system.subsystems[i].rotor; rotor >= 0)
+    return angular(data.rotors[static_cast<std::size_t>(rotor)].acceleration);
   if (!data.is_coupled) return angular(data.subsystems[i].prescribed.acceleration);
   const CoordinateBlock& hub = data.hub_coordinates;
   space::Twist given = calc_prescribed_acceleration(system, t, data.hub, hub.a[Space::kAxial]);
@@ -115,8 +117,14 @@ Angular calc_section_acceleration(const BodyData<Space>& body, std::size_t handl
   return sum;
 }
 
-/// Returns the rotation of the hub, whose angle is the azimuth.
-DriveMotion calc_hub_rotation(const System<Space>& system, double t, const CoordinateBlock& hub) {
+/// Returns the rotation of the hub that carries subsystem `i`, whose angle is the azimuth.
+DriveMotion calc_hub_rotation(const System<Space>& system, double t, std::size_t i,
+                              const StepData<Space>& data) {
+  if (const int r = system.subsystems[i].rotor; r >= 0) {
+    const RotorData<Space>& rotor = data.rotors[static_cast<std::size_t>(r)];
+    return {rotor.angle, rotor.speed, rotor.spin_up};
+  }
+  const CoordinateBlock& hub = data.hub_coordinates;
   if (prescribes_motion(system.hub.drive)) return calc_motion(system.hub.drive, t);
   return {hub.q[Space::kAxial], hub.v[Space::kAxial], hub.a[Space::kAxial]};
 }
@@ -124,6 +132,7 @@ DriveMotion calc_hub_rotation(const System<Space>& system, double t, const Coord
 }  // namespace
 
 bool follows_free_hub(const System<Space>& system, const Subsystem<Space>& subsystem) {
+  if (subsystem.rotor >= 0) return false;  // it follows the hub's state
   if (prescribes_motion(system.hub.drive)) return false;
   for (const TreeBody<Space>& body : subsystem.bodies)
     for (const space::DrivenMotion& motion : body.joint.course.driven)
@@ -134,10 +143,15 @@ bool follows_free_hub(const System<Space>& system, const Subsystem<Space>& subsy
 void prescribe_joints(const System<Space>& system, double t, std::size_t i,
                       StepData<Space>& data) noexcept {
   assert(i < system.subsystems.size() && i < data.subsystems.size());
-  const DriveMotion hub = calc_hub_rotation(system, t, data.hub_coordinates);
+  const DriveMotion hub = calc_hub_rotation(system, t, i, data);
   const Subsystem<Space>& subsystem = system.subsystems[i];
   for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
     const space::JointCourse& course = subsystem.bodies[j].joint.course;
+    if (course.drive && !course.driven.empty()) {
+      const DriveMotion turn = calc_motion(*course.drive, t);
+      data.subsystems[i].bodies[j].joint.driven[0] = {turn.angle, turn.speed, turn.acceleration};
+      continue;
+    }
     for (std::size_t c = 0; c < course.driven.size(); ++c)
       data.subsystems[i].bodies[j].joint.driven[c] =
           prescribe(course.driven[c], t, hub.angle + course.azimuth, hub);

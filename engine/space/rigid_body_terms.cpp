@@ -6,6 +6,8 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/space/body_data.h"
+
 namespace spoke::space {
 namespace {
 
@@ -19,9 +21,10 @@ TwistMatrix calc_between(const Position& a, const SymmetricTwistMatrix& A, const
 
 }  // namespace
 
-RigidPort::RigidPort(const RigidBody& body)
-    : mass(calc_mass(body)), inverse(invert(mass)), handles{Position::Zero()} {
-  assert(body.mass > 0.0 && body.inertia.diagonal().minCoeff() > 0.0);
+RigidPort::RigidPort(const RigidBody& body) : mass(calc_mass(body)), handles{Position::Zero()} {
+  assert(body.is_hub || (body.mass > 0.0 && body.inertia.diagonal().minCoeff() > 0.0));
+  if (body.is_hub) return;  // with what it carries, see CarriedInertia
+  inverse = invert(mass);
   handles.insert(handles.end(), body.outboard.begin(), body.outboard.end());
   for (std::size_t b = 0; b < handles.size(); ++b) {
     diagonal.push_back(refer(-handles[b], inverse));
@@ -35,6 +38,13 @@ Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist
   const Angular w = angular(twist);
   const Twist momentum = mass * make_twist(Position::Zero(), w);
   return -make_twist(cross(w, linear(momentum)), cross(w, angular(momentum)));
+}
+
+void condense(const CarriedInertia& hub, const Twist& Q,
+              const tree::MultiPort<Space>& port) noexcept {
+  assert(port.handles == 1);
+  port.diagonal[0] = hub.inverse;
+  port.free[0] = hub.inverse * Q;
 }
 
 void condense(const RigidPort& body, const Twist& twist, const Twist& Q,

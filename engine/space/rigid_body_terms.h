@@ -11,6 +11,8 @@
 
 namespace spoke::space {
 
+struct CarriedInertia;
+
 /// Constants of a rigid body's multi-port: P_ab = J_a M_RR^-1 J_b^T.
 struct RigidPort {
   explicit RigidPort(const RigidBody& body);
@@ -29,6 +31,10 @@ Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist
 /// Sets the multi-port for the right-hand side Q with all loads: a_h = J_h M_RR^-1 Q + [w x (w x
 /// s_h); 0].
 void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
+              const tree::MultiPort<Space>& port) noexcept;
+
+/// Sets the multi-port of a hub on a support, which has one handle, at its origin.
+void condense(const CarriedInertia& hub, const Twist& Q,
               const tree::MultiPort<Space>& port) noexcept;
 
 /// Returns the acceleration X = M_RR^-1 (Q + sum of J_h^T f_h) of the frame, from the wrenches f_h

@@ -34,8 +34,9 @@ void add_joint_forces(double t, const space::ImplicitShares& shares, BodyData<Sp
   const space::TreeJoint& model = body.model->joint;
   const int n = model.joint.coordinates;
   if (n == 0) return;
-  const std::array<double, space::Joint::kMost> motor = calc_motors(model, t);
   const space::JointState state = joint_state_of(body);
+  std::array<double, space::Joint::kMost> motor = calc_motors(model, t);
+  if (model.course.drive) motor[0] += calc_torque(*model.course.drive, t, state.v[0]);
   calc_joint_forces(model.joint, state, shares, body.joint.coordinates.a, motor.data(),
                     *body.joint.forces);
   for (int c = 0; c < n; ++c)
@@ -296,6 +297,7 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
   const space::Twist& twist = data.twists[index];
   if (const space::RigidBody* rigid = body.model->body->rigid()) {
     body.terms = calc_rigid_terms(*rigid, rigid_mass_of(body), twist);
+    if (body.carried) body.terms.Q += body.carried->force;
   } else {
     const HubState<Space>& hub = *data.hub;
     const space::BodyMotion motion{angular(twist), angular(hub.twist),

@@ -28,6 +28,8 @@ void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implic
                      data.work);
   else if (const space::Solid* solid = data.model->body->solid())
     condense_solid(*solid, *data.blocks[implicit]->solid, data.terms, angular(twist), data.work);
+  else if (data.carried)
+    space::condense(*data.carried, data.terms.Q, data.work.port);
   else
     space::condense(*data.blocks[0]->rigid, twist, data.terms.Q, data.work.port);
 }
@@ -78,6 +80,8 @@ void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space
     data.X = recover_between(solid_of(data), *data.blocks[implicit]->solid, wrenches, data.work);
   } else if (const space::Solid* solid = data.model->body->solid()) {
     data.X = recover_solid(*solid, *data.blocks[implicit]->solid, wrenches, data.work, a);
+  } else if (data.carried) {
+    data.X = data.carried->inverse * space::Twist(data.terms.Q + wrenches[0]);
   } else {
     const auto count = static_cast<std::size_t>(data.work.port.handles);
     data.X = space::recover_frame(*data.blocks[0]->rigid, data.terms.Q, {wrenches, count});

@@ -48,8 +48,19 @@ void set_start_of_hub(const System<Plane>&, StepData<Plane>&) {}
 
 void set_start_of_hub(const System<Space>& system, StepData<Space>& data) {
   data.hub_attitude.reference = system.hub.orientation;
-  if (system.hub.support == HubSupport::free)
-    std::copy_n(system.hub.velocity.data(), space::kTwist, data.hub_coordinates.v);
+  if (system.hub.support != HubSupport::free) return;
+  std::copy_n(system.hub.position.data(), space::kPosition, data.hub_coordinates.q);
+  std::copy_n(system.hub.velocity.data(), space::kTwist, data.hub_coordinates.v);
+}
+
+void set_start_of_axles(const System<Plane>&, StepData<Plane>&) {}
+void set_start_of_axles(const System<Space>& system, StepData<Space>& data) {
+  for (const SupportedRotor& rotor : system.rotors) {
+    BodyData<Space>& hub = data.subsystems[static_cast<std::size_t>(rotor.subsystem)]
+                               .bodies[static_cast<std::size_t>(rotor.body)];
+    if (hub.joint.coordinates.size > 0)
+      hub.joint.coordinates.v[0] = calc_initial_speed(*hub.model->joint.course.drive);
+  }
 }
 
 void set_start(const System<Plane>&, bool, StepData<Plane>&) {}
@@ -78,7 +89,8 @@ void allocate(SystemContext<World>& context, int window_steps) {
   const int history = alpha ? int{GeneralizedAlpha::count} : int{Rk4::count};
   StepData<World>& data = context.data;
   const bool is_coupled = context.formulation == Formulation::augmented ||
-                          !is_prescribed(context.system) || context.loads_tie_subsystems;
+                          !is_prescribed(context.system) || !context.system.rotors.empty() ||
+                          context.loads_tie_subsystems;
   allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     allocate_loops(context.system.subsystems[i], data.subsystems[i]);
@@ -105,6 +117,7 @@ void put_hub_at_start(SystemContext<World>& context) {
   StepData<World>& data = context.data;
   data.hub_coordinates.v[World::kAxial] = calc_initial_speed(context.system.hub.drive);
   set_start_of_hub(context.system, data);
+  set_start_of_axles(context.system, data);
   impose_hub_motion(context.system, 0.0, data.hub_coordinates);
   place_axle(context.system, 0.0, data.hub_attitude);
 }

@@ -40,6 +40,20 @@ auto unless_halted(const StepProgress& progress, Body body) {
   };
 }
 
+/// Returns the rotor whose support subsystem `i` is; -1: none.
+template <class World>
+int find_supported(const Assembly<World>& g, int i) {
+  for (std::size_t r = 0; r < g.c.system.rotors.size(); ++r)
+    if (g.c.system.rotors[r].subsystem == i) return static_cast<int>(r);
+  return -1;
+}
+/// Returns the rotor whose hub body `j` of subsystem `i` is; -1: none.
+template <class World>
+int find_hub(const Assembly<World>& g, int i, int j) {
+  const int r = find_supported(g, i);
+  return r >= 0 && g.c.system.rotors[static_cast<std::size_t>(r)].body == j ? r : -1;
+}
+
 /// Returns the parts of the user's loads that act on body `j` of subsystem `i`.
 template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j);

@@ -9,6 +9,7 @@
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 #include "engine/space/joint_values.h"
+#include "engine/space/supported_rotor.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -64,7 +65,8 @@ PartList reading_inputs(const Assembly<Space>& g, int i) {
     if (!is_load && !is_motion(reading.quantity)) continue;
     for (const int j : reading.path)
       inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
-    if (g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
+    if (g.c.data.is_coupled && g.c.system.subsystems[i].rotor < 0)
+      inputs.push_back(g.parts.hub_coordinates);
   }
   return inputs;
 }
@@ -96,14 +98,21 @@ void add_finish(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
   const bool is_corrected = corrects_hub(g);
-  PartList outputs{parts.progress, parts.records};
+  PartList outputs{parts.progress, parts.records}, supports;
+  for (std::size_t r = 0; r < parts.rotors.size(); ++r) {
+    const SubsystemParts& support = g.subsystem(c.system.rotors[r].subsystem);
+    outputs.insert(outputs.end(), {parts.rotors[r].hub, support.rotations, support.twists});
+    supports.push_back(support.wrenches);
+    for (const auto member : {&BodyParts::coordinates, &BodyParts::accelerations})
+      for (const PartId part : support.all(member)) supports.push_back(part);
+  }
   PartList loops;
   for (const SubsystemParts& own : parts.subsystems)
     if (!own.loops.is_empty) loops.push_back(own.loops.report);
   if (is_corrected) outputs.push_back(parts.hub_state);
   g.builder.add_node(
       g.label(stages::kFinish),
-      reads(outputs, loops, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
+      reads(outputs, supports, loops, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
             parts.hub_solution, parts.hub_state, parts.hub_coordinates),
       writes(outputs), [&c, is_corrected]() noexcept {
         StepProgress& progress = c.data.progress[0];
@@ -112,8 +121,12 @@ void add_finish(const Assembly<World>& g) {
           return;
         }
         finish_system(c.system, c.integrator, c.data);
+        if (progress.completed < 0) return;
         // The sensors need it: the last correction has moved the hub once more.
-        if (is_corrected && progress.completed >= 0) c.data.hub = calc_hub_state(c.data);
+        if (is_corrected) c.data.hub = calc_hub_state(c.data);
+        const double t = static_cast<double>(progress.completed) * step_size(c.integrator);
+        update_rotors(c.system, t, c.data);
+        record_rotor(c.system, t, c.data, of_step(c.data.records, progress.completed));
       });
 }
 

@@ -12,6 +12,7 @@
 #include "engine/kernels/modal_damping.h"
 #include "engine/plane/handle_motion.h"
 #include "engine/plane/section_loads.h"
+#include "engine/space/supported_rotor.h"
 #include "engine/space/table_terms.h"
 #include "engine/step/pass_integration.h"
 
@@ -19,6 +20,7 @@ namespace spoke {
 namespace {
 
 using graph::NodeLabel;
+using graph::PartId;
 using graph::reads;
 using graph::writes;
 
@@ -80,11 +82,31 @@ template <class World>
 void add_hub_motion(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const StepParts& parts = g.parts;
+  g.builder.add_node(g.label(c.system.rotors.empty() ? stages::kHubMotion : stages::kSupportMotion),
+                     reads(parts.progress, parts.hub_coordinates, parts.hub_history),
+                     writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
+                     unless_halted(c.data.progress[0], [&c]() noexcept {
+                       begin_hub(c.system, c.integrator.method, c.data);
+                     }));
+}
+
+template <class World>
+void add_rotor_motion(const Assembly<World>& g, int r) {
+  const auto index = static_cast<std::size_t>(r);
+  SystemContext<World>& c = g.c;
+  const SubsystemParts& support = g.subsystem(c.system.rotors[index].subsystem);
+  const PartId hub = g.parts.rotors[index].hub;
+  PartList inputs = support.all(&BodyParts::coordinates);
+  const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
+  for (const PartId part : support.all(&BodyParts::accelerations)) inputs.push_back(part);
+  if (is_implicit) inputs.push_back(g.parts.hub_coordinates);
+  StepProgress& progress = c.data.progress[0];
   g.builder.add_node(
-      g.label(stages::kHubMotion), reads(parts.progress, parts.hub_coordinates, parts.hub_history),
-      writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
-      unless_halted(c.data.progress[0],
-                    [&c]() noexcept { begin_hub(c.system, c.integrator.method, c.data); }));
+      g.label(stages::kHubMotion),
+      reads(g.parts.progress, support.rotations, support.twists, support.hub_state, inputs, hub),
+      writes(hub), unless_halted(progress, [&c, &progress, index]() noexcept {
+        place_rotor(c.system, index, progress.control.time, progress.control.is_implicit, c.data);
+      }));
 }
 
 template <class World>
@@ -150,7 +172,7 @@ void add_velocity(const Assembly<World>& g, int i) {
     accelerations = own.all(&BodyParts::accelerations);
     for (const BodyParts& body : own.bodies)
       accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
-    if (table.is_coupled) accelerations.push_back(g.parts.hub_coordinates);
+    if (table.is_coupled && subsystem.rotor < 0) accelerations.push_back(g.parts.hub_coordinates);
   }
   PartList modal;
   if (!data.modal_forces.empty()) {
@@ -271,6 +293,8 @@ void add_flight_acceleration(const Assembly<World>& g) {
 }
 
 template void add_hub_motion(const Assembly<Plane>&);
+template void add_rotor_motion(const Assembly<Plane>&, int);
+template void add_rotor_motion(const Assembly<Space>&, int);
 template void add_prescribed_hub_motion(const Assembly<Plane>&, int);
 template void add_coordinates(const Assembly<Plane>&, int);
 template void add_position(const Assembly<Plane>&, int);

@@ -11,6 +11,9 @@ namespace spoke {
 /// else.
 template <class World>
 void add_hub_motion(const Assembly<World>& g);
+/// Of the hub of a rotor on a support, behind the support's velocity.
+template <class World>
+void add_rotor_motion(const Assembly<World>& g, int r);
 /// Adds the node of the hub's motion as subsystem `i` follows it, where it is prescribed.
 template <class World>
 void add_prescribed_hub_motion(const Assembly<World>& g, int i);

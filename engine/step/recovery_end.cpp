@@ -20,6 +20,8 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
   } else {
     inputs.push_back(own.wrenches);
     inputs.push_back(body.inverse);
+    if (const int r = find_hub(g, i, j); r >= 0 && g.c.formulation == Formulation::structured)
+      inputs.push_back(g.parts.rotors[static_cast<std::size_t>(r)].carried);
   }
   if constexpr (tree::kHasJointCoordinates<World>) {
     const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];

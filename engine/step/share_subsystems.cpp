@@ -85,7 +85,12 @@ void share_out(Exchange& exchange, SystemContext<World>& context) {
   assert(std::cmp_less_equal(exchange.count(), context.data.subsystems.size()));
   StepData<World>& data = context.data;
   const std::vector<int> first = share_out(weights_of(data), exchange.count());
-  const auto inertia = [&data](std::size_t i) {
+  // All processes condense the supports.
+  const auto inertia = [&data, &rotors = context.system.rotors](std::size_t i) {
+    if (std::any_of(rotors.begin(), rotors.end(), [i](const SupportedRotor& rotor) {
+          return std::cmp_equal(rotor.subsystem, i);
+        }))
+      return MemoryPieces{};
     return MemoryPieces{bytes_of(data.subsystems[i].effective)};
   };
   const auto reports = [&data](std::size_t i) { return memory_of_reports(data.subsystems[i]); };

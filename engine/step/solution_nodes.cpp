@@ -6,6 +6,7 @@
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
+#include "engine/space/supported_rotor.h"
 #include "engine/step/pass_integration.h"
 #include "engine/step/recovery_end.h"
 #include "engine/step/tile_nodes.h"
@@ -109,6 +110,7 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
   if constexpr (tree::kHasJointCoordinates<World>)
     inputs.push_back(own.rotations);  // for its handles
   inputs.insert(inputs.end(), parts.tension.begin(), parts.tension.end());
+  if (const int r = find_hub(g, i, j); r >= 0) inputs.push_back(g.parts.rotors[r].carried);
   SubsystemData<World>& data = g.c.data.subsystems[i];
   // Of a solid in one slice all is done here.
   const bool is_by_slices = is_tiled(data.bodies[j]) && !parts.halves.empty();
@@ -141,7 +143,8 @@ void add_effective(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
     g.builder.add_node(
-        g.label(stages::kEffective, i), inputs, outputs,
+        g.label(find_supported(g, i) < 0 ? stages::kEffective : stages::kSupportEffective, i),
+        inputs, outputs,
         unless_halted(*data.progress, [&subsystem, &data, condense, &work]() noexcept {
           condense(subsystem, data, work);
         }));
@@ -154,11 +157,34 @@ void add_effective(const Assembly<World>& g, int i) {
 }
 
 template <class World>
+void add_rotor_sum(const Assembly<World>& g, int r) {
+  const auto index = static_cast<std::size_t>(r);
+  SystemContext<World>& c = g.c;
+  const bool is_condensed = c.formulation != Formulation::augmented;
+  PartList inputs{g.parts.progress, g.parts.rotors[index].hub};
+  for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i) {
+    const SubsystemParts& own = g.parts.subsystems[i];
+    if (c.system.subsystems[i].rotor != r) continue;
+    if (is_condensed) inputs.push_back(own.effective);
+    if (!is_condensed)
+      for (const PartId terms : own.all(&BodyParts::terms)) inputs.push_back(terms);
+  }
+  g.builder.add_node(g.label(stages::kRotorSum), reads(inputs, g.parts.rotors[index].carried),
+                     writes(g.parts.rotors[index].carried),
+                     unless_halted(c.data.progress[0], [&c, index, is_condensed]() noexcept {
+                       sum_rotor(c.system, index, is_condensed, c.data);
+                     }));
+}
+
+template <class World>
 void add_hub_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  g.builder.add_node(g.label(stages::kHubSolve),
-                     reads(g.parts.all(&SubsystemParts::effective), hub_inputs(g)),
-                     writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
+  PartList effective;
+  for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i)
+    if (c.system.subsystems[i].rotor < 0) effective.push_back(g.parts.subsystems[i].effective);
+  g.builder.add_node(g.label(c.system.rotors.empty() ? stages::kHubSolve : stages::kSupportSolve),
+                     reads(effective, hub_inputs(g)), writes(hub_outputs(g)),
+                     unless_halted(c.data.progress[0], [&c]() noexcept {
                        solve_hub(c.system, c.data);
                        complete_hub(c.system, c.integrator.method, c.data);
                      }));
@@ -191,6 +217,8 @@ void add_augmented_solve(const Assembly<World>& g) {
     for (const BodyParts& body : own.bodies)
       tensions.insert(tensions.end(), body.tension.begin(), body.tension.end());
   }
+  PartList carried;
+  for (const RotorParts& rotor : parts.rotors) carried.push_back(rotor.carried);
   PartList loops;  // their places may be on any body
   for (const SubsystemParts& own : parts.subsystems) {
     if (own.loops.is_empty) continue;
@@ -198,8 +226,8 @@ void add_augmented_solve(const Assembly<World>& g) {
     for (const BodyParts& body : own.bodies) loops.push_back(body.coordinates);
   }
   g.builder.add_node(g.label(stages::kSolve),
-                     reads(loops, parts.all(&BodyParts::terms), tiles, outboard_joints, tensions,
-                           parts.all(&SubsystemParts::rotations),
+                     reads(loops, carried, parts.all(&BodyParts::terms), tiles, outboard_joints,
+                           tensions, parts.all(&SubsystemParts::rotations),
                            parts.all(&SubsystemParts::twists), hub_inputs(g)),
                      writes(parts.augmented_solution, hub_outputs(g)),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
@@ -255,7 +283,8 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
   const Method& method = c.integrator.method;
   const auto add = [&](auto recover) {
     const auto [inputs, outputs] = recovery_access(g, i, j);
-    g.builder.add_node(g.label(stages::kRecovery, i, j), reads(inputs), writes(outputs),
+    const char* stage = find_supported(g, i) < 0 ? stages::kRecovery : stages::kSupportRecovery;
+    g.builder.add_node(g.label(stage, i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, &method, j, recover]() noexcept {
                          recover(data.bodies[j]);
                          complete_recovery(method, j, data);
@@ -283,6 +312,8 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
 template void add_inverse(const Assembly<Plane>&, int, int);
 template void add_effective(const Assembly<Plane>&, int);
 template void add_hub_solve(const Assembly<Plane>&);
+template void add_rotor_sum(const Assembly<Plane>&, int);
+template void add_rotor_sum(const Assembly<Space>&, int);
 template void add_prescribed_hub_solve(const Assembly<Plane>&);
 template void add_augmented_solve(const Assembly<Plane>&);
 template void add_multipliers(const Assembly<Plane>&, int);

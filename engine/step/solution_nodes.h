@@ -16,6 +16,9 @@ void add_effective(const Assembly<World>& g, int i);
 /// Adds the node of (P 9) where the hub has a free coordinate: once in each pass.
 template <class World>
 void add_hub_solve(const Assembly<World>& g);
+/// Sums what the subsystems of a rotor on a support add to its hub.
+template <class World>
+void add_rotor_sum(const Assembly<World>& g, int r);
 /// Adds the node of (P 9) where it only yields the reaction: once for all steps that are complete.
 template <class World>
 void add_prescribed_hub_solve(const Assembly<World>& g);

@@ -20,6 +20,13 @@ inline constexpr const char* kLoopColumns = "loop columns";
 inline constexpr const char* kLoopFactor = "loop factor";
 inline constexpr const char* kLoopForces = "loop forces";
 inline constexpr const char* kHubSolve = "hub solve";
+// Stages of a support, in place of hub motion, effective, hub solve and recovery; and the sum of
+// what the rotor's subsystems add to its hub.
+inline constexpr const char* kSupportMotion = "support motion";
+inline constexpr const char* kRotorSum = "rotor sum";
+inline constexpr const char* kSupportEffective = "support effective";
+inline constexpr const char* kSupportSolve = "support solve";
+inline constexpr const char* kSupportRecovery = "support recovery";
 inline constexpr const char* kSolve = "solve";  ///< of the augmented formulation
 inline constexpr const char* kMultipliers = "multipliers";
 inline constexpr const char* kRecovery = "recovery";

@@ -85,6 +85,8 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   }
   // The tension may stand on either side of the equations.
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
+  if (const int r = find_hub(g, i, j); r >= 0)
+    inputs.push_back(g.parts.rotors[static_cast<std::size_t>(r)].carried);
   if (has_slide(member)) inputs.push_back(own.applied_forces);
   if (flies) inputs.push_back(g.parts.flight_acceleration);
   for (const BodyLoad<World>& load : member.loads) {
@@ -204,11 +206,24 @@ struct Extent {
 
 template <class World>
 void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
+  const int rotors = static_cast<int>(g.c.system.rotors.size());
+  // Each process goes through the supports, and through its own subsystems on hubs.
+  const auto for_supports = [&](auto add) {
+    for (int r = 0; r < rotors; ++r)
+      add(g, g.c.system.rotors[static_cast<std::size_t>(r)].subsystem);
+  };
+  const auto for_others = [&](auto add) {
+    for (int i = own.first; i < own.last; ++i)
+      if (find_supported(g, i) < 0) add(g, i);
+  };
   const auto for_each = [&](auto add) {
-    for (int i = own.first; i < own.last; ++i) add(g, i);
+    for_others(add);
+    for_supports(add);
   };
   add_hub_motion(g);
-  for_each(add_motion<World>);
+  for_supports(add_motion<World>);
+  for (int r = 0; r < rotors; ++r) add_rotor_motion(g, r);
+  for_others(add_motion<World>);
   for_each(add_loads_of_user<World>);  // some of them between subsystems
   for_each(add_applied_forces<World>);
   if (own.sharing && own.sharing->forces) {
@@ -219,18 +234,23 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
     add_share(g, stages::kShareForces, forces, *own.sharing->forces);
   }
   add_flight_acceleration(g);
-  for_each(add_condensation<World>);
+  for_others(add_condensation<World>);
   if (own.sharing) {
     const PartList behind =
         own.sharing->forces ? PartList{g.parts.flight_acceleration} : PartList{};
-    add_share(g, stages::kShareInertias, g.parts.all(&SubsystemParts::effective),
-              own.sharing->inertias, behind);
+    PartList inertias;
+    for (int i = 0; std::cmp_less(i, g.parts.subsystems.size()); ++i)
+      if (find_supported(g, i) < 0) inertias.push_back(g.subsystem(i).effective);
+    add_share(g, stages::kShareInertias, inertias, own.sharing->inertias, behind);
   }
+  for (int r = 0; r < rotors; ++r) add_rotor_sum(g, r);
+  for_supports(add_condensation<World>);
   if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
   else
     add_hub_solve(g);
-  for_each(add_recoveries<World>);
+  for_supports(add_recoveries<World>);
+  for_others(add_recoveries<World>);
   if (own.sharing) {
     PartList reports = g.parts.all(&BodyParts::report);
     for (const PartId terms : g.parts.all(&BodyParts::terms)) reports.push_back(terms);

@@ -223,6 +223,20 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   return parts;
 }
 
+/// Adds the parts of rotors on supports.
+void add_rotor_parts(StepData<Plane>&, StepGraphBuilder&, StepParts&) {}
+void add_rotor_parts(StepData<Space>& data, StepGraphBuilder& builder, StepParts& parts) {
+  for (RotorData<Space>& rotor : data.rotors) {
+    const std::string name = "rotor " + std::to_string(parts.rotors.size() + 1) + " / ";
+    RotorParts& own = parts.rotors.emplace_back();
+    own.hub =
+        builder.add_part(name + "hub motion",
+                         {bytes_of(rotor.hub), bytes_of(rotor.acceleration), bytes_of(rotor.angle),
+                          bytes_of(rotor.speed), bytes_of(rotor.spin_up)});
+    own.carried = builder.add_part(name + "carried inertia", {bytes_of(rotor.carried)});
+  }
+}
+
 /// Adds the parts that subsystems follow: one progress and hub motion of the system, or their own.
 template <class World>
 void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, StepParts& parts) {
@@ -234,8 +248,18 @@ void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, St
     parts.flight_acceleration =
         builder.add_part("flight acceleration", {bytes_of(data.flight_acceleration)});
   }
+  add_rotor_parts(data, builder, parts);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     SubsystemParts& own = parts.subsystems[i];
+    if (const int r = context.system.subsystems[i].rotor; r >= 0) {
+      const SupportedRotor& rotor = context.system.rotors[static_cast<std::size_t>(r)];
+      own.progress = parts.progress;
+      own.hub_state = parts.rotors[static_cast<std::size_t>(r)].hub;
+      own.hub_acceleration = parts.subsystems[static_cast<std::size_t>(rotor.subsystem)]
+                                 .bodies[static_cast<std::size_t>(rotor.body)]
+                                 .accelerations;
+      continue;
+    }
     if (data.is_coupled) {
       own.progress = parts.progress;
       own.hub_state = parts.hub_state;

@@ -61,8 +61,15 @@ struct SubsystemParts {
   std::vector<graph::PartId> joints() const;
 };
 
+/// Parts of a rotor on a support.
+struct RotorParts {
+  graph::PartId hub;      ///< motion of its hub
+  graph::PartId carried;  ///< what its subsystems add to the hub
+};
+
 struct StepParts {
   std::vector<SubsystemParts> subsystems;
+  std::vector<RotorParts> rotors;
   graph::PartId hub_coordinates, hub_history, records;
   graph::PartId progress, hub_state, hub_solution;  ///< if coupled
   graph::PartId flight_acceleration;                ///< if coupled

@@ -54,6 +54,25 @@ void for_each_value(SystemRecord<World>& record, Exchange&& exchange) {
   }
 }
 
+/// Calls `exchange` with each value of the hub of a rotor on a support, of a record.
+template <class World, class Exchange>
+void for_each_value(RotorRecord<World>& record, Exchange&& exchange) {
+  for (TwistOf<World>* twist : {&record.position, &record.velocity, &record.reaction})
+    for (double& value : *twist) exchange(value);
+  exchange(record.applied_torque);
+  if constexpr (has_attitude<World>) {
+    for (double& value : record.rotation.axes.reshaped()) exchange(value);
+    exchange(record.rotation.mount_spin);
+  }
+}
+
+/// Calls `exchange` with each value of a record of this table.
+template <class World, class Exchange>
+void for_each_value(const StepData<World>& data, SystemRecord<World>& record, Exchange&& exchange) {
+  for_each_value(record, exchange);
+  if (!data.rotors.empty()) for_each_value(record.rotor, exchange);
+}
+
 template <class Apply>
 void apply_to_block(const CoordinateBlock& block, Apply&& apply) {
   const auto size = static_cast<std::size_t>(block.size);
@@ -91,6 +110,7 @@ template <class World, class Apply, class ApplyToRecord>
 void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& apply_to_record) {
   apply(doubles(data.hub_storage[0], data.hub_storage.size()));
   apply(doubles(data.hub));
+  for (RotorData<World>& rotor : data.rotors) apply(doubles(rotor.hub));
   if constexpr (has_attitude<World>) apply(doubles(data.hub_attitude));
   apply_to_record();
   for (StepProgress& progress : data.progress) {
@@ -108,7 +128,7 @@ std::size_t count_state_values(StepData<World>& data) {
   SystemRecord<World> record;
   for_each_state_part(
       data, [&](std::span<const double> part) { count += part.size(); },
-      [&] { for_each_value(record, [&](double) { ++count; }); });
+      [&] { for_each_value(data, record, [&](double) { ++count; }); });
   return count;
 }
 
@@ -122,7 +142,7 @@ void StepData<World>::take_state(std::int64_t step, std::vector<double>& values)
       [&](std::span<const double> part) { values.insert(values.end(), part.begin(), part.end()); },
       [&] {
         SystemRecord<World> record = of_step(records, step);
-        for_each_value(record, [&](double value) { values.push_back(value); });
+        for_each_value(*this, record, [&](double value) { values.push_back(value); });
       });
 }
 
@@ -136,7 +156,9 @@ void StepData<World>::put_state(std::span<const double> values, std::int64_t ste
         std::copy_n(next, part.size(), part.begin());
         next += part.size();
       },
-      [&] { for_each_value(of_step(records, step), [&](double& value) { value = *next++; }); });
+      [&] {
+        for_each_value(*this, of_step(records, step), [&](double& value) { value = *next++; });
+      });
 }
 
 std::vector<double> take_state_values(std::int64_t step, StepTable& data) {

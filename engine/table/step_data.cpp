@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/space/supported_rotor.h"
+
 namespace spoke {
 namespace {
 
@@ -148,6 +150,27 @@ void follow_progress(std::size_t i, StepData<World>& data, SubsystemData<World>&
       data.is_coupled ? &data.hub_solution.acceleration : &subsystem.prescribed.acceleration;
 }
 
+/// Points the subsystems of rotors on supports to their hubs, and the hubs to what they carry.
+void follow_rotors(const System<Plane>&, StepData<Plane>&) {}
+void follow_rotors(const System<Space>& system, StepData<Space>& data) {
+  assert(system.rotors.empty() || data.is_coupled);
+  data.rotors = std::vector<RotorData<Space>>(system.rotors.size());
+  for (std::size_t r = 0; r < system.rotors.size(); ++r) {
+    const SupportedRotor& rotor = system.rotors[r];
+    BodyData<Space>& hub = data.subsystems[static_cast<std::size_t>(rotor.subsystem)]
+                               .bodies[static_cast<std::size_t>(rotor.body)];
+    RotorData<Space>& made = data.rotors[r];
+    made.hub = data.hub;
+    made.path = find_path(system, rotor);
+    hub.carried = &made.carried;
+    for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+      if (system.subsystems[i].rotor != static_cast<int>(r)) continue;
+      data.subsystems[i].hub = &made.hub;
+      data.subsystems[i].hub_acceleration = &hub.X;
+    }
+  }
+}
+
 }  // namespace
 
 template <class World>
@@ -194,6 +217,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
     if (!options.is_coupled)
       subsystem.records = ArenaVector<ReactionRecord<World>>(data.records.size(), *subsystem.arena);
   }
+  follow_rotors(system, data);
 }
 
 template <class World>
@@ -226,6 +250,7 @@ std::vector<std::span<std::byte>> StepData<World>::state_memory() {
   };
   add(hub_storage);
   add(std::span(&hub, 1));
+  for (RotorData<World>& rotor : rotors) add(std::span(&rotor.hub, 1));
   if constexpr (!std::is_empty_v<typename BodyTypes<World>::Attitude>)
     add(std::span(&hub_attitude, 1));
   add(progress);

@@ -34,6 +34,19 @@ struct HubState {
   TwistOf<World> twist;  ///< velocity (resolved in the hub frame) and angular velocity
 };
 
+/// A rotor on a support, see SupportedRotor: its hub, and what its subsystems add to it.
+template <class World>
+struct RotorData {
+  HubState<World> hub;
+  /// Acceleration of the hub by the last iterate, hub frame, less gravity; in implicit passes.
+  TwistOf<World> acceleration = TwistOf<World>::Zero();
+  double angle = 0.0;    ///< angle of the axle [rad]
+  double speed = 0.0;    ///< its rate [rad/s]
+  double spin_up = 0.0;  ///< its second derivative, by the last iterate [rad/s^2]
+  typename BodyTypes<World>::CarriedInertia carried;
+  std::vector<int> path{};  ///< bodies of the support from its base to the hub
+};
+
 /// Hub motion that support and drive prescribe.
 template <class World>
 struct PrescribedHub {
@@ -74,6 +87,16 @@ struct ReactionRecord {
   TwistOf<World> reaction = TwistOf<World>::Zero();
 };
 
+/// Hub of a rotor on a support at the end of a step, as SystemRecord has the hub.
+template <class World>
+struct RotorRecord {
+  TwistOf<World> position = TwistOf<World>::Zero();
+  TwistOf<World> velocity = TwistOf<World>::Zero();
+  TwistOf<World> reaction = TwistOf<World>::Zero();  ///< wrench of the axle on the hub, hub frame
+  double applied_torque = 0.0;
+  [[no_unique_address]] typename BodyTypes<World>::RecordedRotation rotation;
+};
+
 /// The step as a whole: the sums over all subsystems, and the hub.
 template <class World>
 struct SystemRecord : ReactionRecord<World> {
@@ -83,6 +106,7 @@ struct SystemRecord : ReactionRecord<World> {
   TwistOf<World> velocity = TwistOf<World>::Zero();  ///< [m/s, rad/s]
   /// Rotation from the hub frame to the inertial frame; empty in the plane.
   [[no_unique_address]] typename BodyTypes<World>::RecordedRotation hub_rotation;
+  RotorRecord<World> rotor{};  ///< of the first rotor on a support, if there is one
 };
 
 /// One subsystem's share of the table; vectors by body, parents before children.
@@ -158,6 +182,7 @@ class StepData final : public StepTable {
   std::array<TwistOf<World>, 7> hub_storage;  ///< memory of hub_coordinates
   /// State of the hub's orientation besides hub_coordinates; empty in the plane.
   typename BodyTypes<World>::Attitude hub_attitude;
+  std::vector<RotorData<World>> rotors;        ///< rotors on supports; it must not move
   std::vector<std::unique_ptr<Arena>> arenas;  ///< by subsystem; they outlive what lies in them
   std::vector<SubsystemData<World>> subsystems;
   double length = 1.0;  ///< length of the model, by which errors of places are measured [m]

@@ -22,6 +22,7 @@ struct Hub {
   double mass = 0.0;             ///< [kg]
   /// The motion of the axle's mount; none: at rest.
   std::optional<spatial::MountMotion> mount = std::nullopt;
+  Position position = Position::Zero();  ///< place of a free hub at t = 0, inertial frame [m]
   /// Velocity of a free hub at t = 0: translation in the inertial frame, rotation in H.
   Twist velocity = Twist::Zero();
 };

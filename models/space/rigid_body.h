@@ -16,6 +16,8 @@ struct RigidBody {
   Matrix3 inertia = Matrix3::Zero();   ///< inertia about the centre of mass [kg m^2]
   /// Handles at which children hang, then those of loops [m].
   std::vector<Position> outboard;
+  /// Whether it is the hub of a rotor on a support: alone it may have no mass.
+  bool is_hub = false;
 };
 
 /// M_RR = [m 1, -S~; S~, Theta], S = m c, Theta about the frame's origin.

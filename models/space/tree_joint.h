@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "models/drive.h"
 #include "models/space/joint.h"
 #include "models/spatial_model.h"
 
@@ -25,6 +26,8 @@ using DrivenMotion = std::variant<spatial::MotionTable, spatial::AzimuthMotion, 
 
 /// The course of a joint's driven components and of the forces on its coordinates.
 struct JointCourse {
+  /// Drive of the axle of a rotor on a support, which turns the joint: its only component.
+  std::optional<Drive> drive = std::nullopt;
   std::vector<DrivenMotion> driven;   ///< motion by driven component
   std::vector<Curve> efforts;         ///< motor by coordinate [N m, N]; none: no motors
   double azimuth = 0.0;               ///< added to the hub's angle for AzimuthMotion [rad]

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <memory>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -49,6 +50,25 @@ space::Hub make_hub(const spatial::Hub& hub) {
   return made;
 }
 
+/// Returns what a support stands on, as a hub: H has the axes of the ground, or of the fuselage.
+space::Hub make_base(const spatial::Support& support, const spatial::Hub& hub) {
+  space::Hub made;
+  if (support.from == spatial::SupportBase::ground) {
+    made.drive = FixedDrive{};
+    made.mount = hub.mount;
+    return made;
+  }
+  const spatial::Fuselage& fuselage = support.fuselage;
+  made.support = HubSupport::free;
+  made.orientation = make_quaternion(space::exponential(fuselage.attitude));
+  made.mass = fuselage.mass;
+  made.inertia =
+      calc_mass(space::RigidBody{fuselage.mass, fuselage.center, fuselage.inertia, {}, {}});
+  made.position = fuselage.position;
+  made.velocity = space::make_twist(fuselage.velocity, fuselage.angular_velocity);
+  return made;
+}
+
 space::HubLoad make_hub_load(const spatial::HubLoad& load, const space::Rotation& to_axis) {
   const bool is_inertial = load.frame == spatial::LoadFrame::inertial;
   const space::Rotation R = is_inertial ? space::Rotation{} : to_axis;
@@ -61,14 +81,17 @@ space::HubLoad make_hub_load(const spatial::HubLoad& load, const space::Rotation
 }
 
 /// Makes the subsystem of one tree. `centre`: the point in H about which the undeformed model turns
-/// freely.
+/// freely. `rotor`: of a support, the mass properties of the rotor that it carries; `drive`: its.
 class SubsystemMaker {
  public:
   SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis,
-                 const space::Position& centre, SharedBodies& made)
+                 const space::Position& centre, SharedBodies& made,
+                 const spatial::MassProperties& rotor = {}, const Drive& drive = FreeDrive{})
       : tree_(tree),
         to_axis_(to_axis),
         centre_(centre),
+        rotor_(rotor),
+        drive_(drive),
         placements_(calc_placements(tree)),
         shared_(made) {
     for (std::size_t k = 0; k < tree.beams.size(); ++k)
@@ -234,7 +257,7 @@ class SubsystemMaker {
       return;
     }
     const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
-    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}};
+    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}, body(j).is_hub};
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
     for (const spatial::TreePlace* place : places_on(j))
@@ -266,6 +289,7 @@ class SubsystemMaker {
     for (space::JointPrimitive& primitive : joint.primitives)
       primitive.axis = own.inverse() * primitive.axis;
     made.joint.course = make_course(body(j).joint);
+    if (body(j).is_hub) made.joint.course.drive = drive_;
   }
 
   space::JointCourse make_course(const spatial::Joint& joint) const {
@@ -355,7 +379,8 @@ class SubsystemMaker {
   std::vector<spatial::MassProperties> calc_masses() const {
     std::vector<spatial::MassProperties> masses;
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
-      masses.push_back(calc_mass_properties(tree_, body(j)).seen_from_outside(placements_[j]));
+      masses.push_back((body(j).is_hub ? rotor_ : calc_mass_properties(tree_, body(j)))
+                           .seen_from_outside(placements_[j]));
     return masses;
   }
 
@@ -446,6 +471,8 @@ class SubsystemMaker {
   const spatial::Tree& tree_;
   space::Rotation to_axis_;
   space::Position centre_;
+  spatial::MassProperties rotor_;
+  Drive drive_;
   /// Placements of bodies in the frame of the description's hub.
   std::vector<Placement> placements_;
   SharedBodies& shared_;
@@ -476,13 +503,60 @@ space::Position find_mass_centre(const spatial::Hub& hub, const std::vector<spat
 /// Refuses motions by the azimuth where the hub is free in space: it has none.
 void require_azimuth(const System<Space>& system) {
   if (system.hub.support == HubSupport::axle) return;
-  for (const Subsystem<Space>& subsystem : system.subsystems)
+  for (const Subsystem<Space>& subsystem : system.subsystems) {
+    if (subsystem.rotor >= 0) continue;
     for (const TreeBody<Space>& body : subsystem.bodies)
       for (const space::DrivenMotion& motion : body.joint.course.driven)
         if (std::holds_alternative<spatial::AzimuthMotion>(motion))
           throw InputError(
               "a joint's motion follows the azimuth of a hub that is free in space, expected a "
               "hub on an axle");
+  }
+}
+
+/// Returns the mass of a rotor, hub and blades, and its mean first moment over a turn, in the frame
+/// of its hub on a support; `trees`: those on it.
+spatial::MassProperties calc_rotor_mass(const spatial::Hub& hub,
+                                        std::span<const spatial::Tree> trees) {
+  spatial::MassProperties rotor = spatial::make_mass_properties(hub.mass, hub.center, hub.inertia);
+  for (const spatial::Tree& tree : trees) rotor += calc_mass_properties(tree);
+  const space::Rotation to_axis = axis_rotation(hub).inverse();
+  rotor.first_moment = to_axis * space::Position(rotor.first_moment);
+  rotor.first_moment.head<2>().setZero();
+  rotor.inertia.setZero();
+  return rotor;
+}
+
+/// Turns the loads on a hub to loads on the body that is the hub of a support.
+void move_hub_loads(const spatial::Model& model, const space::Rotation& to_axis,
+                    TreeBody<Space>& hub) {
+  for (const spatial::HubLoad& load : model.hub_loads) {
+    const space::HubLoad made = make_hub_load(load, to_axis);
+    BodyLoad<Space> moved{{},
+                          load.frame == spatial::LoadFrame::inertial ? spatial::LoadFrame::inertial
+                                                                     : spatial::LoadFrame::body,
+                          made.force,
+                          made.moment,
+                          std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp})};
+    moved.points.push_back({0, 0.0, 1.0, made.position});
+    hub.loads.push_back(std::move(moved));
+  }
+}
+
+/// Makes the support, the last of the trees, and puts the rotor on it.
+void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
+                 SharedBodies& bodies, System<Space>& system) {
+  const std::span rotor(trees.data(), trees.size() - 1);
+  const spatial::Tree& tree = trees.back();
+  assert(tree.bodies.back().is_hub);
+  system.hub = make_base(*model.support, model.hub);
+  system.subsystems.push_back(SubsystemMaker(tree, {}, space::Position::Zero(), bodies,
+                                             calc_rotor_mass(model.hub, rotor), model.hub.drive)
+                                  .make(make_body_loads(model, tree, trees.size() - 1)));
+  std::vector<TreeBody<Space>>& support = system.subsystems.back().bodies;
+  move_hub_loads(model, axis_rotation(model.hub).inverse(), support.back());
+  system.rotors.push_back(
+      {static_cast<int>(trees.size()) - 1, static_cast<int>(support.size()) - 1});
 }
 
 }  // namespace
@@ -499,14 +573,19 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   system.gravity = model.gravity;
   system.gravity_ramp = model.gravity_ramp;
   system.damping = model.damping;
-  for (const spatial::HubLoad& load : model.hub_loads)
-    system.hub_loads.push_back(make_hub_load(load, to_axis));
+  const std::size_t on_hub = trees.size() - (model.support ? 1 : 0);
+  if (!model.support)
+    for (const spatial::HubLoad& load : model.hub_loads)
+      system.hub_loads.push_back(make_hub_load(load, to_axis));
   space::Position centre = space::Position::Zero();
   if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
   SharedBodies bodies(model.damping, control);
-  for (std::size_t i = 0; i < trees.size(); ++i)
+  for (std::size_t i = 0; i < on_hub; ++i) {
     system.subsystems.push_back(SubsystemMaker(trees[i], to_axis, centre, bodies)
                                     .make(make_body_loads(model, trees[i], i)));
+    if (model.support) system.subsystems.back().rotor = 0;
+  }
+  if (model.support) add_support(model, trees, bodies, system);
   for (const Anchor& anchor : model.anchors) system.anchors.push_back(make_anchor(anchor, to_axis));
   require_azimuth(system);
   return system;
@@ -514,6 +593,18 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
 
 System<Space> make_system(const spatial::Model& model) {
   return make_system(model, build_trees(model));
+}
+
+const Drive& drive_of(const System<Space>& system) {
+  if (system.rotors.empty()) return system.hub.drive;
+  const SupportedRotor& rotor = system.rotors.front();
+  return *system.subsystems[static_cast<std::size_t>(rotor.subsystem)]
+              .bodies[static_cast<std::size_t>(rotor.body)]
+              .joint.course.drive;
+}
+
+Drive& drive_of(System<Space>& system) {
+  return const_cast<Drive&>(drive_of(std::as_const(system)));
 }
 
 }  // namespace spoke

@@ -21,4 +21,10 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
                           const solid::Control& control = {});
 System<Space> make_system(const spatial::Model& model);
 
+/// Returns the drive: of the hub, or of the first rotor's axle on a support.
+Drive& drive_of(System<Space>& system);
+const Drive& drive_of(const System<Space>& system);
+inline Drive& drive_of(System<Plane>& system) { return system.hub.drive; }
+inline const Drive& drive_of(const System<Plane>& system) { return system.hub.drive; }
+
 }  // namespace spoke

@@ -32,9 +32,18 @@ struct TreeBody {
   ModalShare modal;  ///< empty unless its beam is damped by modes
 };
 
-/// A subsystem: a tree of bodies on the hub, parents first; in the plane a chain, root to tip.
+/// A rotor on a support: its hub is a body of the support's tree, on the axle, and carries
+/// subsystems of its own.
+struct SupportedRotor {
+  int subsystem = 0;  ///< index of the support's tree
+  int body = 0;       ///< index of the hub in it; the drive is in the joint that carries it
+};
+
+/// A subsystem: a tree of bodies on a hub, parents first; in the plane a chain, root to tip.
 template <class World>
 struct Subsystem {
+  /// Index in System::rotors of the rotor whose hub carries it; -1: System::hub does.
+  int rotor = -1;
   /// Pose of the root bracket in the hub frame; in space, pose of the first body's frame of the
   /// description (a beam's own axes), joint coordinates zero.
   PoseOf<World> root;
@@ -56,7 +65,10 @@ struct Subsystem {
 
 template <class World>
 struct System {
+  /// The hub, or what carries the support of rotors: the ground, an axle that does not turn, or a
+  /// fuselage.
   typename World::Hub hub;
+  std::vector<SupportedRotor> rotors;  ///< rotors on supports
   std::vector<typename World::HubLoad> hub_loads;
   std::vector<Subsystem<World>> subsystems;
   std::vector<AnchorModel> anchors;

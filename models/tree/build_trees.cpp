@@ -159,12 +159,33 @@ Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
   return tree;
 }
 
+/// Returns the hub on a support, in its frame with z along the drive's axis.
+RigidBody make_hub_body(const Hub& hub) {
+  const Tensor to_axis = rotor_placement(hub).rotation.transpose();
+  return {hub.mass, to_axis * hub.center, to_axis * hub.inertia * to_axis.transpose()};
+}
+
+/// Returns the axle, about which the drive turns the hub.
+Joint make_axle(const Axle& axle, const Drive& drive) {
+  Joint joint;
+  joint.name = "axle";
+  joint.kind = JointKind::revolute;
+  joint.axes[0] = Vector::UnitZ();
+  joint.offset = axle.offset;
+  joint.orientation = axle.orientation;
+  joint.coordinates[0].initial_speed = calc_initial_speed(drive);
+  if (prescribes_motion(drive)) joint.coordinates[0].motion = MotionTable{};  // the drive's
+  return joint;
+}
+
 /// Adds the bodies of a subsystem, each after its parent.
 class SubsystemBuilder {
  public:
   SubsystemBuilder(const Subsystem& subsystem, const Model& model, const SolidParts& solids)
       : subsystem_(subsystem),
-        anchors_(model.anchors),
+        model_(model),
+        support_(is_support(model, subsystem) ? &*model.support : nullptr),
+        base_(support_ ? base_name(support_->from) : "hub"),
         solids_(solids),
         turn_(rotation_of(subsystem.azimuth * model.hub.axis.normalized())) {
     tree_.name = subsystem.name;
@@ -174,7 +195,7 @@ class SubsystemBuilder {
 
   Tree build() && {
     // The order is depth first, with siblings in the order in which they are given.
-    std::vector<const SubsystemJoint*> next = children_of("hub");
+    std::vector<const SubsystemJoint*> next = children_of(base_);
     std::reverse(next.begin(), next.end());
     while (!next.empty()) {
       const SubsystemJoint& joint = *next.back();
@@ -183,7 +204,8 @@ class SubsystemBuilder {
       const auto further = children_of(joint.child);
       next.insert(next.end(), further.rbegin(), further.rend());
     }
-    LoopBuilder builder(anchors_, turn_, tree_);
+    if (support_) add_hub();
+    LoopBuilder builder(model_.anchors, turn_, tree_);
     for (const Loop& loop : subsystem_.loops)
       builder.add(loop, [this](const std::string& name) {
         const Added& added = added_.at(name);
@@ -212,7 +234,7 @@ class SubsystemBuilder {
   /// Returns the handle that carries a joint; on a beam, that of the innermost body with a node
   /// there.
   Handle handle_of(const SubsystemJoint& joint) const {
-    if (joint.parent == "hub") return {};
+    if (joint.parent == base_) return {};
     const Added& parent = added_.at(joint.parent);
     if (const auto* solid = std::get_if<SolidBody>(&body(joint.parent).shape))
       return {static_cast<int>(parent.first), find_interface(*solid, joint.interface).value()};
@@ -239,6 +261,8 @@ class SubsystemBuilder {
         places.push_back(further->station.value_or(beam->length));
       for (const double station : loop_stations(subsystem_.loops, child.name, *beam))
         places.push_back(station);
+      if (support_ && support_->axle.body == child.name)
+        places.push_back(support_->axle.station.value_or(beam->length));
       add_beam(tree_, *beam, child.name, {parent, placement, joint.joint}, {}, places);
     } else if (const auto* solid = std::get_if<SolidBody>(&child.shape)) {
       add_body(tree_, child.name, solids_.of(*solid), parent, placement, joint.joint);
@@ -248,8 +272,24 @@ class SubsystemBuilder {
     added_[child.name] = {first, tree_.bodies.size() - 1};
   }
 
+  /// Adds the hub at the end of a support.
+  void add_hub() {
+    SubsystemJoint axle;
+    axle.parent = support_->axle.body.empty() ? base_ : support_->axle.body;
+    axle.station = support_->axle.station;
+    axle.interface = support_->axle.interface;
+    axle.joint = make_axle(support_->axle, model_.hub.drive);
+    const int hub =
+        add_body(tree_, "hub", make_hub_body(model_.hub), handle_of(axle), {}, axle.joint);
+    TreeBody& made = tree_.bodies[static_cast<std::size_t>(hub)];
+    made.is_hub = true;
+    made.placement = made.placement * rotor_placement(model_.hub);
+  }
+
   const Subsystem& subsystem_;
-  const std::vector<Anchor>& anchors_;
+  const Model& model_;
+  const Support* support_;  ///< whose tree this is, or null
+  std::string base_;        ///< name of what carries the tree
   const SolidParts& solids_;
   Tensor turn_;  ///< turns by the azimuth, in the hub's frame
   /// Joints by the name of their parent.
@@ -277,7 +317,7 @@ std::vector<Tree> build_trees(const Model& model) {
   for (std::size_t i = 0; i < trees.size(); ++i) {
     const bool is_blade = i < model.blades.size();
     trees[i].key = is_blade ? "blades." + std::to_string(i + 1)
-                            : "subsystem." + std::to_string(i + 1 - model.blades.size());
+                            : key_of_subsystem(model, i - model.blades.size());
   }
   return trees;
 }

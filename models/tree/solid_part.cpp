@@ -52,7 +52,7 @@ SolidParts::SolidParts(const Model& model) {
       described_.push_back(solid);
       parts_.push_back({solid::find_geometry(*solid),
                         {},
-                        "subsystem." + std::to_string(i + 1) + ".body." + std::to_string(j + 1),
+                        key_of_subsystem(model, i) + ".body." + std::to_string(j + 1),
                         model.subsystems[i].name + " / " + model.subsystems[i].bodies[j].name});
     }
   for (const PointLoad& load : model.loads) {

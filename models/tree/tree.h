@@ -36,6 +36,9 @@ struct TreeBody {
   /// interface.
   Placement placement{};
   Joint joint{};  ///< its axes are in the body's frame; offset and orientation are in `placement`
+  /// Whether it is the hub on a support: its frame has z along the drive's axis, and its joint is
+  /// the axle, which the drive turns.
+  bool is_hub = false;
 };
 
 /// A place of a loop in its tree.
@@ -55,10 +58,10 @@ struct TreeLoop {
   TreePlace from{}, to{};
 };
 
-/// Bodies on the hub; parents stand before their children.
+/// Bodies on the hub, or of a support on its base; parents stand before their children.
 struct Tree {
   std::string name{};  ///< "blade 1", or the name of the subsystem
-  std::string key{};   ///< in a scenario: "blades.1", "subsystem.2"
+  std::string key{};   ///< in a scenario: "blades.1", "subsystem.2", "support"
   /// Azimuth of a blade or subsystem, added to the hub's angle for AzimuthMotion [rad].
   double azimuth = 0.0;
   std::vector<Beam> beams{};       ///< beams whose parts are the flexible bodies
@@ -71,7 +74,8 @@ struct Tree {
 std::int64_t count_coordinates(const Tree& tree);
 
 /// Makes one tree for each blade, then one for each subsystem. Precondition: check_model() accepts
-/// it.
+/// it. The tree of a support is the last; its last body is the hub, by the name "hub" on the joint
+/// "axle".
 ///
 /// A blade's joints part it, and each part is cut into equally long bodies, none longer than
 /// length/bodies; beams of subsystems are cut by the same rule. A body has as many equally long

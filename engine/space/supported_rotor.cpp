@@ -1,0 +1,133 @@
+// Carries motion from a support to its rotor's hub, and inertia back.
+
+#include "engine/space/supported_rotor.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/kernels/kinematics.h"
+#include "engine/kernels/samples.h"
+#include "engine/space/relative_motion.h"
+#include "engine/space/table_terms.h"
+#include "models/system/spatial_system.h"
+
+namespace spoke {
+namespace {
+
+const SubsystemData<Space>& support_of(const SupportedRotor& rotor, const StepData<Space>& data) {
+  return data.subsystems[static_cast<std::size_t>(rotor.subsystem)];
+}
+
+/// Returns where a body's frame is in the frame of the hub that carries its tree.
+space::Pose calc_pose(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                      int body) {
+  space::Pose pose{space::Position::Zero(), {}};
+  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
+    const auto index = static_cast<std::size_t>(j);
+    const TreeBody<Space>& model = subsystem.bodies[index];
+    const space::JointMotion& joint = data.joints[index];
+    if (model.body->moves_inboard()) pose.p -= data.bodies[index].work.handles[0].s;
+    pose = {joint.p + joint.R * pose.p, joint.R * pose.R};
+    if (model.parent >= 0)
+      pose.p += data.bodies[static_cast<std::size_t>(model.parent)].work.handles[model.handle].s;
+  }
+  return pose;
+}
+
+/// Sets the angle about the axle and its rate.
+void take_angle(const BodyData<Space>& hub, RotorData<Space>& rotor) {
+  const bool is_driven = hub.model->joint.joint.driven > 0;
+  rotor.angle = is_driven ? hub.joint.driven[0].value : hub.joint.coordinates.q[0];
+  rotor.speed = is_driven ? hub.joint.driven[0].rate : hub.joint.coordinates.v[0];
+  rotor.spin_up = is_driven ? hub.joint.driven[0].acceleration : hub.joint.coordinates.a[0];
+}
+
+}  // namespace
+
+std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor) {
+  std::vector<int> path;
+  const auto& bodies = system.subsystems[static_cast<std::size_t>(rotor.subsystem)].bodies;
+  for (int j = rotor.body; j >= 0; j = bodies[static_cast<std::size_t>(j)].parent)
+    path.push_back(j);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+void place_rotor(const System<Space>& system, std::size_t r, double t, bool is_implicit,
+                 StepData<Space>& data) noexcept {
+  assert(r < system.rotors.size() && r < data.rotors.size());
+  const SupportedRotor& model = system.rotors[r];
+  const auto i = static_cast<std::size_t>(model.subsystem);
+  const auto j = static_cast<std::size_t>(model.body);
+  const SubsystemData<Space>& support = data.subsystems[i];
+  RotorData<Space>& rotor = data.rotors[r];
+  const HubState<Space>& base = *support.hub;
+  const space::Pose pose = calc_pose(system.subsystems[i], support, model.body);
+  rotor.hub = {base.p + base.R * pose.p, base.R * pose.R, support.twists[j]};
+  take_angle(support.bodies[j], rotor);
+  if (is_implicit)
+    rotor.acceleration = calc_frame_acceleration(
+        system.subsystems[i], support, calc_hub_acceleration(system, i, data, t), rotor.path);
+}
+
+void sum_rotor(const System<Space>& system, std::size_t r, bool is_condensed,
+               StepData<Space>& data) noexcept {
+  assert(r < system.rotors.size() && r < data.rotors.size());
+  const SupportedRotor& model = system.rotors[r];
+  const auto i = static_cast<std::size_t>(model.subsystem);
+  RotorData<Space>& rotor = data.rotors[r];
+  space::TwistMatrix mass =
+      rigid_mass_of(data.subsystems[i].bodies[static_cast<std::size_t>(model.body)]).matrix();
+  space::Twist force = space::Twist::Zero();
+  space::HubStiffening stiffening;
+  for (std::size_t k = 0; k < system.subsystems.size(); ++k) {
+    if (system.subsystems[k].rotor != static_cast<int>(r)) continue;
+    const SubsystemData<Space>& subsystem = data.subsystems[k];
+    if (is_condensed) {
+      mass += subsystem.effective.mass;
+      force += subsystem.effective.force;
+      stiffening += subsystem.effective.stiffening;
+    } else {
+      for (const BodyData<Space>& body : subsystem.bodies) stiffening += body.terms.stiffening;
+    }
+  }
+  rotary(mass) -= stiffening.inertia;
+  angular(force) += calc_stiffening_moment(stiffening, angular(rotor.hub.twist));
+  rotor.carried.mass = {0.5 * (mass + mass.transpose())};
+  rotor.carried.force = force;
+  if (is_condensed) rotor.carried.inverse = invert(rotor.carried.mass);
+}
+
+void update_rotors(const System<Space>& system, double t, StepData<Space>& data) noexcept {
+  for (std::size_t r = 0; r < system.rotors.size(); ++r) {
+    const auto i = static_cast<std::size_t>(system.rotors[r].subsystem);
+    prescribe_joints(system, t, i, data);
+    update_kinematics(system.subsystems[i], data.subsystems[i]);
+    place_rotor(system, r, t, true, data);
+  }
+}
+
+const HubState<Space>& shown_hub(const StepData<Space>& data) noexcept {
+  return data.rotors.empty() ? data.hub : data.rotors.front().hub;
+}
+
+void record_rotor(const System<Space>& system, double t, const StepData<Space>& data,
+                  SystemRecord<Space>& record) noexcept {
+  if (system.rotors.empty()) return;
+  const SupportedRotor& model = system.rotors[0];
+  const RotorData<Space>& rotor = data.rotors[0];
+  const space::Angular w = angular(rotor.hub.twist);
+  RotorRecord<Space>& made = record.rotor;
+  made.position = space::make_twist(rotor.hub.p, space::Angular(0.0, 0.0, rotor.angle));
+  made.velocity = space::make_twist(rotor.hub.R * space::Position(linear(rotor.hub.twist)),
+                                    space::Angular(w.x(), w.y(), rotor.speed));
+  made.rotation = {rotor.hub.R, w.z() - rotor.speed};
+  made.reaction = support_of(model, data).wrenches[static_cast<std::size_t>(model.body)].inboard;
+  made.applied_torque = 0.0;
+  const Drive& drive = drive_of(system);
+  if (prescribes_motion(drive)) return;
+  made.reaction[Space::kAxial] = 0.0;
+  made.applied_torque = calc_torque(drive, t, rotor.speed);
+}
+
+}  // namespace spoke
